@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+
+namespace bumpfoil {
+
+/// State of one contact. With gap g, normal force p, friction force t on the node, slip du since the last converged
+/// increment and friction coefficient f:
+enum class ContactMode : std::uint8_t {
+  open,           ///< g > 0,  p = 0,  t = 0
+  stick,          ///< g = 0,  p >= 0, du = 0, |t| <= f p
+  slip_forward,   ///< g = 0,  p >= 0, du > 0, t = -f p
+  slip_backward,  ///< g = 0,  p >= 0, du < 0, t = +f p
+};
+
+/// One kind of contact, present once in every block. The unknowns are given by their place in the block; -1 is none.
+///
+///     g = g0 + x[plus] - x[minus] >= 0
+///
+/// A compression p >= 0 acts as +p on `plus` and -p on `minus`; friction t acts on `tangential`. A contact without a
+/// `tangential` unknown is frictionless, and its closed mode is `stick`.
+struct ContactPair {
+  int plus{-1};
+  int minus{-1};
+  int tangential{-1};
+  double friction_coefficient{};
+};
+
+/// Quasi-static contact problem with Coulomb friction: given the state x0 at the last increment and the initial gaps
+/// g0, find x, p, t such that
+///
+///     K x = load + sum of contact forces,   0 <= g _|_ p >= 0,   |t| <= f p,   t = -f p sign(du) where du != 0
+///
+/// with du = x[tangential] - x0[tangential] [Arghir2019, Eqs. 10, 16]. All displacements in m, forces in N. K may have
+/// unknowns that are not displacements (moments of a mixed form); no contact acts on them.
+struct ContactProblem {
+  BlockTridiagonal K;
+  std::vector<ContactPair> pairs;  ///< contact c of block b has index b * pairs.size() + c in every contact array
+
+  [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
+};
+
+/// What is known of the foils at one increment: a plain copyable value, all that a warm start and the friction
+/// history need.
+struct ContactState {
+  Vector x;                       ///< unknowns of K
+  Vector normal_force;            ///< p >= 0 of each contact, N
+  Vector friction_force;          ///< t of each contact on its node, N
+  std::vector<ContactMode> mode;  ///< of each contact
+
+  /// Unstressed foils: nothing displaced, no forces, every contact that will close sticks.
+  static ContactState unstressed(const ContactProblem& problem);
+};
+
+/// Gaps g = g0 + x[plus] - x[minus] of all contacts, m.
+Vector contact_gaps(const ContactProblem& problem, const Vector& initial_gap, const Vector& x);
+
+/// Forces of the contacts on the unknowns, N; rows() entries.
+Vector contact_forces(const ContactProblem& problem, const Vector& normal_force, const Vector& friction_force);
+
+/// x[tangential] of all contacts, m; zero for frictionless ones.
+Vector tangential_displacements(const ContactProblem& problem, const Vector& x);
+
+}  // namespace bumpfoil

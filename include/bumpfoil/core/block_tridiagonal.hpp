@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace bumpfoil {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+/// Symmetric block-tridiagonal matrix of `blocks()` square blocks of `block_size()` rows: a plain value. Foil
+/// structures have this form because bump i is coupled to bumps i-1 and i+1 only.
+///
+/// Row `block * block_size() + k` of the whole matrix is row k of a block. Block (i+1, i) is upper[i] transposed.
+struct BlockTridiagonal {
+  std::vector<Matrix> diagonal;  ///< blocks (i, i), symmetric
+  std::vector<Matrix> upper;     ///< blocks (i, i+1), one fewer than the diagonal ones
+
+  BlockTridiagonal() = default;
+  /// All blocks zero.
+  BlockTridiagonal(int blocks, int block_size);
+
+  [[nodiscard]] int blocks() const { return static_cast<int>(diagonal.size()); }
+  [[nodiscard]] int block_size() const { return diagonal.empty() ? 0 : static_cast<int>(diagonal.front().rows()); }
+  [[nodiscard]] Eigen::Index rows() const { return Eigen::Index{blocks()} * block_size(); }
+
+  /// Adds `value` at rows (block_i, i) and (block_j, j) and, off the diagonal, at the mirrored place. The blocks must
+  /// be the same or neighbours.
+  void add(int block_i, int i, int block_j, int j, double value);
+
+  /// K x in O(blocks). `x` has rows() entries.
+  [[nodiscard]] Vector multiply(const Vector& x) const;
+
+  /// The whole matrix written out: for tests and small problems.
+  [[nodiscard]] Matrix dense() const;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// One thing that is wrong with what the user gave: where it is, what was met, what to change.
+struct Fault {
+  std::string file;    ///< empty when the case was built in memory
+  std::size_t line{};  ///< 1-based; 0 when unknown
+  std::string key;     ///< dotted key of the case file, such as "bump_foil.height"; empty when it has none
+  std::string value;   ///< the value met, as written; empty when the key is missing
+  std::string what;    ///< what is wrong
+  std::string advice;  ///< what to change
+};
+
+/// Who can mend it: decides the exit code of the program.
+enum class ErrorKind {
+  input,  ///< the case or the command line is wrong (exit code 2)
+  file,   ///< a file cannot be read or written (exit code 4)
+};
+
+/// The one exception type of the library: bad input, files, a model that cannot be built. It lists every fault at
+/// once. Numerical failures are never thrown; they are reported in results.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorKind kind, std::vector<Fault> faults);
+
+  [[nodiscard]] ErrorKind kind() const { return kind_; }
+  [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  ErrorKind kind_;
+  std::vector<Fault> faults_;
+};
+
+/// One line for one fault: `file:line: key = value: what; advice`, leaving out what is unknown. Control characters
+/// of the value are escaped and long values are shortened, so that the line is safe to print.
+std::string format_fault(const Fault& fault);
+
+}  // namespace bumpfoil

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// Sense in which the foils run from the weld, seen with X to the right and Y up.
+enum class Wrap { clockwise, counterclockwise };
+
+/// How the corrugated foil is modelled.
+enum class BumpFoilModel {
+  truss,   ///< springs between crests and feet, four degrees of freedom per bump [Arghir2019]
+  frame,   ///< exact circular-arc and straight beam elements
+  former,  ///< truss with feet that never lift and no top foil [LeLez2007]
+};
+
+/// What `BumpFoil::height` measures.
+enum class HeightReference {
+  overall,     ///< top of the bump over the sleeve; the rise of the mid-surface is height - thickness
+  midsurface,  ///< rise of the mid-surface itself
+};
+
+/// Where the bump foil is clamped.
+enum class WeldPosition {
+  mid_flat,   ///< in the middle of the flat before bump 1
+  arc_start,  ///< at the start of the first arc: the weld covers the flat (frame model only)
+};
+
+enum class SolverName { newton, uzawa, events };
+
+/// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
+struct Bearing {
+  double radius{};                      ///< R, m
+  double axial_length{};                ///< L, m
+  double radial_clearance{};            ///< C_r, m; zero or negative means interference
+  double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
+  Wrap wrap{Wrap::clockwise};
+};
+
+/// Constants of the truss model; those that are absent are identified from a planar frame of the same foil.
+struct TrussOverrides {
+  std::optional<double> k1;       ///< N/m
+  std::optional<double> k2;       ///< N/m
+  std::optional<double> k3;       ///< N/m
+  std::optional<double> k4;       ///< N/m
+  std::optional<double> theta_d;  ///< rad
+};
+
+struct BumpFoil {
+  BumpFoilModel model{BumpFoilModel::truss};
+  int bumps{};      ///< N
+  double pitch{};   ///< p, m
+  double length{};  ///< chord of the arc 2 l0, m
+  double height{};  ///< h_b, m, read as `height_reference` says
+  HeightReference height_reference{HeightReference::overall};
+  double thickness{};                 ///< e_f, m
+  double youngs_modulus{};            ///< E, Pa
+  double poisson_ratio{};             ///< nu
+  std::vector<double> height_errors;  ///< m, positive = taller; empty or one per bump
+  std::vector<double> sleeve_gaps;    ///< g0_b, m; empty or one per bump
+  WeldPosition weld_at{WeldPosition::mid_flat};
+  TrussOverrides truss;
+};
+
+struct TopFoil {
+  double thickness{};       ///< m
+  double youngs_modulus{};  ///< Pa
+  double poisson_ratio{};
+};
+
+/// Coulomb friction coefficients; the journal is frictionless.
+struct Friction {
+  double top_bump{};     ///< between top foil and crests
+  double bump_sleeve{};  ///< between feet and sleeve
+};
+
+/// Parameters of the augmented Lagrangian method with penalty friction [Arghir2019, Eqs. 14-25]; see
+/// contact/uzawa.hpp for what each does.
+struct UzawaParameters {
+  double eps_alm{1e8};  ///< penalty of the normal contacts, N/m
+  double eps_f{1e9};    ///< penalty of sticking contacts, N/m
+  double eps_r{1e12};   ///< penalty of the journal contact, N/m
+  double tau_f{1e-9};   ///< slip over which the friction force turns round, m
+};
+
+struct SolverSettings {
+  SolverName name{SolverName::newton};
+  UzawaParameters uzawa;
+};
+
+/// Push-pull cycles of the journal: from the centre to `amplitude` along each direction and back.
+struct CycleSettings {
+  std::vector<double> directions;  ///< rad, from the X axis towards Y
+  double amplitude{};              ///< m
+  int steps{100};                  ///< equal increments per branch
+};
+
+/// A case as the program understands it: SI units, defaults filled in.
+struct Case {
+  std::string title;
+  Bearing bearing;
+  BumpFoil bump_foil;
+  TopFoil top_foil;
+  Friction friction;
+  SolverSettings solver;
+  CycleSettings cycle;
+};
+
+/// The first-generation bearing of [Arghir2019, Table 1] with friction coefficient 0.1, pushed to 2.5 clearances along
+/// +X, -X, +Y and -Y.
+Case reference_case();
+
+}  // namespace bumpfoil

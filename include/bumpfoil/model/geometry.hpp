@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Circular arc of a bump, mid-surface, unwrapped onto a straight base.
+///
+///     R_b = (l0^2 + h^2) / (2 h),   sin(alpha) = l0 / R_b
+///
+/// `half_angle` exceeds pi/2 where the rise exceeds the half chord.
+struct BumpArc {
+  double half_length{};  ///< l0, m
+  double rise{};         ///< h of the mid-surface, m
+  double radius{};       ///< R_b, m
+  double half_angle{};   ///< alpha, rad
+  double flat{};         ///< length of the flat between two bumps, p - 2 l0, m
+};
+
+/// Arc of the nominal bump; the rise is height - thickness or height, as `height_reference` says.
+BumpArc make_bump_arc(const BumpFoil& foil);
+
+/// Angles of the crests from the weld along the foil, theta_i = (i - 1/2) p / R for i = 1..N, rad.
+Vector crest_angles(const Case& input);
+
+/// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
+Vector polar_angles(const Bearing& bearing, const Vector& theta);
+
+/// Gaps between journal and undeformed top foil, r_i = C_r - (x cos(phi_i) + y sin(phi_i)), m. `phi` are polar angles;
+/// the journal centre stands at `position` (x, y). [Arghir2019, Eq. 3] prints the other sign before y, which its own
+/// results contradict.
+Vector journal_gaps(const Bearing& bearing, const Vector& phi, const Eigen::Vector2d& position);
+
+/// Force that must be applied to the journal to hold it against the loads `journal_loads` (>= 0, N, one per entry of
+/// `phi`) of the top foil: sum of p_i (cos(phi_i), sin(phi_i)), N.
+Eigen::Vector2d journal_force(const Vector& phi, const Vector& journal_loads);
+
+/// Unit vector at polar angle `direction` (rad). Exact along the axes: no 6e-17 where zero is meant.
+Eigen::Vector2d unit_vector(double direction);
+
+}  // namespace bumpfoil

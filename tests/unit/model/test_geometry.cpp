@@ -1,0 +1,77 @@
+#include "bumpfoil/model/geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace bumpfoil {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// A few roundings of numbers of order one.
+constexpr double rounding = 1e-14;
+
+TEST(BumpArc, OverallHeightIncludesTheThickness) {
+  Case input = reference_case();
+  EXPECT_DOUBLE_EQ(make_bump_arc(input.bump_foil).rise, 0.406e-3);
+  input.bump_foil.height_reference = HeightReference::midsurface;
+  EXPECT_DOUBLE_EQ(make_bump_arc(input.bump_foil).rise, 0.508e-3);
+}
+
+TEST(BumpArc, MeetsItsDefinition) {
+  for (const double height : {0.2e-3, 0.508e-3, 3e-3}) {  // the last is more than a half circle
+    Case input = reference_case();
+    input.bump_foil.height = height;
+    const BumpArc arc = make_bump_arc(input.bump_foil);
+    EXPECT_NEAR(std::sin(arc.half_angle), arc.half_length / arc.radius, rounding);
+    EXPECT_NEAR(arc.radius * (1.0 - std::cos(arc.half_angle)), arc.rise, rounding);
+    EXPECT_EQ(arc.half_angle > pi / 2, arc.rise > arc.half_length);
+    EXPECT_NEAR(arc.flat, 1.016e-3, rounding);
+  }
+}
+
+TEST(CrestAngles, FirstCrestStandsHalfAPitchFromTheWeld) {
+  const Case input = reference_case();
+  const Vector theta = crest_angles(input);
+  ASSERT_EQ(theta.size(), 26);
+  EXPECT_NEAR(theta[0], 0.5 * 0.24, rounding);
+  EXPECT_NEAR(theta[25], 25.5 * 0.24, rounding);  // p / R = 0.24
+}
+
+TEST(JournalGaps, DefaultsGiveTheTextbookForm) {
+  // Weld at 180 deg, clockwise: r = C_r + x cos(theta) - y sin(theta).
+  const Case input = reference_case();
+  const Vector theta = crest_angles(input);
+  const Vector phi = polar_angles(input.bearing, theta);
+  const Eigen::Vector2d position(12e-6, -7e-6);
+  const Vector r = journal_gaps(input.bearing, phi, position);
+  for (Eigen::Index i = 0; i < theta.size(); ++i) {
+    EXPECT_NEAR(r[i], 31.8e-6 + 12e-6 * std::cos(theta[i]) + 7e-6 * std::sin(theta[i]), 1e-19);
+  }
+}
+
+TEST(JournalForce, PushingTowardsABumpNeedsAForceTowardsIt) {
+  const Case input = reference_case();
+  const Vector phi = polar_angles(input.bearing, crest_angles(input));
+  Vector loads = Vector::Zero(phi.size());
+  loads[4] = 3.0;
+  const Eigen::Vector2d force = journal_force(phi, loads);
+  EXPECT_NEAR(force.norm(), 3.0, rounding);
+  EXPECT_NEAR(std::atan2(force.y(), force.x()), phi[4], rounding);
+  // Bump 5 lies in the half plane of +Y with the default weld and wrap.
+  EXPECT_GT(force.y(), 0.0);
+}
+
+TEST(UnitVector, IsExactAlongTheAxes) {
+  EXPECT_EQ(unit_vector(0.0), Eigen::Vector2d(1, 0));
+  EXPECT_EQ(unit_vector(pi / 2), Eigen::Vector2d(0, 1));
+  EXPECT_EQ(unit_vector(pi), Eigen::Vector2d(-1, 0));
+  EXPECT_EQ(unit_vector(1.5 * pi), Eigen::Vector2d(0, -1));
+  EXPECT_EQ(unit_vector(-pi / 2), Eigen::Vector2d(0, -1));
+  EXPECT_EQ(unit_vector(4.0 * pi), Eigen::Vector2d(1, 0));
+  EXPECT_DOUBLE_EQ(unit_vector(pi / 6).x(), std::cos(pi / 6));
+}
+
+}  // namespace
+}  // namespace bumpfoil
