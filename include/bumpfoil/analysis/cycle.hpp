@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/contact/solver.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -30,12 +31,11 @@ struct Increment {
   double force_direct{};        ///< F.n, N
   double force_cross{};         ///< F.t with t = n turned by +90 deg, N
   double elastic_energy{};      ///< J
-  double dissipated_energy{};   ///< since increment 0, J
+  double dissipated_energy{};   ///< since increment 0, J; at increment 0 that of the assembly is kept apart
   double work{};                ///< of the journal since increment 0, trapezoidal rule, J
-  double residual{};            ///< equilibrium, over max(largest contact force, 1 N)
-  int iterations{};             ///< linear solves
-  int substeps{};               ///< extra solves because the increment had to be halved
-  bool converged{true};
+  ContactResiduals residuals;
+  SolveReport solve;  ///< what it cost and whether it converged
+  int substeps{};     ///< extra solves because the increment had to be halved
 
   Vector top_displacement;      ///< u_t, m, one per bump
   Vector crest_u, crest_v;      ///< m, one per bump
@@ -45,39 +45,40 @@ struct Increment {
   InterfaceFields bump_sleeve;  ///< per foot
 };
 
+/// Response at the turning point: present once the run got that far.
+struct TurningPoint {
+  double max_force{};                    ///< direct force at full displacement, N
+  double cross_force{};                  ///< N
+  double elastic_energy{};               ///< J
+  double tangent_stiffness_loading{};    ///< slipping contacts go on slipping, N/m
+  double tangent_stiffness_unloading{};  ///< all closed contacts stick, N/m
+  double secant_stiffness{};             ///< max_force / amplitude, N/m
+};
+
 /// Push and pull in one direction: increments 0..2*steps and what is derived from them. Increment 0 is the assembly at
-/// the centred journal, solved in one step from the unstressed foils.
+/// the centred journal, solved in one step from the unstressed foils. Quantities that could not be computed are absent.
 struct Cycle {
   double direction{};                 ///< rad
   double amplitude{};                 ///< m
   int steps{};                        ///< per branch
-  bool converged{};                   ///< every increment meets the bounds of contact/residual.hpp
-  std::vector<Increment> increments;  ///< fewer than 2*steps+1 after a numerical failure
+  bool converged{};                   ///< all increments are there, and each meets the bound of its solver
+  std::vector<Increment> increments;  ///< fewer than 2*steps+1 after a numerical failure or an interruption
 
-  // Derived; NaN-free: what could not be computed is absent.
-  double max_force{};           ///< direct force at full displacement, N
-  double cross_force_at_max{};  ///< N
-  double initial_force{};       ///< direct force at increment 0, N
-  double initial_force_x{}, initial_force_y{};
-  double initial_journal_load{};         ///< sum of journal loads at increment 0, N
-  double initial_elastic_energy{};       ///< E0, J
-  double assembly_dissipation{};         ///< D0, J
-  double loop_energy{};                  ///< closed integral of F.dx by the trapezoidal rule, J
-  double elastic_energy_at_max{};        ///< J
-  std::optional<double> loss_factor;     ///< loop energy / (2 pi (E_max - E0)); absent where nothing was deformed
-  double tangent_stiffness_loading{};    ///< at the turning point, slipping contacts go on slipping, N/m
-  double tangent_stiffness_unloading{};  ///< at the turning point, all closed contacts stick, N/m
-  double secant_stiffness{};             ///< max_force / amplitude, N/m
-  std::optional<double> first_contact;   ///< m; absent if no bump faces the direction
-  std::optional<double> clearance_5N;    ///< displacement of the first upward crossing of 5 N, m; absent if never
-  std::optional<double> clearance_10N;   ///< m
-  Vector bump_loads;                     ///< top foil on crests at full displacement, N, one per bump
-  Vector foot_loads;                     ///< feet on the sleeve, N, one per foot
-  Vector journal_loads;                  ///< journal on the top foil, N, one per bump
-  double max_residual{};
-  int iterations{};  ///< sum over increments
-  int substeps{};
-  double wall_time{};  ///< s
+  double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
+  std::optional<TurningPoint> turning_point;
+  std::optional<double> loop_energy;    ///< closed integral of F.dx by the trapezoidal rule, J
+  std::optional<double> loss_factor;    ///< loop energy / (2 pi (E_max - E0)); absent where nothing was deformed
+  std::optional<double> first_contact;  ///< m; absent if no bump faces the direction
+  std::optional<double> clearance_5N;   ///< displacement of the first upward crossing of 5 N, m; absent if never
+  std::optional<double> clearance_10N;  ///< m
+  double wall_time{};                   ///< s
+
+  /// Increment at full displacement; only where turning_point is present.
+  [[nodiscard]] const Increment& at_turning_point() const { return increments[static_cast<std::size_t>(steps)]; }
+  [[nodiscard]] double initial_journal_load() const;  ///< sum of journal loads at increment 0, N
+  [[nodiscard]] double max_residual() const;          ///< equilibrium, largest of all increments
+  [[nodiscard]] SolveReport total() const;            ///< sum over increments
+  [[nodiscard]] int substeps() const;                 ///< sum over increments
 };
 
 struct CycleResult {

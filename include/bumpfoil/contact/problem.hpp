@@ -43,6 +43,12 @@ struct ContactProblem {
   [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
 };
 
+/// What drives the problem at one increment. A plain value; between two increments it may be interpolated.
+struct ContactLoading {
+  Vector initial_gap;  ///< g0 of each contact, m
+  Vector load;         ///< loads on the unknowns, N
+};
+
 /// What is known of the foils at one increment: a plain copyable value, all that a warm start and the friction
 /// history need.
 struct ContactState {

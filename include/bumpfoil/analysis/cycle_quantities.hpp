@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/cycle.hpp"
+
+namespace bumpfoil {
+
+/// Displacement (m) at which the direct force first rises through `threshold` (N) on the loading branch, linear between
+/// increments; 0 if it lies above from the start, absent if it never gets there.
+std::optional<double> clearance_at(const std::vector<Increment>& increments, double threshold);
+
+/// Displacement (m) along the unit vector `direction` at which the journal first touches the top foil,
+/// (C_r + u_t,i) / cos(phi_i - beta) smallest over the bumps that face the direction, with the displacements u_t of the
+/// top foil at the centred journal; 0 if it touches already, absent if no bump faces the direction.
+std::optional<double> first_contact_displacement(const BearingModel& model, const Vector& top_displacement,
+                                                 const Eigen::Vector2d& direction);
+
+/// Loop energy over 2 pi times the elastic energy stored between start and turning point; absent if none was stored.
+std::optional<double> loss_factor(double loop_energy, double elastic_energy_stored);
+
+/// Tangent stiffnesses d(F.n)/ds at a state, N/m, from the modes of its contacts.
+struct TangentStiffnesses {
+  double loading{};    ///< slipping contacts go on slipping
+  double unloading{};  ///< all closed contacts stick
+};
+
+/// @param mode       of each contact at the state
+/// @param direction  unit vector n of the journal's motion
+TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const std::vector<ContactMode>& mode,
+                                       const Eigen::Vector2d& direction);
+
+}  // namespace bumpfoil

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/contact/problem.hpp"
+
+namespace bumpfoil {
+
+/// The linear system that remains of a contact problem once the mode of every contact is known: closed gaps and stuck
+/// unknowns are prescribed, slipping contacts carry t = -+f p. No penalty enters: the solution is exact.
+///
+/// In the rows of a closed contact the compression p is the imbalance of one unknown that no other contact of the
+/// block touches; its equation gives way to the constraint, and p is carried into the other rows. Everything happens
+/// inside a block, so that the system stays block tridiagonal and a solve is O(blocks).
+class ModeSystem {
+ public:
+  virtual ~ModeSystem() = default;
+
+  /// Factors the system for `mode`, reusing what did not change since the last call.
+  /// @return false if the modes leave a mechanism or a singular system; then no solve may follow.
+  [[nodiscard]] virtual bool set_modes(const std::vector<ContactMode>& mode) = 0;
+
+  /// Solves for the unknowns and the contact forces under the modes that were set. The result obeys the equations of
+  /// the modes; whether it obeys their inequalities is for the caller to see. Linear: given rates it returns rates.
+  /// @param loading     initial gaps and loads
+  /// @param previous_x  unknowns whose tangential ones are kept by sticking contacts
+  /// @param state       receives x, normal_force and friction_force; its modes are set to those of the system
+  virtual void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) = 0;
+};
+
+/// K plus springs at the contacts: the Jacobian of penalty and augmented Lagrangian methods.
+class PenaltySystem {
+ public:
+  virtual ~PenaltySystem() = default;
+
+  /// Factors K + sum over contacts of normal_stiffness * n n' + tangential_stiffness * s s' (N/m, one per contact).
+  /// @return false if the matrix is singular.
+  [[nodiscard]] virtual bool set_stiffness(const Vector& normal_stiffness, const Vector& tangential_stiffness) = 0;
+
+  /// Overwrites the right-hand side by the solution.
+  virtual void solve_in_place(Vector& x) = 0;
+
+  /// K x.
+  [[nodiscard]] virtual const Vector& multiply(const Vector& x) = 0;
+};
+
+std::unique_ptr<ModeSystem> make_mode_system(const ContactProblem& problem);
+std::unique_ptr<PenaltySystem> make_penalty_system(const ContactProblem& problem);
+
+}  // namespace bumpfoil

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+
+#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/solver.hpp"
+
+namespace bumpfoil {
+
+/// Settings of the exact solver. The defaults suit foils of metal in the size range of turbomachinery.
+struct NewtonOptions {
+  /// A gap may be below zero, or a slip against its direction, by this much: gap >= -displacement_tolerance. m.
+  double displacement_tolerance{1e-13};
+  /// A compression may be below zero, or friction above its bound, by this part of max(largest contact force, 1 N).
+  double force_tolerance{1e-11};
+  /// Rounds of changing all contacts that contradict their mode before the globally convergent method takes over.
+  int max_mode_updates{12};
+  /// Penalty of the proximal augmented Lagrangian, N/m. It sets its pace, not its result.
+  double penalty{1e10};
+  /// Multiplier updates of the augmented Lagrangian before the increment is given up.
+  int max_outer_iterations{200};
+  /// Newton steps for one set of multipliers.
+  int max_inner_iterations{60};
+};
+
+/// Exact unilateral contact and Coulomb friction; no penalty in the result.
+///
+/// First a semismooth Newton method on the contact modes: solve exactly for the modes of the last increment, change
+/// every contact whose inequalities fail, repeat. It ends in one or a few linear solves nearly always, but may cycle.
+/// Then a proximal augmented Lagrangian takes over: with multipliers lambda, mu and friction bounds f lambda held, the
+/// states are the minimum of a convex piecewise quadratic energy, found by Newton steps with exact line search; the
+/// multipliers are updated until the modes they show solve the problem exactly (the same test as before).
+class NewtonSolver final : public ContactSolver {
+ public:
+  explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());
+  ~NewtonSolver() override;
+
+  [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+                                  ContactState& state) override;
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bumpfoil/contact/problem.hpp"
+
+namespace bumpfoil {
+
+/// What a solve cost and how it ended.
+struct SolveReport {
+  bool converged{};        ///< the state meets the solver's own bound
+  int iterations{};        ///< linear solves
+  int factorisations{};    ///< of the whole system
+  int outer_iterations{};  ///< multiplier updates of an augmented Lagrangian; 0 where none was needed
+
+  SolveReport& operator+=(const SolveReport& other);
+};
+
+/// Solves the contact problem of one increment.
+class ContactSolver {
+ public:
+  virtual ~ContactSolver() = default;
+
+  /// Finds the state under `loading` after `previous`, which friction refers to and which is the first guess. On
+  /// failure `state` holds the last iterate, flagged by the report.
+  /// @param state  result; its storage is reused
+  [[nodiscard]] virtual SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+                                          ContactState& state) = 0;
+};
+
+/// An increment as it was taken: with how many extra solves.
+struct IncrementReport {
+  SolveReport solve;
+  int substeps{};  ///< extra solves because the increment had to be halved
+};
+
+/// Advances `state` from `from` to `to`. Where the solver fails, the state is restored, the increment is halved (the
+/// loading is interpolated) and both halves are taken in turn, up to `max_halvings` times over. On failure the state is
+/// that of the last part that converged.
+[[nodiscard]] IncrementReport advance(ContactSolver& solver, const ContactLoading& from, const ContactLoading& to,
+                                      ContactState& state, int max_halvings = 8);
+
+}  // namespace bumpfoil

@@ -1,0 +1,259 @@
+#include "bumpfoil/contact/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Coulomb's law of one contact, read off its place in the block.
+struct Law {
+  const ContactPair& pair;
+  double f;  ///< 0 where frictionless
+
+  explicit Law(const ContactPair& p) : pair(p), f(p.tangential >= 0 ? p.friction_coefficient : 0.0) {}
+
+  [[nodiscard]] double gap(const Vector& x, Eigen::Index row) const {
+    return (pair.plus >= 0 ? x[row + pair.plus] : 0.0) - (pair.minus >= 0 ? x[row + pair.minus] : 0.0);
+  }
+  [[nodiscard]] double tangential(const Vector& x, Eigen::Index row) const {
+    return pair.tangential >= 0 ? x[row + pair.tangential] : 0.0;
+  }
+};
+
+/// The part -weight * clamp(centre - slope * a, low, high) of the derivative of the energy along a search direction.
+struct ClampedTerm {
+  double weight, centre, slope, low, high;
+
+  [[nodiscard]] double value(double a) const { return -weight * std::clamp(centre - slope * a, low, high); }
+};
+
+/// Zero of the increasing piecewise-linear function linear_part(a) + sum of terms on a > 0.
+double exact_step(double constant, double rate, const std::vector<ClampedTerm>& terms, std::vector<double>& kinks) {
+  kinks.clear();
+  for (const ClampedTerm& term : terms) {
+    if (term.slope == 0.0) continue;
+    for (const double bound : {term.low, term.high}) {
+      const double kink = (term.centre - bound) / term.slope;
+      if (std::isfinite(kink) && kink > 0.0) kinks.push_back(kink);
+    }
+  }
+  std::sort(kinks.begin(), kinks.end());
+  const auto derivative = [&](double a) {
+    double sum = constant + rate * a;
+    for (const ClampedTerm& term : terms) sum += term.value(a);
+    return sum;
+  };
+  const auto above = std::partition_point(kinks.begin(), kinks.end(), [&](double a) { return derivative(a) < 0.0; });
+  const double left = above == kinks.begin() ? 0.0 : *(above - 1);
+  const double at_left = derivative(left);
+  if (at_left >= 0.0) return left;
+  const double right = above == kinks.end() ? std::max(2.0 * left, 1.0) : *above;
+  const double slope = (derivative(right) - at_left) / (right - left);
+  return slope > 0.0 ? left - at_left / slope : right;
+}
+
+}  // namespace
+
+struct NewtonSolver::Workspace {
+  Workspace(const ContactProblem& contact_problem, const NewtonOptions& newton_options)
+      : problem(contact_problem),
+        options(newton_options),
+        modes(make_mode_system(contact_problem)),
+        penalties(make_penalty_system(contact_problem)),
+        normal_stiffness(contact_problem.contacts()),
+        tangential_stiffness(contact_problem.contacts()) {}
+
+  /// Calls visit(law, first row of the block, contact) for every contact.
+  template <typename Visitor>
+  void for_each_contact(Visitor&& visit) const {
+    Eigen::Index contact = 0;
+    for (Eigen::Index row = 0; row < problem.K.rows(); row += problem.K.block_size()) {
+      for (const ContactPair& pair : problem.pairs) visit(Law(pair), row, contact++);
+    }
+  }
+
+  int update_modes(const ContactLoading& loading, const ContactState& previous, const ContactState& state,
+                   std::vector<ContactMode>& mode) const;
+  bool iterate_modes(const ContactLoading& loading, const ContactState& previous, int max_updates, ContactState& state,
+                     SolveReport& report);
+  bool augmented_lagrangian(const ContactLoading& loading, const ContactState& previous, ContactState& state,
+                            SolveReport& report);
+  void minimise(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
+  double line_search(const ContactLoading& loading, const ContactState& previous);
+  void evaluate(const ContactLoading& loading, const ContactState& previous);
+
+  ContactProblem problem;
+  NewtonOptions options;
+  std::unique_ptr<ModeSystem> modes;
+  std::unique_ptr<PenaltySystem> penalties;
+
+  std::vector<ContactMode> trial;
+  // Augmented Lagrangian: unknowns, multipliers, bounds, forces at the current unknowns, search direction.
+  Vector x, lambda, mu, bound, p, t, gradient, step;
+  Vector normal_stiffness, tangential_stiffness, last_normal_stiffness, last_tangential_stiffness;
+  std::vector<ClampedTerm> terms;
+  std::vector<double> kinks;
+};
+
+NewtonSolver::NewtonSolver(const ContactProblem& problem, const NewtonOptions& options)
+    : workspace_(std::make_unique<Workspace>(problem, options)) {}
+
+NewtonSolver::~NewtonSolver() = default;
+
+SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactState& previous, ContactState& state) {
+  Workspace& w = *workspace_;
+  SolveReport report;
+  state = previous;
+  w.trial = previous.mode;
+  report.converged = w.iterate_modes(loading, previous, w.options.max_mode_updates, state, report) ||
+                     w.augmented_lagrangian(loading, previous, state, report);
+  return report;
+}
+
+/// Replaces in `mode` every mode whose inequalities `state`, solved for these modes, does not obey.
+/// @return how many were replaced
+int NewtonSolver::Workspace::update_modes(const ContactLoading& loading, const ContactState& previous,
+                                          const ContactState& state, std::vector<ContactMode>& mode) const {
+  const double largest = std::max(1.0, state.normal_force.cwiseAbs().maxCoeff());
+  const double force_tolerance = options.force_tolerance * largest;
+  const double length_tolerance = options.displacement_tolerance;
+  int changed = 0;
+  for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index contact) {
+    ContactMode& m = mode[static_cast<std::size_t>(contact)];
+    const ContactMode old = m;
+    const double normal = state.normal_force[contact];
+    const double friction = state.friction_force[contact];
+    if (m == ContactMode::open) {
+      if (loading.initial_gap[contact] + law.gap(state.x, row) < -length_tolerance) m = ContactMode::stick;
+    } else if (normal < -force_tolerance) {
+      m = ContactMode::open;
+    } else if (law.f > 0.0) {
+      const double slip = law.tangential(state.x, row) - law.tangential(previous.x, row);
+      if (m == ContactMode::stick) {
+        const double excess = std::abs(friction) - law.f * normal;
+        if (excess > force_tolerance) m = friction > 0.0 ? ContactMode::slip_backward : ContactMode::slip_forward;
+      } else if ((m == ContactMode::slip_forward ? slip : -slip) < -length_tolerance) {
+        m = ContactMode::stick;
+      }
+    }
+    if (m != old) ++changed;
+  });
+  return changed;
+}
+
+/// Exact solves from the modes in `trial`, until no contact contradicts its mode or `max_updates` are spent.
+bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const ContactState& previous,
+                                            int max_updates, ContactState& state, SolveReport& report) {
+  for (int update = 0; update <= max_updates; ++update) {
+    if (!modes->set_modes(trial)) return false;
+    ++report.factorisations;
+    modes->solve(loading, previous.x, state);
+    ++report.iterations;
+    if (!state.x.allFinite()) return false;
+    if (update_modes(loading, previous, state, trial) == 0) return true;
+  }
+  return false;
+}
+
+/// Forces p, t at x for the current multipliers and bounds, and the gradient of the energy there.
+void NewtonSolver::Workspace::evaluate(const ContactLoading& loading, const ContactState& previous) {
+  gradient = penalties->multiply(x) - loading.load;
+  for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index c) {
+    const double gap = loading.initial_gap[c] + law.gap(x, row);
+    const double trial_normal = lambda[c] - options.penalty * gap;
+    p[c] = std::max(0.0, trial_normal);
+    normal_stiffness[c] = trial_normal > 0.0 ? options.penalty : 0.0;
+    if (law.pair.plus >= 0) gradient[row + law.pair.plus] -= p[c];
+    if (law.pair.minus >= 0) gradient[row + law.pair.minus] += p[c];
+    t[c] = 0.0;
+    tangential_stiffness[c] = 0.0;
+    if (law.f > 0.0) {
+      const double slip = law.tangential(x, row) - law.tangential(previous.x, row);
+      const double trial_friction = mu[c] - options.penalty * slip;
+      t[c] = std::clamp(trial_friction, -bound[c], bound[c]);
+      tangential_stiffness[c] = std::abs(trial_friction) < bound[c] ? options.penalty : 0.0;
+      gradient[row + law.pair.tangential] -= t[c];
+    }
+  });
+}
+
+/// Exact minimum of the energy along `step`.
+double NewtonSolver::Workspace::line_search(const ContactLoading& loading, const ContactState& previous) {
+  const double constant = step.dot(penalties->multiply(x) - loading.load);
+  const double rate = step.dot(penalties->multiply(step));
+  terms.clear();
+  for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index c) {
+    const double gap = loading.initial_gap[c] + law.gap(x, row);
+    const double gap_rate = law.gap(step, row);
+    terms.push_back({gap_rate, lambda[c] - options.penalty * gap, options.penalty * gap_rate, 0.0, HUGE_VAL});
+    if (law.f > 0.0) {
+      const double slip = law.tangential(x, row) - law.tangential(previous.x, row);
+      const double slip_rate = law.tangential(step, row);
+      terms.push_back({slip_rate, mu[c] - options.penalty * slip, options.penalty * slip_rate, -bound[c], bound[c]});
+    }
+  });
+  return exact_step(constant, rate, terms, kinks);
+}
+
+/// Minimum of the energy for the current multipliers and bounds: x, p and t.
+void NewtonSolver::Workspace::minimise(const ContactLoading& loading, const ContactState& previous,
+                                       SolveReport& report) {
+  last_normal_stiffness.setConstant(-1.0);
+  for (int i = 0; i < options.max_inner_iterations; ++i) {
+    evaluate(loading, previous);
+    // The energy is piecewise quadratic: a full step that stays in its piece lands on the minimum.
+    if (normal_stiffness == last_normal_stiffness && tangential_stiffness == last_tangential_stiffness) return;
+    if (!penalties->set_stiffness(normal_stiffness, tangential_stiffness)) return;
+    ++report.factorisations;
+    last_normal_stiffness = normal_stiffness;
+    last_tangential_stiffness = tangential_stiffness;
+    step = -gradient;
+    penalties->solve_in_place(step);
+    ++report.iterations;
+    const double a = line_search(loading, previous);
+    x += a * step;
+    if (std::abs(a - 1.0) > 1e-6) last_normal_stiffness.setConstant(-1.0);  // the piece was left, or not crossed yet
+  }
+  evaluate(loading, previous);
+}
+
+bool NewtonSolver::Workspace::augmented_lagrangian(const ContactLoading& loading, const ContactState& previous,
+                                                   ContactState& state, SolveReport& report) {
+  x = previous.x;
+  lambda = previous.normal_force.cwiseMax(0.0);
+  mu = previous.friction_force;
+  bound.setZero(lambda.size());
+  p = lambda;
+  t = mu;
+  last_normal_stiffness.resize(lambda.size());
+  last_tangential_stiffness.setZero(lambda.size());
+  for_each_contact([&](const Law& law, Eigen::Index, Eigen::Index c) { bound[c] = law.f * lambda[c]; });
+
+  for (int outer = 0; outer < options.max_outer_iterations; ++outer) {
+    minimise(loading, previous, report);
+    ++report.outer_iterations;
+    if (!x.allFinite()) return false;
+    lambda = p;
+    mu = t;
+    for_each_contact([&](const Law& law, Eigen::Index, Eigen::Index c) {
+      ContactMode& m = trial[static_cast<std::size_t>(c)];
+      if (p[c] <= 0.0) {
+        m = ContactMode::open;
+      } else if (law.f == 0.0 || std::abs(t[c]) < bound[c]) {
+        m = ContactMode::stick;
+      } else {
+        m = t[c] < 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
+      }
+      bound[c] = law.f * lambda[c];
+      mu[c] = std::clamp(mu[c], -bound[c], bound[c]);
+    });
+    if (iterate_modes(loading, previous, 2, state, report)) return true;
+  }
+  return false;
+}
+
+}  // namespace bumpfoil
