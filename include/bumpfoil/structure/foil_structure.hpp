@@ -15,19 +15,23 @@ struct BumpDofs {
   std::vector<int> foot_u;  ///< of each foot of the bump, in the order met from the weld
   std::vector<int> foot_v;
   int top_u{-1};       ///< radial displacement of the top foil over the crest, positive outward
-  int top_moment{-1};  ///< bending moment of the top foil at the crest, N m; not a displacement
+  int top_moment{-1};  ///< scaled bending moment of the top foil at the crest; not a displacement
 
   [[nodiscard]] int feet() const { return static_cast<int>(foot_u.size()); }
 };
 
 /// Elastic foils without contact: what the contact problem is built from. A plain value.
 ///
-/// K is symmetric block tridiagonal with one block per bump. Displacements (m) and top-foil moments (N m) are its
-/// unknowns; the rows of the moments are the compatibility of the top foil, and always have a zero right-hand side:
+/// K is symmetric block tridiagonal with one block per bump. Displacements and top-foil moments are its unknowns; the
+/// rows of the moments are the compatibility of the top foil, and always have a zero right-hand side:
 ///
 ///     [ K_b   0   0 ] [u_b]   [ loads on the bump foil ]
 ///     [  0    0   D ] [u_t] = [ loads on the top foil  ]          K_t = D T^-1 D'
 ///     [  0    D' -T ] [ M ]   [           0            ]
+///
+/// Each moment stands as M p^2 / EI' (m; p = bump pitch, EI' of the top foil), so that all of K is in N/m and its top
+/// part is of the order EI' / p^3. The moment at the weld is eliminated into the first block. The moment over the last
+/// crest is zero; its place is kept, coupled to nothing, so that all blocks have one size.
 struct FoilStructure {
   BlockTridiagonal K;
   BumpDofs dofs;
@@ -36,6 +40,9 @@ struct FoilStructure {
 };
 
 /// Foils of a bearing: the truss or the frame model of the bump foil, as the case says, and the top foil over it.
+///
+/// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The former model
+/// has the first four alone.
 /// @throws Error (input) if the case cannot be built.
 FoilStructure make_foil_structure(const Case& input);
 

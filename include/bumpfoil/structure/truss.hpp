@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/structure/foil_structure.hpp"
+
+namespace bumpfoil {
+
+/// Springs of the truss model of the bump foil [Arghir2019, Fig. 4].
+struct TrussConstants {
+  double k1{};       ///< rods between crest and feet, N/m
+  double k2{};       ///< between neighbouring feet, N/m
+  double k3{};       ///< between neighbouring crests, N/m
+  double k4{};       ///< between the weld and the first crest, N/m
+  double theta_d{};  ///< inclination of the rods, rad
+};
+
+/// A spring whose elongation is linear in the unknowns.
+struct Spring {
+  struct Term {
+    int bump{};
+    int dof{};             ///< place in the block of the bump
+    double coefficient{};  ///< of the elongation
+  };
+  double stiffness{};  ///< N/m
+  std::vector<Term> terms;
+};
+
+/// Springs of a truss of any number of bumps. With c = cos(theta_d), s = sin(theta_d), crest (u_c, v_c) of bump n, foot
+/// after it (u_f, v_f), foot before it (u_p, v_p; the weld, zero, for n = 1) and crest before it u_q the elongations
+/// are
+///
+///     k1: (u_c - u_p) c - (v_c - v_p) s     k1: (u_f - u_c) c - (v_c - v_f) s
+///     k2: u_f - u_p     k3: u_c - u_q (n > 1)     k4: u_c (n = 1)
+///
+/// [Arghir2019, Eq. 7]. `dofs` has one foot.
+std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps);
+
+/// Half the sum of stiffness * elongation^2, J; `x` holds blocks of `block_size` unknowns.
+double spring_energy(const std::vector<Spring>& springs, int block_size, const Vector& x);
+
+/// Adds the Hessian of the energy to K.
+void assemble_springs(const std::vector<Spring>& springs, BlockTridiagonal& K);
+
+}  // namespace bumpfoil

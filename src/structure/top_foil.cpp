@@ -1,0 +1,113 @@
+#include "bumpfoil/structure/top_foil.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/section.hpp"
+#include "structure/series.hpp"
+
+namespace bumpfoil {
+
+TopFoilBeam make_top_foil_beam(const Case& input) {
+  const TopFoil& foil = input.top_foil;
+  const Section section =
+      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+  return {input.bearing.radius, section.bending_stiffness, crest_angles(input)};
+}
+
+Matrix top_foil_compliance(const TopFoilBeam& beam) {
+  const double scale = 0.5 * std::pow(beam.radius, 3) / beam.bending_stiffness;
+  const Eigen::Index n = beam.theta.size();
+  Matrix S(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      // The closed form with the addition theorem applied: nothing cancels near the weld.
+      const double a = beam.theta[i];
+      const double b = beam.theta[j];
+      S(i, j) = S(j, i) = scale * (b * std::sin(a) * std::sin(b) - std::cos(a) * sin_minus_x_cos(b));
+    }
+  }
+  return S;
+}
+
+Matrix top_foil_stiffness(const TopFoilBeam& beam) {
+  const Eigen::Index n = beam.theta.size();
+  return top_foil_compliance(beam).llt().solve(Matrix::Identity(n, n));
+}
+
+double TopFoilMoments::load_diagonal(Eigen::Index j) const {
+  return half_tangent[j - 1] + half_tangent[j] - inverse_sine[j - 1] - inverse_sine[j];
+}
+
+TopFoilMoments make_top_foil_moments(const TopFoilBeam& beam) {
+  const Eigen::Index n = beam.theta.size();
+  BUMPFOIL_ASSERT(n > 0);
+  TopFoilMoments form;
+  form.compliance_diagonal = Vector::Zero(n);
+  form.compliance_off.resize(n - 1);
+  form.inverse_sine.resize(n);
+  form.half_tangent.resize(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double d = beam.theta[k] - (k > 0 ? beam.theta[k - 1] : 0.0);
+    const double sine = std::sin(d);
+    const double flexibility = beam.radius / (beam.bending_stiffness * sine * sine);
+    const double self = flexibility * 0.25 * x_minus_sin(2.0 * d);
+    form.inverse_sine[k] = 1.0 / (beam.radius * sine);
+    form.half_tangent[k] = std::tan(0.5 * d) / beam.radius;
+    form.compliance_diagonal[k] += self;
+    if (k + 1 < n) {
+      form.compliance_diagonal[k + 1] += self;
+      form.compliance_off[k] = flexibility * 0.5 * sin_minus_x_cos(d);
+    }
+  }
+  return form;
+}
+
+Vector solve_tridiagonal(Vector diagonal, const Vector& off, Vector right) {
+  const Eigen::Index n = diagonal.size();
+  for (Eigen::Index k = 1; k < n; ++k) {
+    const double factor = off[k - 1] / diagonal[k - 1];
+    diagonal[k] -= factor * off[k - 1];
+    right[k] -= factor * right[k - 1];
+  }
+  for (Eigen::Index k = n - 1; k >= 0; --k) {
+    if (k + 1 < n) right[k] -= off[k] * right[k + 1];
+    right[k] /= diagonal[k];
+  }
+  return right;
+}
+
+Vector top_foil_moments(const TopFoilMoments& form, const Vector& u) {
+  const Eigen::Index n = form.size();
+  BUMPFOIL_ASSERT(u.size() == n);
+  // Differences first: u is smooth where the foil is soft, and its curvature is all that counts.
+  Vector kink = Vector::Zero(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double before = k > 0 ? u[k - 1] : 0.0;  // crest k is entry k - 1; the weld does not move
+    kink[k] = form.inverse_sine[k] * (u[k] - before);
+    if (k > 0) {
+      kink[k] += form.inverse_sine[k - 1] * ((k > 1 ? u[k - 2] : 0.0) - before) +
+                 before * (form.half_tangent[k - 1] + form.half_tangent[k]);
+    }
+  }
+  return solve_tridiagonal(form.compliance_diagonal, form.compliance_off, kink);
+}
+
+Vector top_foil_loads(const TopFoilMoments& form, const Vector& u) {
+  const Eigen::Index n = form.size();
+  const Vector moment = top_foil_moments(form, u);
+  Vector load(n);
+  for (Eigen::Index j = 1; j <= n; ++j) {  // crest j
+    const double at = j < n ? moment[j] : 0.0;
+    const double after = j + 1 < n ? moment[j + 1] : 0.0;
+    load[j - 1] = form.inverse_sine[j - 1] * (moment[j - 1] - at);
+    if (j < n) {
+      load[j - 1] += form.inverse_sine[j] * (after - at) + at * (form.half_tangent[j - 1] + form.half_tangent[j]);
+    }
+  }
+  return load;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,79 @@
+#include "bumpfoil/structure/truss.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+namespace bumpfoil {
+namespace {
+
+constexpr TrussConstants constants{
+    .k1 = 150e6, .k2 = 5.43e6, .k3 = 1.36e6, .k4 = 11.25e6, .theta_d = 15.83 * std::numbers::pi / 180.0};
+const BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
+
+BlockTridiagonal assemble(int bumps) {
+  BlockTridiagonal K(bumps, dofs.size);
+  assemble_springs(make_truss_springs(constants, dofs, bumps), K);
+  return K;
+}
+
+TEST(Truss, EqualsThePublishedMatrixForTwoBumps) {
+  // [Arghir2019, Eq. 9], upper triangle row by row; order u, v of crest 1, foot 1, crest 2, foot 2.
+  const auto& [k1, k2, k3, k4, theta_d] = constants;
+  const double c = std::cos(theta_d);
+  const double s = std::sin(theta_d);
+  Matrix published = Matrix::Zero(8, 8);
+  published.row(0) << 2 * k1 * c * c + k3 + k4, 0, -k1 * c * c, -k1 * c * s, -k3, 0, 0, 0;
+  published.row(1).tail(7) << 2 * k1 * s * s, -k1 * s * c, -k1 * s * s, 0, 0, 0, 0;
+  published.row(2).tail(6) << 2 * k2 + 2 * k1 * c * c, 0, -k1 * c * c, k1 * c * s, -k2, 0;
+  published.row(3).tail(5) << 2 * k1 * s * s, k1 * s * c, -k1 * s * s, 0, 0;
+  published.row(4).tail(4) << k3 + 2 * k1 * c * c, 0, -k1 * c * c, -k1 * c * s;
+  published.row(5).tail(3) << 2 * k1 * s * s, -k1 * s * c, -k1 * s * s;
+  published.row(6).tail(2) << k2 + k1 * c * c, k1 * c * s;
+  published(7, 7) = k1 * s * s;
+  published.triangularView<Eigen::StrictlyLower>() = published.transpose();
+  EXPECT_LT((assemble(2).dense() - published).norm(), 1e-15 * published.norm());
+}
+
+TEST(Truss, IsTheHessianOfItsEnergy) {
+  constexpr int bumps = 4;
+  const std::vector<Spring> springs = make_truss_springs(constants, dofs, bumps);
+  const Matrix K = assemble(bumps).dense();
+  const Eigen::Index n = K.rows();
+  const auto energy = [&](const Vector& x) { return spring_energy(springs, dofs.size, x); };
+  const Vector origin = Vector::LinSpaced(n, -1.0, 2.0).array().sin();
+  // The energy is quadratic: central differences have no truncation error, and rounding falls with the step.
+  constexpr double step = 1.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Vector a = step * Vector::Unit(n, i);
+      const Vector b = step * Vector::Unit(n, j);
+      const double second =
+          (energy(origin + a + b) - energy(origin + a - b) - energy(origin - a + b) + energy(origin - a - b)) /
+          (4.0 * step * step);
+      EXPECT_NEAR(second, K(i, j), 1e-13 * K.norm());
+    }
+  }
+}
+
+TEST(Truss, IsPositiveDefiniteForAnyNumberOfBumps) {
+  for (const int bumps : {1, 2, 5, 26}) {
+    const Eigen::SelfAdjointEigenSolver<Matrix> modes(assemble(bumps).dense());
+    EXPECT_GT(modes.eigenvalues().minCoeff(), 0.0) << bumps;
+    // cond(K) stays below 1e10: the open foil is soft, but far from singular.
+    EXPECT_GT(modes.eigenvalues().minCoeff(), 1e-10 * modes.eigenvalues().maxCoeff()) << bumps;
+  }
+}
+
+TEST(Truss, LongerTrussRepeatsItsBlocks) {
+  const BlockTridiagonal K = assemble(7);
+  EXPECT_EQ(K.diagonal[1], K.diagonal[5]);
+  EXPECT_EQ(K.upper[0], K.upper[5]);
+  EXPECT_NE(K.diagonal[0], K.diagonal[1]);  // k4 in place of k3
+  EXPECT_NE(K.diagonal[5], K.diagonal[6]);  // nothing after the last foot
+}
+
+}  // namespace
+}  // namespace bumpfoil
