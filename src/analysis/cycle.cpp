@@ -195,6 +195,10 @@ class CycleRunner {
   Cycle cycle_;
 };
 
+std::unique_ptr<ContactSolver> make_solver(const SolverSettings& /*settings*/, const ContactProblem& problem) {
+  return std::make_unique<NewtonSolver>(problem);
+}
+
 }  // namespace
 
 double Cycle::initial_journal_load() const {
@@ -225,13 +229,13 @@ bool CycleResult::converged() const {
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   const BearingModel model = make_bearing_model(input);
-  NewtonSolver solver(model.problem);
-  CycleResult result{.solver = "newton", .cycles = {}};
+  const std::unique_ptr<ContactSolver> solver = make_solver(input.solver, model.problem);
+  CycleResult result{.solver = std::string(solver->name()), .cycles = {}};
   const auto increments = static_cast<std::size_t>(2 * input.cycle.steps + 1);
   bool stopped = false;
   for (const double direction : input.cycle.directions) {
     const auto start = std::chrono::steady_clock::now();
-    CycleRunner runner(model, solver, direction, input.cycle);
+    CycleRunner runner(model, *solver, direction, input.cycle);
     ContactState state = ContactState::unstressed(model.problem);
     ContactLoading loading;
     std::vector<ContactMode> modes_at_turning_point;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "bumpfoil/contact/problem.hpp"
 
 namespace bumpfoil {
@@ -18,6 +20,9 @@ struct SolveReport {
 class ContactSolver {
  public:
   virtual ~ContactSolver() = default;
+
+  /// As it is called in case files and results.
+  [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Finds the state under `loading` after `previous`, which friction refers to and which is the first guess. On
   /// failure `state` holds the last iterate, flagged by the report.
