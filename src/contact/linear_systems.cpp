@@ -193,10 +193,16 @@ class ModeSystemOf final : public ModeSystem {
     K_.multiply(state.x, imbalance_);
     imbalance_ -= loading.load;
     state.mode = mode_;
+    const auto contacts = static_cast<Eigen::Index>(mode_.size());
+    state.gap.resize(contacts);
+    state.normal_force.resize(contacts);
+    state.friction_force.resize(contacts);
     for_each_elimination(
         [&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact, ContactMode mode) {
           double& p = state.normal_force[contact];
           double& t = state.friction_force[contact];
+          state.gap[contact] = loading.initial_gap[contact] + (pair.plus >= 0 ? state.x[row + pair.plus] : 0.0) -
+                               (pair.minus >= 0 ? state.x[row + pair.minus] : 0.0);
           p = 0.0;
           t = 0.0;
           if (mode == ContactMode::open) return;

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/contact/event_follower.hpp"
+#include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -64,6 +65,7 @@ struct NewtonSolver::Workspace {
         options(newton_options),
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
+        follower(contact_problem),
         normal_stiffness(contact_problem.contacts()),
         tangential_stiffness(contact_problem.contacts()) {}
 
@@ -76,12 +78,13 @@ struct NewtonSolver::Workspace {
     }
   }
 
-  int update_modes(const ContactLoading& loading, const ContactState& previous, const ContactState& state,
-                   std::vector<ContactMode>& mode) const;
-  bool iterate_modes(const ContactLoading& loading, const ContactState& previous, int max_updates, ContactState& state,
+  void find_changes(const ContactState& previous, const ContactState& state);
+  bool iterate_modes(const ContactLoading& loading, const ContactState& previous, ContactState& state,
                      SolveReport& report);
   bool augmented_lagrangian(const ContactLoading& loading, const ContactState& previous, ContactState& state,
                             SolveReport& report);
+  bool follow_events(const ContactLoading& loading, const ContactState& previous, ContactState& state,
+                     SolveReport& report);
   void minimise(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
   double line_search(const ContactLoading& loading, const ContactState& previous);
   void evaluate(const ContactLoading& loading, const ContactState& previous);
@@ -90,13 +93,16 @@ struct NewtonSolver::Workspace {
   NewtonOptions options;
   std::unique_ptr<ModeSystem> modes;
   std::unique_ptr<PenaltySystem> penalties;
+  EventFollower follower;
 
   std::vector<ContactMode> trial;
+  ContactState path_end;
   // Augmented Lagrangian: unknowns, multipliers, bounds, forces at the current unknowns, search direction.
   Vector x, lambda, mu, bound, p, t, gradient, step;
   Vector normal_stiffness, tangential_stiffness, last_normal_stiffness, last_tangential_stiffness;
   std::vector<ClampedTerm> terms;
   std::vector<double> kinks;
+  std::vector<ModeChange> changes;
 };
 
 NewtonSolver::NewtonSolver(const ContactProblem& problem, const NewtonOptions& options)
@@ -109,54 +115,54 @@ SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactStat
   SolveReport report;
   state = previous;
   w.trial = previous.mode;
-  report.converged = w.iterate_modes(loading, previous, w.options.max_mode_updates, state, report) ||
+  report.converged = w.iterate_modes(loading, previous, state, report) ||
+                     w.follow_events(loading, previous, state, report) ||
                      w.augmented_lagrangian(loading, previous, state, report);
   return report;
 }
 
-/// Replaces in `mode` every mode whose inequalities `state`, solved for these modes, does not obey.
-/// @return how many were replaced
-int NewtonSolver::Workspace::update_modes(const ContactLoading& loading, const ContactState& previous,
-                                          const ContactState& state, std::vector<ContactMode>& mode) const {
-  const double largest = std::max(1.0, state.normal_force.cwiseAbs().maxCoeff());
+/// Collects the contacts whose inequalities `state`, solved for its modes, does not obey.
+void NewtonSolver::Workspace::find_changes(const ContactState& previous, const ContactState& state) {
+  const double largest = std::max(1.0, state.normal_force.maxCoeff());
   const double force_tolerance = options.force_tolerance * largest;
-  const double length_tolerance = options.displacement_tolerance;
-  int changed = 0;
+  changes.clear();
   for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index contact) {
-    ContactMode& m = mode[static_cast<std::size_t>(contact)];
-    const ContactMode old = m;
-    const double normal = state.normal_force[contact];
-    const double friction = state.friction_force[contact];
-    if (m == ContactMode::open) {
-      if (loading.initial_gap[contact] + law.gap(state.x, row) < -length_tolerance) m = ContactMode::stick;
-    } else if (normal < -force_tolerance) {
-      m = ContactMode::open;
-    } else if (law.f > 0.0) {
-      const double slip = law.tangential(state.x, row) - law.tangential(previous.x, row);
-      if (m == ContactMode::stick) {
-        const double excess = std::abs(friction) - law.f * normal;
-        if (excess > force_tolerance) m = friction > 0.0 ? ContactMode::slip_backward : ContactMode::slip_forward;
-      } else if ((m == ContactMode::slip_forward ? slip : -slip) < -length_tolerance) {
-        m = ContactMode::stick;
-      }
-    }
-    if (m != old) ++changed;
+    const ContactMode m = state.mode[static_cast<std::size_t>(contact)];
+    const ContactTrial judged{.gap = state.gap[contact],
+                              .normal = state.normal_force[contact],
+                              .friction = state.friction_force[contact],
+                              .slip = law.tangential(state.x, row) - law.tangential(previous.x, row)};
+    const ContactMode to = next_mode(m, law.f, judged, options.displacement_tolerance, force_tolerance);
+    if (to != m) changes.push_back({contact, to});
   });
-  return changed;
 }
 
-/// Exact solves from the modes in `trial`, until no contact contradicts its mode or `max_updates` are spent.
+/// Exact solves from the modes in `trial`, until no contact contradicts its mode or the rounds are spent.
 bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const ContactState& previous,
-                                            int max_updates, ContactState& state, SolveReport& report) {
-  for (int update = 0; update <= max_updates; ++update) {
+                                            ContactState& state, SolveReport& report) {
+  PivotingRule rule(options.max_mode_updates);
+  for (;;) {
     if (!modes->set_modes(trial)) return false;
     ++report.factorisations;
     modes->solve(loading, previous.x, state);
     ++report.iterations;
     if (!state.x.allFinite()) return false;
-    if (update_modes(loading, previous, state, trial) == 0) return true;
+    find_changes(previous, state);
+    if (changes.empty()) return true;
+    if (!rule.apply(changes, trial)) return false;
   }
-  return false;
+}
+
+/// Modes at the end of the event-by-event path as a guess: the increment differs from the path only where a contact
+/// slips to and fro on the way.
+bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const ContactState& previous,
+                                            ContactState& state, SolveReport& report) {
+  path_end = previous;
+  const FollowReport followed = follower.follow(loading, path_end);
+  report += followed.solve;
+  if (!followed.reached_end) return false;
+  trial = path_end.mode;
+  return iterate_modes(loading, previous, state, report);
 }
 
 /// Forces p, t at x for the current multipliers and bounds, and the gradient of the energy there.
@@ -251,7 +257,7 @@ bool NewtonSolver::Workspace::augmented_lagrangian(const ContactLoading& loading
       bound[c] = law.f * lambda[c];
       mu[c] = std::clamp(mu[c], -bound[c], bound[c]);
     });
-    if (iterate_modes(loading, previous, 2, state, report)) return true;
+    if (iterate_modes(loading, previous, state, report)) return true;
   }
   return false;
 }

@@ -19,6 +19,7 @@ void for_each_contact(const ContactProblem& problem, Visitor&& visit) {
 ContactState ContactState::unstressed(const ContactProblem& problem) {
   const Eigen::Index contacts = problem.contacts();
   return {.x = Vector::Zero(problem.K.rows()),
+          .gap = Vector::Zero(contacts),
           .normal_force = Vector::Zero(contacts),
           .friction_force = Vector::Zero(contacts),
           .mode = std::vector<ContactMode>(static_cast<std::size_t>(contacts), ContactMode::open)};

@@ -2,7 +2,9 @@
 
 namespace bumpfoil {
 
-std::vector<Fault> find_faults(const Case& /*input*/) { return {}; }
+std::vector<Fault> find_faults(const Case& /*input*/) {
+  return {};
+}
 
 void require_valid(const Case& input) {
   std::vector<Fault> faults = find_faults(input);

@@ -25,7 +25,7 @@ class ModeSystem {
   /// the modes; whether it obeys their inequalities is for the caller to see. Linear: given rates it returns rates.
   /// @param loading     initial gaps and loads
   /// @param previous_x  unknowns whose tangential ones are kept by sticking contacts
-  /// @param state       receives x, normal_force and friction_force; its modes are set to those of the system
+  /// @param state       receives x, gap and forces; its modes are set to those of the system
   virtual void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) = 0;
 };
 

@@ -13,8 +13,8 @@ struct NewtonOptions {
   double displacement_tolerance{1e-13};
   /// A compression may be below zero, or friction above its bound, by this part of max(largest contact force, 1 N).
   double force_tolerance{1e-11};
-  /// Rounds of changing all contacts that contradict their mode before the globally convergent method takes over.
-  int max_mode_updates{12};
+  /// Rounds of changing contacts that contradict their mode before the next method is tried.
+  int max_mode_updates{8};
   /// Penalty of the proximal augmented Lagrangian, N/m. It sets its pace, not its result.
   double penalty{1e10};
   /// Multiplier updates of the augmented Lagrangian before the increment is given up.
@@ -23,13 +23,15 @@ struct NewtonOptions {
   int max_inner_iterations{60};
 };
 
-/// Exact unilateral contact and Coulomb friction; no penalty in the result.
+/// Exact unilateral contact and Coulomb friction; no penalty in the result. Three methods in turn, each from the state
+/// of the last increment; all end with the same exact solve and the same test of every inequality:
 ///
-/// First a semismooth Newton method on the contact modes: solve exactly for the modes of the last increment, change
-/// every contact whose inequalities fail, repeat. It ends in one or a few linear solves nearly always, but may cycle.
-/// Then a proximal augmented Lagrangian takes over: with multipliers lambda, mu and friction bounds f lambda held, the
-/// states are the minimum of a convex piecewise quadratic energy, found by Newton steps with exact line search; the
-/// multipliers are updated until the modes they show solve the problem exactly (the same test as before).
+/// 1. Semismooth Newton on the contact modes: solve exactly for the modes of the last increment, change the contacts
+///    whose inequalities fail, repeat. Ends in one to a few solves nearly always, but may cycle.
+/// 2. The modes at the end of the path from event to event (contact/event_follower.hpp), then as 1.
+/// 3. Proximal augmented Lagrangian: with multipliers lambda, mu and friction bounds f lambda held, the state is the
+///    minimum of a convex, piecewise quadratic energy, found by Newton steps with exact line search; multipliers are
+///    updated, and the modes they show are tried as in 1, until these solve the problem.
 class NewtonSolver final : public ContactSolver {
  public:
   explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());

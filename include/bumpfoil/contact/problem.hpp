@@ -53,11 +53,12 @@ struct ContactLoading {
 /// history need.
 struct ContactState {
   Vector x;                       ///< unknowns of K
+  Vector gap;                     ///< g of each contact, m
   Vector normal_force;            ///< p >= 0 of each contact, N
   Vector friction_force;          ///< t of each contact on its node, N
   std::vector<ContactMode> mode;  ///< of each contact
 
-  /// Unstressed foils: nothing displaced, no forces, every contact that will close sticks.
+  /// Unstressed foils before assembly: nothing displaced, all contacts just touching without force.
   static ContactState unstressed(const ContactProblem& problem);
 };
 

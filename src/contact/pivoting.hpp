@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "bumpfoil/contact/problem.hpp"
+
+namespace bumpfoil {
+
+/// What is judged of one contact once the system was solved for its mode.
+struct ContactTrial {
+  double gap{};       ///< m
+  double normal{};    ///< N
+  double friction{};  ///< N
+  double slip{};      ///< m
+};
+
+inline bool slips(ContactMode mode) {
+  return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
+}
+
+/// Slip in the direction of `slip`, or against a friction force of opposite sign.
+inline ContactMode slip_mode(double slip) {
+  return slip > 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
+}
+
+/// The mode that a contact should be tried in next: its own where the trial obeys the inequalities of the mode.
+///
+/// A contact that closes is tried slipping the way it moved while open, and one that sticks in tension only because it
+/// is held sideways is tried slipping before it is opened: holding a contact that must slip falsifies its normal force.
+inline ContactMode next_mode(ContactMode mode, double f, const ContactTrial& trial, double length_tolerance,
+                             double force_tolerance) {
+  if (mode == ContactMode::open) {
+    if (trial.gap >= -length_tolerance) return mode;
+    return f > 0.0 && std::abs(trial.slip) > length_tolerance ? slip_mode(trial.slip) : ContactMode::stick;
+  }
+  if (slips(mode)) {
+    if (trial.normal < -force_tolerance) return ContactMode::open;
+    const double along = mode == ContactMode::slip_forward ? trial.slip : -trial.slip;
+    return along < -length_tolerance ? ContactMode::stick : mode;
+  }
+  if (f > 0.0 && std::abs(trial.friction) - f * std::abs(trial.normal) > force_tolerance) {
+    return slip_mode(-trial.friction);
+  }
+  return trial.normal < -force_tolerance ? ContactMode::open : mode;
+}
+
+/// A contact whose solution contradicts its mode, and the mode it should have instead.
+struct ModeChange {
+  Eigen::Index contact{};
+  ContactMode to{};
+};
+
+/// Block principal pivoting with a safeguard [Judice1994]: change all contradicting contacts at once while their number
+/// falls, and a few times after that; then one at a time, always the last one, which cannot cycle for P-matrices
+/// [Murty1974], until the number has fallen below its best.
+class PivotingRule {
+ public:
+  explicit PivotingRule(int max_rounds) : rounds_left_(max_rounds) {}
+
+  /// Applies to `mode` as many of the proposed changes as the rule allows.
+  /// @return false once the rounds are spent
+  [[nodiscard]] bool apply(const std::vector<ModeChange>& changes, std::vector<ContactMode>& mode) {
+    if (rounds_left_-- == 0) return false;
+    if (changes.size() < fewest_) {
+      fewest_ = changes.size();
+      patience_ = full_patience;
+    } else {
+      --patience_;
+    }
+    const std::size_t first = patience_ > 0 ? 0 : changes.size() - 1;
+    for (std::size_t i = first; i < changes.size(); ++i) {
+      mode[static_cast<std::size_t>(changes[i].contact)] = changes[i].to;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int full_patience = 3;
+
+  int rounds_left_;
+  int patience_{full_patience};
+  std::size_t fewest_{std::numeric_limits<std::size_t>::max()};
+};
+
+}  // namespace bumpfoil
