@@ -29,23 +29,24 @@ missing_packages() {
 mapfile -t missing < <(missing_packages)
 if (( ${#missing[@]} == 0 )); then exit 0; fi
 
-echo "Missing packages: ${missing[*]}"
 install=(apt-get install -y --no-install-recommends "${missing[@]}")
 give_up() {
-  echo "$1" >&2
+  local sudo="sudo "
+  if (( EUID == 0 )); then sudo=""; fi
+  echo "Nothing was built: $1" >&2
   echo "Missing packages: ${missing[*]}" >&2
   echo "Install them with:" >&2
-  echo "  sudo apt-get update && sudo ${install[*]}" >&2
+  echo "  ${sudo}apt-get update && ${sudo}${install[*]}" >&2
   exit 1
 }
 
 as_root=(env DEBIAN_FRONTEND=noninteractive)
 if (( EUID != 0 )); then
-  if ! command -v sudo > /dev/null; then give_up "Nothing was built: installing packages needs root, and sudo is not here."; fi
+  if ! command -v sudo > /dev/null; then give_up "installing packages needs root, and sudo is not here."; fi
   # Where nobody can type a password, sudo must not wait for one.
   if [[ -t 0 ]]; then as_root=(sudo "${as_root[@]}"); else as_root=(sudo -n "${as_root[@]}"); fi
 fi
 
-echo "Installing them with apt-get ..."
-"${as_root[@]}" apt-get update -q > /dev/null || give_up "Nothing was built: apt-get update failed."
-"${as_root[@]}" "${install[@]}" > /dev/null || give_up "Nothing was built: apt-get could not install the packages."
+echo "Installing packages: ${missing[*]}"
+"${as_root[@]}" apt-get update -q > /dev/null || give_up "apt-get update failed."
+"${as_root[@]}" "${install[@]}" > /dev/null || give_up "apt-get could not install the packages."
