@@ -1,0 +1,49 @@
+# Front door for people and machines; CMake does the work. `make help` lists the commands.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.ONESHELL:
+.DEFAULT_GOAL := help
+.PHONY: help demo test test-sanitized bench format clean
+
+JOBS := $(shell nproc)
+define BUILD
+cmake --log-level=WARNING --preset $(1)
+cmake --build --preset $(1) --parallel $(JOBS)
+endef
+
+help: ## list the commands
+	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## /\1|/' | awk -F'|' '{printf "make %-16s %s\n", $$1, $$2}'
+
+demo: ## install what is missing, build, run the reference bearing in four directions
+	@scripts/require_packages.sh build
+	$(call BUILD,release)
+	echo
+	build/release/bumpfoil cycle examples/gen1.toml -o results/demo --force
+	echo
+	echo "Results: $(CURDIR)/results/demo (summary.json, cycle.csv)"
+	echo "Time: $$SECONDS s in all"
+
+test: ## install what is missing, build with assertions armed, run every test
+	@scripts/require_packages.sh build test
+	$(call BUILD,release-audit)
+	ctest --preset release-audit --parallel $(JOBS)
+
+test-sanitized: ## the same tests under the address and undefined-behaviour sanitizers
+	@scripts/require_packages.sh build test
+	$(call BUILD,dev)
+	ctest --preset dev --parallel $(JOBS)
+
+bench: ## build and run the benchmarks; JSON in results/bench
+	@scripts/require_packages.sh build bench
+	$(call BUILD,bench)
+	mkdir -p results/bench
+	for program in build/bench/bench_*; do
+	  "$$program" --benchmark_out="results/bench/$$(basename "$$program").json" --benchmark_out_format=json
+	done
+	echo "Results: $(CURDIR)/results/bench"
+
+format: ## format the C++ sources in place
+	@find include src apps tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +
+
+clean: ## remove what was built and the results of the demo
+	@rm -rf build results/demo

@@ -1,0 +1,17 @@
+# Relocatable install of the program, the library and its CMake package.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bumpfoil)
+
+if(TARGET bumpfoil)
+  install(TARGETS bumpfoil)
+endif()
+install(TARGETS bumpfoil_lib EXPORT bumpfoil FILE_SET HEADERS)
+install(EXPORT bumpfoil FILE bumpfoilTargets.cmake NAMESPACE bumpfoil:: DESTINATION ${package_dir})
+
+configure_package_config_file(cmake/bumpfoilConfig.cmake.in ${PROJECT_BINARY_DIR}/bumpfoilConfig.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/bumpfoilConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/bumpfoilConfig.cmake ${PROJECT_BINARY_DIR}/bumpfoilConfigVersion.cmake
+              cmake/FindUDUNITS2.cmake
+        DESTINATION ${package_dir})
+install(FILES LICENSE README.md CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,118 @@
+"""Checks the rules that keep the modules apart; prints every fault and exits non-zero if there is one.
+
+Usage: check_architecture.py REPOSITORY
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# What each module may include, besides itself. A new module gets a row here first.
+ALLOWED = {
+    "core": set(),
+    "model": {"core"},
+    "structure": {"core", "model"},
+    "contact": {"core"},
+    "analysis": {"core", "model", "structure", "contact"},
+    "io": {"core", "model", "structure", "contact", "analysis"},
+}
+
+# Words that must not occur in the code of a module: contact knows no foils, structure knows no friction.
+FOREIGN_WORDS = {
+    "contact": re.compile(r"\w*bump\w*", re.IGNORECASE),
+    "structure": re.compile(r"\w*(?:friction|contact)\w*", re.IGNORECASE),
+}
+
+# Printing, files and file formats belong to io and the programs.
+IO_HEADERS = re.compile(
+    r"iostream|fstream|cstdio|filesystem|print|fmt/(?:os|ostream|color)\.h|nlohmann/.*|toml\+\+/.*|toml\.hpp|"
+    r"udunits2\.h|netcdf.*|CLI/.*"
+)
+# The message of a failed assertion is the last thing a broken program says.
+MAY_PRINT = {"include/bumpfoil/core/assert.hpp"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
+OWN_NAME = re.compile(r"bumpfoil", re.IGNORECASE)
+
+
+def line_of(text, position):
+    return text.count("\n", 0, position) + 1
+
+
+def blank(match):
+    """The same number of lines, without the text: line numbers stay right."""
+    return "\n" * match.group().count("\n")
+
+
+def included_module(name, own_module):
+    """Module that the quoted include `name` belongs to; None if the path does not say."""
+    parts = name.removeprefix("bumpfoil/").split("/")
+    if ".." in parts:
+        return None
+    if len(parts) == 1:
+        return own_module
+    return parts[0] if parts[0] in ALLOWED else None
+
+
+def check_includes(path, module, text):
+    for match in INCLUDE.finditer(text):
+        quote, name = match.groups()
+        where = f"{path}:{line_of(text, match.start())}"
+        if quote == '"' or name.startswith("bumpfoil/"):
+            target = included_module(name, module)
+            if target is None:
+                yield f'{where}: include "{name}" names no module; write "bumpfoil/<module>/<header>"'
+            elif target != module and target not in ALLOWED[module]:
+                yield f'{where}: {module} must not include {target} ("{name}")'
+        elif module != "io" and path not in MAY_PRINT and IO_HEADERS.fullmatch(name):
+            yield f"{where}: <{name}> belongs to io and the programs, not to {module}"
+
+
+def check_words(path, module, text):
+    if module not in FOREIGN_WORDS:
+        return
+    code = COMMENT_OR_STRING.sub(blank, INCLUDE.sub(blank, text))
+    code = OWN_NAME.sub("", code)
+    for match in FOREIGN_WORDS[module].finditer(code):
+        yield f"{path}:{line_of(code, match.start())}: {module} must not know '{match.group()}'"
+
+
+def check_sources(root):
+    for base in ("include/bumpfoil", "src"):
+        for file in sorted((root / base).rglob("*.[ch]pp")):
+            path = file.relative_to(root).as_posix()
+            module = file.relative_to(root / base).parts[0]
+            text = file.read_text(encoding="utf-8")
+            if module not in ALLOWED:
+                yield f"{path}: module '{module}' is not in the table of allowed includes"
+                continue
+            yield from check_includes(path, module, text)
+            yield from check_words(path, module, text)
+            if file.suffix == ".hpp" and "#pragma once" not in text:
+                yield f"{path}: header without #pragma once"
+
+
+def check_unit_tests(root):
+    """Unit tests mirror headers, both ways."""
+    public = root / "include/bumpfoil"
+    tests = root / "tests/unit"
+    for header in sorted(public.rglob("*.hpp")):
+        module = header.relative_to(public).parent
+        if not (tests / module / f"test_{header.stem}.cpp").exists():
+            yield f"{header.relative_to(root).as_posix()}: no unit test tests/unit/{module}/test_{header.stem}.cpp"
+    for test in sorted(tests.rglob("test_*.cpp")):
+        module = test.relative_to(tests).parent
+        header = f"{test.stem.removeprefix('test_')}.hpp"
+        if not (public / module / header).exists() and not (root / "src" / module / header).exists():
+            yield f"{test.relative_to(root).as_posix()}: there is no header {module}/{header} that it could test"
+
+
+def find_faults(root):
+    return [*check_sources(root), *check_unit_tests(root)]
+
+
+if __name__ == "__main__":
+    found = find_faults(Path(sys.argv[1]))
+    print("\n".join(found) or "The modules keep apart.")
+    sys.exit(1 if found else 0)

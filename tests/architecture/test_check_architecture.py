@@ -1,0 +1,85 @@
+"""The architecture check must pass a good tree and name every fault of a bad one."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+from check_architecture import find_faults
+
+
+class CheckArchitecture(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.TemporaryDirectory()
+        self.addCleanup(self.directory.cleanup)
+        self.root = Path(self.directory.name)
+        self.write("include/bumpfoil/core/vector.hpp", "#pragma once\n#include <vector>\n")
+        self.write("tests/unit/core/test_vector.cpp", '#include "bumpfoil/core/vector.hpp"\n')
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def assert_one_fault(self, *fragments):
+        faults = find_faults(self.root)
+        self.assertEqual(len(faults), 1, faults)
+        for fragment in fragments:
+            self.assertIn(fragment, faults[0])
+
+    def test_good_tree(self):
+        self.write(
+            "src/contact/solve.cpp",
+            '#include "contact/detail.hpp"\n#include "bumpfoil/core/vector.hpp"\n#include <cmath>\n'
+            "// A bump may be named in a comment.\nnamespace bumpfoil {\nBUMPFOIL_ASSERT(true);\n}\n",
+        )
+        self.write("src/contact/detail.hpp", "#pragma once\n")
+        self.write("src/io/report.cpp", '#include <fstream>\n#include "bumpfoil/analysis/cycle.hpp"\n')
+        self.assertEqual(find_faults(self.root), [])
+
+    def test_include_against_the_direction(self):
+        self.write("src/core/vector.cpp", '#include "bumpfoil/core/vector.hpp"\n#include "bumpfoil/model/case.hpp"\n')
+        self.assert_one_fault("src/core/vector.cpp:2", "core must not include model")
+
+    def test_contact_includes_only_core(self):
+        self.write("src/contact/solve.cpp", '#include "bumpfoil/structure/foil_structure.hpp"\n')
+        self.assert_one_fault("src/contact/solve.cpp:1", "contact must not include structure")
+
+    def test_structure_does_not_include_contact(self):
+        self.write("src/structure/truss.cpp", "#include <bumpfoil/contact/problem.hpp>\n")
+        self.assert_one_fault("structure must not include contact")
+
+    def test_include_that_leaves_the_folder(self):
+        self.write("src/core/vector.cpp", '#include "../model/case.hpp"\n')
+        self.assert_one_fault("src/core/vector.cpp:1", "names no module")
+
+    def test_unknown_module(self):
+        self.write("src/film/reynolds.cpp", "\n")
+        self.assert_one_fault("module 'film'")
+
+    def test_printing_below_io(self):
+        self.write("src/analysis/cycle.cpp", "#include <iostream>\n")
+        self.assert_one_fault("<iostream>", "not to analysis")
+
+    def test_contact_has_never_heard_of_a_bump(self):
+        self.write("src/contact/solve.cpp", "namespace bumpfoil {\nint bump_count();\n}\n")
+        self.assert_one_fault("src/contact/solve.cpp:2", "'bump_count'")
+
+    def test_structure_has_never_heard_of_friction(self):
+        self.write("src/structure/truss.cpp", "/* Two\n lines. */\ndouble friction_coefficient;\n")
+        self.assert_one_fault("src/structure/truss.cpp:3", "'friction_coefficient'")
+
+    def test_header_without_guard(self):
+        self.write("src/model/angles.hpp", "int f();\n")
+        self.assert_one_fault("src/model/angles.hpp", "#pragma once")
+
+    def test_header_without_unit_test(self):
+        self.write("include/bumpfoil/model/case.hpp", "#pragma once\n")
+        self.assert_one_fault("include/bumpfoil/model/case.hpp", "tests/unit/model/test_case.cpp")
+
+    def test_unit_test_without_header(self):
+        self.write("tests/unit/core/test_ghost.cpp", "\n")
+        self.assert_one_fault("tests/unit/core/test_ghost.cpp", "no header core/ghost.hpp")
+
+
+if __name__ == "__main__":
+    unittest.main()

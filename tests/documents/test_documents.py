@@ -1,0 +1,88 @@
+"""The documents must be true: links lead somewhere, sources are named, the README's numbers and commands work.
+
+Usage: test_documents.py REPOSITORY PROGRAM
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(sys.argv[1])
+PROGRAM = Path(sys.argv[2])
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def documents():
+    return [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+
+
+def readme_block(language):
+    return re.search(rf"```{language}\n(.*?)```", README, re.DOTALL).group(1)
+
+
+class Documents(unittest.TestCase):
+    def test_links_lead_somewhere(self):
+        for document in documents():
+            text = document.read_text(encoding="utf-8")
+            for target in re.findall(r"\]\(([^)#\s]+)", text):
+                if not target.startswith("http"):
+                    self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
+
+    def test_sources_are_named_in_the_bibliography(self):
+        known = set(re.findall(r"@\w+\{(\w+),", (ROOT / "docs/references.bib").read_text(encoding="utf-8")))
+        sources = [file for folder in ("include", "src", "apps", "tests") for file in (ROOT / folder).rglob("*.[ch]pp")]
+        cited = set()
+        for file in [*documents(), *sources]:
+            cited |= set(re.findall(r"\[([A-Z][A-Za-z]+(?:19|20)\d\d)\b", file.read_text(encoding="utf-8")))
+        self.assertIn("Arghir2019", cited)
+        self.assertEqual(cited, known)
+
+    def test_one_version(self):
+        version = re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+        self.assertIn(f"version: {version}\n", (ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+
+
+class Readme(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = directory.name
+
+    def run_in_directory(self, command):
+        environment = dict(os.environ, PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
+        done = subprocess.run(command, cwd=self.directory, env=environment, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_cpp_is_the_example(self):
+        self.assertEqual(readme_block("cpp"), (ROOT / "examples/quickstart.cpp").read_text(encoding="utf-8"))
+
+    def test_shell_commands_work(self):
+        self.run_in_directory(["bash", "-euo", "pipefail", "-c", readme_block("sh")])
+
+    def test_table_shows_what_the_program_computes(self):
+        self.run_in_directory([str(PROGRAM), "cycle", str(ROOT / "examples/gen1.toml"), "-o", "demo"])
+        summary = json.loads((Path(self.directory) / "demo/summary.json").read_text(encoding="utf-8"))
+        names = {0: "+X", 90: "+Y", 180: "−X", 270: "−Y"}
+        expected = {
+            names[round(cycle["direction_deg"])]: [
+                f"{cycle['max_force_N']:.1f}",
+                f"{cycle['cross_force_at_max_N']:.1f}",
+                f"{cycle['secant_stiffness_N_per_m'] * 1e-6:.2f}",
+                f"{cycle['loop_energy_J'] * 1e3:.2f}",
+                f"{cycle['loss_factor']:.3f}",
+            ]
+            for cycle in summary["cycles"]
+        }
+        rows = re.search(r"<!-- loops:.*?-->\n(.*?)<!-- /loops -->", README, re.DOTALL).group(1).splitlines()[2:]
+        cells = [[cell.strip() for cell in row.strip("|").split("|")] for row in rows]
+        shown = {row[0]: [cell.replace("−", "-") for cell in row[1:]] for row in cells}
+        self.assertEqual(shown, expected)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
