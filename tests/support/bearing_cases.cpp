@@ -1,0 +1,57 @@
+#include "support/bearing_cases.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "bumpfoil/core/assert.hpp"
+#include "support/reference_cycles.hpp"
+
+namespace bumpfoil {
+
+Cycle run_single_cycle(Case input, double direction) {
+  input.cycle.directions = {direction};
+  CycleResult result = run_cycles(input);
+  BUMPFOIL_ASSERT(result.cycles.size() == 1);
+  return std::move(result.cycles.front());
+}
+
+Case random_case(std::uint64_t number) {
+  std::mt19937_64 generator(number);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(generator);
+  };
+  Case input = case_with_given_constants();
+  input.title = fmt::format("random case {}", number);
+  input.friction.top_bump = uniform(0.0, 0.5);
+  // Every third case has one coefficient at both interfaces, as the paper does.
+  input.friction.bump_sleeve = number % 3 == 0 ? input.friction.top_bump : uniform(0.0, 0.5);
+  std::normal_distribution<double> scatter(0.0, uniform(0.0, 40e-6));
+  for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
+    input.bump_foil.height_errors.push_back(scatter(generator));
+  }
+  input.cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
+  input.cycle.steps = static_cast<int>(std::lround(25.0 * std::pow(16.0, uniform(0.0, 1.0))));
+  return input;
+}
+
+std::string first_failure(const Cycle& cycle) {
+  for (const Increment& increment : cycle.increments) {
+    const ContactResiduals& r = increment.residuals;
+    if (increment.solve.converged && r.within(1e-9, 1e-12)) continue;
+    return fmt::format(
+        "increment {}: converged {}, equilibrium {:.2g}, penetration {:.2g} m, slip in stick {:.2g} m, "
+        "complementarity {:.2g}, cone {:.2g}",
+        increment.index, increment.solve.converged, r.equilibrium, r.penetration, r.slip_in_stick, r.complementarity,
+        r.cone);
+  }
+  const auto all = static_cast<std::size_t>(2 * cycle.steps + 1);
+  if (cycle.increments.size() != all || !cycle.converged) {
+    return fmt::format("stopped after {} of {} increments", cycle.increments.size(), all);
+  }
+  return {};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// The one cycle of a case with one direction. Fails the running program if the case has several.
+Cycle run_single_cycle(Case input, double direction);
+
+/// Reference bearing (given truss constants) with everything that drives it drawn at random, the same for the same
+/// number: friction 0..0.5 at each interface, normal height scatter up to 40 um, any direction, 25..400 steps.
+Case random_case(std::uint64_t number);
+
+/// Empty if every increment of the cycle was solved within the bounds (normalised equilibrium, complementarity and cone
+/// 1e-9; penetration and slip in stick 1e-12 m); else the first that was not, and why.
+std::string first_failure(const Cycle& cycle);
+
+}  // namespace bumpfoil

@@ -1,0 +1,64 @@
+#include "support/reference_cycles.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace bumpfoil {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Vector to_vector(const nlohmann::json& list) {
+  const auto values = list.get<std::vector<double>>();
+  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+const nlohmann::json& document() {
+  static const nlohmann::json parsed = nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/truss_cycles.json"));
+  return parsed;
+}
+
+std::vector<ReferenceCycle> read_cycles() {
+  std::vector<ReferenceCycle> cycles;
+  for (const nlohmann::json& entry : document().at("cycles")) {
+    ReferenceCycle cycle;
+    cycle.name = entry.at("name");
+    cycle.input = case_with_given_constants();
+    const double f = entry.at("friction_coefficient");
+    cycle.input.friction = {.top_bump = f, .bump_sleeve = f};
+    cycle.input.bump_foil.height_errors = entry.at("height_errors_m").get<std::vector<double>>();
+    cycle.input.cycle.directions = {entry.at("direction_deg").get<double>() * degree};
+    cycle.force_direct = to_vector(entry.at("force_direct_N"));
+    cycle.force_cross = to_vector(entry.at("force_cross_N"));
+    cycle.max_force = entry.at("max_force_N");
+    cycle.loop_energy = entry.at("loop_energy_J");
+    cycle.bump_loads = to_vector(entry.at("bump_loads_N"));
+    cycle.foot_loads = to_vector(entry.at("foot_loads_N"));
+    cycle.journal_loads = to_vector(entry.at("journal_loads_N"));
+    cycles.push_back(std::move(cycle));
+  }
+  return cycles;
+}
+
+}  // namespace
+
+const std::vector<ReferenceCycle>& reference_cycles() {
+  static const std::vector<ReferenceCycle> cycles = read_cycles();
+  return cycles;
+}
+
+Case case_with_given_constants() {
+  Case input = reference_case();
+  const nlohmann::json& truss = document().at("truss");
+  input.bump_foil.truss = {.k1 = truss.at("k1_N_per_m").get<double>(),
+                           .k2 = truss.at("k2_N_per_m").get<double>(),
+                           .k3 = truss.at("k3_N_per_m").get<double>(),
+                           .k4 = truss.at("k4_N_per_m").get<double>(),
+                           .theta_d = truss.at("theta_d_deg").get<double>() * degree};
+  input.cycle.amplitude = document().at("amplitude_m");
+  input.cycle.steps = document().at("steps");
+  return input;
+}
+
+}  // namespace bumpfoil
