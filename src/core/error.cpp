@@ -7,24 +7,18 @@
 namespace bumpfoil {
 namespace {
 
-/// Longest part of a user's value that is echoed.
-constexpr std::size_t echo_limit = 80;
+/// Longest path that the systems we run on accept: a shortened one could not be opened by a click.
+constexpr std::size_t longest_path = 4096;
 
-std::string printable(const std::string& text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i >= echo_limit) {
-      out += fmt::format("... ({} characters)", text.size());
-      break;
-    }
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7f) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += text[i];
-    }
-  }
-  return out;
+/// C0 and C1 control characters (the latter are two bytes in UTF-8) and delete.
+bool starts_control(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x20 || byte(0) == 0x7f) return true;
+  return byte(0) == 0xc2 && text.size() > 1 && byte(1) >= 0x80 && byte(1) < 0xa0;
+}
+
+bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
 std::string join(const std::vector<Fault>& faults) {
@@ -44,7 +38,7 @@ Error::Error(ErrorKind kind, std::vector<Fault> faults)
 std::string format_fault(const Fault& fault) {
   std::string out;
   if (!fault.file.empty()) {
-    out += printable(fault.file);
+    out += printable(fault.file, longest_path);
     if (fault.line > 0) out += fmt::format(":{}", fault.line);
     out += ": ";
   }
@@ -55,6 +49,24 @@ std::string format_fault(const Fault& fault) {
   }
   out += fault.what;
   if (!fault.advice.empty()) out += "; " + fault.advice;
+  return out;
+}
+
+std::string printable(std::string_view text, std::size_t limit) {
+  std::string out;
+  bool escape = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!continues_character(text[i])) {
+      if (i >= limit) return out + fmt::format("... ({} characters)", text.size());
+      escape = starts_control(text.substr(i));
+    }
+    if (escape) {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
+    } else {
+      out += text[i];
+    }
+    if (i >= limit + 4) return out + fmt::format("... ({} characters)", text.size());  // no valid UTF-8
+  }
   return out;
 }
 

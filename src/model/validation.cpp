@@ -1,9 +1,271 @@
 #include "bumpfoil/model/validation.hpp"
 
-namespace bumpfoil {
+#include <fmt/format.h>
 
-std::vector<Fault> find_faults(const Case& /*input*/) {
-  return {};
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+/// What this version can compute: the one place to extend when a model or a solver arrives.
+constexpr std::array available_models{BumpFoilModel::truss};
+constexpr std::array available_solvers{SolverName::newton};
+
+/// Values past these are slips of units, and could overflow what is computed from them.
+struct Range {
+  double least, most;
+  std::string_view unit;
+};
+constexpr Range length_range{1e-9, 1e3, "m"};
+constexpr Range modulus_range{1e6, 1e13, "Pa"};
+constexpr Range stiffness_range{1.0, 1e15, "N/m"};
+constexpr Range coefficient_range{0.0, 1.0, ""};
+constexpr Range poisson_range{0.0, 0.5, ""};
+
+/// Foils thicker than this fraction of the bearing's radius, and clearances beyond it, are no bearing's.
+constexpr double thin = 0.1;
+
+/// What a run may keep in memory: some 120 bytes per bump and increment.
+constexpr std::int64_t most_bump_increments = 20'000'000;
+constexpr int most_steps = 1'000'000;
+
+/// Adding up pitches may miss the circumference by a rounding.
+constexpr double rounding = 1e-9;
+
+std::string quantity(double value, std::string_view unit) {
+  return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+class Judge {
+ public:
+  /// Keeps the fault if `right` is false; returns `right`.
+  bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
+    if (!right) faults_.push_back({"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)});
+    return right;
+  }
+
+  bool finite(const std::string& key, double value, std::string_view unit) {
+    return require(std::isfinite(value), key, quantity(value, unit), "is not finite", "give a finite number");
+  }
+
+  bool within(const std::string& key, double value, const Range& range) {
+    if (!finite(key, value, range.unit)) return false;
+    const std::string shown = quantity(value, range.unit);
+    const bool sign_right = range.least > 0.0 ? value > 0.0 : value >= 0.0;
+    if (!require(sign_right, key, shown, range.least > 0.0 ? "must be positive" : "must not be negative",
+                 fmt::format("give {} to {}", quantity(range.least, range.unit), quantity(range.most, range.unit)))) {
+      return false;
+    }
+    return require(value >= range.least && value <= range.most, key, shown, "is unphysical",
+                   fmt::format("give {} to {}; is the unit right?", quantity(range.least, range.unit),
+                               quantity(range.most, range.unit)));
+  }
+
+  bool angle(const std::string& key, double value) {
+    return finite(key, value, "rad") &&
+           require(std::abs(value) <= turn * (1.0 + rounding), key, quantity(value, "rad"), "is more than a full turn",
+                   fmt::format("numbers are radians: write \"{:.6g} deg\" if degrees are meant", value));
+  }
+
+  std::vector<Fault> take() { return std::move(faults_); }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+bool judge_bearing(Judge& judge, const Bearing& bearing) {
+  const bool radius = judge.within("bearing.radius", bearing.radius, length_range);
+  judge.within("bearing.axial_length", bearing.axial_length, length_range);
+  judge.angle("bearing.weld_angle", bearing.weld_angle);
+  if (judge.finite("bearing.radial_clearance", bearing.radial_clearance, "m") && radius) {
+    const double limit = thin * bearing.radius;
+    judge.require(std::abs(bearing.radial_clearance) <= limit, "bearing.radial_clearance",
+                  quantity(bearing.radial_clearance, "m"), "is too large for this radius",
+                  fmt::format("give at most {:.6g} m either way; is the unit right?", limit));
+  }
+  return radius;
+}
+
+/// Thickness, modulus and Poisson's ratio of a foil; true if the thickness is usable.
+bool judge_material(Judge& judge, const std::string& table, double thickness, double modulus, double ratio) {
+  judge.within(table + ".youngs_modulus", modulus, modulus_range);
+  judge.within(table + ".poisson_ratio", ratio, poisson_range);
+  return judge.within(table + ".thickness", thickness, length_range);
+}
+
+void judge_thinness(Judge& judge, const std::string& table, double thickness, double radius) {
+  judge.require(thickness <= thin * radius, table + ".thickness", quantity(thickness, "m"),
+                "is too thick for a foil in this bearing",
+                fmt::format("give at most a tenth of the radius, {:.6g} m", thin * radius));
+}
+
+/// Bumps along the circumference; true if their number is usable.
+bool judge_bumps(Judge& judge, const BumpFoil& foil, bool pitch, double radius) {
+  const bool bumps =
+      judge.require(foil.bumps >= 1 && foil.bumps <= most_bumps, "bump_foil.bumps", std::to_string(foil.bumps),
+                    "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
+  if (!pitch || radius <= 0.0) return bumps;
+  if (!judge.require(foil.pitch <= 0.25 * turn * radius, "bump_foil.pitch", quantity(foil.pitch, "m"),
+                     "is more than a quarter of the circumference",
+                     fmt::format("give at most {:.6g} m", 0.25 * turn * radius))) {
+    return bumps;
+  }
+  if (bumps) {
+    const double foil_length = foil.bumps * foil.pitch;
+    const double circumference = turn * radius;
+    judge.require(foil_length <= circumference * (1.0 + rounding), "bump_foil.bumps", std::to_string(foil.bumps),
+                  fmt::format("the foil would overlap itself: {} pitches of {:.6g} m are {:.6g} m, the circumference "
+                              "is {:.6g} m",
+                              foil.bumps, foil.pitch, foil_length, circumference),
+                  fmt::format("give at most {} bumps", std::floor(circumference * (1.0 + rounding) / foil.pitch)));
+  }
+  return bumps;
+}
+
+/// Shape of one bump; returns the rise of its mid-surface, or zero if it has none.
+double judge_arc(Judge& judge, const BumpFoil& foil, bool pitch, bool thickness) {
+  const bool length = judge.within("bump_foil.length", foil.length, length_range);
+  const bool height = judge.within("bump_foil.height", foil.height, length_range);
+  if (length && pitch) {
+    judge.require(foil.length < foil.pitch, "bump_foil.length", quantity(foil.length, "m"),
+                  fmt::format("bumps would overlap: the pitch is {:.6g} m", foil.pitch),
+                  "give a chord below the pitch, so that a flat is left");
+  }
+  if (!height || !thickness) return 0.0;
+  if (!judge.require(foil.height_reference == HeightReference::midsurface || foil.height > foil.thickness,
+                     "bump_foil.height", quantity(foil.height, "m"),
+                     fmt::format("leaves no rise: the foil alone is {:.6g} m thick", foil.thickness),
+                     "give the overall height over the sleeve, or set height_reference = \"midsurface\"")) {
+    return 0.0;
+  }
+  if (!length) return 0.0;
+  const BumpArc arc = make_bump_arc(foil);
+  const bool bulges = arc.rise > arc.half_length;
+  judge.require(!bulges || !pitch || foil.length >= foil.pitch || 2.0 * arc.radius < foil.pitch, "bump_foil.height",
+                quantity(foil.height, "m"),
+                fmt::format("bumps would overlap: arcs of more than a half circle are {:.6g} m wide, the pitch is "
+                            "{:.6g} m",
+                            2.0 * arc.radius, foil.pitch),
+                "give a smaller height or a larger pitch");
+  judge.require(foil.thickness < arc.radius, "bump_foil.thickness", quantity(foil.thickness, "m"),
+                fmt::format("is more than the radius of the bump's arc, {:.6g} m", arc.radius),
+                "give a thinner foil or a flatter bump");
+  return arc.rise;
+}
+
+/// A list with one length per bump, each smaller than the rise (where that is known).
+void judge_list(Judge& judge, const std::string& key, const std::vector<double>& list, int bumps, double rise) {
+  if (list.empty()) return;
+  if (bumps > 0) {
+    judge.require(std::ssize(list) == bumps, key, fmt::format("{} values", list.size()),
+                  fmt::format("there must be one value per bump, {} in all", bumps),
+                  "give all of them, zeros included");
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const double limit = rise > 0.0 ? rise : length_range.most;
+    if (std::abs(list[i]) < limit) continue;  // the usual case costs no text
+    const std::string entry = fmt::format("{}[{}]", key, i + 1);
+    if (judge.finite(entry, list[i], "m") && rise > 0.0) {
+      judge.require(std::abs(list[i]) < rise, entry, quantity(list[i], "m"),
+                    fmt::format("is more than the rise of the bump, {:.6g} m", rise), "is the unit right?");
+    }
+  }
+}
+
+void judge_truss(Judge& judge, const TrussOverrides& truss) {
+  const std::array constants{std::pair{"k1", truss.k1}, std::pair{"k2", truss.k2}, std::pair{"k3", truss.k3},
+                             std::pair{"k4", truss.k4}};
+  for (const auto& [name, value] : constants) {
+    if (value) judge.within(std::string("bump_foil.truss.") + name, *value, stiffness_range);
+  }
+  if (!truss.theta_d) return;
+  if (!judge.finite("bump_foil.truss.theta_d", *truss.theta_d, "rad")) return;
+  judge.require(*truss.theta_d > 0.0 && *truss.theta_d < 0.25 * turn, "bump_foil.truss.theta_d",
+                quantity(*truss.theta_d, "rad"), "must lie between 0 and 90 degrees",
+                "give the slope of the truss's inclined springs, for example \"15.8 deg\"");
+}
+
+void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
+  judge.within("solver.eps_alm", uzawa.eps_alm, stiffness_range);
+  judge.within("solver.eps_f", uzawa.eps_f, stiffness_range);
+  judge.within("solver.eps_r", uzawa.eps_r, stiffness_range);
+  judge.within("solver.tau_f", uzawa.tau_f, {1e-18, 1e-3, "m"});
+}
+
+void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
+  const CycleSettings& cycle = input.cycle;
+  if (cycle.directions.empty() && cycle.amplitude == 0.0) return;
+  judge.require(!cycle.directions.empty(), "cycle.directions", "", "there is no direction to push in",
+                "give a list such as [\"+X\", \"90 deg\"]");
+  for (std::size_t i = 0; i < cycle.directions.size(); ++i) {
+    judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
+  }
+  if (judge.within("cycle.amplitude", cycle.amplitude, length_range) && rise > 0.0 &&
+      std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius) {
+    const double limit = input.bearing.radial_clearance + rise;
+    judge.require(cycle.amplitude < limit, "cycle.amplitude", quantity(cycle.amplitude, "m"),
+                  "would press the bumps flat",
+                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+  }
+  const bool steps =
+      judge.require(cycle.steps >= 1 && cycle.steps <= most_steps, "cycle.steps", std::to_string(cycle.steps),
+                    "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+  if (!bumps || !steps) return;
+  const auto increments = std::int64_t{2} * cycle.steps * std::ssize(cycle.directions);
+  judge.require(increments <= most_bump_increments / input.bump_foil.bumps, "cycle.steps", std::to_string(cycle.steps),
+                fmt::format("{} increments of {} bumps would not fit in memory", increments, input.bump_foil.bumps),
+                "give fewer steps or fewer directions");
+}
+
+void judge_availability(Judge& judge, const Case& input) {
+  const auto has = [](const auto& list, auto value) { return std::ranges::find(list, value) != list.end(); };
+  judge.require(has(available_models, input.bump_foil.model), "bump_foil.model", "",
+                "this model is not available in this version", "use \"truss\"");
+  judge.require(has(available_solvers, input.solver.name), "solver.name", "",
+                "this solver is not available in this version", "use \"newton\"");
+  judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
+                "bump_foil.weld_at", "arc_start", "only the frame model can be welded at the start of the first arc",
+                "set weld_at = \"mid_flat\" or model = \"frame\"");
+}
+
+}  // namespace
+
+std::vector<Fault> find_faults(const Case& input) {
+  Judge judge;
+  const BumpFoil& foil = input.bump_foil;
+  const bool radius = judge_bearing(judge, input.bearing);
+  const double usable_radius = radius ? input.bearing.radius : 0.0;
+
+  const bool thickness = judge_material(judge, "bump_foil", foil.thickness, foil.youngs_modulus, foil.poisson_ratio);
+  if (thickness && radius) judge_thinness(judge, "bump_foil", foil.thickness, input.bearing.radius);
+  const bool pitch = judge.within("bump_foil.pitch", foil.pitch, length_range);
+  const bool bumps = judge_bumps(judge, foil, pitch, usable_radius);
+  const double rise = judge_arc(judge, foil, pitch, thickness);
+  judge_list(judge, "bump_foil.height_errors", foil.height_errors, bumps ? foil.bumps : 0, rise);
+  judge_list(judge, "bump_foil.sleeve_gaps", foil.sleeve_gaps, bumps ? foil.bumps : 0, rise);
+  judge_truss(judge, foil.truss);
+
+  if (foil.model != BumpFoilModel::former) {
+    const TopFoil& top = input.top_foil;
+    const bool top_thickness = judge_material(judge, "top_foil", top.thickness, top.youngs_modulus, top.poisson_ratio);
+    if (top_thickness && radius) judge_thinness(judge, "top_foil", top.thickness, input.bearing.radius);
+  }
+  judge.within("friction.top_bump", input.friction.top_bump, coefficient_range);
+  judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);
+  judge_solver(judge, input.solver.uzawa);
+  judge_cycle(judge, input, bumps, rise);
+  judge_availability(judge, input);
+  return judge.take();
 }
 
 void require_valid(const Case& input) {

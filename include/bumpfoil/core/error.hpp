@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bumpfoil {
@@ -40,5 +41,8 @@ class Error : public std::runtime_error {
 /// One line for one fault: `file:line: key = value: what; advice`, leaving out what is unknown. Control characters
 /// of the value are escaped and long values are shortened, so that the line is safe to print.
 std::string format_fault(const Fault& fault);
+
+/// Text of unknown origin made safe to print: control characters escaped, and shortened to about `limit` bytes.
+std::string printable(std::string_view text, std::size_t limit = 80);
 
 }  // namespace bumpfoil

@@ -38,6 +38,8 @@ struct Bearing {
   double radial_clearance{};            ///< C_r, m; zero or negative means interference
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
   Wrap wrap{Wrap::clockwise};
+
+  bool operator==(const Bearing&) const = default;
 };
 
 /// Constants of the truss model; those that are absent are identified from a planar frame of the same foil.
@@ -47,6 +49,8 @@ struct TrussOverrides {
   std::optional<double> k3;       ///< N/m
   std::optional<double> k4;       ///< N/m
   std::optional<double> theta_d;  ///< rad
+
+  bool operator==(const TrussOverrides&) const = default;
 };
 
 struct BumpFoil {
@@ -63,18 +67,24 @@ struct BumpFoil {
   std::vector<double> sleeve_gaps;    ///< g0_b, m; empty or one per bump
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;
+
+  bool operator==(const BumpFoil&) const = default;
 };
 
 struct TopFoil {
   double thickness{};       ///< m
   double youngs_modulus{};  ///< Pa
   double poisson_ratio{};
+
+  bool operator==(const TopFoil&) const = default;
 };
 
 /// Coulomb friction coefficients; the journal is frictionless.
 struct Friction {
   double top_bump{};     ///< between top foil and crests
   double bump_sleeve{};  ///< between feet and sleeve
+
+  bool operator==(const Friction&) const = default;
 };
 
 /// Parameters of the augmented Lagrangian method with penalty friction [Arghir2019, Eqs. 14-25]; see
@@ -84,11 +94,15 @@ struct UzawaParameters {
   double eps_f{1e9};    ///< penalty of sticking contacts, N/m
   double eps_r{1e12};   ///< penalty of the journal contact, N/m
   double tau_f{1e-9};   ///< slip over which the friction force turns round, m
+
+  bool operator==(const UzawaParameters&) const = default;
 };
 
 struct SolverSettings {
   SolverName name{SolverName::newton};
   UzawaParameters uzawa;
+
+  bool operator==(const SolverSettings&) const = default;
 };
 
 /// Push-pull cycles of the journal: from the centre to `amplitude` along each direction and back.
@@ -96,6 +110,8 @@ struct CycleSettings {
   std::vector<double> directions;  ///< rad, from the X axis towards Y
   double amplitude{};              ///< m
   int steps{100};                  ///< equal increments per branch
+
+  bool operator==(const CycleSettings&) const = default;
 };
 
 /// A case as the program understands it: SI units, defaults filled in.
@@ -107,6 +123,8 @@ struct Case {
   Friction friction;
   SolverSettings solver;
   CycleSettings cycle;
+
+  bool operator==(const Case&) const = default;
 };
 
 /// The first-generation bearing of [Arghir2019, Table 1] with friction coefficient 0.1, pushed to 2.5 clearances along

@@ -7,9 +7,15 @@
 
 namespace bumpfoil {
 
+/// Most bumps that a foil may have.
+inline constexpr int most_bumps = 100'000;
+
 /// Everything that is physically wrong with a case (signs, sizes, overlap, lengths of lists, models that do not fit
 /// together), one fault each with its key, the value in SI and what to change; empty when the case can be built.
-/// File and line are left empty: only the reader of a case file knows them.
+/// Entries of lists are counted from 1, as bumps are: "bump_foil.height_errors[3]". A value that is wrong by itself is
+/// not judged together with others. File and line are left empty: only the reader of a case file knows them.
+///
+/// A case without directions and amplitude has no cycle to run, which is no fault.
 std::vector<Fault> find_faults(const Case& input);
 
 /// @throws Error (input) listing all of find_faults(input) if there are any.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// What the caller adds to a case file.
+struct CaseRequest {
+  /// "table.key=value" each, applied in order: the value is TOML, or a bare string where it is not.
+  std::vector<std::string> overrides;
+  /// Optional tables without which the caller has nothing to do, such as "cycle".
+  std::vector<std::string> required_tables;
+};
+
+/// Reads a case file in TOML and checks everything about it: unknown keys, types, units, and find_faults. Every fault
+/// is listed at once with file, line, key, the value met and what to change; only where the text is no TOML at all the
+/// first place is.
+/// @throws Error (input) if the case is wrong; Error (file) if the file, or a file that it names, cannot be read.
+Case read_case(const std::string& path, const CaseRequest& request = {});
+
+/// The same for the text of a case file. `name` stands for the file in messages; files that the case names are looked
+/// for beside it.
+Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request = {});
+
+}  // namespace bumpfoil

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace bumpfoil {
+
+/// What a quantity of a case file measures.
+enum class Dimension { length, angle, force, stiffness, pressure };
+
+/// Why a text is not the quantity that is due.
+struct QuantityFault {
+  std::string what;
+  std::string advice;
+};
+
+/// Reads a number with a unit, such as "31.8 um", "214 GPa", "150 MN/m", "30 deg", and converts it to SI (m, rad, N,
+/// N/m, Pa). Units are those of UDUNITS-2, and "deg". A text without a unit, a unit of another dimension, a shifted or
+/// logarithmic one and a number that is not finite are faults.
+///
+/// UDUNITS-2 is not thread-safe: to be called by one thread at a time.
+///
+/// @throws Error (file) if the units database of UDUNITS-2 cannot be read.
+std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimension due);
+
+/// SI unit of a dimension, "m", "rad", "N", "N/m" or "Pa".
+std::string_view si_unit(Dimension dimension);
+
+/// A quantity as a user would write it, quoted: to show in messages what is due.
+std::string_view example_quantity(Dimension dimension);
+
+/// The dimension with its article, "a length".
+std::string_view name_of(Dimension dimension);
+
+}  // namespace bumpfoil

@@ -1,0 +1,176 @@
+#include "io/toml_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "bumpfoil/core/error.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Keys with more parts than this mean nothing here, and tables nested a hundred thousand deep would exhaust the stack
+/// of the parser. (It limits the nesting of arrays and inline tables itself.)
+constexpr int most_key_parts = 16;
+
+/// Line of a key with too many parts, if there is one. Dots are counted outside strings and comments; numbers have one.
+std::optional<std::size_t> find_deep_key(std::string_view text) {
+  std::size_t line = 1;
+  int parts = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      const std::string_view triple = c == '"' ? "\"\"\"" : "'''";
+      const bool multiline = text.substr(i).starts_with(triple);
+      const std::string_view closing = multiline ? triple : triple.substr(0, 1);
+      i += closing.size();
+      while (i < text.size() && !text.substr(i).starts_with(closing) && (multiline || text[i] != '\n')) {
+        if (c == '"' && text[i] == '\\' && i + 1 < text.size()) ++i;
+        if (text[i] == '\n') ++line;
+        ++i;
+      }
+      i += closing.size() - 1;
+      continue;
+    }
+    if (c == '#') {
+      while (i + 1 < text.size() && text[i + 1] != '\n') ++i;
+      continue;
+    }
+    if (c == '.') ++parts;
+    if (parts > most_key_parts) return line;
+    if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') parts = 1;
+    if (c == '\n') ++line;
+  }
+  return std::nullopt;
+}
+
+/// What to change, by a fragment of the parser's message.
+struct SyntaxAdvice {
+  std::string_view fragment;
+  std::string_view advice;
+};
+
+constexpr std::array syntax_advice{
+    SyntaxAdvice{"cannot redefine", "give every key and every table once"},
+    SyntaxAdvice{"not representable", "the number is too large"},
+    SyntaxAdvice{"could not be interpreted", "the number is too large"},
+    SyntaxAdvice{"exceeded maximum nested", "a case file needs no such nesting"},
+    SyntaxAdvice{"control characters", "remove what cannot be seen, or write it as an escape"},
+    SyntaxAdvice{"utf-8", "save the file as UTF-8 text"},
+    SyntaxAdvice{"expected value", "give a value after the equals sign"},
+    SyntaxAdvice{"table header", "write a table as [name] on a line of its own"},
+    SyntaxAdvice{"parsing array", "separate entries by commas and close the list with ]"},
+    SyntaxAdvice{"parsing string", "close the string with the quote that opened it"},
+    SyntaxAdvice{"expected a comment or whitespace",
+                 "write one value per line, with a decimal point and quotes round units: radius = \"19.05 mm\""},
+    SyntaxAdvice{"expected '='", "write key = value"},
+    SyntaxAdvice{"end-of-file", "the line is not complete: write key = value"},
+};
+
+std::string advice_on(std::string_view description) {
+  for (const SyntaxAdvice& entry : syntax_advice) {
+    if (description.find(entry.fragment) != std::string_view::npos) return std::string(entry.advice);
+  }
+  return "write key = value, one per line, with quotes round texts and units: radius = \"19.05 mm\"";
+}
+
+Fault override_fault(std::string_view argument, std::string what, std::string advice) {
+  return {std::string(command_line), 0, std::string(argument), "", std::move(what), std::move(advice)};
+}
+
+bool is_bare_key(std::string_view key) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !key.empty() && std::all_of(key.begin(), key.end(), allowed);
+}
+
+/// The parts of "a.b.c"; empty if one of them is no bare key or there are too many.
+std::vector<std::string> split_key(std::string_view key) {
+  std::vector<std::string> parts;
+  while (static_cast<int>(parts.size()) < most_key_parts) {
+    const std::size_t dot = key.find('.');
+    if (!is_bare_key(key.substr(0, dot))) return {};
+    parts.emplace_back(key.substr(0, dot));
+    if (dot == std::string_view::npos) return parts;
+    key.remove_prefix(dot + 1);
+  }
+  return {};
+}
+
+/// Reads "v = value"; the text might hold more than one value.
+std::optional<toml::table> parse_single(const std::string& value) {
+  if (find_deep_key(value)) return std::nullopt;
+  try {
+    toml::table table = toml::parse(std::string_view("v = " + value), command_line);
+    if (table.size() == 1 && value.find('\n') == std::string::npos) return table;
+  } catch (const toml::parse_error&) {
+    // Not TOML: the caller takes it as a string.
+  }
+  return std::nullopt;
+}
+
+toml::table parse_override_value(const std::string& value) {
+  if (auto table = parse_single(value)) return std::move(*table);
+  std::ostringstream quoted;
+  quoted << toml::value<std::string>(value);
+  if (auto table = parse_single(quoted.str())) return std::move(*table);
+  throw Error(ErrorKind::input, {override_fault(value, "is no text", "give it as UTF-8 text on one line")});
+}
+
+void apply_override(toml::table& root, const std::string& argument) {
+  const std::size_t equals = argument.find('=');
+  const std::vector<std::string> parts = split_key(std::string_view(argument).substr(0, equals));
+  if (equals == std::string::npos || parts.empty()) {
+    throw Error(ErrorKind::input, {override_fault(argument, "is no assignment to a key of the case file",
+                                                  "write table.key=value, for example friction.coefficient=0.2")});
+  }
+  toml::table value = parse_override_value(argument.substr(equals + 1));
+  toml::table* table = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    toml::node* child = table->get(parts[i]);
+    if (child == nullptr) child = &table->insert(parts[i], toml::table{}).first->second;
+    table = child->as_table();
+    if (table == nullptr) {
+      throw Error(ErrorKind::input, {override_fault(argument, fmt::format("\"{}\" is a value, not a table", parts[i]),
+                                                    "give the key of a value inside a table")});
+    }
+  }
+  // Moved, not copied: copies of nodes forget where they stood.
+  value.get("v")->visit([&](auto& node) { table->insert_or_assign(parts.back(), std::move(node)); });
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+  if (const auto line = find_deep_key(text)) {
+    throw Error(ErrorKind::input, {{name, *line, "", "", fmt::format("a key has more than {} parts", most_key_parts),
+                                    "keys of a case file look like bump_foil.truss.k1"}});
+  }
+  try {
+    return toml::parse(text, std::string_view(name));
+  } catch (const toml::parse_error& error) {
+    constexpr std::size_t longest_description = 300;
+    throw Error(ErrorKind::input, {{name, error.source().begin.line, "", "",
+                                    "is no TOML: " + printable(error.description(), longest_description),
+                                    advice_on(error.description())}});
+  }
+}
+
+void apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
+  std::vector<Fault> faults;
+  for (const std::string& argument : overrides) {
+    try {
+      apply_override(root, argument);
+    } catch (const Error& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    }
+  }
+  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <toml++/toml.h>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// Name that stands for the file in messages about `--set` options.
+inline constexpr std::string_view command_line = "--set";
+
+/// Parses TOML text. Every node knows where it stands: `node.source()` has line and `name`.
+/// @throws Error (input) at the first place that is no TOML.
+toml::table parse_toml(std::string_view text, const std::string& name);
+
+/// Replaces or adds values given as "table.key=value". The value is TOML, or a bare string where it is not. Their
+/// nodes carry `command_line` as the file.
+/// @throws Error (input) listing every override that cannot be applied.
+void apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
+
+}  // namespace bumpfoil

@@ -1,0 +1,174 @@
+#include "bumpfoil/io/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <system_error>
+
+#include "bumpfoil/core/error.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct DimensionText {
+  Dimension dimension;
+  std::string_view name;
+  std::string_view si_unit;
+  std::string_view example;
+};
+
+constexpr std::array dimensions{
+    DimensionText{Dimension::length, "a length", "m", "\"31.8 um\""},
+    DimensionText{Dimension::angle, "an angle", "rad", "\"30 deg\""},
+    DimensionText{Dimension::force, "a force", "N", "\"5 N\""},
+    DimensionText{Dimension::stiffness, "a stiffness", "N/m", "\"150 MN/m\""},
+    DimensionText{Dimension::pressure, "a pressure", "Pa", "\"214 GPa\""},
+};
+
+/// Longer texts are no quantities; the grammar of UDUNITS-2 recurses.
+constexpr std::size_t longest_quantity = 64;
+
+const DimensionText& text_of(Dimension dimension) {
+  return dimensions[static_cast<std::size_t>(dimension)];
+}
+
+struct FreeSystem {
+  void operator()(ut_system* system) const { ut_free_system(system); }
+};
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+struct FreeConverter {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using System = std::unique_ptr<ut_system, FreeSystem>;
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+
+System read_system() {
+  ut_set_error_message_handler(ut_ignore);  // it would print on standard error
+  System system(ut_read_xml(nullptr));
+  if (!system) {
+    throw Error(ErrorKind::file, {{"", 0, "", "", "the units database of UDUNITS-2 cannot be read",
+                                   "install the package libudunits2-data or set UDUNITS2_XML_PATH"}});
+  }
+  const Unit radian(ut_get_unit_by_name(system.get(), "radian"));
+  const Unit degree(ut_scale(std::numbers::pi / 180.0, radian.get()));
+  ut_map_name_to_unit("deg", UT_UTF8, degree.get());
+  return system;
+}
+
+Unit parse_unit(std::string_view text) {
+  static const System system = read_system();
+  return Unit(ut_parse(system.get(), std::string(text).c_str(), UT_UTF8));
+}
+
+/// Angles are pure numbers for UDUNITS-2; "30 %" is no angle all the same.
+bool counts_radians(ut_unit* unit) {
+  std::array<char, 128> definition{};
+  const int length = ut_format(unit, definition.data(), definition.size(), UT_ASCII | UT_DEFINITION);
+  return length > 0 && std::string_view(definition.data()).find("rad") != std::string_view::npos;
+}
+
+bool measures(ut_unit* unit, Dimension dimension) {
+  const Unit si = parse_unit(text_of(dimension).si_unit);
+  return ut_are_convertible(unit, si.get()) != 0 && counts_radians(unit) == (dimension == Dimension::angle);
+}
+
+/// UDUNITS-2 takes numbers inside units: "1 000 mm" would be nothing, "mm^1.5" half a millimetre. Digits are
+/// exponents here: they follow a letter, a sign or another digit.
+bool has_stray_digits(std::string_view unit) {
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool digit = unit[i] >= '0' && unit[i] <= '9';
+    if (!digit) continue;
+    const char before = i == 0 ? ' ' : unit[i - 1];
+    if (before == ' ' || before == '.' || before == ',' || before == '(' || before == '*' || before == '/') return true;
+  }
+  return false;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Scale of a proportional unit in SI; none if the unit is shifted or logarithmic ("degC", "lg(re 1 m)").
+std::optional<double> scale_to_si(ut_unit* unit, Dimension dimension) {
+  const Unit si = parse_unit(text_of(dimension).si_unit);
+  const Converter converter(ut_get_converter(unit, si.get()));
+  if (!converter) return std::nullopt;
+  const double one = cv_convert_double(converter.get(), 1.0);
+  const double three = cv_convert_double(converter.get(), 3.0);
+  if (!std::isfinite(one) || std::abs(three - 3.0 * one) > 1e-12 * std::abs(one)) return std::nullopt;
+  return one;
+}
+
+/// Dividing by 1e6 gives the double nearest to the decimal fraction where multiplying by 1e-6 may miss it.
+double scaled(double number, double scale) {
+  const double divisor = std::round(1.0 / scale);
+  return divisor > 1.0 && std::abs(divisor * scale - 1.0) < 1e-14 ? number / divisor : number * scale;
+}
+
+}  // namespace
+
+std::string_view si_unit(Dimension dimension) {
+  return text_of(dimension).si_unit;
+}
+
+std::string_view example_quantity(Dimension dimension) {
+  return text_of(dimension).example;
+}
+
+std::string_view name_of(Dimension dimension) {
+  return text_of(dimension).name;
+}
+
+std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimension due) {
+  const std::string advice = fmt::format("write {} with its unit, for example {}", name_of(due), example_quantity(due));
+  text = trimmed(text);
+  if (text.empty()) return QuantityFault{"is empty", advice};
+  if (text.size() > longest_quantity || printable(text) != text) return QuantityFault{"is not a quantity", advice};
+
+  if (text.front() == '+') text.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (status == std::errc::result_out_of_range) {
+    return QuantityFault{"has a number that double precision cannot hold", advice};
+  }
+  if (status != std::errc{}) return QuantityFault{"does not begin with a number", advice};
+  if (!std::isfinite(number)) return QuantityFault{"is not finite", advice};
+
+  const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (unit_text.empty()) {
+    return QuantityFault{"has no unit", fmt::format("{}, or a number in {} without quotes", advice, si_unit(due))};
+  }
+  if (unit_text.front() == ',' || has_stray_digits(unit_text)) {
+    return QuantityFault{
+        fmt::format("has digits where a unit is due, in \"{}\"", unit_text),
+        "write one number with a decimal point, without separators, and one unit with whole exponents"};
+  }
+  const Unit unit = parse_unit(unit_text);
+  if (!unit) return QuantityFault{fmt::format("has a unit that is not known, \"{}\"", unit_text), advice};
+  if (!measures(unit.get(), due)) {
+    for (const DimensionText& other : dimensions) {
+      if (measures(unit.get(), other.dimension)) {
+        return QuantityFault{fmt::format("is {} where {} is due", other.name, name_of(due)), advice};
+      }
+    }
+    return QuantityFault{fmt::format("has the unit \"{}\" where {} is due", unit_text, name_of(due)), advice};
+  }
+  const std::optional<double> scale = scale_to_si(unit.get(), due);
+  if (!scale) return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
+  const double value = scaled(number, *scale);
+  if (!std::isfinite(value)) return QuantityFault{"is not finite", advice};
+  return value;
+}
+
+}  // namespace bumpfoil
