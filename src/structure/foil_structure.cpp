@@ -1,6 +1,6 @@
 #include "bumpfoil/structure/foil_structure.hpp"
 
-#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 #include "bumpfoil/structure/truss.hpp"
@@ -69,12 +69,17 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
 
 FoilStructure make_foil_structure(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
-  const bool with_top_foil = foil.model != BumpFoilModel::former;
   FoilStructure structure;
-  structure.dofs = truss_dofs(with_top_foil);
-  structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
-  assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps), structure.K);
-  if (with_top_foil) {
+  if (foil.model == BumpFoilModel::frame) {
+    structure.dofs = frame_dofs();
+    structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
+    assemble_frame(make_frame_model(input), structure.K);
+  } else {
+    structure.dofs = truss_dofs(foil.model != BumpFoilModel::former);
+    structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
+    assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps), structure.K);
+  }
+  if (structure.dofs.top_u >= 0) {
     const TopFoilBeam beam = make_top_foil_beam(input);
     const double moment_scale = beam.bending_stiffness / (foil.pitch * foil.pitch);
     assemble_top_foil(make_top_foil_moments(beam), moment_scale, structure.dofs, structure.K);

@@ -26,7 +26,7 @@ Matrix top_foil_compliance(const TopFoilBeam& beam) {
       // The closed form with the addition theorem applied: nothing cancels near the weld.
       const double a = beam.theta[i];
       const double b = beam.theta[j];
-      S(i, j) = S(j, i) = scale * (b * std::sin(a) * std::sin(b) - std::cos(a) * sin_minus_x_cos(b));
+      S(i, j) = S(j, i) = scale * (b * std::sin(a) * std::sin(b) - std::cos(a) * b * b * b * sine_moment(b));
     }
   }
   return S;
@@ -52,14 +52,14 @@ TopFoilMoments make_top_foil_moments(const TopFoilBeam& beam) {
   for (Eigen::Index k = 0; k < n; ++k) {
     const double d = beam.theta[k] - (k > 0 ? beam.theta[k - 1] : 0.0);
     const double sine = std::sin(d);
-    const double flexibility = beam.radius / (beam.bending_stiffness * sine * sine);
-    const double self = flexibility * 0.25 * x_minus_sin(2.0 * d);
+    const double flexibility = beam.radius * d * d * d / (beam.bending_stiffness * sine * sine);
+    const double self = flexibility * 2.0 * sine_remainder(2.0 * d);
     form.inverse_sine[k] = 1.0 / (beam.radius * sine);
     form.half_tangent[k] = std::tan(0.5 * d) / beam.radius;
     form.compliance_diagonal[k] += self;
     if (k + 1 < n) {
       form.compliance_diagonal[k + 1] += self;
-      form.compliance_off[k] = flexibility * 0.5 * sin_minus_x_cos(d);
+      form.compliance_off[k] = flexibility * 0.5 * sine_moment(d);
     }
   }
   return form;

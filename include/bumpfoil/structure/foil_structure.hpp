@@ -42,7 +42,7 @@ struct FoilStructure {
 /// Foils of a bearing: the truss or the frame model of the bump foil, as the case says, and the top foil over it.
 ///
 /// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The former model
-/// has the first four alone.
+/// has the first four alone. Frame, 11 unknowns per bump: see frame_dofs().
 /// @throws Error (input) if the case cannot be built.
 FoilStructure make_foil_structure(const Case& input);
 

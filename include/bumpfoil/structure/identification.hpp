@@ -1,10 +1,42 @@
 #pragma once
 
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/truss.hpp"
 
 namespace bumpfoil {
 
-/// Constants of the truss model: those that the case gives.
+/// Energy of one bump of a uniform, symmetrically deformed foil whose arc ends rest on the sleeve, free to slide and to
+/// rotate, while the flats may lift; per displacement v of the crest (outward) and growth e of the pitch:
+///
+///     U = a v^2 / 2 - b v e + d e^2 / 2
+struct BumpCell {
+  double a{};  ///< N/m
+  double b{};  ///< N/m
+  double d{};  ///< N/m
+
+  /// Stiffness of the crest when the pitch adapts itself, a - b^2 / d, N/m.
+  [[nodiscard]] double crest_stiffness() const { return a - b * b / d; }
+};
+
+/// Cell of the plane frame of exact circular arcs and straight flats with plate bending and stretching.
+BumpCell make_bump_cell(const BumpArc& arc, const Section& section);
+
+/// Constants that make the truss as stiff as the plane frame of the same foil. The sources print none; these are ours:
+///
+/// * k1, theta_d and k2 + k3 make the truss exact for the cell: tan(theta_d) = a / (2 b), k1 = a / (2 sin^2(theta_d)),
+///   k2 + k3 = d - k1 cos^2(theta_d) / 2;
+/// * k3 is what couples u of neighbouring crests in a long strip that is condensed to u, v of the crests and of the
+///   middles of the flats, all else free;
+/// * k4 gives the first bump, its foot sliding on the sleeve, the stiffness that its frame has between the weld at
+///   mid-flat and the next mid-flat (slope zero, free to lift), the arc ends sliding on the sleeve.
+///
+/// k2 and k4 come out negative for some shapes far from common bumps, which a truss cannot follow: see
+/// make_truss_constants.
+TrussConstants identify_truss_constants(const BumpArc& arc, const Section& section);
+
+/// Constants of the truss of a case: what the case gives, and the identified ones in its place where it gives none.
+/// @throws Error (input) if a constant that the case does not give comes out negative: the truss would be unstable.
 TrussConstants make_truss_constants(const Case& input);
 
 }  // namespace bumpfoil

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/structure/foil_structure.hpp"
+#include "bumpfoil/structure/frame_element.hpp"
+#include "bumpfoil/structure/section.hpp"
+
+namespace bumpfoil {
+
+/// Bump foil as a plane frame on a straight base: two exact circular-arc elements per bump, one straight element per
+/// flat, nothing after the end of the last arc.
+struct FrameModel {
+  Section section;
+  std::vector<BumpArc> arcs;  ///< one per bump, of the same half chord and flat
+  double pitch{};             ///< p, m
+  WeldPosition weld_at{WeldPosition::mid_flat};
+};
+
+/// Frame of the bump foil of a case: every arc is the nominal one, height errors act through the gaps alone.
+FrameModel make_frame_model(const Case& input);
+
+/// Arcs of bumps that are as tall as their height errors say, one per bump: put them in FrameModel::arcs for bumps
+/// whose stiffness follows their own height.
+/// @throws Error (input) if a bump is left without rise.
+std::vector<BumpArc> make_own_arcs(const BumpFoil& foil);
+
+/// Unknowns of a bump: u, v and rotation of arc start, crest and arc end; displacement and moment of the top foil.
+/// Feet are the two arc ends. Each rotation (rad, positive from u to v) stands as rotation * p (m), so that all of K is
+/// in N/m.
+BumpDofs frame_dofs();
+
+/// Adds the bump foil to K, whose blocks are those of frame_dofs().
+///
+/// Where the weld clamps the start of the first arc, its three unknowns are kept as springs to the ground of stiffness
+/// EA' / p that nothing else is coupled to: they stay zero, and a sleeve contact there is closed without load for a gap
+/// of zero and open for a positive one.
+void assemble_frame(const FrameModel& model, BlockTridiagonal& K);
+
+/// Bending stress at the surfaces of the bump foil, |M| / W, Pa; one entry per bump.
+struct FrameStress {
+  Vector arc_start;
+  Vector crest;
+  Vector arc_end;
+  Vector largest;  ///< anywhere along the two arcs of the bump
+  double weld{};   ///< where the foil is clamped
+};
+
+/// @param x unknowns of the foil structure, blocks of frame_dofs()
+FrameStress frame_stress(const FrameModel& model, const Vector& x);
+
+}  // namespace bumpfoil

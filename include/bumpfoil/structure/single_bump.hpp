@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/section.hpp"
+
+namespace bumpfoil {
+
+/// Stiffness (N/m) of one isolated bump loaded at its crest, both feet free to slide and to rotate; bending only.
+/// Coulomb friction at the feet opposes their motion:
+///
+///     K = 2 EI' / (R_b^3 (A - mu B))
+///     A = alpha sin^2 - 2 sin (1 - cos) + alpha/2 - sin(2 alpha)/4,   B = sin (sin - alpha cos) - (1 - cos)^2 / 2
+///
+/// [Walowit1975]
+/// @param friction_coefficient mu at the feet: positive while the load grows, negative while it falls
+/// @return absent where A <= mu B: friction locks the feet of bumps as steep as that
+std::optional<double> sliding_bump_stiffness(const BumpArc& arc, const Section& section, double friction_coefficient);
+
+/// Limit of the same for shallow bumps without friction, 6 EI' / l0^3 = E' L e^3 / (2 l0^3), N/m [Walowit1975].
+double shallow_bump_stiffness(const BumpArc& arc, const Section& section);
+
+/// The same bump without friction, the rotation of the feet clamped (N/m):
+///
+///     K = 2 EI' / (R_b^3 (alpha/2 - sin(2 alpha)/4 - (1 - cos)^2 / alpha))
+double guided_bump_stiffness(const BumpArc& arc, const Section& section);
+
+}  // namespace bumpfoil

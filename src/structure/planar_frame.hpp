@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+#include "bumpfoil/structure/frame_element.hpp"
+
+namespace bumpfoil {
+
+/// Small plane frame as a dense matrix: unknown 3 * node + {0, 1, 2} is u (m), v (m), rotation (rad).
+class PlanarFrame {
+ public:
+  using Unknowns = std::vector<Eigen::Index>;
+
+  PlanarFrame(int nodes, const Section& section);
+
+  void add(int start_node, int end_node, const FrameElement& element);
+
+  /// Stiffness felt at the unknowns `kept`, in their order, when `fixed` ones are zero and all others are free.
+  [[nodiscard]] Matrix condense(const Unknowns& kept, const Unknowns& fixed) const;
+
+ private:
+  Section section_;
+  Matrix K_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,143 @@
+#include "bumpfoil/structure/frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+
+namespace bumpfoil {
+namespace {
+
+Case frame_case(int bumps, WeldPosition weld_at) {
+  Case input = reference_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.bump_foil.bumps = bumps;
+  input.bump_foil.weld_at = weld_at;
+  return input;
+}
+
+/// The bump foil alone, dense, without the places of the top foil: 9 unknowns per bump.
+Matrix bump_foil_stiffness(const FrameModel& model) {
+  const auto bumps = static_cast<int>(model.arcs.size());
+  BlockTridiagonal K(bumps, frame_dofs().size);
+  assemble_frame(model, K);
+  std::vector<Eigen::Index> own;
+  for (Eigen::Index n = 0; n < bumps; ++n) {
+    for (Eigen::Index dof = 0; dof < 9; ++dof) own.push_back(n * frame_dofs().size + dof);
+  }
+  return K.dense()(own, own);
+}
+
+TEST(FrameModel, IsPositiveDefiniteAndSymmetric) {
+  for (const WeldPosition weld_at : {WeldPosition::mid_flat, WeldPosition::arc_start}) {
+    for (const int bumps : {1, 2, 10}) {
+      const Matrix K = bump_foil_stiffness(make_frame_model(frame_case(bumps, weld_at)));
+      EXPECT_EQ(K, K.transpose());
+      EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix>(K).eigenvalues().minCoeff(), 0.0);
+    }
+  }
+}
+
+TEST(FrameModel, RigidMotionOfTheFoilAfterTheWeldStrainsTheFirstFlatOnly) {
+  const FrameModel model = make_frame_model(frame_case(4, WeldPosition::mid_flat));
+  const double angle = 1e-3;
+  Vector x(36);
+  for (Eigen::Index n = 0; n < 4; ++n) {
+    const double crest = (static_cast<double>(n) + 0.5) * model.pitch;
+    const double l0 = model.arcs[0].half_length;
+    const double turned = angle * model.pitch;
+    x.segment(9 * n, 9) << 0.0, angle * (crest - l0), turned, angle * model.arcs[0].rise, angle * crest, turned, 0.0,
+        angle * (crest + l0), turned;
+  }
+  const Matrix K = bump_foil_stiffness(model);
+  const Vector forces = K * x;
+  EXPECT_LT(forces.tail(33).norm(), 1e-13 * K.norm() * x.norm());
+  // Half a flat from its clamped end, its other end turned by `angle` about the clamp: 6 EI / l^2 - 12 EI / l^2.
+  const double l = 0.5 * model.arcs[0].flat;
+  const double expected = (12.0 * l - 6.0 * l) * model.section.bending_stiffness / (l * l * l) * angle;
+  EXPECT_NEAR(forces[1], expected, 1e-10 * expected);
+}
+
+TEST(FrameModel, ClampedArcStartIsCoupledToNothing) {
+  const Matrix K = bump_foil_stiffness(make_frame_model(frame_case(3, WeldPosition::arc_start)));
+  EXPECT_EQ(K.topRightCorner(3, 24).norm(), 0.0);
+  EXPECT_TRUE(K.topLeftCorner(3, 3).isDiagonal(0.0));
+  // What is left is the same foil with a flat before it that cannot deform.
+  FrameModel flat_weld = make_frame_model(frame_case(3, WeldPosition::mid_flat));
+  const Matrix with_flat = bump_foil_stiffness(flat_weld);
+  EXPECT_LT((K.bottomRightCorner(24, 24) - with_flat.bottomRightCorner(24, 24)).norm(), 1e-15 * K.norm());
+}
+
+TEST(FrameModel, OwnArcsFollowTheHeightErrors) {
+  BumpFoil foil = reference_case().bump_foil;
+  foil.bumps = 3;
+  foil.height_errors = {0.0, 20e-6, -15e-6};
+  const std::vector<BumpArc> arcs = make_own_arcs(foil);
+  ASSERT_EQ(arcs.size(), 3U);
+  EXPECT_DOUBLE_EQ(arcs[0].rise, 0.406e-3);
+  EXPECT_DOUBLE_EQ(arcs[1].rise, 0.426e-3);
+  EXPECT_DOUBLE_EQ(arcs[2].rise, 0.391e-3);
+  EXPECT_EQ(arcs[1].half_length, arcs[0].half_length);
+
+  foil.height_errors = {0.0, -0.45e-3, -0.5e-3};
+  try {
+    make_own_arcs(foil);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.faults().size(), 2U);
+  }
+}
+
+TEST(FrameStress, OfABumpPressedBetweenSlidingFeet) {
+  // One symmetric bump far from a weld: middle of five, all crests pressed alike. Its moments must be in equilibrium
+  // with the crest load, and the crest carries the largest.
+  const FrameModel model = make_frame_model(frame_case(5, WeldPosition::mid_flat));
+  const Matrix K = bump_foil_stiffness(model);
+  std::vector<Eigen::Index> free;
+  Vector load = Vector::Zero(45);
+  const double crest_load = 30.0;
+  for (Eigen::Index n = 0; n < 5; ++n) {
+    load[9 * n + 4] = crest_load;
+    for (Eigen::Index dof = 0; dof < 9; ++dof) {
+      if (dof != 1 && dof != 7) free.push_back(9 * n + dof);
+    }
+  }
+  const Matrix stiffness = K(free, free);
+  const Vector load_free = load(free);
+  const Vector moved = stiffness.ldlt().solve(load_free);
+  Vector x = Vector::Zero(55);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    x[free[i] / 9 * 11 + free[i] % 9] = moved[static_cast<Eigen::Index>(i)];
+  }
+  const FrameStress stress = frame_stress(model, x);
+  // Mirror symmetry of a bump whose neighbours differ by the reach of the ends, below a tenth per bump.
+  EXPECT_NEAR(stress.arc_start[2], stress.arc_end[2], 0.05 * stress.crest[2]);
+  EXPECT_GE(stress.largest[2], stress.crest[2]);
+  // No thrust but what the flats carry, which vanishes for a pitch that adapts: crest and foot share P l0 / 2.
+  const double static_moment = 0.5 * crest_load * model.arcs[2].half_length / model.section.modulus;
+  EXPECT_NEAR(stress.crest[2] + 0.5 * (stress.arc_start[2] + stress.arc_end[2]), static_moment, 0.02 * static_moment);
+  EXPECT_GT(stress.weld, 0.0);
+}
+
+TEST(FrameStress, CantileveredBumpUnderAnEndForceIsStaticallyDeterminate) {
+  // One bump clamped at its start, a force F along v at its free end: M = F * distance, zero at the end.
+  const FrameModel model = make_frame_model(frame_case(1, WeldPosition::arc_start));
+  const double force = 2.0;
+  const Vector moved = bump_foil_stiffness(model).ldlt().solve(force * Vector::Unit(9, 7));
+  Vector x = Vector::Zero(11);
+  x.head(9) = moved;
+  const FrameStress stress = frame_stress(model, x);
+  const double at_weld = force * 2.0 * model.arcs[0].half_length / model.section.modulus;
+  EXPECT_NEAR(stress.weld, at_weld, 1e-9 * at_weld);
+  EXPECT_NEAR(stress.arc_start[0], at_weld, 1e-9 * at_weld);
+  EXPECT_NEAR(stress.crest[0], 0.5 * at_weld, 1e-9 * at_weld);
+  EXPECT_NEAR(stress.arc_end[0], 0.0, 1e-9 * at_weld);
+  EXPECT_NEAR(stress.largest[0], at_weld, 1e-9 * at_weld);
+}
+
+}  // namespace
+}  // namespace bumpfoil

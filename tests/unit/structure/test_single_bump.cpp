@@ -1,0 +1,78 @@
+#include "bumpfoil/structure/single_bump.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+#include "bumpfoil/structure/frame_element.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const Section foil = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
+
+BumpArc reference_arc(double rise) {
+  BumpFoil bump = reference_case().bump_foil;
+  bump.height = rise;
+  bump.height_reference = HeightReference::midsurface;
+  return make_bump_arc(bump);
+}
+
+/// Crest stiffness of a bump from its falling half: crest guided (u = 0, no rotation), foot on the sleeve (v = 0),
+/// under a friction force at the foot of mu times half the load, against sliding outwards.
+double frame_stiffness(const BumpArc& arc, double friction_coefficient, bool foot_turns) {
+  const Section inextensible{.bending_stiffness = 1.0, .axial_stiffness = 1e14, .modulus = 1.0};
+  const ElementMatrix K = frame_element_stiffness(inextensible, falling_half(arc));
+  const std::array<int, 3> turning{1, 3, 5};  // crest v, foot u, foot rotation
+  Eigen::Matrix3d kept = K(turning, turning);
+  if (!foot_turns) kept(2, 2) *= 1e9;
+  const Eigen::Vector3d load(0.5, -0.5 * friction_coefficient, 0.0);
+  return foil.bending_stiffness / kept.inverse().row(0).dot(load);
+}
+
+TEST(SingleBump, ReferenceNumbers) {
+  const BumpArc arc = reference_arc(0.508e-3);
+  // Known to three digits.
+  EXPECT_NEAR(shallow_bump_stiffness(arc, foil), 0.840e6, 0.0005e6);
+  EXPECT_NEAR(sliding_bump_stiffness(arc, foil, 0.0).value(), 0.828e6, 0.0005e6);
+  EXPECT_NEAR(guided_bump_stiffness(arc, foil), 3.156e6, 0.0005e6);
+}
+
+TEST(SingleBump, AgreesWithTheArcElement) {
+  for (const double rise : {0.05e-3, 0.508e-3, 1.778e-3, 2.5e-3}) {
+    const BumpArc arc = reference_arc(rise);
+    for (const double mu : {-0.3, 0.0, 0.1, 0.2}) {
+      const double K = sliding_bump_stiffness(arc, foil, mu).value();
+      EXPECT_NEAR(frame_stiffness(arc, mu, true), K, 1e-6 * K) << rise << ' ' << mu;  // the stretching that is left
+    }
+    const double guided = guided_bump_stiffness(arc, foil);
+    EXPECT_NEAR(frame_stiffness(arc, 0.0, false), guided, 1e-6 * guided) << rise;
+  }
+}
+
+TEST(SingleBump, TendsToTheShallowLimit) {
+  const BumpArc arc = reference_arc(1e-7);
+  // (h / l0)^2 = 3e-9.
+  EXPECT_NEAR(sliding_bump_stiffness(arc, foil, 0.0).value() / shallow_bump_stiffness(arc, foil), 1.0, 1e-8);
+  EXPECT_NEAR(guided_bump_stiffness(arc, foil) / shallow_bump_stiffness(arc, foil), 4.0, 1e-7);
+}
+
+TEST(SingleBump, FrictionStiffensLoadingAndSoftensUnloading) {
+  const BumpArc arc = reference_arc(0.508e-3);
+  const double K = sliding_bump_stiffness(arc, foil, 0.0).value();
+  EXPECT_GT(sliding_bump_stiffness(arc, foil, 0.1).value(), K);
+  EXPECT_LT(sliding_bump_stiffness(arc, foil, -0.1).value(), K);
+}
+
+TEST(SingleBump, FrictionLocksTheFeetOfSteepBumps) {
+  const BumpArc steep = reference_arc(2.5e-3);
+  EXPECT_GT(frame_stiffness(steep, 0.45, true), 0.0);
+  EXPECT_TRUE(sliding_bump_stiffness(steep, foil, 0.45).has_value());
+  EXPECT_LT(frame_stiffness(steep, 0.5, true), 0.0);
+  EXPECT_FALSE(sliding_bump_stiffness(steep, foil, 0.5).has_value());
+}
+
+}  // namespace
+}  // namespace bumpfoil
