@@ -123,12 +123,12 @@ void EventFollower::Workspace::flip_at(double fraction) {
   }
 }
 
-FollowReport EventFollower::follow(const ContactLoading& end, ContactState& state, const PieceVisitor& visit,
-                                   std::vector<ContactEvent>* events) {
+FollowReport EventFollower::follow(const ContactLoading& end, ContactState& state, const PartVisitor& visit,
+                                   std::vector<ContactEvent>* events, const std::vector<ContactMode>* guess) {
   Workspace& w = *workspace_;
   FollowReport report;
   report.solve.converged = true;
-  w.mode = state.mode;
+  w.mode = guess != nullptr ? *guess : state.mode;
   for (; report.pieces < w.options.max_pieces; ++report.pieces) {
     if (!w.settle_modes(end, state, report.solve)) return report;
     if (events != nullptr) {
@@ -149,7 +149,7 @@ FollowReport EventFollower::follow(const ContactLoading& end, ContactState& stat
       next.normal_force = state.normal_force + part * (w.target.normal_force - state.normal_force);
       next.friction_force = state.friction_force + part * (w.target.friction_force - state.friction_force);
     }
-    if (visit) visit(report.fraction, state, fraction, next);
+    if (visit) visit(state, next);
     std::swap(state, next);
     report.fraction = fraction;
     if (part >= 1.0) {

@@ -12,20 +12,25 @@ SolveReport& SolveReport::operator+=(const SolveReport& other) {
   return *this;
 }
 
+ContactLoading interpolate(const ContactLoading& from, const ContactLoading& to, double fraction) {
+  return {.initial_gap = from.initial_gap + fraction * (to.initial_gap - from.initial_gap),
+          .load = from.load + fraction * (to.load - from.load)};
+}
+
 IncrementReport advance(ContactSolver& solver, const ContactLoading& from, const ContactLoading& to,
-                        ContactState& state, int max_halvings) {
+                        ContactState& state, const PartVisitor& visit, int max_halvings) {
   IncrementReport report;
   ContactState next;
   report.solve = solver.solve(to, state, next);
   if (report.solve.converged) {
+    if (visit) visit(state, next);
     std::swap(state, next);
     return report;
   }
   if (max_halvings == 0) return report;
-  const ContactLoading middle{.initial_gap = 0.5 * (from.initial_gap + to.initial_gap),
-                              .load = 0.5 * (from.load + to.load)};
+  const ContactLoading middle = interpolate(from, to, 0.5);
   for (const auto& [begin, end] : {std::pair(&from, &middle), std::pair(&middle, &to)}) {
-    const IncrementReport half = advance(solver, *begin, *end, state, max_halvings - 1);
+    const IncrementReport half = advance(solver, *begin, *end, state, visit, max_halvings - 1);
     report.solve += half.solve;
     report.substeps += 1 + half.substeps;
     if (!half.solve.converged) break;

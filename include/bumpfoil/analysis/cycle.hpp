@@ -2,47 +2,23 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "bumpfoil/contact/residual.hpp"
-#include "bumpfoil/contact/solver.hpp"
+#include "bumpfoil/analysis/increment.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
-enum class Branch { loading, unloading };
+enum class Interface { journal_top, top_bump, bump_sleeve };
 
-/// One interface at one increment: entry i belongs to bump i or, at the sleeve, to foot i.
-struct InterfaceFields {
-  Vector gap;             ///< m, 0 where closed
-  Vector normal_force;    ///< N, compression >= 0
-  Vector friction_force;  ///< N, on the bump-foil node, positive away from the weld; zero at the journal
-  std::vector<ContactMode> mode;
-};
-
-/// Everything known at one increment.
-struct Increment {
-  int index{};
-  Branch branch{Branch::loading};
-  double displacement{};        ///< of the journal along the direction, m
-  double x{}, y{};              ///< journal centre, m
-  double force_x{}, force_y{};  ///< force that holds the journal, N
-  double force_direct{};        ///< F.n, N
-  double force_cross{};         ///< F.t with t = n turned by +90 deg, N
-  double elastic_energy{};      ///< J
-  double dissipated_energy{};   ///< since increment 0, J; at increment 0 that of the assembly is kept apart
-  double work{};                ///< of the journal since increment 0, trapezoidal rule, J
-  ContactResiduals residuals;
-  SolveReport solve;  ///< what it cost and whether it converged
-  int substeps{};     ///< extra solves because the increment had to be halved
-
-  Vector top_displacement;      ///< u_t, m, one per bump
-  Vector crest_u, crest_v;      ///< m, one per bump
-  Vector foot_u, foot_v;        ///< m, one per foot
-  InterfaceFields journal_top;  ///< per bump
-  InterfaceFields top_bump;     ///< per bump
-  InterfaceFields bump_sleeve;  ///< per foot
+/// A change of mode of one contact, as the event-driven solver saw it.
+struct CycleEvent {
+  Branch branch{};
+  double displacement{};  ///< of the journal along the direction, m
+  Interface interface {};
+  int index{};  ///< bump or, at the sleeve, foot; from 0
+  ContactMode from{};
+  ContactMode to{};
 };
 
 /// Response at the turning point: present once the run got that far.
@@ -64,6 +40,8 @@ struct Cycle {
   bool converged{};                   ///< all increments are there, and each meets the bound of its solver
   std::vector<Increment> increments;  ///< fewer than 2*steps+1 after a numerical failure or an interruption
 
+  std::vector<CycleEvent> events;  ///< only from the event-driven solver
+
   double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
   std::optional<TurningPoint> turning_point;
   std::optional<double> loop_energy;    ///< closed integral of F.dx by the trapezoidal rule, J
@@ -82,7 +60,7 @@ struct Cycle {
 };
 
 struct CycleResult {
-  std::string solver;         ///< name of the solver that was used
+  SolverName solver{};        ///< name of the solver that was used
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case
 
   [[nodiscard]] bool converged() const;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,18 +16,13 @@ struct ContactEvent {
   ContactMode to{};
 };
 
-/// How a path was followed.
+/// How far a path was followed.
 struct FollowReport {
   bool reached_end{};  ///< false where the modes after an event could not be found
   double fraction{};   ///< how far the path was followed, 0..1
   int pieces{};        ///< linear pieces between events
   SolveReport solve;
 };
-
-/// Called for every linear piece of the response: the states at its ends, both with the modes of the piece, and the
-/// fractions of the path where they stand.
-using PieceVisitor =
-    std::function<void(double begin, const ContactState& at_begin, double end, const ContactState& at_end)>;
 
 /// Tolerances of following: what counts as touching, resting or zero.
 struct FollowOptions {
@@ -52,10 +46,12 @@ class EventFollower {
 
   /// Follows the response from `state` to the loading `end`, which it approaches linearly.
   /// @param state   start of the path; on return its end, or the last event that was reached
-  /// @param visit   receives the pieces; may be empty
+  /// @param visit   receives the linear pieces, both ends with the modes of the piece; may be empty
   /// @param events  receives the changes of mode in their order; may be null
-  [[nodiscard]] FollowReport follow(const ContactLoading& end, ContactState& state, const PieceVisitor& visit = {},
-                                    std::vector<ContactEvent>* events = nullptr);
+  /// @param guess   modes to begin with instead of those of `state`; may be null
+  [[nodiscard]] FollowReport follow(const ContactLoading& end, ContactState& state, const PartVisitor& visit = {},
+                                    std::vector<ContactEvent>* events = nullptr,
+                                    const std::vector<ContactMode>* guess = nullptr);
 
  private:
   struct Workspace;

@@ -37,7 +37,6 @@ class NewtonSolver final : public ContactSolver {
   explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());
   ~NewtonSolver() override;
 
-  [[nodiscard]] std::string_view name() const override { return "newton"; }
   [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                   ContactState& state) override;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <functional>
 
 #include "bumpfoil/contact/problem.hpp"
 
@@ -21,9 +21,6 @@ class ContactSolver {
  public:
   virtual ~ContactSolver() = default;
 
-  /// As it is called in case files and results.
-  [[nodiscard]] virtual std::string_view name() const = 0;
-
   /// Finds the state under `loading` after `previous`, which friction refers to and which is the first guess. On
   /// failure `state` holds the last iterate, flagged by the report.
   /// @param state  result; its storage is reused
@@ -37,10 +34,17 @@ struct IncrementReport {
   int substeps{};  ///< extra solves because the increment had to be halved
 };
 
+/// Called for every part of an increment, from the state at its begin to that at its end.
+using PartVisitor = std::function<void(const ContactState& begin, const ContactState& end)>;
+
 /// Advances `state` from `from` to `to`. Where the solver fails, the state is restored, the increment is halved (the
 /// loading is interpolated) and both halves are taken in turn, up to `max_halvings` times over. On failure the state is
 /// that of the last part that converged.
+/// @param visit  receives the parts that converged: one where nothing had to be halved; may be empty
 [[nodiscard]] IncrementReport advance(ContactSolver& solver, const ContactLoading& from, const ContactLoading& to,
-                                      ContactState& state, int max_halvings = 8);
+                                      ContactState& state, const PartVisitor& visit = {}, int max_halvings = 8);
+
+/// The loading at `fraction` of the way from `from` to `to`.
+ContactLoading interpolate(const ContactLoading& from, const ContactLoading& to, double fraction);
 
 }  // namespace bumpfoil

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bumpfoil/contact/problem.hpp"
+
+namespace bumpfoil {
+
+/// Work done on the foils between two states by what moves their initial gaps (the journal), trapezoidal rule, J:
+///
+///     W = -1/2 sum (p_begin + p_end) (g0_end - g0_begin)
+///
+/// which is 1/2 (F_begin + F_end).dx for a journal displaced by dx.
+double gap_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
+
+/// Energy dissipated by friction, sum of f p |du|, J.
+/// @param normal_force  p of each contact, N
+/// @param begin_x       unknowns at the begin of the slip
+/// @param end_x         and at its end
+double friction_dissipation(const ContactProblem& problem, const Vector& normal_force, const Vector& begin_x,
+                            const Vector& end_x);
+
+}  // namespace bumpfoil

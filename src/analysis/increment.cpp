@@ -1,0 +1,102 @@
+#include "bumpfoil/analysis/increment.hpp"
+
+#include <algorithm>
+
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A contact is reported open where its load is below this part of the largest.
+constexpr double open_load = 1e-9;
+
+/// Copies the entries of one unknown of every block.
+Vector pick(const Vector& x, int block_size, int unknown) {
+  const Eigen::Index blocks = x.size() / block_size;
+  return Eigen::Map<const Vector, 0, Eigen::InnerStride<Eigen::Dynamic>>(
+      x.data() + unknown, blocks, Eigen::InnerStride<Eigen::Dynamic>(block_size));
+}
+
+/// Copies the entries of the unknowns of the feet, foot by foot.
+Vector pick_feet(const Vector& x, int block_size, const std::vector<int>& unknowns) {
+  const auto feet = static_cast<Eigen::Index>(unknowns.size());
+  Vector out(x.size() / block_size * feet);
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    out[i] = x[i / feet * block_size + unknowns[static_cast<std::size_t>(i % feet)]];
+  }
+  return out;
+}
+
+/// Modes as they are reported: contacts without load are open, frictionless ones slip where they move.
+std::vector<ContactMode> reported_modes(const ContactProblem& problem, const ContactState& state, const Vector& slip) {
+  std::vector<ContactMode> mode = state.mode;
+  const double threshold = open_load * state.normal_force.maxCoeff();
+  for (std::size_t c = 0; c < mode.size(); ++c) {
+    const auto i = static_cast<Eigen::Index>(c);
+    const ContactPair& pair = problem.pairs[c % problem.pairs.size()];
+    if (state.normal_force[i] <= threshold) {
+      mode[c] = ContactMode::open;
+    } else if (pair.tangential >= 0 && pair.friction_coefficient == 0.0) {
+      mode[c] = slip[i] > displacement_resolution    ? ContactMode::slip_forward
+                : slip[i] < -displacement_resolution ? ContactMode::slip_backward
+                                                     : ContactMode::stick;
+    }
+  }
+  return mode;
+}
+
+/// Contacts `first` .. `first + count - 1` of every block.
+InterfaceFields interface_fields(const ContactProblem& problem, const ContactState& state,
+                                 const std::vector<ContactMode>& mode, int first, int count) {
+  const auto pairs = static_cast<int>(problem.pairs.size());
+  const Eigen::Index size = Eigen::Index{problem.K.blocks()} * count;
+  InterfaceFields fields{.gap = Vector(size), .normal_force = Vector(size), .friction_force = Vector(size), .mode = {}};
+  fields.mode.reserve(static_cast<std::size_t>(size));
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Eigen::Index contact = i / count * pairs + first + i % count;
+    const ContactMode m = mode[static_cast<std::size_t>(contact)];
+    const bool open = m == ContactMode::open;
+    fields.gap[i] = open ? std::max(0.0, state.gap[contact]) : 0.0;
+    fields.normal_force[i] = open ? 0.0 : state.normal_force[contact];
+    fields.friction_force[i] = open ? 0.0 : state.friction_force[contact];
+    fields.mode.push_back(m);
+  }
+  return fields;
+}
+
+}  // namespace
+
+Increment record_increment(const BearingModel& model, const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+                           const ContactLoading& loading, const Vector& previous_x, const ContactState& state) {
+  Increment next;
+  next.x = position.x();
+  next.y = position.y();
+  const Eigen::Vector2d force = journal_force(model.phi, journal_loads(model, state.normal_force));
+  next.force_x = force.x();
+  next.force_y = force.y();
+  next.force_direct = force.dot(direction);
+  next.force_cross = force.dot(Eigen::Vector2d(-direction.y(), direction.x()));
+
+  const Vector elastic = elastic_forces(model.structure, state.x);
+  next.elastic_energy = 0.5 * state.x.dot(elastic);
+  next.residuals = contact_residuals(model.problem, elastic, loading, previous_x, state);
+
+  const int block = model.problem.K.block_size();
+  const BumpDofs& dofs = model.structure.dofs;
+  next.top_displacement = pick(state.x, block, dofs.top_u);
+  next.crest_u = pick(state.x, block, dofs.crest_u);
+  next.crest_v = pick(state.x, block, dofs.crest_v);
+  next.foot_u = pick_feet(state.x, block, dofs.foot_u);
+  next.foot_v = pick_feet(state.x, block, dofs.foot_v);
+
+  const Vector slip =
+      tangential_displacements(model.problem, state.x) - tangential_displacements(model.problem, previous_x);
+  const std::vector<ContactMode> mode = reported_modes(model.problem, state, slip);
+  const auto fields = [&](int first, int count) { return interface_fields(model.problem, state, mode, first, count); };
+  next.journal_top = fields(BearingModel::journal_top, 1);
+  next.top_bump = fields(BearingModel::top_bump, 1);
+  next.bump_sleeve = fields(BearingModel::first_foot, dofs.feet());
+  return next;
+}
+
+}  // namespace bumpfoil
