@@ -1,13 +1,10 @@
 #include "bumpfoil/structure/frame.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/core/error.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -74,22 +71,13 @@ FrameModel make_frame_model(const Case& input) {
 }
 
 std::vector<BumpArc> make_own_arcs(const BumpFoil& foil) {
-  std::vector<BumpArc> arcs;
-  std::vector<Fault> faults;
-  for (std::size_t n = 0; n < static_cast<std::size_t>(foil.bumps); ++n) {
+  std::vector<BumpArc> arcs(static_cast<std::size_t>(foil.bumps), make_bump_arc(foil));
+  for (std::size_t n = 0; n < foil.height_errors.size(); ++n) {
     BumpFoil own = foil;
-    if (!foil.height_errors.empty()) own.height += foil.height_errors[n];
-    arcs.push_back(make_bump_arc(own));
-    if (!(arcs.back().rise > 0.0)) {
-      Fault fault;
-      fault.key = fmt::format("bump_foil.height_errors[{}]", n);
-      fault.value = fmt::format("{:g}", own.height - foil.height);
-      fault.what = "leaves the bump without rise";
-      fault.advice = "keep the height above the thickness of the foil";
-      faults.push_back(fault);
-    }
+    own.height += foil.height_errors[n];
+    arcs[n] = make_bump_arc(own);
+    BUMPFOIL_ASSERT(arcs[n].rise > 0.0);
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, faults);
   return arcs;
 }
 

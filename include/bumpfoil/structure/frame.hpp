@@ -21,8 +21,7 @@ struct FrameModel {
 FrameModel make_frame_model(const Case& input);
 
 /// Arcs of bumps that are as tall as their height errors say, one per bump: put them in FrameModel::arcs for bumps
-/// whose stiffness follows their own height.
-/// @throws Error (input) if a bump is left without rise.
+/// whose stiffness follows their own height. The case must be valid: each error smaller than the rise.
 std::vector<BumpArc> make_own_arcs(const BumpFoil& foil);
 
 /// Unknowns of a bump: u, v and rotation of arc start, crest and arc end; displacement and moment of the top foil.

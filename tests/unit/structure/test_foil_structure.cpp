@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 #include "bumpfoil/structure/truss.hpp"
@@ -104,6 +105,28 @@ TEST(FoilStructure, IsWellScaledAndQuasidefinite) {
   const Matrix top_part = K(top, top);
   const Vector magnitudes = top_part.selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs();
   EXPECT_LT(magnitudes.maxCoeff() / magnitudes.minCoeff(), 5e4);
+}
+
+TEST(FoilStructure, FrameModelHasTheSameTopFoil) {
+  for (const WeldPosition weld_at : {WeldPosition::mid_flat, WeldPosition::arc_start}) {
+    Case input = given_constants(5);
+    input.bump_foil.model = BumpFoilModel::frame;
+    input.bump_foil.weld_at = weld_at;
+    const FoilStructure structure = make_foil_structure(input);
+    EXPECT_EQ(structure.dofs.size, 11);
+    EXPECT_EQ(structure.dofs.feet(), 2);
+    const Vector x = any_displacements(structure);
+    const Vector forces = elastic_forces(structure, x);
+
+    BlockTridiagonal bump_foil(5, structure.dofs.size);
+    assemble_frame(make_frame_model(input), bump_foil);
+    Vector expected = bump_foil.multiply(x);
+    expected(every(structure, structure.dofs.top_u)) =
+        top_foil_loads(make_top_foil_moments(make_top_foil_beam(input)), x(every(structure, structure.dofs.top_u)));
+    EXPECT_LT((forces - expected).norm(), 1e-13 * expected.norm());
+    const Vector top = expected(every(structure, structure.dofs.top_u));
+    EXPECT_LT((forces(every(structure, structure.dofs.top_u)) - top).norm(), 1e-12 * top.norm());
+  }
 }
 
 TEST(FoilStructure, FormerModelHasNoTopFoil) {

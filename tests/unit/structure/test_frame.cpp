@@ -7,8 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "bumpfoil/core/error.hpp"
-
 namespace bumpfoil {
 namespace {
 
@@ -83,13 +81,8 @@ TEST(FrameModel, OwnArcsFollowTheHeightErrors) {
   EXPECT_DOUBLE_EQ(arcs[2].rise, 0.391e-3);
   EXPECT_EQ(arcs[1].half_length, arcs[0].half_length);
 
-  foil.height_errors = {0.0, -0.45e-3, -0.5e-3};
-  try {
-    make_own_arcs(foil);
-    FAIL() << "accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.faults().size(), 2U);
-  }
+  foil.height_errors.clear();
+  EXPECT_DOUBLE_EQ(make_own_arcs(foil)[2].rise, 0.406e-3);
 }
 
 TEST(FrameStress, OfABumpPressedBetweenSlidingFeet) {
