@@ -12,8 +12,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(sys.argv[1])
-PROGRAM = Path(sys.argv[2])
+ROOT = Path(sys.argv[1]).resolve()
+PROGRAM = Path(sys.argv[2]).resolve()
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -29,7 +29,7 @@ class Documents(unittest.TestCase):
     def test_links_lead_somewhere(self):
         for document in documents():
             text = document.read_text(encoding="utf-8")
-            for target in re.findall(r"\]\(([^)#\s]+)", text):
+            for target in re.findall(r"""(?:\]\(|src=")([^)#\s"]+)""", text):
                 if not target.startswith("http"):
                     self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
 
@@ -64,14 +64,19 @@ class Readme(unittest.TestCase):
     def test_shell_commands_work(self):
         self.run_in_directory(["bash", "-euo", "pipefail", "-c", readme_block("sh")])
 
+    def test_example_is_what_init_writes(self):
+        self.run_in_directory([str(PROGRAM), "init", "-o", "case.toml"])
+        written = (Path(self.directory) / "case.toml").read_text(encoding="utf-8")
+        self.assertEqual(written, (ROOT / "examples/gen1.toml").read_text(encoding="utf-8"))
+
     def test_table_shows_what_the_program_computes(self):
         self.run_in_directory([str(PROGRAM), "cycle", str(ROOT / "examples/gen1.toml"), "-o", "demo"])
         summary = json.loads((Path(self.directory) / "demo/summary.json").read_text(encoding="utf-8"))
         names = {0: "+X", 90: "+Y", 180: "−X", 270: "−Y"}
         expected = {
             names[round(cycle["direction_deg"])]: [
-                f"{cycle['max_force_N']:.1f}",
-                f"{cycle['cross_force_at_max_N']:.1f}",
+                f"{cycle['max_force_N']:.0f}",
+                f"{cycle['cross_force_at_max_N']:.0f}",
                 f"{cycle['secant_stiffness_N_per_m'] * 1e-6:.2f}",
                 f"{cycle['loop_energy_J'] * 1e3:.2f}",
                 f"{cycle['loss_factor']:.3f}",
