@@ -31,13 +31,14 @@ std::string direction_name(double direction) {
   return fmt::format("{:.6g} deg", degrees);
 }
 
-/// Five digits that count, without exponents for what is usual.
+/// Five significant digits, without exponents for what is usual.
 std::string shown(const std::optional<double>& number, double unit) {
   if (!number || !std::isfinite(*number)) return "-";
   const double scaled = *number / unit;
   const double size = std::abs(scaled);
-  if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return fmt::format("{:.3e}", scaled);
-  return fmt::format("{:.{}f}", scaled, size >= 1000.0 ? 1 : size >= 100.0 ? 2 : size >= 10.0 ? 3 : 4);
+  if (size == 0.0) return "0";
+  if (size < 1e-3 || size >= 1e6) return fmt::format("{:.3e}", scaled);
+  return fmt::format("{:.{}f}", scaled, std::max(0, 4 - static_cast<int>(std::floor(std::log10(size)))));
 }
 
 std::optional<double> turning(const Cycle& cycle, double TurningPoint::*member) {
