@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/validation.hpp"
@@ -155,8 +156,8 @@ void report_semantic_faults(ReadingLog& log, const Case& input, bool common_fric
 
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request) {
   toml::table document = parse_toml(text, name);
-  apply_overrides(document, request.overrides);
   ReadingLog log(name);
+  for (Fault& fault : apply_overrides(document, request.overrides)) log.add(std::move(fault));
   TableReader root(log, &document, "");
   Case input;
   root.text("title", input.title);

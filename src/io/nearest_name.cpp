@@ -38,7 +38,7 @@ std::optional<std::string> nearest_name(std::string_view name, const std::vector
   std::size_t fewest = 0;
   for (const std::string& candidate : candidates) {
     const std::size_t edits = edit_distance(name, candidate);
-    const std::size_t tolerated = std::max<std::size_t>(1, candidate.size() / 3);
+    const std::size_t tolerated = 1 + candidate.size() / 4;
     if (edits <= tolerated && (!nearest || edits < fewest)) {
       nearest = candidate;
       fewest = edits;

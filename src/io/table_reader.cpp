@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 #include "bumpfoil/model/validation.hpp"
 #include "io/nearest_name.hpp"
@@ -26,6 +27,7 @@ std::string holder_of(const std::string& key) {
 /// The value as written, as far as it fits in a message; empty for lists and tables.
 std::string written(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   if (node.is_array() || node.is_table()) return {};
   std::ostringstream out;
   node.visit([&out](const auto& value) {
@@ -61,8 +63,9 @@ std::string is_where(const toml::node& node, std::string_view due) {
 
 void ReadingLog::met(const std::string& key, const toml::node& node) {
   const toml::source_region& source = node.source();
-  Origin origin{source.path ? *source.path : file_, source.begin.line, written(node)};
-  if (origin.file == command_line) origin.line = 0;
+  // A table that an override implied stands nowhere.
+  const bool overridden = source.begin.line == 0 || (source.path && *source.path == command_line);
+  Origin origin{overridden ? std::string(command_line) : file_, overridden ? 0 : source.begin.line, written(node)};
   origins_.insert_or_assign(key, std::move(origin));
 }
 
@@ -109,7 +112,9 @@ void ReadingLog::add(Fault fault, ErrorKind kind) {
 
 void ReadingLog::throw_if_faulty() {
   if (faults_.empty()) return;
-  std::stable_sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) { return a.line < b.line; });
+  const auto place = [this](const Fault& fault) { return std::tuple(fault.file != file_, fault.file, fault.line); };
+  std::stable_sort(faults_.begin(), faults_.end(),
+                   [&place](const Fault& a, const Fault& b) { return place(a) < place(b); });
   if (unlisted_ > 0) {
     faults_.push_back({file_, 0, "", "", fmt::format("and {} more faults", unlisted_), "mend the first ones"});
   }
@@ -142,7 +147,8 @@ const toml::node* TableReader::find(std::string_view key, Presence presence) {
   return node;
 }
 
-bool TableReader::read_quantity(const std::string& path, const toml::node& node, double& value, Dimension dimension) {
+bool TableReader::read_quantity(const std::string& path, const toml::node& node, double& value, Dimension dimension,
+                                const std::string& alternatives) {
   if (node.is_number()) {
     value = *node.value<double>();
     return true;
@@ -151,12 +157,13 @@ bool TableReader::read_quantity(const std::string& path, const toml::node& node,
   if (text == nullptr) {
     log_.fault(path, is_where(node, name_of(dimension)),
                fmt::format("write a text with a unit, for example {}, or a number in {}", example_quantity(dimension),
-                           si_unit(dimension)));
+                           si_unit(dimension)) +
+                   alternatives);
     return false;
   }
   const auto quantity = parse_quantity(text->get(), dimension);
   if (const auto* fault = std::get_if<QuantityFault>(&quantity)) {
-    log_.fault(path, fault->what, fault->advice);
+    log_.fault(path, fault->what, fault->advice + alternatives);
     return false;
   }
   value = std::get<double>(quantity);
@@ -236,6 +243,9 @@ void TableReader::quantities(std::string_view key, std::vector<double>& values, 
     log_.fault(path_of(key), fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
     return;
   }
+  std::string alternatives;
+  for (const auto& [name, value] : names)
+    alternatives += fmt::format("{} \"{}\"", alternatives.empty() ? ", or" : ",", name);
   values.assign(list->size(), 0.0);
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::node& entry = *list->get(i);
@@ -246,7 +256,7 @@ void TableReader::quantities(std::string_view key, std::vector<double>& values, 
     if (named != names.end()) {
       values[i] = named->second;
     } else {
-      read_quantity(path, entry, values[i], dimension);
+      read_quantity(path, entry, values[i], dimension, alternatives);
     }
   }
 }

@@ -100,7 +100,8 @@ class TableReader {
  private:
   const toml::node* find(std::string_view key, Presence presence);
   int index_of_word(std::string_view key, const std::vector<std::string>& words);
-  bool read_quantity(const std::string& path, const toml::node& node, double& value, Dimension dimension);
+  bool read_quantity(const std::string& path, const toml::node& node, double& value, Dimension dimension,
+                     const std::string& alternatives = {});
 
   ReadingLog& log_;
   const toml::table* table_{};

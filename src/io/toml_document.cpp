@@ -161,7 +161,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   }
 }
 
-void apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
+std::vector<Fault> apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
   std::vector<Fault> faults;
   for (const std::string& argument : overrides) {
     try {
@@ -170,7 +170,7 @@ void apply_overrides(toml::table& root, const std::vector<std::string>& override
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
     }
   }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  return faults;
 }
 
 }  // namespace bumpfoil

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/core/error.hpp"
+
 namespace bumpfoil {
 
 /// Name that stands for the file in messages about `--set` options.
@@ -15,7 +17,7 @@ toml::table parse_toml(std::string_view text, const std::string& name);
 
 /// Replaces or adds values given as "table.key=value". The value is TOML, or a bare string where it is not. Their
 /// nodes carry `command_line` as the file.
-/// @throws Error (input) listing every override that cannot be applied.
-void apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
+/// @return a fault for every override that cannot be applied
+std::vector<Fault> apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
 
 }  // namespace bumpfoil

@@ -63,11 +63,12 @@ class Judge {
     const std::string shown = quantity(value, range.unit);
     const bool sign_right = range.least > 0.0 ? value > 0.0 : value >= 0.0;
     if (!require(sign_right, key, shown, range.least > 0.0 ? "must be positive" : "must not be negative",
-                 fmt::format("give {} to {}", quantity(range.least, range.unit), quantity(range.most, range.unit)))) {
+                 fmt::format("give a value from {} to {}", quantity(range.least, range.unit),
+                             quantity(range.most, range.unit)))) {
       return false;
     }
     return require(value >= range.least && value <= range.most, key, shown, "is unphysical",
-                   fmt::format("give {} to {}; is the unit right?", quantity(range.least, range.unit),
+                   fmt::format("give a value from {} to {}; is the unit right?", quantity(range.least, range.unit),
                                quantity(range.most, range.unit)));
   }
 

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "commands.hpp"
+
+namespace bumpfoil {
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command
+      .add_option("--set", overrides, "Change a key of the case: friction.coefficient=0.2, bump_foil.height=\"0.5 mm\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+namespace {
+
+ExitCode run(int argc, char** argv) {
+  Session session;
+  CLI::App program{"Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.",
+                   "bumpfoil"};
+  program.set_version_flag("--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");
+  program.add_flag("--quiet", session.quiet, "Print nothing but errors");
+  program.require_subcommand(1);
+  program.fallthrough();
+  program.footer(
+      "Start with:\n"
+      "  bumpfoil init -o case.toml\n"
+      "  bumpfoil cycle case.toml -o results\n"
+      "Exit codes: 0 done, 2 wrong input, 3 numerical failure, 4 files cannot be read or written, 130 interrupted.");
+  add_init_command(program, session);
+  add_check_command(program, session);
+  add_cycle_command(program, session);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? ExitCode::done : ExitCode::wrong_input;
+  }
+  return session.exit_code;
+}
+
+}  // namespace
+}  // namespace bumpfoil
+
+int main(int argc, char** argv) {
+  using namespace bumpfoil;
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return static_cast<int>(error.kind() == ErrorKind::file ? ExitCode::file_error : ExitCode::wrong_input);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "bumpfoil: the memory does not suffice for this case\n");
+    return static_cast<int>(ExitCode::wrong_input);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bumpfoil: {}\n", error.what());
+    return static_cast<int>(ExitCode::file_error);
+  }
+}

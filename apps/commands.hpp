@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace bumpfoil {
+
+/// What the program reports to the shell.
+enum class ExitCode {
+  done = 0,
+  wrong_input = 2,
+  numerical_failure = 3,  ///< partial results are written and flagged
+  file_error = 4,
+  interrupted = 130,  ///< partial results are written and flagged
+};
+
+/// What a command is given and gives back.
+struct Session {
+  bool quiet{};
+  ExitCode exit_code{ExitCode::done};
+};
+
+// Each adds its command with options and help to the program; the command runs when it was parsed.
+void add_init_command(CLI::App& program, Session& session);
+void add_check_command(CLI::App& program, Session& session);
+void add_cycle_command(CLI::App& program, Session& session);
+
+/// Adds the option --set, which changes keys of the case file.
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
+
+}  // namespace bumpfoil

@@ -1,0 +1,96 @@
+#include "bumpfoil/analysis/cycle.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/cycle_csv.hpp"
+#include "bumpfoil/io/cycle_table.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/summary.hpp"
+#include "commands.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct CycleOptions {
+  std::string case_path;
+  std::string folder;
+  std::string solver;
+  std::vector<std::string> overrides;
+  bool force{};
+};
+
+ExitCode exit_code_of(RunStatus status) {
+  switch (status) {
+    case RunStatus::complete:
+      return ExitCode::done;
+    case RunStatus::failed:
+      return ExitCode::numerical_failure;
+    case RunStatus::interrupted:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::numerical_failure;
+}
+
+ExitCode run_cycle(const CycleOptions& options, bool quiet) {
+  std::vector<std::string> overrides = options.overrides;
+  if (!options.solver.empty()) overrides.push_back("solver.name=" + options.solver);
+  const Case input = read_case(options.case_path, {.overrides = overrides, .required_tables = {"cycle"}});
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse);
+
+  CycleResult result;
+  RunStatus status = RunStatus::complete;
+  {
+    const InterruptionGuard guard;
+    ProgressBar bar(!quiet);
+    result = run_cycles(input, [&](double fraction) {
+      bar.show(fraction);
+      return !guard.interrupted();
+    });
+    if (!result.converged()) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
+  }
+
+  folder.stage("summary.json", summary_json(input, result, status));
+  folder.stage("cycle.csv", cycle_csv(result));
+  folder.publish();
+  if (!quiet) {
+    print_output(cycle_table(result));
+    print_output(fmt::format("\nsolver {}; results in {}\n", result.solver, options.folder));
+  }
+  if (status != RunStatus::complete) {
+    fmt::print(stderr, "bumpfoil: {}: the results in {} are partial, and flagged so\n",
+               status == RunStatus::failed ? "an increment did not converge" : "interrupted", options.folder);
+  }
+  return exit_code_of(status);
+}
+
+}  // namespace
+
+void add_cycle_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<CycleOptions>();
+  CLI::App* command = program.add_subcommand("cycle", "Push the journal in each direction of [cycle] and pull it back");
+  command->add_option("CASE", options->case_path, "Case file")->required();
+  command->add_option("-o,--output", options->folder, "Folder for summary.json and cycle.csv")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--solver", options->solver, "The same as --set solver.name=...: newton, uzawa or events")
+      ->type_name("NAME");
+  add_overrides(*command, options->overrides);
+  command->add_flag("--force", options->force, "Replace results that the folder holds");
+  command->footer(
+      "Examples:\n"
+      "  bumpfoil cycle case.toml -o results\n"
+      "  bumpfoil cycle case.toml -o frictionless --set friction.coefficient=0\n"
+      "  bumpfoil cycle case.toml -o fine --set cycle.steps=400 --set 'cycle.directions=[\"+X\"]'\n"
+      "Ctrl-C ends the run; what there is by then is written and flagged as partial.");
+  command->callback([options, &session] { session.exit_code = run_cycle(*options, session.quiet); });
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,39 @@
+#include <memory>
+#include <string>
+
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct InitOptions {
+  std::string preset{"gen1"};
+  std::string path;
+  bool force{};
+};
+
+void run_init(const InitOptions& options, const Session& session) {
+  const std::string text = case_template(options.preset);
+  if (options.path.empty()) return print_output(text);
+  write_file(options.path, text, options.force ? Existing::replace : Existing::refuse);
+  if (!session.quiet) print_output("wrote " + options.path + "\n");
+}
+
+}  // namespace
+
+void add_init_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<InitOptions>();
+  CLI::App* command = program.add_subcommand("init", "Write a commented case file to start from");
+  command->add_option("--preset", options->preset, "Bearing to start from")
+      ->check(CLI::IsMember(preset_names()))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->path, "File to write; standard output without it")->type_name("FILE");
+  command->add_flag("--force", options->force, "Replace the file if it exists");
+  command->footer("Example:\n  bumpfoil init -o case.toml");
+  command->callback([options, &session] { run_init(*options, session); });
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// The case as understood, as a case file: SI numbers, defaults filled in, units in comments. Reading it gives the same
+/// case, to the last bit.
+std::string case_to_toml(const Case& input);
+
+/// The same as a JSON object with the keys of the case file, m, rad, Pa and N/m.
+std::string case_to_json(const Case& input);
+
+/// Names of the presets that `case_template` knows.
+std::vector<std::string> preset_names();
+
+/// A commented case file to start from, with every key. "gen1" is reference_case().
+/// @throws Error (input) if the preset is not known.
+std::string case_template(std::string_view preset);
+
+}  // namespace bumpfoil

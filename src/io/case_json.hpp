@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// The case with the keys of the case file, in their order, SI numbers.
+nlohmann::ordered_json case_json(const Case& input);
+
+/// JSON text with an indentation; texts that are no UTF-8 are mended.
+std::string dump_json(const nlohmann::ordered_json& json, int indent);
+
+}  // namespace bumpfoil
