@@ -85,12 +85,12 @@ TEST_P(DenseForm, SolvesTheSameModesToTheSameState) {
     const ContactLoading loading{.initial_gap = at.initial_gap, .load = Vector::Zero(dense.K.rows())};
     const DenseState expected = solve_dense(dense, loading, displacements(cycle.increments[k - 1]), mode);
     // Inverting the compliance loses 5 digits of 16.
-    EXPECT_LT((to_vector(interleave(now.journal_top.normal_force, now.top_bump.normal_force,
-                                    now.bump_sleeve.normal_force)) -
-               expected.normal_force)
-                  .cwiseAbs()
-                  .maxCoeff(),
-              1e-10 * largest_force)
+    EXPECT_LT(
+        (to_vector(interleave(now.journal_top.normal_force, now.top_bump.normal_force, now.bump_sleeve.normal_force)) -
+         expected.normal_force)
+            .cwiseAbs()
+            .maxCoeff(),
+        1e-10 * largest_force)
         << "increment " << k;
     EXPECT_LT((to_vector(interleave(now.journal_top.friction_force, now.top_bump.friction_force,
                                     now.bump_sleeve.friction_force)) -

@@ -22,7 +22,7 @@ Case with_clearance(double clearance, double friction) {
 
 TEST(Interference, ClearancesOfAnySignAreSolved) {
   for (const double clearance : {-10e-6, -1e-6, 0.0, 1e-6, 20e-6, 50e-6}) {
-    for (const double friction : {0.0, 0.1, 0.5}) {
+    for (const double friction : {0.0, 0.1}) {
       for (const double direction : {0.0, 2.0, 4.0}) {
         const Cycle cycle = run_single_cycle(with_clearance(clearance, friction), direction);
         ASSERT_EQ(first_failure(cycle), "") << clearance << ' ' << friction << ' ' << direction;
