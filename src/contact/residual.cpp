@@ -35,7 +35,7 @@ ContactResiduals contact_residuals(const ContactProblem& problem, const Vector& 
     raise(residuals.complementarity, -p[c] / scale);
     if (gap[c] > displacement_resolution) raise(residuals.complementarity, p[c] / scale);
     raise(residuals.cone, (std::abs(t[c]) - bound) / scale);
-    if (std::abs(t[c]) < bound - clear_of_the_bound) {
+    if (std::abs(t[c]) < bound - clear_of_the_bound || std::isnan(slip[c])) {
       raise(residuals.slip_in_stick, std::abs(slip[c]));
     } else if (std::abs(slip[c]) > displacement_resolution) {
       raise(residuals.cone, std::abs(t[c] + std::copysign(bound, slip[c])) / scale);

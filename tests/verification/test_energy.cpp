@@ -60,8 +60,8 @@ double plain_balance_defect(const Cycle& cycle) {
   double defect = 0.0;
   const double initial = cycle.increments.front().elastic_energy;
   for (const Increment& increment : cycle.increments) {
-    defect = std::max(defect, std::abs(increment.work - (increment.elastic_energy - initial) -
-                                       increment.dissipated_energy));
+    defect =
+        std::max(defect, std::abs(increment.work - (increment.elastic_energy - initial) - increment.dissipated_energy));
   }
   return defect;
 }

@@ -1,1 +1,71 @@
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "support/reference_cycles.hpp"
+
+/// What the reference bearing is known for: how much friction stiffens it, where it carries.
+namespace bumpfoil {
+namespace {
+
+Case reference_bearing(double friction) {
+  Case input = case_with_given_constants();
+  input.friction = {.top_bump = friction, .bump_sleeve = friction};
+  return input;
+}
+
+class ReferenceBearing : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    smooth = run_cycles(reference_bearing(0.0)).cycles;
+    rough = run_cycles(reference_bearing(0.1)).cycles;
+  }
+  inline static std::vector<Cycle> smooth, rough;  ///< without and with friction: +X, -X, +Y, -Y
+};
+
+TEST_F(ReferenceBearing, FrictionRaisesTheLoad) {
+  const std::vector<double> percent = {42.0, 42.0, 64.0, 35.0};
+  for (std::size_t i = 0; i < percent.size(); ++i) {
+    const double ratio = rough[i].turning_point->max_force / smooth[i].turning_point->max_force;
+    EXPECT_NEAR(100.0 * (ratio - 1.0), percent[i], 2.0) << "direction " << i;
+  }
+}
+
+TEST_F(ReferenceBearing, BumpOneCarriesMostTowardsTheWeld) {
+  for (const std::vector<Cycle>* cycles : {&smooth, &rough}) {
+    const Vector& loads = (*cycles)[1].at_turning_point().top_bump.normal_force;
+    Eigen::Index highest = -1;
+    const double largest = loads.maxCoeff(&highest);
+    EXPECT_EQ(highest, 0);
+    EXPECT_GT(largest, 1.2 * loads.tail(25).maxCoeff());
+  }
+}
+
+TEST_F(ReferenceBearing, WithoutFrictionTheCrossForceIsSmall) {
+  for (const Cycle& cycle : smooth) {
+    EXPECT_LT(std::abs(cycle.turning_point->cross_force), 0.02 * cycle.turning_point->max_force);
+  }
+}
+
+TEST_F(ReferenceBearing, WithoutFrictionThereIsNoLoop) {
+  for (const Cycle& cycle : smooth) {
+    EXPECT_LT(std::abs(*cycle.loop_energy), 1e-9 * cycle.at_turning_point().work);
+    EXPECT_LT(std::abs(*cycle.loss_factor), 1e-9);
+    EXPECT_NEAR(cycle.turning_point->tangent_stiffness_loading, cycle.turning_point->tangent_stiffness_unloading,
+                1e-9 * cycle.turning_point->tangent_stiffness_loading);
+  }
+}
+
+TEST_F(ReferenceBearing, WithFrictionTheLoopIsClosedAndStickStiffensTheTurn) {
+  for (const Cycle& cycle : rough) {
+    EXPECT_GT(*cycle.loop_energy, 0.0);
+    EXPECT_GT(*cycle.loss_factor, 0.03);
+    EXPECT_LT(std::abs(cycle.increments.back().force_direct), 1e-9 * cycle.turning_point->max_force);
+    EXPECT_GT(cycle.turning_point->tangent_stiffness_unloading, 1.5 * cycle.turning_point->tangent_stiffness_loading);
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,193 @@
+#include "bumpfoil/contact/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "bumpfoil/contact/residual.hpp"
+#include "support/random_problem.hpp"
+#include "support/toy_problems.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Solver and state of a problem that is loaded step by step.
+struct LoadPath {
+  explicit LoadPath(const ContactProblem& p, const NewtonOptions& options = {})
+      : problem(p), solver(p, options), state(ContactState::unstressed(p)) {}
+
+  void load(const ContactLoading& loading) {
+    const ContactState previous = state;
+    report = solver.solve(loading, previous, state);
+    ASSERT_TRUE(report.converged);
+    EXPECT_TRUE(contact_residuals(problem, problem.K.multiply(state.x), loading, previous.x, state).within());
+    EXPECT_LT((state.gap - contact_gaps(problem, loading.initial_gap, state.x)).cwiseAbs().maxCoeff(), 1e-18);
+  }
+
+  ContactProblem problem;
+  NewtonSolver solver;
+  ContactState state;
+  SolveReport report;
+};
+
+/// Without mode updates the augmented Lagrangian has to do the work alone.
+NewtonOptions without_mode_updates() {
+  return {.max_mode_updates = 0};
+}
+
+class Toys : public testing::TestWithParam<int> {
+ protected:
+  [[nodiscard]] static NewtonOptions options() { return {.max_mode_updates = GetParam()}; }
+};
+
+TEST_P(Toys, SpringAgainstAWall) {
+  LoadPath run(toy::spring_against_a_wall(), options());
+  const auto push = [](double load) {
+    return ContactLoading{.initial_gap = Vector::Constant(1, 1e-5), .load = Vector::Constant(1, load)};
+  };
+  run.load(push(5.0));  // 5 um of 10
+  EXPECT_DOUBLE_EQ(run.state.x[0], 5e-6);
+  EXPECT_EQ(run.state.normal_force[0], 0.0);
+  EXPECT_EQ(run.state.mode[0], ContactMode::open);
+  run.load(push(25.0));  // the spring holds 10 N, the wall the rest
+  EXPECT_DOUBLE_EQ(run.state.x[0], 1e-5);
+  EXPECT_NEAR(run.state.normal_force[0], 15.0, 1e-13);
+  EXPECT_EQ(run.state.mode[0], ContactMode::stick);
+  run.load(push(-5.0));
+  EXPECT_DOUBLE_EQ(run.state.x[0], -5e-6);
+  EXPECT_EQ(run.state.normal_force[0], 0.0);
+}
+
+TEST_P(Toys, WallPushedIntoTheSpring) {
+  LoadPath run(toy::spring_against_a_wall(), options());
+  run.load({.initial_gap = Vector::Constant(1, -2e-5), .load = Vector::Zero(1)});
+  EXPECT_DOUBLE_EQ(run.state.x[0], -2e-5);
+  EXPECT_DOUBLE_EQ(run.state.normal_force[0], 20.0);
+}
+
+/// Pressed by 40 N the floor holds 20 N; the spring along it has 2 N/um.
+TEST_P(Toys, BlockDraggedForthAndBack) {
+  LoadPath run(toy::dragged_block(), options());
+  const auto expect = [&](double pull, double micrometres, double friction, ContactMode mode) {
+    run.load(toy::pull(pull, 40.0));
+    EXPECT_NEAR(run.state.x[0], 1e-6 * micrometres, 1e-18) << "pulled by " << pull;
+    EXPECT_NEAR(run.state.friction_force[0], friction, 1e-12) << "pulled by " << pull;
+    EXPECT_NEAR(run.state.normal_force[0], 40.0, 1e-12);
+    EXPECT_EQ(run.state.mode[0], mode) << "pulled by " << pull;
+  };
+  expect(15.0, 0.0, -15.0, ContactMode::stick);
+  expect(30.0, 5.0, -20.0, ContactMode::slip_forward);
+  expect(40.0, 10.0, -20.0, ContactMode::slip_forward);
+  expect(10.0, 10.0, 10.0, ContactMode::stick);  // the spring pulls back with 20 N
+  expect(-10.0, 5.0, 20.0, ContactMode::slip_backward);
+  expect(-30.0, -5.0, 20.0, ContactMode::slip_backward);
+  expect(0.0, -5.0, -10.0, ContactMode::stick);
+}
+
+TEST_P(Toys, BlockLetGoForgetsItsFriction) {
+  LoadPath run(toy::dragged_block(), options());
+  run.load(toy::pull(30.0, 40.0));
+  run.load(toy::pull(30.0, -5.0));
+  EXPECT_EQ(run.state.mode[0], ContactMode::open);
+  EXPECT_DOUBLE_EQ(run.state.x[0], 15e-6);
+  EXPECT_DOUBLE_EQ(run.state.x[1], 5e-6);
+  EXPECT_EQ(run.state.friction_force[0], 0.0);
+  run.load(toy::pull(30.0, 40.0));  // lands where it hung: held there without friction
+  EXPECT_DOUBLE_EQ(run.state.x[0], 15e-6);
+  EXPECT_NEAR(run.state.friction_force[0], 0.0, 1e-12);
+}
+
+/// Both slabs pressed down by 30 N onto beds of 1 N/um; the floor is 10 um below, the slabs 4 um apart.
+TEST_P(Toys, StackedSlabs) {
+  LoadPath run(toy::stacked_slabs(), options());
+  const Vector gaps = Eigen::Vector2d(10e-6, 4e-6);
+  run.load({.initial_gap = gaps, .load = Eigen::Vector2d(-3.0, -6.0)});  // hang free: 7 um and 1 um left
+  EXPECT_EQ(run.state.normal_force, Vector::Zero(2));
+  run.load({.initial_gap = gaps, .load = Eigen::Vector2d(-3.0, -11.0)});  // the upper rests on the lower
+  // Together: x0 + x1 = -14 um and x1 = x0 - 4 um.
+  EXPECT_NEAR(run.state.x[0], -5e-6, 1e-18);
+  EXPECT_NEAR(run.state.x[1], -9e-6, 1e-18);
+  EXPECT_NEAR(run.state.normal_force[1], 2.0, 1e-12);
+  EXPECT_EQ(run.state.normal_force[0], 0.0);
+  run.load({.initial_gap = gaps, .load = Eigen::Vector2d(-30.0, -30.0)});  // and both on the floor
+  EXPECT_NEAR(run.state.normal_force[1], 16.0, 1e-12);
+  EXPECT_NEAR(run.state.normal_force[0], 36.0, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(NewtonSolver, Toys, testing::Values(12, 0), [](const testing::TestParamInfo<int>& which) {
+  return which.param == 0 ? "augmented_lagrangian" : "mode_updates";
+});
+
+TEST(NewtonSolver, IsCalledNewton) {
+  EXPECT_EQ(NewtonSolver(toy::dragged_block()).name(), "newton");
+}
+
+TEST(NewtonSolver, ResultDoesNotDependOnThePenalty) {
+  const RandomProblem random = make_random_problem(4, 4, 6, 0.2);
+  LoadPath reference(random.problem);
+  reference.load(random.first);
+  reference.load(random.second);
+  for (const double penalty : {1e8, 1e10, 1e12}) {
+    LoadPath run(random.problem, {.max_mode_updates = 0, .penalty = penalty});
+    run.load(random.first);
+    run.load(random.second);
+    EXPECT_LT((run.state.x - reference.state.x).norm(), 1e-12 * reference.state.x.norm()) << penalty;
+    EXPECT_EQ(run.state.mode, reference.state.mode) << penalty;
+  }
+}
+
+TEST(NewtonSolver, KeepsNoMemoryBetweenSolves) {
+  const RandomProblem random = make_random_problem(5, 4, 6, 0.2);
+  LoadPath once(random.problem);
+  once.load(random.first);
+  LoadPath twice(random.problem);
+  ContactState scratch;
+  (void)twice.solver.solve(random.second, twice.state, scratch);
+  twice.load(random.first);
+  EXPECT_LT((once.state.x - twice.state.x).norm(), 1e-13 * once.state.x.norm());
+  EXPECT_EQ(once.state.mode, twice.state.mode);
+}
+
+TEST(NewtonSolver, ResultMayOverwriteWhatItIsGiven) {
+  const RandomProblem random = make_random_problem(6, 3, 6, 0.2);
+  NewtonSolver solver(random.problem);
+  const ContactState start = ContactState::unstressed(random.problem);
+  ContactState clean;
+  ASSERT_TRUE(solver.solve(random.first, start, clean).converged);
+  ContactState poisoned{.x = Vector::Constant(99, std::numeric_limits<double>::quiet_NaN()),
+                        .gap = {},
+                        .normal_force = Vector::Constant(1, std::numeric_limits<double>::infinity()),
+                        .friction_force = {},
+                        .mode = {ContactMode::slip_backward}};
+  ASSERT_TRUE(solver.solve(random.first, start, poisoned).converged);
+  EXPECT_EQ(poisoned.x, clean.x);
+  EXPECT_EQ(poisoned.gap, clean.gap);
+  EXPECT_EQ(poisoned.normal_force, clean.normal_force);
+}
+
+TEST(NewtonSolver, SaysSoWhenItFails) {
+  const RandomProblem random = make_random_problem(8, 6, 6, 0.3);
+  NewtonSolver solver(random.problem, {.max_mode_updates = 0, .max_outer_iterations = 0});
+  ContactState state;
+  EXPECT_FALSE(solver.solve(random.first, ContactState::unstressed(random.problem), state).converged);
+
+  ContactLoading broken = random.first;
+  broken.initial_gap[3] = std::numeric_limits<double>::quiet_NaN();
+  NewtonSolver sound(random.problem);
+  EXPECT_FALSE(sound.solve(broken, ContactState::unstressed(random.problem), state).converged);
+  EXPECT_TRUE(sound.solve(random.first, ContactState::unstressed(random.problem), state).converged);  // recovers
+}
+
+TEST(NewtonSolver, CountsWhatItDid) {
+  LoadPath run(toy::dragged_block());
+  run.load(toy::pull(15.0, 40.0));
+  EXPECT_GE(run.report.iterations, 1);
+  EXPECT_LE(run.report.iterations, 3);
+  EXPECT_EQ(run.report.outer_iterations, 0);
+  LoadPath lagrangian(toy::dragged_block(), without_mode_updates());
+  lagrangian.load(toy::pull(30.0, 40.0));
+  EXPECT_GE(lagrangian.report.outer_iterations, 1);
+}
+
+}  // namespace
+}  // namespace bumpfoil
