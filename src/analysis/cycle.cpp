@@ -9,6 +9,7 @@
 #include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle_quantities.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/uzawa.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
@@ -195,7 +196,13 @@ class CycleRunner {
   Cycle cycle_;
 };
 
-std::unique_ptr<ContactSolver> make_solver(const SolverSettings& /*settings*/, const ContactProblem& problem) {
+std::unique_ptr<ContactSolver> make_solver(const SolverSettings& settings, const ContactProblem& problem) {
+  if (settings.name == SolverName::uzawa) {
+    const UzawaParameters& given = settings.uzawa;
+    return std::make_unique<UzawaSolver>(
+        problem,
+        UzawaOptions{.eps_alm = given.eps_alm, .eps_f = given.eps_f, .eps_r = given.eps_r, .tau_f = given.tau_f});
+  }
   return std::make_unique<NewtonSolver>(problem);
 }
 
