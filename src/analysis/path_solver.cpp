@@ -1,12 +1,32 @@
 #include "bumpfoil/analysis/path_solver.hpp"
 
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/uzawa.hpp"
 
 namespace bumpfoil {
 
-PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& problem)
-    : increments_(std::make_unique<NewtonSolver>(problem)) {
+PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& problem) : name_(settings.name) {
+  if (settings.name == SolverName::uzawa) {
+    const UzawaParameters& given = settings.uzawa;
+    increments_ = std::make_unique<UzawaSolver>(
+        problem,
+        UzawaOptions{.eps_alm = given.eps_alm, .eps_f = given.eps_f, .eps_r = given.eps_r, .tau_f = given.tau_f});
+  } else {
+    increments_ = std::make_unique<NewtonSolver>(problem);
+  }
   if (settings.name == SolverName::events) events_ = std::make_unique<EventStepper>(problem);
+}
+
+std::string_view PathSolver::name() const {
+  switch (name_) {
+    case SolverName::newton:
+      return "newton";
+    case SolverName::uzawa:
+      return "uzawa";
+    case SolverName::events:
+      return "events";
+  }
+  return "";
 }
 
 SolveReport PathSolver::assemble(const ContactLoading& loading, const ContactState& unstressed, ContactState& state) {

@@ -19,7 +19,7 @@ constexpr double turn = 2.0 * std::numbers::pi;
 
 /// What this version can compute: the one place to extend when a model or a solver arrives.
 constexpr std::array available_models{BumpFoilModel::truss};
-constexpr std::array available_solvers{SolverName::newton, SolverName::events};
+constexpr std::array available_solvers{SolverName::newton, SolverName::uzawa, SolverName::events};
 
 /// Values past these are slips of units, and could overflow what is computed from them.
 struct Range {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bumpfoil/analysis/increment.hpp"
@@ -60,7 +61,7 @@ struct Cycle {
 };
 
 struct CycleResult {
-  SolverName solver{};        ///< name of the solver that was used
+  std::string solver;         ///< name of the solver that was used, as in case files
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case
 
   [[nodiscard]] bool converged() const;

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+
+#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/solver.hpp"
+
+namespace bumpfoil {
+
+/// Settings of the augmented Lagrangian solver. The four parameters have no defaults here: those of a case are in
+/// UzawaParameters, what each does to the result is in docs/verification/uzawa.md.
+struct UzawaOptions {
+  double eps_alm{};  ///< penalty of contacts between bodies that carry friction, N/m: sets the pace, not the result
+  double eps_f{};    ///< stiffness of a sticking contact, N/m: it slips by the change of its friction force / eps_f
+  double eps_r{};    ///< penalty of contacts without tangential unknown (the journal), N/m: penetration p / eps_r
+  double tau_f{};    ///< slip at which the friction force has reached half its bound, m
+
+  /// Equilibrium: largest unbalanced force / max(largest contact force, 1 N), where Newton's method ends.
+  double newton_tolerance{1e-8};
+  /// Multipliers: largest change of one / max(largest contact force, 1 N), where their updates end.
+  double multiplier_tolerance{1e-6};
+  /// A sticking contact may exceed its bound by this part of it.
+  double cone_tolerance{1e-4};
+
+  int max_contact_updates{60};      ///< of the set of closed contacts
+  int max_multiplier_updates{400};  ///< for one set of closed contacts
+  int max_friction_updates{40};     ///< of sticking and slipping, for one set of multipliers
+  int max_newton_steps{60};         ///< for one set of sticking contacts
+};
+
+/// The method of [Arghir2019, Figs. 7, 8 and 17]: three nested loops round Newton's method.
+///
+///     contacts:     close what penetrates, open what pulls                                  until none changes
+///       normal:       lambda <- lambda - eps_alm g for closed contacts                      until none moves
+///         friction:     stick where |F_trial| <= f lambda, else slip                        until none changes
+///           Newton:       K x = load + contact forces, with
+///                         p = lambda - eps_alm g       closed contact
+///                         p = -eps_r g                 closed contact without tangential unknown
+///                         t = F_trial                  stick, F_trial = F_prev - eps_f du
+///                         t = -f lambda (2/pi) atan(du / tau_f)    slip
+///
+/// [Arghir2019, Eqs. 15, 18, 20, 24, A2-A5]. It departs from the paper where that contradicts itself or Coulomb's law:
+/// friction opposes the slip; a sticking contact keeps the force of the last increment (F_prev, cut to the bound)
+/// where the paper starts its spring anew and so lets it creep; multipliers of open contacts stay zero; contacts with
+/// zero gap start closed; the contacts are tested inside their loop. Newton's steps are cut by a line search, since
+/// atan bends; multipliers, contacts and forces start from the last increment; and contacts that go on changing place
+/// are changed one at a time (contacts) or left slipping (friction), which the regularised law allows.
+///
+/// What a converged state meets, F = max(largest contact force, 1 N):
+///
+///     equilibrium             newton_tolerance F
+///     gaps of closed contacts multiplier_tolerance F / eps_alm; p / eps_r where eps_r acts
+///     stick                   |t| <= f p (1 + cone_tolerance) + f multiplier_tolerance F, |du| <= 2 f p / eps_f
+///     slip                    t opposes du; it lacks f p (1 - (2/pi) atan(|du| / tau_f)) to its bound
+///
+/// so that contact_residuals shows larger values than for the exact solver.
+class UzawaSolver final : public ContactSolver {
+ public:
+  UzawaSolver(const ContactProblem& problem, const UzawaOptions& options);
+  ~UzawaSolver() override;
+
+  [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+                                  ContactState& state) override;
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "bumpfoil/contact/problem.hpp"
+
+namespace bumpfoil {
+
+/// One contact of a problem, with Coulomb's law read off its place in the block.
+struct CoulombContact {
+  const ContactPair& pair;
+  double f;            ///< friction coefficient, 0 where frictionless
+  Eigen::Index row;    ///< first unknown of its block
+  Eigen::Index index;  ///< in contact arrays
+
+  /// Part of the gap that the unknowns make up, m.
+  [[nodiscard]] double gap(const Vector& x) const {
+    return (pair.plus >= 0 ? x[row + pair.plus] : 0.0) - (pair.minus >= 0 ? x[row + pair.minus] : 0.0);
+  }
+  [[nodiscard]] double tangential(const Vector& x) const {
+    return pair.tangential >= 0 ? x[row + pair.tangential] : 0.0;
+  }
+  /// Adds the forces of compression p and friction t (N) times `factor` to the forces on the unknowns.
+  void add_forces(double p, double t, double factor, Vector& force) const {
+    if (pair.plus >= 0) force[row + pair.plus] += factor * p;
+    if (pair.minus >= 0) force[row + pair.minus] -= factor * p;
+    if (pair.tangential >= 0) force[row + pair.tangential] += factor * t;
+  }
+};
+
+/// Calls visit(CoulombContact) for every contact in the order of contact arrays.
+template <typename Visitor>
+void for_each_contact(const ContactProblem& problem, Visitor&& visit) {
+  Eigen::Index index = 0;
+  for (Eigen::Index row = 0; row < problem.K.rows(); row += problem.K.block_size()) {
+    for (const ContactPair& pair : problem.pairs) {
+      visit(CoulombContact{pair, pair.tangential >= 0 ? pair.friction_coefficient : 0.0, row, index++});
+    }
+  }
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,267 @@
+#include "bumpfoil/contact/uzawa.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "contact/coulomb_contact.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Friction of one contact inside the friction loop.
+struct FrictionState {
+  bool sticks{};
+  int changes{};  ///< between stick and slip, for the current multipliers
+};
+
+/// A contact that changed between stick and slip this often is left slipping.
+constexpr int max_changes = 6;
+/// Multiplier updates that each find the sticking contacts anew. Where they go on, stick and slip follow the
+/// multipliers in turn; from then on a contact that slips is left slipping.
+constexpr int free_updates = 20;
+/// Sets of closed contacts that are changed as a whole; after them one contact at a time.
+constexpr int whole_updates = 12;
+
+}  // namespace
+
+struct UzawaSolver::Workspace {
+  Workspace(const ContactProblem& contact_problem, const UzawaOptions& uzawa_options)
+      : problem(contact_problem),
+        options(uzawa_options),
+        system(make_penalty_system(contact_problem)),
+        closed(static_cast<std::size_t>(contact_problem.contacts())),
+        friction(closed.size()),
+        normal_stiffness(contact_problem.contacts()),
+        tangential_stiffness(contact_problem.contacts()),
+        p(contact_problem.contacts()),
+        t(contact_problem.contacts()) {}
+
+  void begin(const ContactLoading& loading, const ContactState& previous);
+  bool update_contacts(const ContactLoading& loading, bool one_at_a_time);
+  bool find_normal_forces(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
+  bool find_friction(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
+  int update_friction(const ContactState& previous);
+  bool newton(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
+  double step_length(const ContactLoading& loading, const ContactState& previous);
+  void evaluate(const ContactLoading& loading, const ContactState& previous);
+  void store(ContactState& state) const;
+
+  [[nodiscard]] bool is_closed(const CoulombContact& c) const { return closed[static_cast<std::size_t>(c.index)]; }
+  [[nodiscard]] double bound(const CoulombContact& c) const { return c.f * std::max(0.0, lambda[c.index]); }
+  /// F_prev - eps_f du, with F_prev inside the cone of the current multiplier.
+  [[nodiscard]] double trial_friction(const CoulombContact& c, const ContactState& previous, double slip) const {
+    const double limit = bound(c);
+    return std::clamp(previous.friction_force[c.index], -limit, limit) - options.eps_f * slip;
+  }
+  [[nodiscard]] double slip(const CoulombContact& c, const ContactState& previous) const {
+    return c.tangential(x) - c.tangential(previous.x);
+  }
+  [[nodiscard]] double force_scale() const { return std::max({1.0, p.maxCoeff(), t.cwiseAbs().maxCoeff()}); }
+
+  ContactProblem problem;
+  UzawaOptions options;
+  std::unique_ptr<PenaltySystem> system;
+
+  std::vector<bool> closed;
+  std::vector<FrictionState> friction;
+  Vector x, lambda;                               // unknowns, multipliers of the contacts
+  Vector normal_stiffness, tangential_stiffness;  // of the contacts at x
+  Vector p, t, gradient;                          // contact forces at x, and what they leave unbalanced
+  Vector step, x_start;
+};
+
+UzawaSolver::UzawaSolver(const ContactProblem& problem, const UzawaOptions& options)
+    : workspace_(std::make_unique<Workspace>(problem, options)) {}
+
+UzawaSolver::~UzawaSolver() = default;
+
+SolveReport UzawaSolver::solve(const ContactLoading& loading, const ContactState& previous, ContactState& state) {
+  Workspace& w = *workspace_;
+  SolveReport report;
+  w.begin(loading, previous);
+  for (int update = 0; update < w.options.max_contact_updates; ++update) {
+    if (!w.find_normal_forces(loading, previous, report)) break;
+    if (!w.update_contacts(loading, update >= whole_updates)) {
+      report.converged = true;
+      break;
+    }
+  }
+  w.store(state);
+  state.gap = contact_gaps(w.problem, loading.initial_gap, state.x);
+  return report;
+}
+
+/// First guess: the last increment, with every contact closed that the new loading closes.
+void UzawaSolver::Workspace::begin(const ContactLoading& loading, const ContactState& previous) {
+  x = previous.x;
+  lambda = previous.normal_force;
+  p = lambda;
+  t = previous.friction_force;
+  for_each_contact(problem, [&](const CoulombContact& c) {
+    closed[static_cast<std::size_t>(c.index)] =
+        previous.normal_force[c.index] > 0.0 || loading.initial_gap[c.index] + c.gap(x) <= 0.0;
+  });
+}
+
+/// Opens the contacts that pull and closes those that penetrate: all of them, or the one that is most at fault.
+/// @return false if there are none
+bool UzawaSolver::Workspace::update_contacts(const ContactLoading& loading, bool one_at_a_time) {
+  const double force_tolerance = options.multiplier_tolerance * force_scale();
+  const double gap_tolerance = force_tolerance / options.eps_alm;
+  double worst = 1.0;
+  Eigen::Index worst_contact = -1;
+  bool changed = false;
+  for_each_contact(problem, [&](const CoulombContact& c) {
+    const double fault =
+        is_closed(c) ? -p[c.index] / force_tolerance : -(loading.initial_gap[c.index] + c.gap(x)) / gap_tolerance;
+    if (fault > worst) {
+      worst = fault;
+      worst_contact = c.index;
+    }
+    if (fault > 1.0 && !one_at_a_time) {
+      closed[static_cast<std::size_t>(c.index)].flip();
+      changed = true;
+    }
+  });
+  if (one_at_a_time && worst_contact >= 0) {
+    closed[static_cast<std::size_t>(worst_contact)].flip();
+    changed = true;
+  }
+  for_each_contact(problem, [&](const CoulombContact& c) {
+    if (!is_closed(c)) lambda[c.index] = 0.0;
+  });
+  return changed;
+}
+
+/// Moves the multipliers of closed contacts until the gaps vanish.
+bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, const ContactState& previous,
+                                                SolveReport& report) {
+  for (int update = 0; update < options.max_multiplier_updates; ++update) {
+    if (update < free_updates) {
+      for (FrictionState& state : friction) state = {.sticks = true, .changes = 0};
+    } else {
+      for (FrictionState& state : friction) state.changes = state.sticks ? max_changes - 1 : max_changes;
+    }
+    if (!find_friction(loading, previous, report)) return false;
+    ++report.outer_iterations;
+    // p = lambda - eps_alm g are the forces in balance with x, and the next multipliers.
+    double moved = 0.0;
+    for_each_contact(problem, [&](const CoulombContact& c) {
+      if (c.pair.tangential >= 0) moved = std::max(moved, std::abs(p[c.index] - lambda[c.index]));
+    });
+    lambda = p;
+    if (moved <= options.multiplier_tolerance * force_scale()) return true;
+  }
+  return false;
+}
+
+/// Finds which contacts stick, for the current multipliers.
+bool UzawaSolver::Workspace::find_friction(const ContactLoading& loading, const ContactState& previous,
+                                           SolveReport& report) {
+  for (int update = 0; update < options.max_friction_updates; ++update) {
+    if (!newton(loading, previous, report)) return false;
+    if (update_friction(previous) == 0) return true;
+  }
+  return false;
+}
+
+/// @return how many contacts changed between stick and slip
+int UzawaSolver::Workspace::update_friction(const ContactState& previous) {
+  int changed = 0;
+  for_each_contact(problem, [&](const CoulombContact& c) {
+    if (c.f == 0.0 || !is_closed(c)) return;
+    FrictionState& state = friction[static_cast<std::size_t>(c.index)];
+    if (state.changes >= max_changes) return;
+    const double du = slip(c, previous);
+    bool sticks = std::abs(trial_friction(c, previous, du)) <= bound(c) * (1.0 + options.cone_tolerance);
+    // A contact that slips against its trial force creeps inside the cone: only as stuck can it carry that force.
+    if (!state.sticks && std::abs(du) < options.tau_f) sticks = bound(c) > 0.0;
+    if (sticks == state.sticks) return;
+    state.sticks = sticks;
+    ++state.changes;
+    if (state.changes == max_changes) state.sticks = false;
+    ++changed;
+  });
+  return changed;
+}
+
+/// Displacements for the current multipliers and sticking contacts: the minimum of a convex energy.
+bool UzawaSolver::Workspace::newton(const ContactLoading& loading, const ContactState& previous, SolveReport& report) {
+  evaluate(loading, previous);
+  for (int i = 0; i < options.max_newton_steps; ++i) {
+    if (!system->set_stiffness(normal_stiffness, tangential_stiffness)) return false;
+    ++report.factorisations;
+    step = -gradient;
+    system->solve_in_place(step);
+    ++report.iterations;
+    if (!step.allFinite()) return false;
+    x_start = x;
+    x += step_length(loading, previous) * step;
+    evaluate(loading, previous);
+    if (gradient.cwiseAbs().maxCoeff() <= options.newton_tolerance * force_scale()) return true;
+  }
+  return false;
+}
+
+/// Part of `step` from `x_start` that brings the slope of the energy along it down well enough. Leaves x at the start.
+double UzawaSolver::Workspace::step_length(const ContactLoading& loading, const ContactState& previous) {
+  constexpr double enough = 0.5;  // of the slope at the start: Newton's next step finds the rest
+  constexpr int halvings = 40;
+  const double at_start = step.dot(gradient);
+  double length = 1.0;
+  for (int i = 0; i < halvings; ++i) {
+    x = x_start + length * step;
+    evaluate(loading, previous);
+    if (step.dot(gradient) <= -enough * at_start) break;
+    length *= 0.5;
+  }
+  x = x_start;
+  return length;
+}
+
+/// Contact forces, their stiffnesses and the imbalance at x.
+void UzawaSolver::Workspace::evaluate(const ContactLoading& loading, const ContactState& previous) {
+  gradient = system->multiply(x) - loading.load;
+  for_each_contact(problem, [&](const CoulombContact& c) {
+    const Eigen::Index i = c.index;
+    p[i] = t[i] = normal_stiffness[i] = tangential_stiffness[i] = 0.0;
+    if (!is_closed(c)) return;
+    const double gap = loading.initial_gap[i] + c.gap(x);
+    const bool multiplied = c.pair.tangential >= 0;
+    normal_stiffness[i] = multiplied ? options.eps_alm : options.eps_r;
+    p[i] = (multiplied ? lambda[i] : 0.0) - normal_stiffness[i] * gap;
+    if (c.f > 0.0) {
+      const double du = slip(c, previous);
+      if (friction[static_cast<std::size_t>(i)].sticks) {
+        t[i] = trial_friction(c, previous, du);
+        tangential_stiffness[i] = options.eps_f;
+      } else {
+        const double ratio = du / options.tau_f;
+        const double slope = 2.0 / std::numbers::pi * bound(c);
+        t[i] = -slope * std::atan(ratio);
+        tangential_stiffness[i] = slope / (options.tau_f * (1.0 + ratio * ratio));
+      }
+    }
+    c.add_forces(p[i], t[i], -1.0, gradient);
+  });
+}
+
+void UzawaSolver::Workspace::store(ContactState& state) const {
+  state.x = x;
+  state.normal_force = p.cwiseMax(0.0);
+  state.friction_force = t;
+  state.mode.assign(closed.size(), ContactMode::open);
+  for_each_contact(problem, [&](const CoulombContact& c) {
+    const auto i = static_cast<std::size_t>(c.index);
+    if (!closed[i]) return;
+    if (c.f == 0.0 || friction[i].sticks) {
+      state.mode[i] = ContactMode::stick;
+    } else {
+      state.mode[i] = t[c.index] < 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
+    }
+  });
+}
+
+}  // namespace bumpfoil
