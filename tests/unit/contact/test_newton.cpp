@@ -118,10 +118,6 @@ INSTANTIATE_TEST_SUITE_P(NewtonSolver, Toys, testing::Values(12, 0), [](const te
   return which.param == 0 ? "augmented_lagrangian" : "mode_updates";
 });
 
-TEST(NewtonSolver, IsCalledNewton) {
-  EXPECT_EQ(NewtonSolver(toy::dragged_block()).name(), "newton");
-}
-
 TEST(NewtonSolver, ResultDoesNotDependOnThePenalty) {
   const RandomProblem random = make_random_problem(4, 4, 6, 0.2);
   LoadPath reference(random.problem);

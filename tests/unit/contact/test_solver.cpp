@@ -13,7 +13,6 @@ namespace {
 class ShortReach final : public ContactSolver {
  public:
   explicit ShortReach(double reach) : reach_(reach) {}
-  [[nodiscard]] std::string_view name() const override { return "short reach"; }
   [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                   ContactState& state) override {
     const bool good = std::abs(loading.load[0] - previous.x[0]) <= reach_;
@@ -70,8 +69,7 @@ TEST(Advance, HalvesFromTheRestoredStateAndCountsEveryExtraSolve) {
 TEST(Advance, InterpolatesGapsAndLoadsAlike) {
   class Recorder final : public ContactSolver {
    public:
-    [[nodiscard]] std::string_view name() const override { return "recorder"; }
-    [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+      [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                     ContactState& state) override {
       seen.push_back(loading);
       state = previous;
@@ -90,7 +88,7 @@ TEST(Advance, InterpolatesGapsAndLoadsAlike) {
 TEST(Advance, GivesUpAtTheLastGoodState) {
   ShortReach solver(0.0);
   ContactState state = start();
-  const IncrementReport report = advance(solver, at(0.0), at(1.0), state, 3);
+  const IncrementReport report = advance(solver, at(0.0), at(1.0), state, {}, 3);
   EXPECT_FALSE(report.solve.converged);
   EXPECT_EQ(state.x[0], 0.0);                 // restored, not the rubbish of the failed solve
   EXPECT_EQ(solver.started_from.size(), 4U);  // once whole and once per halving: nothing after a failed first half
@@ -101,8 +99,7 @@ TEST(Advance, KeepsWhatWasReachedWhenTheSecondHalfFails) {
   // Steps of one half succeed once: from 0 to 1/2; after that the reach is too short.
   class Tiring final : public ContactSolver {
    public:
-    [[nodiscard]] std::string_view name() const override { return "tiring"; }
-    [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+      [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                     ContactState& state) override {
       state = previous;
       state.x = loading.load;
@@ -110,7 +107,7 @@ TEST(Advance, KeepsWhatWasReachedWhenTheSecondHalfFails) {
     }
   } solver;
   ContactState state = start();
-  EXPECT_FALSE(advance(solver, at(0.0), at(1.0), state, 1).solve.converged);
+  EXPECT_FALSE(advance(solver, at(0.0), at(1.0), state, {}, 1).solve.converged);
   EXPECT_EQ(state.x[0], 0.5);
 }
 
