@@ -20,14 +20,14 @@ double stiffness(const BumpArc& arc, const Section& section, double flexibility)
 
 }  // namespace
 
-std::optional<double> sliding_bump_stiffness(const BumpArc& arc, const Section& section, double friction_coefficient) {
+std::optional<double> sliding_bump_stiffness(const BumpArc& arc, const Section& section, double thrust_ratio) {
   const double alpha = arc.half_angle;
   const double cubed = alpha * alpha * alpha;
   const double sine = std::sin(alpha);
   const double v = versine(alpha);
   const double load = alpha * sine * sine - 2.0 * sine * v + 2.0 * cubed * sine_remainder(2.0 * alpha);
-  const double friction = sine * cubed * sine_moment(alpha) - 0.5 * v * v;
-  const double flexibility = load - friction_coefficient * friction;
+  const double thrust = sine * cubed * sine_moment(alpha) - 0.5 * v * v;
+  const double flexibility = load - thrust_ratio * thrust;
   if (flexibility <= 0.0) return std::nullopt;
   return stiffness(arc, section, flexibility);
 }

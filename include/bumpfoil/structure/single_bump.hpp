@@ -7,21 +7,22 @@
 
 namespace bumpfoil {
 
-/// Stiffness (N/m) of one isolated bump loaded at its crest, both feet free to slide and to rotate; bending only.
-/// Coulomb friction at the feet opposes their motion:
+/// Stiffness (N/m) of one isolated bump loaded at its crest, both feet free to slide and to rotate; bending only. Each
+/// foot is held inwards by the thrust mu times its load; with mu the coefficient of Coulomb's law this is a bump whose
+/// load grows, with minus that one whose load falls:
 ///
 ///     K = 2 EI' / (R_b^3 (A - mu B))
 ///     A = alpha sin^2 - 2 sin (1 - cos) + alpha/2 - sin(2 alpha)/4,   B = sin (sin - alpha cos) - (1 - cos)^2 / 2
 ///
 /// [Walowit1975]
-/// @param friction_coefficient mu at the feet: positive while the load grows, negative while it falls
-/// @return absent where A <= mu B: friction locks the feet of bumps as steep as that
-std::optional<double> sliding_bump_stiffness(const BumpArc& arc, const Section& section, double friction_coefficient);
+/// @param thrust_ratio mu
+/// @return absent where A <= mu B: bumps as steep as that lock
+std::optional<double> sliding_bump_stiffness(const BumpArc& arc, const Section& section, double thrust_ratio);
 
-/// Limit of the same for shallow bumps without friction, 6 EI' / l0^3 = E' L e^3 / (2 l0^3), N/m [Walowit1975].
+/// Limit of the same for shallow bumps without thrust, 6 EI' / l0^3 = E' L e^3 / (2 l0^3), N/m [Walowit1975].
 double shallow_bump_stiffness(const BumpArc& arc, const Section& section);
 
-/// The same bump without friction, the rotation of the feet clamped (N/m):
+/// The same bump without thrust, the rotation of the feet clamped (N/m):
 ///
 ///     K = 2 EI' / (R_b^3 (alpha/2 - sin(2 alpha)/4 - (1 - cos)^2 / alpha))
 double guided_bump_stiffness(const BumpArc& arc, const Section& section);
