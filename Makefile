@@ -7,7 +7,7 @@ SHELL := /bin/bash
 
 JOBS := $(shell nproc)
 define BUILD
-cmake --log-level=WARNING --preset $(1)
+cmake --log-level=WARNING --preset $(1) > /dev/null
 cmake --build --preset $(1) --parallel $(JOBS)
 endef
 

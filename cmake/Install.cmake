@@ -2,9 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bumpfoil)
 
-if(TARGET bumpfoil)
-  install(TARGETS bumpfoil)
-endif()
+install(TARGETS bumpfoil)
 install(TARGETS bumpfoil_lib EXPORT bumpfoil FILE_SET HEADERS)
 install(EXPORT bumpfoil FILE bumpfoilTargets.cmake NAMESPACE bumpfoil:: DESTINATION ${package_dir})
 
