@@ -22,6 +22,7 @@ struct Session {
 // Each adds its command with options and help to the program; the command runs when it was parsed.
 void add_init_command(CLI::App& program, Session& session);
 void add_check_command(CLI::App& program, Session& session);
+void add_properties_command(CLI::App& program, Session& session);
 void add_cycle_command(CLI::App& program, Session& session);
 
 /// Adds the option --set, which changes keys of the case file.

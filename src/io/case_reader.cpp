@@ -25,7 +25,7 @@ const std::map<std::string, double, std::less<>> axis_directions{
 
 /// Reads the table, or reports that it is missing as a whole.
 bool open_required(ReadingLog& log, const TableReader& table, const std::string& name) {
-  if (!table.present()) log.fault(name, "this table is missing", fmt::format("add [{}] with its keys", name));
+  if (table.missing()) log.fault(name, "this table is missing", fmt::format("add [{}] with its keys", name));
   return table.present();
 }
 
@@ -88,10 +88,13 @@ void read_bump_foil(ReadingLog& log, TableReader table, BumpFoil& foil) {
 
 /// The material defaults to that of the bump foil; the former model needs no top foil at all.
 void read_top_foil(ReadingLog& log, TableReader table, const BumpFoil& bump_foil, TopFoil& foil) {
-  if (!table.present() && bump_foil.model == BumpFoilModel::former) return;
+  if (table.missing() && bump_foil.model == BumpFoilModel::former) return;
   if (!open_required(log, table, "top_foil")) return;
   foil.youngs_modulus = bump_foil.youngs_modulus;
   foil.poisson_ratio = bump_foil.poisson_ratio;
+  for (const std::string key : {"youngs_modulus", "poisson_ratio"}) {
+    if (!table.has(key)) log.taken_from("top_foil." + key, "bump_foil." + key);
+  }
   table.quantity("thickness", foil.thickness, Dimension::length, required);
   table.quantity("youngs_modulus", foil.youngs_modulus, Dimension::pressure, optional);
   table.number("poisson_ratio", foil.poisson_ratio, optional);
@@ -100,11 +103,15 @@ void read_top_foil(ReadingLog& log, TableReader table, const BumpFoil& bump_foil
 
 /// One coefficient for both interfaces, or one for each.
 void read_friction(ReadingLog& log, TableReader table, Friction& friction) {
-  if (!table.present()) {
+  if (table.missing()) {
     log.fault("friction", "this table is missing", "add [friction] with coefficient = 0.1, or 0 for none");
-    return;
   }
+  if (!table.present()) return;
   const bool common = table.has("coefficient");
+  if (common) {
+    log.taken_from("friction.top_bump", "friction.coefficient");
+    log.taken_from("friction.bump_sleeve", "friction.coefficient");
+  }
   if (!common && !table.has("top_bump") && !table.has("bump_sleeve")) {
     log.fault("friction.coefficient", "is missing", "give it, 0 for none, or both top_bump and bump_sleeve");
   }
@@ -143,15 +150,6 @@ void read_cycle(ReadingLog& log, TableReader table, CycleSettings& cycle) {
   }
 }
 
-/// A coefficient given for both interfaces is judged, and reported, once.
-void report_semantic_faults(ReadingLog& log, const Case& input, bool common_friction) {
-  for (Fault fault : find_faults(input)) {
-    if (common_friction && fault.key == "friction.bump_sleeve") continue;
-    if (common_friction && fault.key == "friction.top_bump") fault.key = "friction.coefficient";
-    log.later_fault(fault);
-  }
-}
-
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request) {
@@ -164,8 +162,7 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
   read_bearing(log, root.table("bearing"), input.bearing);
   read_bump_foil(log, root.table("bump_foil"), input.bump_foil);
   read_top_foil(log, root.table("top_foil"), input.bump_foil, input.top_foil);
-  const TableReader friction = root.table("friction");
-  read_friction(log, friction, input.friction);
+  read_friction(log, root.table("friction"), input.friction);
   read_solver(root.table("solver"), input.solver);
   read_cycle(log, root.table("cycle"), input.cycle);
   root.finish();
@@ -173,7 +170,7 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
     if (!root.has(table))
       log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
   }
-  report_semantic_faults(log, input, friction.has("coefficient"));
+  for (const Fault& fault : find_faults(input)) log.later_fault(fault);
   log.throw_if_faulty();
   return input;
 }

@@ -22,7 +22,7 @@ weld_angle = "180 deg"          # where the foils are welded, from the X axis to
 wrap = "clockwise"              # sense of the foils from the weld: "clockwise" or "counterclockwise"
 
 [bump_foil]
-model = "truss"                 # springs between crests and feet
+model = "truss"                 # springs between crests and feet; or "frame": exact arcs and straight beams
 bumps = 26
 pitch = "4.572 mm"              # crest to crest along the foil
 length = "3.556 mm"             # chord of a bump's arc; the rest of the pitch is flat
@@ -34,6 +34,7 @@ poisson_ratio = 0.29
 # height_errors = ["5 um", "-3 um", ...]  # one per bump from the weld on, positive is taller
 # height_errors_file = "heights.csv"      # instead: a file beside this one with the columns bump,height_error_m
 # sleeve_gaps = ["0 um", "2 um", ...]     # one per bump, initial gap between its foot and the sleeve
+weld_at = "mid_flat"            # clamped before bump 1 in the middle of a flat; frame only: "arc_start"
 
 # Constants of the truss are identified from the shape of the foil. Any of them can be given instead.
 # [bump_foil.truss]

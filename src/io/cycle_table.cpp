@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bumpfoil/io/summary.hpp"
+#include "io/number_text.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -29,16 +30,6 @@ std::string direction_name(double direction) {
     if (turns == 90.0 * static_cast<double>(i)) return axes[i];
   }
   return fmt::format("{:.6g} deg", degrees);
-}
-
-/// Five significant digits, without exponents for what is usual.
-std::string shown(const std::optional<double>& number, double unit) {
-  if (!number || !std::isfinite(*number)) return "-";
-  const double scaled = *number / unit;
-  const double size = std::abs(scaled);
-  if (size == 0.0) return "0";
-  if (size < 1e-3 || size >= 1e6) return fmt::format("{:.3e}", scaled);
-  return fmt::format("{:.{}f}", scaled, std::max(0, 4 - static_cast<int>(std::floor(std::log10(size)))));
 }
 
 std::optional<double> turning(const Cycle& cycle, double TurningPoint::*member) {
@@ -65,18 +56,18 @@ std::optional<std::pair<Eigen::Index, double>> highest_bump(const Cycle& cycle) 
 std::vector<Row> rows() {
   const auto turning_row = [](std::string_view name, std::string_view unit_name, double TurningPoint::*member,
                               double unit) {
-    return Row{name, unit_name, [=](const Cycle& cycle) { return shown(turning(cycle, member), unit); }};
+    return Row{name, unit_name, [=](const Cycle& cycle) { return number_text(turning(cycle, member), unit); }};
   };
   const auto row = [](std::string_view name, std::string_view unit_name, std::optional<double> Cycle::*member,
                       double unit) {
-    return Row{name, unit_name, [=](const Cycle& cycle) { return shown(cycle.*member, unit); }};
+    return Row{name, unit_name, [=](const Cycle& cycle) { return number_text(cycle.*member, unit); }};
   };
   return {
       turning_row("maximum force", "N", &TurningPoint::max_force, 1.0),
       turning_row("cross force there", "N", &TurningPoint::cross_force, 1.0),
       {"force at the centre", "N",
        [](const Cycle& cycle) {
-         return cycle.increments.empty() ? "-" : shown(cycle.increments.front().force_direct, 1.0);
+         return cycle.increments.empty() ? "-" : number_text(cycle.increments.front().force_direct, 1.0);
        }},
       turning_row("secant stiffness", "MN/m", &TurningPoint::secant_stiffness, 1e6),
       turning_row("tangent stiffness, loading", "MN/m", &TurningPoint::tangent_stiffness_loading, 1e6),
@@ -89,7 +80,7 @@ std::vector<Row> rows() {
       {"highest bump load", "N",
        [](const Cycle& cycle) {
          const auto highest = highest_bump(cycle);
-         return highest ? shown(highest->second, 1.0) : "-";
+         return highest ? number_text(highest->second, 1.0) : "-";
        }},
       {"on bump", "",
        [](const Cycle& cycle) {
@@ -99,7 +90,7 @@ std::vector<Row> rows() {
       {"iterations", "", [](const Cycle& cycle) { return std::to_string(cycle.total().iterations); }},
       {"halved increments", "", [](const Cycle& cycle) { return std::to_string(cycle.substeps()); }},
       {"largest residual", "", [](const Cycle& cycle) { return fmt::format("{:.1e}", cycle.max_residual()); }},
-      {"time", "ms", [](const Cycle& cycle) { return shown(cycle.wall_time, 1e-3); }},
+      {"time", "ms", [](const Cycle& cycle) { return number_text(cycle.wall_time, 1e-3); }},
       {"converged", "", [](const Cycle& cycle) { return std::string(cycle.converged ? "yes" : "NO"); }},
   };
 }

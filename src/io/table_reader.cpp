@@ -85,14 +85,19 @@ void ReadingLog::fault(const std::string& key, std::string what, std::string adv
 }
 
 void ReadingLog::later_fault(const Fault& fault) {
-  for (std::string holder = fault.key; !holder.empty(); holder = holder_of(holder)) {
+  Fault placed = fault;
+  if (const auto other = taken_from_.find(fault.key); other != taken_from_.end()) {
+    placed.key = other->second;
+    if (judged_.contains(placed.key)) return;
+  }
+  for (std::string holder = placed.key; !holder.empty(); holder = holder_of(holder)) {
     if (faulty_.contains(holder)) return;
   }
-  Fault placed = fault;
-  const Origin* place = place_of(fault.key);
+  judged_.insert(placed.key);
+  const Origin* place = place_of(placed.key);
   placed.file = place != nullptr ? place->file : file_;
   placed.line = place != nullptr ? place->line : 0;
-  const auto exact = origins_.find(fault.key);
+  const auto exact = origins_.find(placed.key);
   if (exact != origins_.end() && !exact->second.written.empty()) placed.value = exact->second.written;
   add(std::move(placed));
 }
@@ -122,7 +127,7 @@ void ReadingLog::throw_if_faulty() {
 }
 
 TableReader::TableReader(ReadingLog& log, const toml::node* node, std::string path)
-    : log_(log), path_(std::move(path)) {
+    : log_(log), missing_(node == nullptr), path_(std::move(path)) {
   if (node == nullptr) return;
   if (!path_.empty()) log_.met(path_, *node);
   table_ = node->as_table();

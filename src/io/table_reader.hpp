@@ -34,6 +34,9 @@ class ReadingLog {
   /// A fault of a key, placed where the key, or the table that lacks it, stands.
   void fault(const std::string& key, std::string what, std::string advice);
 
+  /// The value of `key` was taken from `other`, where its faults are to be reported, once.
+  void taken_from(const std::string& key, const std::string& other) { taken_from_[key] = other; }
+
   /// A fault found after reading, dropped if its key, or what holds it, was at fault before.
   void later_fault(const Fault& fault);
 
@@ -57,7 +60,9 @@ class ReadingLog {
   std::size_t unlisted_{};
   bool input_fault_{};
   std::map<std::string, Origin> origins_;
-  std::set<std::string> faulty_;
+  std::set<std::string> faulty_;                   ///< keys that had a fault while they were read
+  std::set<std::string> judged_;                   ///< keys that had one later
+  std::map<std::string, std::string> taken_from_;  ///< keys whose value stands under another one
 };
 
 enum class Presence { required, optional };
@@ -69,6 +74,7 @@ class TableReader {
   /// `node` may be null: the table is missing. The root has an empty path.
   TableReader(ReadingLog& log, const toml::node* node, std::string path);
 
+  [[nodiscard]] bool missing() const { return missing_; }
   [[nodiscard]] bool present() const { return table_ != nullptr; }
   [[nodiscard]] bool has(std::string_view key) const { return table_ != nullptr && table_->contains(key); }
   [[nodiscard]] std::string path_of(std::string_view key) const;
@@ -104,6 +110,7 @@ class TableReader {
                      const std::string& alternatives = {});
 
   ReadingLog& log_;
+  bool missing_;
   const toml::table* table_{};
   std::string path_;
   std::vector<std::string> known_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
@@ -59,12 +58,12 @@ constexpr std::array syntax_advice{
     SyntaxAdvice{"not representable", "the number is too large"},
     SyntaxAdvice{"could not be interpreted", "the number is too large"},
     SyntaxAdvice{"exceeded maximum nested", "a case file needs no such nesting"},
-    SyntaxAdvice{"control characters", "remove what cannot be seen, or write it as an escape"},
+    SyntaxAdvice{"control characters", "close the text with the quote that opened it, and remove what cannot be seen"},
     SyntaxAdvice{"utf-8", "save the file as UTF-8 text"},
     SyntaxAdvice{"expected value", "give a value after the equals sign"},
     SyntaxAdvice{"table header", "write a table as [name] on a line of its own"},
     SyntaxAdvice{"parsing array", "separate entries by commas and close the list with ]"},
-    SyntaxAdvice{"parsing string", "close the string with the quote that opened it"},
+    SyntaxAdvice{"parsing string", "close the text with the quote that opened it"},
     SyntaxAdvice{"expected a comment or whitespace",
                  "write one value per line, with a decimal point and quotes round units: radius = \"19.05 mm\""},
     SyntaxAdvice{"expected '='", "write key = value"},
@@ -116,10 +115,9 @@ std::optional<toml::table> parse_single(const std::string& value) {
 
 toml::table parse_override_value(const std::string& value) {
   if (auto table = parse_single(value)) return std::move(*table);
-  std::ostringstream quoted;
-  quoted << toml::value<std::string>(value);
-  if (auto table = parse_single(quoted.str())) return std::move(*table);
-  throw Error(ErrorKind::input, {override_fault(value, "is no text", "give it as UTF-8 text on one line")});
+  toml::table bare = *parse_single("''");
+  *bare.get("v")->as_string() = value;
+  return bare;
 }
 
 void apply_override(toml::table& root, const std::string& argument) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
 
 /// What this version can compute: the one place to extend when a model or a solver arrives.
-constexpr std::array available_models{BumpFoilModel::truss};
+constexpr std::array available_models{BumpFoilModel::truss, BumpFoilModel::frame};
 constexpr std::array available_solvers{SolverName::newton, SolverName::uzawa, SolverName::events};
 
 /// Values past these are slips of units, and could overflow what is computed from them.
@@ -68,8 +68,8 @@ class Judge {
       return false;
     }
     return require(value >= range.least && value <= range.most, key, shown, "is unphysical",
-                   fmt::format("give a value from {} to {}; is the unit right?", quantity(range.least, range.unit),
-                               quantity(range.most, range.unit)));
+                   fmt::format("give a value from {} to {}{}", quantity(range.least, range.unit),
+                               quantity(range.most, range.unit), range.unit.empty() ? "" : "; is the unit right?"));
   }
 
   bool angle(const std::string& key, double value) {

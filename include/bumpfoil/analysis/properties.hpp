@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/structure/identification.hpp"
+
+namespace bumpfoil {
+
+/// Smallest and largest eigenvalue of a stiffness matrix, N/m.
+struct StiffnessRange {
+  double softest{};
+  double stiffest{};
+};
+
+/// What is known of the foils before any contact is solved.
+struct Properties {
+  BumpArc arc;
+  BumpCell cell;              ///< of the symmetric frame
+  TrussConstants identified;  ///< from the frame
+
+  // One isolated bump loaded at its crest, N/m; see structure/single_bump.hpp.
+  double shallow_bump{};                 ///< limit for shallow bumps
+  std::optional<double> sliding_bump;    ///< feet slide without friction
+  double guided_bump{};                  ///< rotation of the feet clamped
+  std::optional<double> loading_bump;    ///< feet slide with the friction of the case; absent where it locks them
+  std::optional<double> unloading_bump;  ///< the same while the load falls
+
+  std::optional<StiffnessRange> top_foil;   ///< K_t; absent without a top foil or with too many bumps
+  std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps
+};
+
+/// @throws Error (input) if the case cannot be built.
+Properties compute_properties(const Case& input);
+
+}  // namespace bumpfoil

@@ -1,0 +1,65 @@
+#include "bumpfoil/analysis/properties.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <vector>
+
+#include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/foil_structure.hpp"
+#include "bumpfoil/structure/single_bump.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Dense eigenvalues of more unknowns take too long to wait for.
+constexpr Eigen::Index most_unknowns = 2000;
+
+Vector eigenvalues(const Matrix& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+/// The soft end from the compliance, the stiff end from the stiffness: each is accurate there.
+std::optional<StiffnessRange> top_foil_range(const Case& input) {
+  if (input.bump_foil.model == BumpFoilModel::former || input.bump_foil.bumps > most_unknowns) return std::nullopt;
+  const TopFoilBeam beam = make_top_foil_beam(input);
+  const TopFoilMoments form = make_top_foil_moments(beam);
+  Matrix stiffness(form.size(), form.size());
+  for (Eigen::Index j = 0; j < form.size(); ++j) stiffness.col(j) = top_foil_loads(form, Vector::Unit(form.size(), j));
+  return StiffnessRange{.softest = 1.0 / eigenvalues(top_foil_compliance(beam)).maxCoeff(),
+                        .stiffest = eigenvalues(stiffness).maxCoeff()};
+}
+
+std::optional<StiffnessRange> bump_foil_range(const Case& input) {
+  const FoilStructure structure = make_foil_structure(input);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index row = 0; row < structure.K.rows(); ++row) {
+    const auto place = static_cast<int>(row % structure.dofs.size);
+    if (place != structure.dofs.top_u && place != structure.dofs.top_moment) kept.push_back(row);
+  }
+  if (std::ssize(kept) > most_unknowns) return std::nullopt;
+  const Vector values = eigenvalues(structure.K.dense()(kept, kept));
+  return StiffnessRange{.softest = values.minCoeff(), .stiffest = values.maxCoeff()};
+}
+
+}  // namespace
+
+Properties compute_properties(const Case& input) {
+  require_valid(input);
+  const BumpFoil& foil = input.bump_foil;
+  const BumpArc arc = make_bump_arc(foil);
+  const Section section =
+      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+  const double friction = input.friction.bump_sleeve;
+  return {.arc = arc,
+          .cell = make_bump_cell(arc, section),
+          .identified = identify_truss_constants(arc, section),
+          .shallow_bump = shallow_bump_stiffness(arc, section),
+          .sliding_bump = sliding_bump_stiffness(arc, section, 0.0),
+          .guided_bump = guided_bump_stiffness(arc, section),
+          .loading_bump = sliding_bump_stiffness(arc, section, friction),
+          .unloading_bump = sliding_bump_stiffness(arc, section, -friction),
+          .top_foil = top_foil_range(input),
+          .bump_foil = bump_foil_range(input)};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,121 @@
+#include "bumpfoil/io/properties_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "io/case_json.hpp"
+#include "io/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One number of the report: for readers in `unit`, which is `scale` in SI, and for programs in SI under `key`.
+struct Entry {
+  std::string_view key;
+  std::string_view name;
+  std::string_view unit;
+  double scale;
+  std::optional<double> value;
+  std::string_view remark{};
+};
+
+struct Group {
+  std::string_view key;
+  std::string_view name;
+  std::vector<Entry> entries;
+};
+
+Entry stiffness(std::string_view key, std::string_view name, std::optional<double> value,
+                std::string_view remark = {}) {
+  return {key, name, "MN/m", 1e6, value, remark};
+}
+
+Entry length(std::string_view key, std::string_view name, double value) {
+  return {key, name, "mm", 1e-3, value};
+}
+
+Entry angle(std::string_view key, std::string_view name, double value, std::string_view remark = {}) {
+  return {key, name, "deg", std::numbers::pi / 180.0, value, remark};
+}
+
+std::string_view origin(const std::optional<double>& given) {
+  return given ? "given" : "identified";
+}
+
+Group range_group(std::string_view key, std::string_view name, const std::optional<StiffnessRange>& range) {
+  const auto end = [&range](double StiffnessRange::*member) {
+    return range ? std::optional((*range).*member) : std::nullopt;
+  };
+  return {key,
+          name,
+          {{"softest_N_per_m", "softest mode", "N/m", 1.0, end(&StiffnessRange::softest)},
+           stiffness("stiffest_N_per_m", "stiffest mode", end(&StiffnessRange::stiffest))}};
+}
+
+std::vector<Group> groups_of(const Case& input, const Properties& p) {
+  const TrussOverrides& given = input.bump_foil.truss;
+  return {
+      {"arc",
+       "Arc of a bump, mid-surface",
+       {length("rise_m", "rise", p.arc.rise), length("radius_m", "radius", p.arc.radius),
+        angle("half_angle_rad", "half angle", p.arc.half_angle), length("flat_m", "flat between bumps", p.arc.flat)}},
+      {"truss",
+       "Constants of the truss",
+       {stiffness("k1_N_per_m", "k1, rods", given.k1.value_or(p.identified.k1), origin(given.k1)),
+        stiffness("k2_N_per_m", "k2, foot to foot", given.k2.value_or(p.identified.k2), origin(given.k2)),
+        stiffness("k3_N_per_m", "k3, crest to crest", given.k3.value_or(p.identified.k3), origin(given.k3)),
+        stiffness("k4_N_per_m", "k4, weld to crest", given.k4.value_or(p.identified.k4), origin(given.k4)),
+        angle("theta_d_rad", "theta_d, inclination of rods", given.theta_d.value_or(p.identified.theta_d),
+              origin(given.theta_d))}},
+      {"cell",
+       "Symmetric cell of the frame, energy a v^2/2 - b v e + d e^2/2",
+       {stiffness("a_N_per_m", "a", p.cell.a), stiffness("b_N_per_m", "b", p.cell.b),
+        stiffness("d_N_per_m", "d", p.cell.d),
+        stiffness("crest_stiffness_N_per_m", "crest, feet free to slide", p.cell.crest_stiffness())}},
+      {"single_bump",
+       "One isolated bump, bending only",
+       {stiffness("shallow_N_per_m", "shallow limit", p.shallow_bump),
+        stiffness("sliding_N_per_m", "feet slide freely", p.sliding_bump),
+        stiffness("loading_N_per_m", "with friction, loading", p.loading_bump),
+        stiffness("unloading_N_per_m", "with friction, unloading", p.unloading_bump),
+        stiffness("guided_N_per_m", "rotation of feet clamped", p.guided_bump)}},
+      range_group("top_foil", "Top foil, free", p.top_foil),
+      range_group("bump_foil", "Bump foil, free", p.bump_foil),
+  };
+}
+
+}  // namespace
+
+std::string properties_table(const Case& input, const Properties& properties) {
+  std::string out;
+  for (const Group& group : groups_of(input, properties)) {
+    out += fmt::format("{}{}\n", out.empty() ? "" : "\n", group.name);
+    for (const Entry& entry : group.entries) {
+      const std::string line = fmt::format("  {:<30}{:>12} {:<6}{}", entry.name, number_text(entry.value, entry.scale),
+                                           entry.unit, entry.remark);
+      out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    }
+  }
+  return out;
+}
+
+std::string properties_json(const Case& input, const Properties& properties) {
+  Json json;
+  for (const Group& group : groups_of(input, properties)) {
+    for (const Entry& entry : group.entries) {
+      json[std::string(group.key)][std::string(entry.key)] =
+          entry.value && std::isfinite(*entry.value) ? Json(*entry.value) : Json();
+    }
+  }
+  return dump_json(json, 2) + '\n';
+}
+
+}  // namespace bumpfoil

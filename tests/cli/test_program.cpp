@@ -1,0 +1,274 @@
+// The program as users and scripts meet it: exit codes, what is printed where, and what is written.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/temporary_folder.hpp"
+#include "support/wrong_cases.hpp"
+
+extern char** environ;
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+using testing::TemporaryFolder;
+
+/// A program that runs in the background; its output goes to files.
+class Running {
+ public:
+  Running(const std::vector<std::string>& arguments, const std::string& output) : output_(output) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    std::vector<std::string> words{BUMPFOIL_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    EXPECT_EQ(posix_spawn(&process_, BUMPFOIL_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+  }
+
+  void interrupt() const { kill(process_, SIGINT); }
+
+  /// Exit code, or 1000 plus the signal that ended it.
+  int wait() const {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  }
+
+  [[nodiscard]] std::string errors() const { return folder_.read("errors"); }
+
+ private:
+  TemporaryFolder folder_;
+  std::string output_;
+  std::string errors_{(folder_.path() / "errors").string()};
+  pid_t process_{};
+};
+
+struct Outcome {
+  int exit_code{};
+  std::string output, errors;
+};
+
+Outcome run(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const Running program(arguments, (folder.path() / "output").string());
+  const int exit_code = program.wait();
+  return {exit_code, folder.read("output"), program.errors()};
+}
+
+/// A folder with a case file and a place for results.
+class Program : public ::testing::Test {
+ protected:
+  Program() { EXPECT_EQ(run({"init", "-o", case_path_}).exit_code, 0); }
+
+  [[nodiscard]] bool wrote_results() const { return std::filesystem::exists(results_); }
+  [[nodiscard]] json summary() const { return json::parse(folder_.read("results/summary.json")); }
+
+  TemporaryFolder folder_;
+  std::string case_path_{(folder_.path() / "case.toml").string()};
+  std::string results_{(folder_.path() / "results").string()};
+  std::vector<std::string> cycle_{"cycle", case_path_, "-o", results_, "--set", "cycle.steps=4"};
+};
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST_F(Program, GoesFromInitOverCheckToCycle) {
+  const Outcome check = run({"check", case_path_});
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_EQ(check.errors, "");
+  // What it prints is a case file that means the same.
+  const std::string understood = folder_.write("understood.toml", check.output);
+  EXPECT_EQ(run({"check", understood}).output, check.output);
+
+  const Outcome cycle = run(cycle_);
+  EXPECT_EQ(cycle.exit_code, 0) << cycle.errors;
+  EXPECT_EQ(cycle.errors, "");
+  EXPECT_NE(cycle.output.find("maximum force"), std::string::npos);
+  EXPECT_NE(cycle.output.find(results_), std::string::npos);
+  EXPECT_EQ(summary().at("status"), "complete");
+  ASSERT_EQ(summary().at("cycles").size(), 4U);
+  for (const json& one : summary().at("cycles")) EXPECT_EQ(one.at("converged"), true);
+  const std::string csv = folder_.read("results/cycle.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 9);
+}
+
+TEST_F(Program, InitPrintsOrWrites) {
+  EXPECT_EQ(run({"init"}).output, folder_.read("case.toml"));
+  EXPECT_EQ(run({"init", "--preset", "gen1"}).output, folder_.read("case.toml"));
+  const Outcome again = run({"init", "-o", case_path_});
+  EXPECT_EQ(again.exit_code, 4);
+  EXPECT_NE(again.errors.find("exists already"), std::string::npos);
+  folder_.write("case.toml", "mine");
+  EXPECT_EQ(run({"init", "-o", case_path_, "--force"}).exit_code, 0);
+  EXPECT_EQ(run({"init"}).output, folder_.read("case.toml"));
+  EXPECT_EQ(run({"init", "--preset", "gen9"}).exit_code, 2);
+}
+
+TEST_F(Program, OverridesKeysAsTheShellLeavesThem) {
+  EXPECT_EQ(run(cycle_ + std::vector<std::string>{"--set", "friction.coefficient=0.2", "--set",
+                                                  "bump_foil.height=0.5 mm", "--solver", "newton"})
+                .exit_code,
+            0);
+  EXPECT_EQ(summary().at("case").at("friction").at("top_bump"), 0.2);
+  EXPECT_EQ(summary().at("case").at("bump_foil").at("height"), 0.5e-3);
+  EXPECT_EQ(summary().at("case").at("cycle").at("steps"), 4);
+}
+
+TEST_F(Program, OverridesMayStandBeforeTheCase) {
+  EXPECT_EQ(run({"cycle", "--set", "cycle.steps=4", case_path_, "-o", results_}).exit_code, 0);
+  EXPECT_EQ(summary().at("case").at("cycle").at("steps"), 4);
+}
+
+TEST_F(Program, PropertiesPrintsTextOrJson) {
+  const Outcome text = run({"properties", case_path_});
+  EXPECT_EQ(text.exit_code, 0) << text.errors;
+  EXPECT_NE(text.output.find("k1, rods"), std::string::npos);
+  const Outcome structured = run({"properties", case_path_, "--json", "--set", "bump_foil.truss.k1=150 MN/m"});
+  EXPECT_EQ(json::parse(structured.output).at("truss").at("k1_N_per_m"), 150e6);
+}
+
+TEST_F(Program, RefusesToReplaceResultsUnlessForced) {
+  EXPECT_EQ(run(cycle_).exit_code, 0);
+  const json first = summary();
+  const Outcome second = run(cycle_ + std::vector<std::string>{"--set", "friction.coefficient=0"});
+  EXPECT_EQ(second.exit_code, 4);
+  EXPECT_NE(second.errors.find("--force"), std::string::npos);
+  EXPECT_EQ(summary(), first);
+  EXPECT_EQ(run(cycle_ + std::vector<std::string>{"--set", "friction.coefficient=0", "--force"}).exit_code, 0);
+  EXPECT_NE(summary(), first);
+}
+
+TEST_F(Program, WritesNothingForAWrongCase) {
+  for (const testing::WrongCase& wrong : testing::wrong_cases()) {
+    SCOPED_TRACE(wrong.name);
+    const Outcome outcome = run({"cycle", folder_.write("wrong.toml", wrong.text), "-o", results_});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_NE(outcome.errors.find("wrong.toml"), std::string::npos);
+    // At least: `cycle` misses its table where there is none.
+    EXPECT_GE(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'),
+              static_cast<std::ptrdiff_t>(wrong.faults));
+    EXPECT_FALSE(wrote_results());
+  }
+}
+
+TEST_F(Program, RefusesAHundredMegabytes) {
+  folder_.write("large.toml", "");
+  std::filesystem::resize_file(folder_.path() / "large.toml", 100'000'000);
+  const Outcome outcome = run({"cycle", (folder_.path() / "large.toml").string(), "-o", results_});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("is larger than 10 MB"), std::string::npos);
+  EXPECT_FALSE(wrote_results());
+}
+
+TEST_F(Program, WantsACycleForCycle) {
+  std::string text = testing::whole_case();
+  text.resize(text.find("[cycle]"));
+  const std::string without = folder_.write("without.toml", text);
+  EXPECT_EQ(run({"check", without}).exit_code, 0);
+  const Outcome outcome = run({"cycle", without, "-o", results_});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("cycle: this table is missing"), std::string::npos);
+  EXPECT_FALSE(wrote_results());
+}
+
+TEST_F(Program, FilesThatCannotBeReadOrWrittenAreTold) {
+  EXPECT_EQ(run({"check", (folder_.path() / "missing.toml").string()}).exit_code, 4);
+  EXPECT_EQ(run({"check", folder_.path().string()}).exit_code, 4);
+  EXPECT_EQ(run({"cycle", case_path_, "-o", case_path_}).exit_code, 4);
+  EXPECT_EQ(run({"cycle", case_path_, "-o", case_path_ + "/below"}).exit_code, 4);
+  EXPECT_EQ(run({"init", "-o", (folder_.path() / "missing/case.toml").string()}).exit_code, 4);
+  const TemporaryFolder elsewhere;
+  EXPECT_EQ(Running({"check", case_path_}, "/dev/full").wait(), 4);
+}
+
+TEST_F(Program, WrongCommandLinesAreWrongInput) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"frobnicate"},
+                                             {"cycle"},
+                                             {"cycle", case_path_},
+                                             {"cycle", "-o", results_},
+                                             {"check"},
+                                             {"check", case_path_, "--frob"},
+                                             {"check", case_path_, case_path_},
+                                             {"cycle", case_path_, "-o"},
+                                             {"cycle", case_path_, "-o", results_, "--set"},
+                                             {"cycle", case_path_, "-o", results_, "--set", "steps"},
+                                             {"cycle", case_path_, "-o", results_, "--solver", "newtn"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
+    EXPECT_NE(outcome.errors, "");
+    EXPECT_EQ(outcome.output, "");
+  }
+  EXPECT_FALSE(wrote_results());
+}
+
+TEST_F(Program, HelpsEverywhere) {
+  for (const char* command : {"init", "check", "properties", "cycle"}) {
+    const Outcome help = run({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.output.find("Example"), std::string::npos) << command;
+    EXPECT_NE(help.output.find(std::string("bumpfoil ") + command), std::string::npos) << command;
+    EXPECT_EQ(help.errors, "");
+    EXPECT_NE(run({"--help"}).output.find(command), std::string::npos);
+    EXPECT_EQ(run({command, "--version"}).output, run({"--version"}).output);
+  }
+  EXPECT_TRUE(run({"--version"}).output.starts_with("bumpfoil "));
+}
+
+TEST_F(Program, IsQuietIfAsked) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--quiet", "check", case_path_},
+                                             {"check", case_path_, "--quiet"},
+                                             cycle_ + std::vector<std::string>{"--quiet"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.output + outcome.errors, "");
+  }
+  EXPECT_TRUE(wrote_results());
+  EXPECT_NE(run({"--quiet", "check", "missing.toml"}).errors, "");
+}
+
+TEST_F(Program, AnInterruptedRunLeavesFlaggedResults) {
+  // Long enough to be interrupted on any machine.
+  const Running program({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=80000"},
+                        (folder_.path() / "output").string());
+  while (!wrote_results()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  program.interrupt();
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_NE(program.errors().find("interrupted"), std::string::npos);
+  EXPECT_EQ(summary().at("status"), "interrupted");
+  EXPECT_EQ(summary().at("cycles").back().at("converged"), false);
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(results_)) names.insert(entry.path().filename());
+  EXPECT_TRUE(names.contains("summary.json") && names.contains("cycle.csv"));
+  for (const std::string& name : names) EXPECT_FALSE(name.starts_with(".")) << name;
+}
+
+}  // namespace
+}  // namespace bumpfoil

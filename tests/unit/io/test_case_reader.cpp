@@ -1,0 +1,225 @@
+#include "bumpfoil/io/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/wrong_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using testing::TemporaryFolder;
+using testing::whole_case;
+
+constexpr double pi = std::numbers::pi;
+
+Case with(const std::vector<std::string>& overrides) {
+  return parse_case(whole_case(), "case.toml", {.overrides = overrides, .required_tables = {}});
+}
+
+std::string refusal(const std::vector<std::string>& overrides) {
+  try {
+    with(overrides);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {};
+}
+
+std::string cut(std::string text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  if (at == std::string::npos) ADD_FAILURE() << "no " << part;
+  return text.erase(at, part.size());
+}
+
+TEST(ParseCase, ReadsEveryKey) {
+  const Case input = parse_case(whole_case(), "case.toml");
+  EXPECT_EQ(input.title, "Whole");
+  EXPECT_EQ(input.bearing.radius, 19.05e-3);
+  EXPECT_EQ(input.bearing.axial_length, 38.1e-3);
+  EXPECT_EQ(input.bearing.radial_clearance, 31.8e-6);
+  EXPECT_EQ(input.bearing.weld_angle, pi);
+  EXPECT_EQ(input.bearing.wrap, Wrap::clockwise);
+  EXPECT_EQ(input.bump_foil.bumps, 26);
+  EXPECT_EQ(input.bump_foil.pitch, 4.572e-3);
+  EXPECT_EQ(input.bump_foil.length, 3.556e-3);
+  EXPECT_EQ(input.bump_foil.height, 0.508e-3);
+  EXPECT_EQ(input.bump_foil.thickness, 0.102e-3);
+  EXPECT_EQ(input.bump_foil.youngs_modulus, 214e9);
+  EXPECT_EQ(input.bump_foil.poisson_ratio, 0.29);
+  EXPECT_EQ(input.bump_foil.truss.k1, 150e6);
+  EXPECT_FALSE(input.bump_foil.truss.k2);
+  EXPECT_DOUBLE_EQ(input.bump_foil.truss.theta_d.value(), 15.83 * pi / 180.0);
+  EXPECT_EQ(input.friction, (Friction{.top_bump = 0.1, .bump_sleeve = 0.1}));
+  EXPECT_EQ(input.solver.uzawa.eps_alm, 100e6);
+  ASSERT_EQ(input.cycle.directions.size(), 2U);
+  EXPECT_EQ(input.cycle.directions[0], 0.0);
+  EXPECT_DOUBLE_EQ(input.cycle.directions[1], 37.5 * pi / 180.0);
+  EXPECT_EQ(input.cycle.amplitude, 79.5e-6);
+  EXPECT_EQ(input.cycle.steps, 100);
+}
+
+TEST(ParseCase, TopFoilTakesTheMaterialOfTheBumpFoil) {
+  EXPECT_EQ(parse_case(whole_case(), "case.toml").top_foil,
+            (TopFoil{.thickness = 0.102e-3, .youngs_modulus = 214e9, .poisson_ratio = 0.29}));
+  EXPECT_EQ(with({"top_foil.poisson_ratio=0.3"}).top_foil.poisson_ratio, 0.3);
+}
+
+TEST(ParseCase, TablesThatMayBeMissingAre) {
+  const std::string text =
+      cut(whole_case(), "[cycle]\ndirections = [\"+X\", \"37.5 deg\"]\namplitude = \"79.5 um\"\nsteps = 100\n");
+  const Case input = parse_case(cut(text, "[solver]\nname = \"newton\"\neps_alm = \"100 MN/m\"\n"), "case.toml");
+  EXPECT_TRUE(input.cycle.directions.empty());
+  EXPECT_EQ(input.solver, SolverSettings{});
+  try {
+    parse_case(text, "case.toml", {.overrides = {}, .required_tables = {"cycle"}});
+    ADD_FAILURE() << "the missing table went unnoticed";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "case.toml: cycle: this table is missing; add [cycle]: this command needs it");
+  }
+}
+
+TEST(ParseCase, AxesAreExact) {
+  const Case input = with({"cycle.directions=[\"+X\", \"+Y\", \"-X\", \"-Y\", \"270 deg\", 1.5]"});
+  EXPECT_EQ(input.cycle.directions, (std::vector<double>{0.0, 0.5 * pi, pi, 1.5 * pi, 1.5 * pi, 1.5}));
+}
+
+TEST(ParseCase, FrictionMayDifferPerInterface) {
+  const std::string text = cut(whole_case(), "coefficient = 0.1\n");
+  const CaseRequest both{.overrides = {"friction.top_bump=0.1", "friction.bump_sleeve=0"}, .required_tables = {}};
+  EXPECT_EQ(parse_case(text, "case.toml", both).friction, (Friction{.top_bump = 0.1, .bump_sleeve = 0.0}));
+}
+
+TEST(ParseCase, ReadsWindowsLineEndsAndByteOrderMark) {
+  std::string text;
+  for (const char c : whole_case()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_case(folder.write("case.toml", "\xef\xbb\xbf" + text)), parse_case(whole_case(), "case.toml"));
+}
+
+TEST(Overrides, TakeTomlAndBareStrings) {
+  EXPECT_EQ(with({"friction.coefficient=0.2"}).friction.top_bump, 0.2);
+  EXPECT_EQ(with({"bump_foil.height=0.5 mm"}).bump_foil.height, 0.5e-3);      // as the shell leaves "0.5 mm"
+  EXPECT_EQ(with({"bump_foil.height=\"0.5 mm\""}).bump_foil.height, 0.5e-3);  // as it leaves '"0.5 mm"'
+  EXPECT_EQ(with({"bump_foil.height=0.0005"}).bump_foil.height, 0.5e-3);
+  EXPECT_EQ(with({"bearing.wrap=counterclockwise"}).bearing.wrap, Wrap::counterclockwise);
+  EXPECT_EQ(with({"title=a = \"b\" # c"}).title, "a = \"b\" # c");
+  EXPECT_EQ(with({"title="}).title, "");
+  EXPECT_EQ(with({"bump_foil.truss={k1=1e8}"}).bump_foil.truss,
+            (TrussOverrides{.k1 = 1e8, .k2 = {}, .k3 = {}, .k4 = {}, .theta_d = {}}));
+}
+
+TEST(Overrides, MayAddTablesAndTheLastOneWins) {
+  const std::string text = cut(whole_case(), "[friction]\ncoefficient = 0.1\n");
+  const CaseRequest request{.overrides = {"friction.coefficient=0.3", "friction.coefficient=0.2"},
+                            .required_tables = {}};
+  EXPECT_EQ(parse_case(text, "case.toml", request).friction.top_bump, 0.2);
+}
+
+TEST(Overrides, AreBlamedInPlaceOfTheFile) {
+  EXPECT_EQ(refusal({"bearing.radius=-1 mm"}),
+            "--set: bearing.radius = -1 mm: must be positive; give a value from 1e-09 m to 1000 m");
+  EXPECT_EQ(refusal({"bearing.radus=1 mm"}), "--set: bearing.radus = 1 mm: is no known key; did you mean \"radius\"?");
+  EXPECT_NE(refusal({"lubricant.name=air"}).find("--set: lubricant: is no known table"), std::string::npos);
+  EXPECT_NE(refusal({"bump_foil.height_errors=[1, 2]"}).find("--set: bump_foil.height_errors = 2 values"),
+            std::string::npos);
+}
+
+TEST(Overrides, MustBeAssignments) {
+  for (const std::string argument : {"", "=", "friction", "=0.2", ".=1", "friction.=1", ".coefficient=1", "a b=1",
+                                     "\n=1", "a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q=1"}) {
+    EXPECT_NE(refusal({argument}).find("is no assignment"), std::string::npos) << argument;
+  }
+  EXPECT_NE(refusal({"title.x=1"}).find("\"title\" is a value, not a table"), std::string::npos);
+}
+
+TEST(Overrides, CannotSmuggleInOtherKeys) {
+  EXPECT_EQ(with({"title=\"x\"\n[friction]\ncoefficient=0.4"}).friction.top_bump, 0.1);
+  EXPECT_EQ(with({"title=1\nb=2"}).title, "1\nb=2");
+}
+
+TEST(Overrides, AreReportedWithTheOtherFaults) {
+  const std::string message = refusal({"nonsense", "bearing.radius=0", "friction.coefficient=true"});
+  EXPECT_NE(message.find("nonsense"), std::string::npos);
+  EXPECT_NE(message.find("bearing.radius"), std::string::npos);
+  EXPECT_NE(message.find("friction.coefficient"), std::string::npos);
+}
+
+TEST(HeightErrorsFile, IsReadBesideTheCase) {
+  const TemporaryFolder folder;
+  std::string csv = "bump, height_error_m\n";
+  for (int bump = 26; bump >= 1; --bump) csv += std::to_string(bump) + "," + std::to_string(bump) + "e-7\r\n";
+  folder.write("deep/heights.csv", csv);
+  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}};
+  const Case input = read_case(folder.write("deep/case.toml", whole_case()), request);
+  ASSERT_EQ(input.bump_foil.height_errors.size(), 26U);
+  EXPECT_EQ(input.bump_foil.height_errors[0], 1e-7);
+  EXPECT_EQ(input.bump_foil.height_errors[25], 26e-7);
+}
+
+TEST(HeightErrorsFile, HasItsOwnLines) {
+  const TemporaryFolder folder;
+  folder.write("heights.csv", "bump,error\n1,1e-6\n1,2e-6\n27,0\n2,x\n3\n4,1,2\n\n5,nan\n6,1 um\n");
+  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv", "bearing.radius=0"},
+                            .required_tables = {}};
+  try {
+    read_case(folder.write("case.toml", whole_case()), request);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    std::vector<std::size_t> lines;
+    for (const Fault& fault : error.faults()) {
+      if (fault.file.ends_with("heights.csv")) lines.push_back(fault.line);
+    }
+    EXPECT_EQ(lines, (std::vector<std::size_t>{1, 3, 4, 5, 6, 7, 9, 10})) << error.what();
+    EXPECT_NE(std::string(error.what()).find("repeats bump 1, given in line 2"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("bearing.radius"), std::string::npos);
+  }
+}
+
+TEST(HeightErrorsFile, MustNameEveryBump) {
+  const TemporaryFolder folder;
+  std::string csv = "bump,height_error_m\n";
+  for (int bump = 1; bump <= 24; ++bump) csv += std::to_string(bump) + ",0\n";
+  folder.write("heights.csv", csv);
+  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}};
+  try {
+    read_case(folder.write("case.toml", whole_case()), request);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    ASSERT_EQ(error.faults().size(), 2U);
+    EXPECT_EQ(error.faults()[0].what, "lacks bump 25");
+    EXPECT_EQ(error.faults()[1].what, "lacks bump 26");
+  }
+}
+
+TEST(ReadCase, FilesThatCannotBeReadAreNoWrongInput) {
+  const TemporaryFolder folder;
+  const auto kind = [](const std::string& path, const CaseRequest& request = {}) {
+    try {
+      read_case(path, request);
+    } catch (const Error& error) {
+      return error.kind();
+    }
+    ADD_FAILURE();
+    return ErrorKind::input;
+  };
+  EXPECT_EQ(kind((folder.path() / "missing.toml").string()), ErrorKind::file);
+  EXPECT_EQ(kind(folder.path().string()), ErrorKind::file);
+  EXPECT_EQ(kind(folder.write("case.toml", whole_case()),
+                 {.overrides = {"bump_foil.height_errors_file=missing.csv"}, .required_tables = {}}),
+            ErrorKind::file);
+  EXPECT_EQ(
+      kind((folder.path() / "case.toml").string(),
+           {.overrides = {"bump_foil.height_errors_file=missing.csv", "bearing.radius=0"}, .required_tables = {}}),
+      ErrorKind::input);
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,143 @@
+#include "bumpfoil/io/case_writer.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/model/validation.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Any double of the interval, with all its digits.
+double between(double least, double most) {
+  const auto fraction = static_cast<double>(*rc::gen::inRange<std::int64_t>(0, 1'000'000'007)) / 1'000'000'007.0;
+  return least + (most - least) * fraction;
+}
+
+std::vector<double> lengths(int count, double scale) {
+  std::vector<double> list(static_cast<std::size_t>(count));
+  for (double& length : list) length = between(-scale, scale);
+  return list;
+}
+
+std::optional<double> maybe(double least, double most) {
+  if (*rc::gen::arbitrary<bool>()) return std::nullopt;
+  return between(least, most);
+}
+
+Case arbitrary_case() {
+  Case input = reference_case();
+  input.title = *rc::gen::string<std::string>();
+  std::erase_if(input.title, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });  // may be no UTF-8
+  input.bearing.radius = between(19.05e-3, 40e-3);
+  input.bearing.axial_length = between(1e-3, 1.0);
+  input.bearing.radial_clearance = between(-50e-6, 50e-6);
+  input.bearing.weld_angle = between(-6.0, 6.0);
+  input.bearing.wrap = *rc::gen::element(Wrap::clockwise, Wrap::counterclockwise);
+  BumpFoil& foil = input.bump_foil;
+  foil.model = *rc::gen::element(BumpFoilModel::truss, BumpFoilModel::frame);
+  foil.weld_at = foil.model == BumpFoilModel::frame ? *rc::gen::element(WeldPosition::mid_flat, WeldPosition::arc_start)
+                                                    : WeldPosition::mid_flat;
+  foil.bumps = *rc::gen::inRange(1, 27);
+  foil.height = between(0.4e-3, 0.6e-3);
+  foil.height_reference = *rc::gen::element(HeightReference::overall, HeightReference::midsurface);
+  foil.thickness = between(0.05e-3, 0.15e-3);
+  foil.youngs_modulus = between(1e9, 1e12);
+  foil.poisson_ratio = between(0.0, 0.5);
+  if (*rc::gen::arbitrary<bool>()) foil.height_errors = lengths(foil.bumps, 50e-6);
+  if (*rc::gen::arbitrary<bool>()) foil.sleeve_gaps = lengths(foil.bumps, 20e-6);
+  foil.truss = {.k1 = maybe(1e6, 1e9),
+                .k2 = maybe(1e6, 1e9),
+                .k3 = maybe(1e6, 1e9),
+                .k4 = maybe(1e6, 1e9),
+                .theta_d = maybe(0.1, 1.5)};
+  input.top_foil.thickness = between(0.01e-3, 1e-3);
+  input.friction = {.top_bump = between(0.0, 1.0), .bump_sleeve = between(0.0, 1.0)};
+  input.solver.uzawa.tau_f = between(1e-12, 1e-6);
+  if (*rc::gen::arbitrary<bool>()) {
+    input.cycle = {};
+  } else {
+    input.cycle.directions = lengths(*rc::gen::inRange(1, 5), 6.0);
+    input.cycle.amplitude = between(1e-9, 100e-6);
+    input.cycle.steps = *rc::gen::inRange(1, 1000);
+  }
+  return input;
+}
+
+RC_GTEST_PROP(CaseToToml, IsReadBackToTheLastBit, ()) {
+  const Case input = arbitrary_case();
+  RC_ASSERT(find_faults(input).empty());
+  RC_ASSERT(parse_case(case_to_toml(input), "written") == input);
+}
+
+TEST(CaseToToml, KeepsHostileTitles) {
+  Case input = reference_case();
+  for (const char* title :
+       {"", "\"quoted\" \\ back", "line\nbreak\ttab", "\x01\x1b[2J\x7f", "\xc2\xb5m \xe2\x80\xa6", "'''"}) {
+    input.title = title;
+    EXPECT_EQ(parse_case(case_to_toml(input), "written").title, title);
+  }
+}
+
+TEST(CaseToToml, NamesUnits) {
+  const std::string text = case_to_toml(reference_case());
+  EXPECT_NE(text.find("radius = 0.01905  # m\n"), std::string::npos);
+  EXPECT_NE(text.find("youngs_modulus = 214000000000.0  # Pa\n"), std::string::npos);
+  EXPECT_NE(text.find("weld_angle = 3.141592653589793  # rad\n"), std::string::npos);
+}
+
+TEST(CaseToJson, HasTheKeysOfTheCaseFile) {
+  const auto json = nlohmann::json::parse(case_to_json(reference_case()));
+  EXPECT_EQ(json.at("bearing").at("radius"), 19.05e-3);
+  EXPECT_EQ(json.at("bump_foil").at("model"), "truss");
+  EXPECT_EQ(json.at("friction").at("bump_sleeve"), 0.1);
+  EXPECT_EQ(json.at("cycle").at("directions").size(), 4U);
+  EXPECT_FALSE(json.at("bump_foil").contains("truss"));
+}
+
+TEST(CaseTemplate, IsTheReferenceCase) {
+  EXPECT_EQ(parse_case(case_template("gen1"), "template"), reference_case());
+}
+
+TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
+  std::string text = case_template("gen1");
+  // All comments that are assignments or tables, but those that contradict others.
+  for (std::size_t at = text.find("\n# "); at != std::string::npos; at = text.find("\n# ", at + 1)) {
+    const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
+    const bool contradicts = line.starts_with("height_errors") || line.starts_with("sleeve_gaps") ||
+                             line.starts_with("top_bump") || line.starts_with("bump_sleeve");
+    const bool assigns = line.starts_with('[') || line.find(" = ") < line.find('#');
+    if (assigns && !contradicts) text.erase(at + 1, 2);
+  }
+  const Case input = parse_case(text, "template");
+  EXPECT_EQ(input.bump_foil.truss.k4, 11.25e6);
+  EXPECT_TRUE(input.bump_foil.truss.theta_d);
+  EXPECT_EQ(input.solver.name, SolverName::newton);
+}
+
+TEST(CaseTemplate, IsTheExample) {
+  std::ifstream file("../examples/gen1.toml");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), case_template("gen1"));
+}
+
+TEST(CaseTemplate, KnowsItsPresets) {
+  for (const std::string& preset : preset_names()) EXPECT_NO_THROW((void)case_template(preset));
+  EXPECT_THROW((void)case_template("gen9"), Error);
+}
+
+TEST(NameOf, SolversAreCalledAsInCaseFiles) {
+  EXPECT_EQ(name_of(SolverName::newton), "newton");
+  EXPECT_EQ(name_of(SolverName::uzawa), "uzawa");
+  EXPECT_EQ(name_of(SolverName::events), "events");
+}
+
+}  // namespace
+}  // namespace bumpfoil

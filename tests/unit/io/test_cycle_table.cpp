@@ -1,0 +1,89 @@
+#include "bumpfoil/io/cycle_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+CycleResult short_run(int directions) {
+  Case input = reference_case();
+  input.cycle.steps = 2;
+  input.cycle.directions.clear();
+  for (int i = 0; i < directions; ++i) input.cycle.directions.push_back(i * std::numbers::pi / 8.0);
+  return run_cycles(input);
+}
+
+/// The last word of the line that begins with `name`.
+std::string last_cell(const std::string& text, const std::string& name) {
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with(name)) return line.substr(line.rfind(' ') + 1);
+  }
+  ADD_FAILURE() << "no line " << name;
+  return {};
+}
+
+TEST(CycleTable, FitsATerminalAndIsAligned) {
+  const std::vector<std::string> lines = lines_of(cycle_table(short_run(6)));
+  ASSERT_GT(lines.size(), 15U);
+  for (const std::string& line : lines) {
+    EXPECT_LE(line.size(), 120U);
+    EXPECT_EQ(line.size(), lines[0].size()) << line;
+  }
+}
+
+TEST(CycleTable, BreaksIntoBlocksOfSixDirections) {
+  const std::string text = cycle_table(short_run(8));
+  const std::vector<std::string> lines = lines_of(text);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line.starts_with("direction"); }),
+            2);
+  EXPECT_NE(text.find("+X"), std::string::npos);
+  EXPECT_NE(text.find("22.5 deg"), std::string::npos);
+  EXPECT_NE(text.find("157.5 deg"), std::string::npos);
+}
+
+TEST(CycleTable, ShowsNumbersInTheUnitsItNames) {
+  CycleResult result = short_run(1);
+  Cycle& cycle = result.cycles[0];
+  cycle.turning_point->max_force = 739.5719;
+  cycle.turning_point->secant_stiffness = 9.30279e6;
+  cycle.loop_energy = 4.73761e-3;
+  cycle.clearance_5N = 33.2625e-6;
+  cycle.clearance_10N.reset();
+  cycle.loss_factor = 0.0598763;
+  cycle.increments[2].top_bump.normal_force.setZero();
+  cycle.increments[2].top_bump.normal_force[12] = 138.624;
+  const std::string text = cycle_table(result);
+  EXPECT_EQ(last_cell(text, "maximum force"), "739.57");
+  EXPECT_EQ(last_cell(text, "secant stiffness"), "9.3028");
+  EXPECT_EQ(last_cell(text, "loop energy"), "4.7376");
+  EXPECT_EQ(last_cell(text, "loss factor"), "0.059876");
+  EXPECT_EQ(last_cell(text, "clearance at 5 N"), "33.263");
+  EXPECT_EQ(last_cell(text, "clearance at 10 N"), "-");
+  EXPECT_EQ(last_cell(text, "highest bump load"), "138.62");
+  EXPECT_EQ(last_cell(text, "on bump"), "13");
+  EXPECT_EQ(last_cell(text, "converged"), "yes");
+}
+
+TEST(CycleTable, DashesStandForWhatIsNotKnown) {
+  const std::string text = cycle_table({.solver = SolverName::newton, .cycles = {Cycle{}}});
+  for (const char* name : {"maximum force", "force at the centre", "highest bump load", "on bump", "loss factor"}) {
+    EXPECT_EQ(last_cell(text, name), "-");
+  }
+  EXPECT_EQ(last_cell(text, "converged"), "NO");
+}
+
+}  // namespace
+}  // namespace bumpfoil

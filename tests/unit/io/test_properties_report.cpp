@@ -1,0 +1,52 @@
+#include "bumpfoil/io/properties_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace bumpfoil {
+namespace {
+
+TEST(PropertiesTable, SaysWhichConstantsWereGiven) {
+  Case input = reference_case();
+  input.bump_foil.truss.k2 = 5e6;
+  const std::string text = properties_table(input, compute_properties(input));
+  EXPECT_NE(text.find("5.0000 MN/m  given\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("identified\n"), std::string::npos);
+  EXPECT_EQ(text.find(" \n"), std::string::npos) << "blanks at the end of a line";
+}
+
+TEST(PropertiesTable, DashesStandForWhatIsNotKnown) {
+  const Case input = reference_case();
+  Properties properties = compute_properties(input);
+  properties.bump_foil.reset();
+  properties.loading_bump.reset();
+  const std::string text = properties_table(input, properties);
+  EXPECT_NE(text.find(" - N/m\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" - MN/m\n"), std::string::npos);
+}
+
+TEST(PropertiesJson, IsInSi) {
+  Case input = reference_case();
+  input.bump_foil.truss.k2 = 5e6;
+  const Properties properties = compute_properties(input);
+  const auto json = nlohmann::json::parse(properties_json(input, properties));
+  EXPECT_EQ(json.at("arc").at("rise_m"), properties.arc.rise);
+  EXPECT_EQ(json.at("truss").at("k1_N_per_m"), properties.identified.k1);
+  EXPECT_EQ(json.at("truss").at("k2_N_per_m"), 5e6);
+  EXPECT_EQ(json.at("truss").at("theta_d_rad"), properties.identified.theta_d);
+  EXPECT_EQ(json.at("cell").at("crest_stiffness_N_per_m"), properties.cell.crest_stiffness());
+  EXPECT_EQ(json.at("single_bump").at("guided_N_per_m"), properties.guided_bump);
+  EXPECT_EQ(json.at("top_foil").at("softest_N_per_m"), properties.top_foil->softest);
+}
+
+TEST(PropertiesJson, NullStandsForWhatIsNotKnown) {
+  Properties properties = compute_properties(reference_case());
+  properties.top_foil.reset();
+  const auto json = nlohmann::json::parse(properties_json(reference_case(), properties));
+  EXPECT_TRUE(json.at("top_foil").at("softest_N_per_m").is_null());
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,149 @@
+#include "bumpfoil/io/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+Case short_case() {
+  Case input = reference_case();
+  input.cycle.directions = {0.5 * std::numbers::pi, 0.3};
+  input.cycle.steps = 5;
+  return input;
+}
+
+/// The run stopped by the user after `increments` of the first direction.
+CycleResult stopped_after(int increments) {
+  int count = 0;
+  return run_cycles(short_case(), [&](double) { return ++count < increments; });
+}
+
+double sum(const json& numbers) {
+  double total = 0.0;
+  for (const json& number : numbers) total += number.get<double>();
+  return total;
+}
+
+TEST(SummaryJson, SaysWhatWasRun) {
+  const Case input = short_case();
+  const json summary = json::parse(summary_json(input, run_cycles(input), RunStatus::complete));
+  EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/1");
+  EXPECT_EQ(summary.at("version"), version());
+  EXPECT_EQ(summary.at("solver"), "newton");
+  EXPECT_EQ(summary.at("status"), "complete");
+  EXPECT_EQ(summary.at("case"), json::parse(case_to_json(input)));
+  EXPECT_EQ(summary.at("cycles").size(), 2U);
+}
+
+TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
+  const Case input = short_case();
+  const CycleResult result = run_cycles(input);
+  ASSERT_TRUE(result.converged());
+  const json cycle = json::parse(summary_json(input, result, RunStatus::complete)).at("cycles").at(0);
+  const Cycle& expected = result.cycles[0];
+
+  // Every key there is, and no other: scripts rely on them.
+  const std::set<std::string> keys{"direction_deg",
+                                   "amplitude_m",
+                                   "steps",
+                                   "converged",
+                                   "max_force_N",
+                                   "cross_force_at_max_N",
+                                   "initial_force_N",
+                                   "initial_force_x_N",
+                                   "initial_force_y_N",
+                                   "initial_journal_load_N",
+                                   "initial_elastic_energy_J",
+                                   "assembly_dissipation_J",
+                                   "loop_energy_J",
+                                   "elastic_energy_at_max_J",
+                                   "loss_factor",
+                                   "tangent_stiffness_loading_N_per_m",
+                                   "tangent_stiffness_unloading_N_per_m",
+                                   "secant_stiffness_N_per_m",
+                                   "first_contact_m",
+                                   "clearance_5N_m",
+                                   "clearance_10N_m",
+                                   "bump_loads_N",
+                                   "foot_loads_N",
+                                   "journal_loads_N",
+                                   "max_residual",
+                                   "iterations",
+                                   "substeps",
+                                   "wall_time_s"};
+  std::set<std::string> met;
+  for (const auto& [key, value] : cycle.items()) met.insert(key);
+  EXPECT_EQ(met, keys);
+
+  // Written with as many digits as it takes to read the same double back.
+  EXPECT_EQ(cycle.at("direction_deg"), 90.0);
+  EXPECT_EQ(cycle.at("max_force_N"), expected.turning_point->max_force);
+  EXPECT_EQ(cycle.at("cross_force_at_max_N"), expected.turning_point->cross_force);
+  EXPECT_EQ(cycle.at("tangent_stiffness_loading_N_per_m"), expected.turning_point->tangent_stiffness_loading);
+  EXPECT_EQ(cycle.at("tangent_stiffness_unloading_N_per_m"), expected.turning_point->tangent_stiffness_unloading);
+  EXPECT_EQ(cycle.at("secant_stiffness_N_per_m"), expected.turning_point->max_force / input.cycle.amplitude);
+  EXPECT_EQ(cycle.at("elastic_energy_at_max_J"), expected.turning_point->elastic_energy);
+  EXPECT_EQ(cycle.at("loop_energy_J"), *expected.loop_energy);
+  EXPECT_EQ(cycle.at("loss_factor"), *expected.loss_factor);
+  EXPECT_EQ(cycle.at("first_contact_m"), *expected.first_contact);
+  EXPECT_EQ(cycle.at("iterations"), expected.total().iterations);
+  EXPECT_EQ(cycle.at("bump_loads_N").size(), 26U);
+  EXPECT_EQ(cycle.at("foot_loads_N").size(), 26U);
+  // Loads are those at full displacement.
+  EXPECT_EQ(sum(cycle.at("journal_loads_N")),
+            sum(json(std::vector<double>(expected.increments[5].journal_top.normal_force.begin(),
+                                         expected.increments[5].journal_top.normal_force.end()))));
+}
+
+TEST(SummaryJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
+  const json before = json::parse(summary_json(short_case(), stopped_after(3), RunStatus::interrupted));
+  EXPECT_EQ(before.at("status"), "interrupted");
+  ASSERT_EQ(before.at("cycles").size(), 1U);
+  EXPECT_EQ(before.at("cycles")[0].at("converged"), false);
+  EXPECT_TRUE(before.at("cycles")[0].at("max_force_N").is_null());
+  EXPECT_TRUE(before.at("cycles")[0].at("bump_loads_N").is_null());
+  EXPECT_TRUE(before.at("cycles")[0].at("loop_energy_J").is_null());
+  EXPECT_EQ(before.at("cycles")[0].at("initial_force_N"), 0.0);
+
+  const json after = json::parse(summary_json(short_case(), stopped_after(8), RunStatus::failed));
+  EXPECT_EQ(after.at("status"), "failed");
+  EXPECT_TRUE(after.at("cycles")[0].at("max_force_N").is_number());
+  EXPECT_TRUE(after.at("cycles")[0].at("loop_energy_J").is_null());
+}
+
+TEST(SummaryJson, NeverHoldsNanAsANumber) {
+  CycleResult result = run_cycles(short_case());
+  result.cycles[0].turning_point->max_force = std::numeric_limits<double>::quiet_NaN();
+  result.cycles[0].loop_energy = std::numeric_limits<double>::infinity();
+  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed)).at("cycles").at(0);
+  EXPECT_TRUE(cycle.at("max_force_N").is_null());
+  EXPECT_TRUE(cycle.at("loop_energy_J").is_null());
+}
+
+TEST(SummaryJson, HoldsACycleWithoutIncrements) {
+  const CycleResult result{.solver = SolverName::newton, .cycles = {Cycle{}}};
+  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed)).at("cycles").at(0);
+  EXPECT_TRUE(cycle.at("initial_force_N").is_null());
+}
+
+TEST(ToDegrees, GivesWholeDegreesWhereTheyWereMeant) {
+  for (int degrees = -360; degrees <= 360; ++degrees) {
+    EXPECT_EQ(to_degrees(degrees * (std::numbers::pi / 180.0)), degrees);
+  }
+  EXPECT_DOUBLE_EQ(to_degrees(37.5 * std::numbers::pi / 180.0), 37.5);
+}
+
+}  // namespace
+}  // namespace bumpfoil

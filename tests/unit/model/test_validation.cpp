@@ -1,0 +1,216 @@
+#include "bumpfoil/model/validation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Keys at fault after a change of the reference case.
+std::vector<std::string> faulty_keys(const std::function<void(Case&)>& change) {
+  Case input = reference_case();
+  change(input);
+  std::vector<std::string> keys;
+  for (const Fault& fault : find_faults(input)) {
+    EXPECT_TRUE(fault.file.empty());
+    EXPECT_FALSE(fault.what.empty());
+    EXPECT_FALSE(fault.advice.empty());
+    keys.push_back(fault.key);
+  }
+  return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST(FindFaults, FindsNoneInTheReferenceCase) {
+  EXPECT_TRUE(find_faults(reference_case()).empty());
+}
+
+TEST(FindFaults, WantsFinitePositiveSizes) {
+  const std::vector<std::pair<std::string, double& (*)(Case&)>> sizes{
+      {"bearing.radius", [](Case& c) -> double& { return c.bearing.radius; }},
+      {"bearing.axial_length", [](Case& c) -> double& { return c.bearing.axial_length; }},
+      {"bump_foil.pitch", [](Case& c) -> double& { return c.bump_foil.pitch; }},
+      {"bump_foil.length", [](Case& c) -> double& { return c.bump_foil.length; }},
+      {"bump_foil.height", [](Case& c) -> double& { return c.bump_foil.height; }},
+      {"bump_foil.thickness", [](Case& c) -> double& { return c.bump_foil.thickness; }},
+      {"bump_foil.youngs_modulus", [](Case& c) -> double& { return c.bump_foil.youngs_modulus; }},
+      {"top_foil.thickness", [](Case& c) -> double& { return c.top_foil.thickness; }},
+      {"top_foil.youngs_modulus", [](Case& c) -> double& { return c.top_foil.youngs_modulus; }},
+      {"solver.eps_alm", [](Case& c) -> double& { return c.solver.uzawa.eps_alm; }},
+      {"solver.eps_f", [](Case& c) -> double& { return c.solver.uzawa.eps_f; }},
+      {"solver.eps_r", [](Case& c) -> double& { return c.solver.uzawa.eps_r; }},
+      {"solver.tau_f", [](Case& c) -> double& { return c.solver.uzawa.tau_f; }},
+      {"cycle.amplitude", [](Case& c) -> double& { return c.cycle.amplitude; }},
+  };
+  for (const auto& [key, size] : sizes) {
+    for (const double value : {0.0, -1e-3, nan, infinity, -infinity, 1e300, 1e-300}) {
+      // Once, and nothing that follows from it.
+      EXPECT_EQ(faulty_keys([&, member = size](Case& input) { member(input) = value; }), Keys{key}) << value;
+    }
+  }
+}
+
+TEST(FindFaults, TakesClearanceOfAnySign) {
+  for (const double clearance : {-50e-6, 0.0, 50e-6}) {
+    EXPECT_EQ(faulty_keys([&](Case& input) { input.bearing.radial_clearance = clearance; }), Keys{}) << clearance;
+  }
+  for (const double clearance : {-3e-3, 3e-3, nan}) {
+    EXPECT_EQ(faulty_keys([&](Case& input) { input.bearing.radial_clearance = clearance; }),
+              Keys{"bearing.radial_clearance"})
+        << clearance;
+  }
+}
+
+TEST(FindFaults, TakesDegreesForDegrees) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bearing.weld_angle = 180.0; }), Keys{"bearing.weld_angle"});
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.cycle.directions = {0.0, 90.0, nan};
+            }),
+            (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
+}
+
+TEST(FindFaults, KeepsBumpsApart) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.length = input.bump_foil.pitch; }), Keys{"bump_foil.length"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 27; }), Keys{"bump_foil.bumps"});
+  // A foil that goes round exactly once, but for a rounding.
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bearing.radius = 26 * input.bump_foil.pitch / (2.0 * std::numbers::pi) * (1.0 - 1e-15);
+            }),
+            Keys{});
+  // Arcs of more than half a circle are wider than their chord.
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 2.2e-3; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 4.5e-3; }), Keys{"bump_foil.height"});
+}
+
+TEST(FindFaults, CountsBumps) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 1; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 0; }), Keys{"bump_foil.bumps"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = -5; }), Keys{"bump_foil.bumps"});
+  const auto scaled = [](int bumps) {
+    return [bumps](Case& input) {
+      input.bump_foil.bumps = bumps;
+      input.bearing.radius *= bumps / 26.0;
+      input.cycle.steps = 10;
+    };
+  };
+  EXPECT_EQ(faulty_keys(scaled(10'000)), Keys{});
+  EXPECT_EQ(faulty_keys(scaled(most_bumps)), Keys{});
+  EXPECT_EQ(faulty_keys(scaled(most_bumps + 1)), Keys{"bump_foil.bumps"});
+}
+
+TEST(FindFaults, WantsARise) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = input.bump_foil.thickness; }),
+            Keys{"bump_foil.height"});
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.height_reference = HeightReference::midsurface;
+              input.bump_foil.height = input.bump_foil.thickness;
+            }),
+            Keys{});
+}
+
+TEST(FindFaults, WantsThinFoils) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 2e-3; }), Keys{"top_foil.thickness"});
+  // Top foils ten times thicker and thinner are studied.
+  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 1.02e-3; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.top_foil.thickness = 0.0102e-3; }), Keys{});
+}
+
+TEST(FindFaults, ComparesListsWithTheBumps) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height_errors.assign(26, 60e-6); }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height_errors.assign(25, 0.0); }),
+            Keys{"bump_foil.height_errors"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sleeve_gaps.assign(27, 0.0); }),
+            Keys{"bump_foil.sleeve_gaps"});
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.height_errors.assign(26, 0.0);
+              input.bump_foil.height_errors[2] = nan;
+              input.bump_foil.height_errors[25] = -0.41e-3;  // the rise is 0.406 mm
+            }),
+            (Keys{"bump_foil.height_errors[3]", "bump_foil.height_errors[26]"}));
+}
+
+TEST(FindFaults, WantsFrictionBetweenNoneAndOne) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.friction = {.top_bump = 0.0, .bump_sleeve = 1.0}; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.friction = {.top_bump = -0.1, .bump_sleeve = 1.1}; }),
+            (Keys{"friction.top_bump", "friction.bump_sleeve"}));
+  EXPECT_EQ(faulty_keys([](Case& input) { input.friction.top_bump = nan; }), Keys{"friction.top_bump"});
+}
+
+TEST(FindFaults, WantsPositiveSpringsAndSlantingRods) {
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.truss = {.k1 = 1e8, .k2 = 1e6, .k3 = 1e6, .k4 = 1e6, .theta_d = 0.2};
+            }),
+            Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.truss = {.k1 = 0.0, .k2 = -1.0, .k3 = nan, .k4 = infinity, .theta_d = 0.0};
+            }),
+            (Keys{"bump_foil.truss.k1", "bump_foil.truss.k2", "bump_foil.truss.k3", "bump_foil.truss.k4",
+                  "bump_foil.truss.theta_d"}));
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.truss.theta_d = 0.5 * std::numbers::pi; }),
+            Keys{"bump_foil.truss.theta_d"});
+}
+
+TEST(FindFaults, JudgesTheCycleThatThereIs) {
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle = {}; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.directions.clear(); }), Keys{"cycle.directions"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 0; }), Keys{"cycle.steps"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 1'000'001; }), Keys{"cycle.steps"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.steps = 1'000'000; }), Keys{"cycle.steps"}) << "memory";
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.cycle.steps = 1'000'000;
+              input.cycle.directions = {0.0};
+              input.bump_foil.bumps = 10;
+            }),
+            Keys{});
+  // Clearance and rise together are 0.4378 mm.
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude = 0.437e-3; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude = 0.438e-3; }), Keys{"cycle.amplitude"});
+}
+
+TEST(FindFaults, WeldsTheArcOfTheFrameAlone) {
+  const auto welded = [](BumpFoilModel model) {
+    return faulty_keys([model](Case& input) {
+      input.bump_foil.model = model;
+      input.bump_foil.weld_at = WeldPosition::arc_start;
+    });
+  };
+  EXPECT_EQ(welded(BumpFoilModel::truss), Keys{"bump_foil.weld_at"});
+  EXPECT_EQ(welded(BumpFoilModel::frame), Keys{});
+}
+
+TEST(FindFaults, ListsEverything) {
+  EXPECT_EQ(
+      faulty_keys([](Case& input) {
+        input.bearing.radius = -1.0;
+        input.bump_foil.poisson_ratio = 0.7;
+        input.top_foil.thickness = nan;
+        input.friction.bump_sleeve = -1.0;
+        input.cycle.steps = 0;
+      }),
+      (Keys{"bearing.radius", "bump_foil.poisson_ratio", "top_foil.thickness", "friction.bump_sleeve", "cycle.steps"}));
+}
+
+TEST(RequireValid, ThrowsWhatWasFound) {
+  Case input = reference_case();
+  EXPECT_NO_THROW(require_valid(input));
+  input.bearing.radius = 0.0;
+  input.friction.top_bump = 2.0;
+  try {
+    require_valid(input);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_EQ(error.faults().size(), 2U);
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil
