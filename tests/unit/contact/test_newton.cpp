@@ -114,10 +114,6 @@ INSTANTIATE_TEST_SUITE_P(NewtonSolver, Toys, testing::Values(12, 0), [](const te
   return which.param == 0 ? "event_path" : "mode_updates";
 });
 
-TEST(NewtonSolver, IsCalledNewton) {
-  EXPECT_EQ(NewtonSolver(toy::dragged_block()).name(), "newton");
-}
-
 TEST(NewtonSolver, ResultDoesNotDependOnThePenalty) {
   int compared = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

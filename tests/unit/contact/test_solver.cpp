@@ -13,7 +13,6 @@ namespace {
 class ShortReach final : public ContactSolver {
  public:
   explicit ShortReach(double reach) : reach_(reach) {}
-  [[nodiscard]] std::string_view name() const override { return "short reach"; }
   [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                   ContactState& state) override {
     const bool good = std::abs(loading.load[0] - previous.x[0]) <= reach_;
@@ -70,7 +69,6 @@ TEST(Advance, HalvesFromTheRestoredStateAndCountsEveryExtraSolve) {
 TEST(Advance, InterpolatesGapsAndLoadsAlike) {
   class Recorder final : public ContactSolver {
    public:
-    [[nodiscard]] std::string_view name() const override { return "recorder"; }
     [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                     ContactState& state) override {
       seen.push_back(loading);
@@ -90,7 +88,7 @@ TEST(Advance, InterpolatesGapsAndLoadsAlike) {
 TEST(Advance, GivesUpAtTheLastGoodState) {
   ShortReach solver(0.0);
   ContactState state = start();
-  const IncrementReport report = advance(solver, at(0.0), at(1.0), state, 3);
+  const IncrementReport report = advance(solver, at(0.0), at(1.0), state, {}, 3);
   EXPECT_FALSE(report.solve.converged);
   EXPECT_EQ(state.x[0], 0.0);                 // restored, not the rubbish of the failed solve
   EXPECT_EQ(solver.started_from.size(), 4U);  // once whole and once per halving: nothing after a failed first half
@@ -101,7 +99,6 @@ TEST(Advance, KeepsWhatWasReachedWhenTheSecondHalfFails) {
   // Steps of one half succeed once: from 0 to 1/2; after that the reach is too short.
   class Tiring final : public ContactSolver {
    public:
-    [[nodiscard]] std::string_view name() const override { return "tiring"; }
     [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                     ContactState& state) override {
       state = previous;
@@ -110,8 +107,29 @@ TEST(Advance, KeepsWhatWasReachedWhenTheSecondHalfFails) {
     }
   } solver;
   ContactState state = start();
-  EXPECT_FALSE(advance(solver, at(0.0), at(1.0), state, 1).solve.converged);
+  EXPECT_FALSE(advance(solver, at(0.0), at(1.0), state, {}, 1).solve.converged);
   EXPECT_EQ(state.x[0], 0.5);
+}
+
+TEST(Advance, ShowsEveryPartThatConverged) {
+  ShortReach solver(0.5);
+  ContactState state = start();
+  std::vector<double> ends;
+  const auto visit = [&](const ContactState& begin, const ContactState& end) {
+    EXPECT_EQ(begin.x[0], ends.empty() ? 0.0 : ends.back());
+    ends.push_back(end.x[0]);
+  };
+  EXPECT_TRUE(advance(solver, at(0.0), at(0.5), state, visit).solve.converged);
+  EXPECT_EQ(ends, std::vector<double>{0.5});
+  ends.clear();
+  state = start();
+  EXPECT_TRUE(advance(solver, at(0.0), at(1.0), state, visit).solve.converged);
+  EXPECT_EQ(ends, (std::vector<double>{0.5, 1.0}));
+}
+
+TEST(Interpolate, IsLinear) {
+  EXPECT_EQ(interpolate(at(2.0), at(4.0), 0.25).load[0], 2.5);
+  EXPECT_EQ(interpolate(at(2.0), at(4.0), 0.25).initial_gap[0], 25.0);
 }
 
 TEST(SolveReport, SumsCostsAndKeepsTheLastVerdict) {
