@@ -37,10 +37,9 @@ bench: ## build and run the benchmarks; JSON in results/bench
 	@scripts/require_packages.sh build bench
 	$(call BUILD,bench)
 	mkdir -p results/bench
-	for program in build/bench/bench_*; do
-	  "$$program" --benchmark_out="results/bench/$$(basename "$$program").json" --benchmark_out_format=json
-	done
-	echo "Results: $(CURDIR)/results/bench"
+	build/bench/bumpfoil_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true \
+	  --benchmark_out=results/bench/bumpfoil_bench.json --benchmark_out_format=json
+	@echo "Results: $(CURDIR)/results/bench"
 
 format: ## format the C++ sources in place
 	@find include src apps tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +

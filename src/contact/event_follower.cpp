@@ -62,9 +62,15 @@ void EventFollower::Workspace::find_changes(const ContactState& state) {
                        .slip = tangential >= 0 ? target.x[tangential] - state.x[tangential] : 0.0};
     if (loaded) {
       trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
-      const double friction = state.friction_force[c];
-      const bool on_bound = std::abs(friction) >= f * state.normal_force[c] - force_tolerance;
-      if (m == ContactMode::stick && !(on_bound && friction * trial.friction > 0.0)) return;
+      if (m == ContactMode::stick) {
+        // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may
+        // fall faster than the friction force.
+        const double side = std::copysign(1.0, state.friction_force[c]);
+        const bool on_bound = f * state.normal_force[c] - side * state.friction_force[c] <= force_tolerance;
+        const bool leaves = f * target.normal_force[c] - side * target.friction_force[c] < -force_tolerance;
+        if (f > 0.0 && on_bound && leaves) changes.push_back({c, slip_mode(-side)});
+        return;
+      }
     }
     const ContactMode to = next_mode(m, f, trial, options.displacement_tolerance, force_tolerance);
     if (to != m) changes.push_back({c, to});
@@ -80,6 +86,7 @@ bool EventFollower::Workspace::settle_modes(const ContactLoading& end, const Con
     ++report.factorisations;
     modes->solve(end, state.x, target);
     ++report.iterations;
+    if (!target.x.allFinite()) return false;
     find_changes(state);
     if (changes.empty()) return true;
     if (!rule.apply(changes, mode)) return false;
@@ -106,11 +113,11 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
       propose(c, state.normal_force[c], target.normal_force[c], ContactMode::open);
     }
     if (m == ContactMode::stick && f > 0.0) {
-      const double friction = target.friction_force[c];
-      const double sign = std::copysign(1.0, friction);
-      const double margin = f * target.normal_force[c] - sign * friction;
-      if (margin < -force_tolerance) {
-        propose(c, f * state.normal_force[c] - sign * state.friction_force[c], margin, slip_mode(-sign));
+      for (const double side : {1.0, -1.0}) {
+        const double margin = f * target.normal_force[c] - side * target.friction_force[c];
+        if (margin < -force_tolerance) {
+          propose(c, f * state.normal_force[c] - side * state.friction_force[c], margin, slip_mode(-side));
+        }
       }
     }
   });

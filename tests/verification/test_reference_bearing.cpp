@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
-#include "support/reference_cycles.hpp"
-
 /// What the reference bearing is known for: how much friction stiffens it, where it carries.
 namespace bumpfoil {
 namespace {
 
+/// With its own identified truss constants.
 Case reference_bearing(double friction) {
-  Case input = case_with_given_constants();
+  Case input = reference_case();
   input.friction = {.top_bump = friction, .bump_sleeve = friction};
   return input;
 }

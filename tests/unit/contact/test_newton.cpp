@@ -30,11 +30,7 @@ struct LoadPath {
   SolveReport report;
 };
 
-/// Without mode updates the augmented Lagrangian has to do the work alone.
-NewtonOptions without_mode_updates() {
-  return {.max_mode_updates = 0};
-}
-
+/// With mode updates, and without: then the path from event to event has to find the modes.
 class Toys : public testing::TestWithParam<int> {
  protected:
   [[nodiscard]] static NewtonOptions options() { return {.max_mode_updates = GetParam()}; }
@@ -115,21 +111,24 @@ TEST_P(Toys, StackedSlabs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(NewtonSolver, Toys, testing::Values(12, 0), [](const testing::TestParamInfo<int>& which) {
-  return which.param == 0 ? "augmented_lagrangian" : "mode_updates";
+  return which.param == 0 ? "event_path" : "mode_updates";
 });
 
 TEST(NewtonSolver, ResultDoesNotDependOnThePenalty) {
-  const RandomProblem random = make_random_problem(4, 4, 6, 0.2);
-  LoadPath reference(random.problem);
-  reference.load(random.first);
-  reference.load(random.second);
-  for (const double penalty : {1e8, 1e10, 1e12}) {
-    LoadPath run(random.problem, {.max_mode_updates = 0, .penalty = penalty});
-    run.load(random.first);
-    run.load(random.second);
-    EXPECT_LT((run.state.x - reference.state.x).norm(), 1e-12 * reference.state.x.norm()) << penalty;
-    EXPECT_EQ(run.state.mode, reference.state.mode) << penalty;
+  int compared = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const RandomProblem random = make_random_problem(seed, 20, 6, 1.0);
+    const ContactState start = ContactState::unstressed(random.problem);
+    ContactState state, other;
+    NewtonSolver solver(random.problem);
+    if (solver.solve(random.first, start, state).outer_iterations == 0) continue;
+    NewtonSolver softer(random.problem, {.penalty = 1e9});
+    ASSERT_TRUE(softer.solve(random.first, start, other).converged) << seed;
+    // With so much friction there may be several solutions; from the same start the same one is expected.
+    EXPECT_LT((other.x - state.x).norm(), 1e-11 * state.x.norm()) << seed;
+    ++compared;
   }
+  EXPECT_GE(compared, 1);
 }
 
 TEST(NewtonSolver, KeepsNoMemoryBetweenSolves) {
@@ -161,17 +160,36 @@ TEST(NewtonSolver, ResultMayOverwriteWhatItIsGiven) {
   EXPECT_EQ(poisoned.normal_force, clean.normal_force);
 }
 
-TEST(NewtonSolver, SaysSoWhenItFails) {
+TEST(NewtonSolver, FailsOnWhatIsNotANumberAndRecovers) {
   const RandomProblem random = make_random_problem(8, 6, 6, 0.3);
-  NewtonSolver solver(random.problem, {.max_mode_updates = 0, .max_outer_iterations = 0});
-  ContactState state;
-  EXPECT_FALSE(solver.solve(random.first, ContactState::unstressed(random.problem), state).converged);
-
   ContactLoading broken = random.first;
   broken.initial_gap[3] = std::numeric_limits<double>::quiet_NaN();
-  NewtonSolver sound(random.problem);
-  EXPECT_FALSE(sound.solve(broken, ContactState::unstressed(random.problem), state).converged);
-  EXPECT_TRUE(sound.solve(random.first, ContactState::unstressed(random.problem), state).converged);  // recovers
+  NewtonSolver solver(random.problem);
+  ContactState state;
+  EXPECT_FALSE(solver.solve(broken, ContactState::unstressed(random.problem), state).converged);
+  EXPECT_TRUE(solver.solve(random.first, ContactState::unstressed(random.problem), state).converged);
+}
+
+/// Friction coefficient 1 in strongly coupled problems: modes cycle and paths end, so that the last of the three
+/// methods has to do it. Without that method the solver must say that it failed.
+TEST(NewtonSolver, AugmentedLagrangianSolvesWhatIsLeft) {
+  int left = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const RandomProblem random = make_random_problem(seed, 20, 6, 1.0);
+    const ContactState start = ContactState::unstressed(random.problem);
+    ContactState state;
+    NewtonSolver crippled(random.problem, {.max_outer_iterations = 0});
+    if (crippled.solve(random.first, start, state).converged) continue;
+    ++left;
+    NewtonSolver solver(random.problem);
+    const SolveReport report = solver.solve(random.first, start, state);
+    EXPECT_TRUE(report.converged) << seed;
+    EXPECT_GE(report.outer_iterations, 1) << seed;
+    EXPECT_TRUE(
+        contact_residuals(random.problem, random.problem.K.multiply(state.x), random.first, start.x, state).within())
+        << seed;
+  }
+  EXPECT_GE(left, 1);
 }
 
 TEST(NewtonSolver, CountsWhatItDid) {
@@ -180,9 +198,6 @@ TEST(NewtonSolver, CountsWhatItDid) {
   EXPECT_GE(run.report.iterations, 1);
   EXPECT_LE(run.report.iterations, 3);
   EXPECT_EQ(run.report.outer_iterations, 0);
-  LoadPath lagrangian(toy::dragged_block(), without_mode_updates());
-  lagrangian.load(toy::pull(30.0, 40.0));
-  EXPECT_GE(lagrangian.report.outer_iterations, 1);
 }
 
 }  // namespace

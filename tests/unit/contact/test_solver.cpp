@@ -69,7 +69,7 @@ TEST(Advance, HalvesFromTheRestoredStateAndCountsEveryExtraSolve) {
 TEST(Advance, InterpolatesGapsAndLoadsAlike) {
   class Recorder final : public ContactSolver {
    public:
-      [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+    [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                     ContactState& state) override {
       seen.push_back(loading);
       state = previous;
@@ -99,7 +99,7 @@ TEST(Advance, KeepsWhatWasReachedWhenTheSecondHalfFails) {
   // Steps of one half succeed once: from 0 to 1/2; after that the reach is too short.
   class Tiring final : public ContactSolver {
    public:
-      [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
+    [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                     ContactState& state) override {
       state = previous;
       state.x = loading.load;
@@ -109,6 +109,27 @@ TEST(Advance, KeepsWhatWasReachedWhenTheSecondHalfFails) {
   ContactState state = start();
   EXPECT_FALSE(advance(solver, at(0.0), at(1.0), state, {}, 1).solve.converged);
   EXPECT_EQ(state.x[0], 0.5);
+}
+
+TEST(Advance, ShowsEveryPartThatConverged) {
+  ShortReach solver(0.5);
+  ContactState state = start();
+  std::vector<double> ends;
+  const auto visit = [&](const ContactState& begin, const ContactState& end) {
+    EXPECT_EQ(begin.x[0], ends.empty() ? 0.0 : ends.back());
+    ends.push_back(end.x[0]);
+  };
+  EXPECT_TRUE(advance(solver, at(0.0), at(0.5), state, visit).solve.converged);
+  EXPECT_EQ(ends, std::vector<double>{0.5});
+  ends.clear();
+  state = start();
+  EXPECT_TRUE(advance(solver, at(0.0), at(1.0), state, visit).solve.converged);
+  EXPECT_EQ(ends, (std::vector<double>{0.5, 1.0}));
+}
+
+TEST(Interpolate, IsLinear) {
+  EXPECT_EQ(interpolate(at(2.0), at(4.0), 0.25).load[0], 2.5);
+  EXPECT_EQ(interpolate(at(2.0), at(4.0), 0.25).initial_gap[0], 25.0);
 }
 
 TEST(SolveReport, SumsCostsAndKeepsTheLastVerdict) {

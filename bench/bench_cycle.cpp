@@ -1,0 +1,61 @@
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/contact/newton.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Reference bearing, friction 0.1, +X, 100 steps per branch.
+Case reference_push() {
+  Case input = reference_case();
+  input.cycle.directions = {0.0};
+  return input;
+}
+
+/// One increment of the default solver, taken in turn from all of the reference cycle, results not recorded.
+void increment(benchmark::State& bench) {
+  const Case input = reference_push();
+  const BearingModel model = make_bearing_model(input);
+  NewtonSolver solver(model.problem);
+  std::vector<ContactLoading> loadings;
+  for (int k = 0; k <= 2 * input.cycle.steps; ++k) {
+    const int from_centre = k <= input.cycle.steps ? k : 2 * input.cycle.steps - k;
+    const double displacement = input.cycle.amplitude * from_centre / input.cycle.steps;
+    loadings.push_back(loading_at(model, {displacement, 0.0}));
+  }
+  const ContactState unstressed = ContactState::unstressed(model.problem);
+  ContactState previous = unstressed;
+  ContactState state = unstressed;
+  std::size_t k = 0;
+  std::int64_t linear_solves = 0;
+  for (auto _ : bench) {
+    if (k == 0) previous = unstressed;
+    const SolveReport report = solver.solve(loadings[k], previous, state);
+    if (!report.converged) bench.SkipWithError("an increment failed");
+    linear_solves += report.iterations;
+    std::swap(previous, state);
+    k = (k + 1) % loadings.size();
+  }
+  bench.counters["linear_solves"] =
+      benchmark::Counter(static_cast<double>(linear_solves), benchmark::Counter::kAvgIterations);
+}
+// Multiples of the 201 increments of a cycle, so that each run takes the same mixture.
+BENCHMARK(increment)->Unit(benchmark::kMicrosecond)->Iterations(201 * 20);
+
+/// The whole cycle as users run it: model, increments, records, derived quantities.
+void reference_cycle(benchmark::State& bench) {
+  const Case input = reference_push();
+  for (auto _ : bench) {
+    const CycleResult result = run_cycles(input);
+    if (!result.converged()) bench.SkipWithError("the cycle failed");
+    benchmark::DoNotOptimize(result.cycles.front().loop_energy);
+  }
+}
+BENCHMARK(reference_cycle)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace bumpfoil

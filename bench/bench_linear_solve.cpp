@@ -1,0 +1,81 @@
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/contact/linear_systems.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// The reference bearing with more bumps on a radius that grows with them, so that the foils still go round once.
+BearingModel long_bearing(int bumps) {
+  Case input = reference_case();
+  input.bearing.radius *= bumps / 26.0;
+  input.bump_foil.bumps = bumps;
+  return make_bearing_model(input);
+}
+
+/// Bumps 1, 2, 3 of every four carry: two stick, one slips.
+std::vector<ContactMode> mixed_modes(const BearingModel& model) {
+  std::vector<ContactMode> mode;
+  for (int bump = 0; bump < model.bumps(); ++bump) {
+    const ContactMode m = bump % 4 == 0   ? ContactMode::open
+                          : bump % 4 == 1 ? ContactMode::slip_forward
+                                          : ContactMode::stick;
+    mode.insert(mode.end(), model.problem.pairs.size(), m);
+    if (m != ContactMode::open) mode[mode.size() - model.problem.pairs.size()] = ContactMode::stick;  // journal
+  }
+  return mode;
+}
+
+void report_per_bump(benchmark::State& bench) {
+  bench.SetComplexityN(bench.range(0));
+  // Printed in seconds per bump.
+  bench.counters["per_bump"] = benchmark::Counter(
+      static_cast<double>(bench.range(0)), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// Assembly and factorisation from the first block on, and one solve.
+void factor_and_solve(benchmark::State& bench) {
+  const BearingModel model = long_bearing(static_cast<int>(bench.range(0)));
+  const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
+  const ContactLoading loading = loading_at(model, {4e-5, 0.0});
+  ContactState state = ContactState::unstressed(model.problem);
+  const Vector previous_x = state.x;
+  std::vector<ContactMode> mode = mixed_modes(model);
+  for (auto _ : bench) {
+    // Another mode in the first block: nothing of the last factorisation can be kept.
+    mode.front() = mode.front() == ContactMode::open ? ContactMode::stick : ContactMode::open;
+    if (!system->set_modes(mode)) bench.SkipWithError("singular");
+    system->solve(loading, previous_x, state);
+    benchmark::DoNotOptimize(state.x.data());
+  }
+  report_per_bump(bench);
+}
+BENCHMARK(factor_and_solve)
+    ->Arg(26)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity(benchmark::oN);
+
+/// One solve with factors that are there.
+void solve(benchmark::State& bench) {
+  const BearingModel model = long_bearing(static_cast<int>(bench.range(0)));
+  const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
+  const ContactLoading loading = loading_at(model, {4e-5, 0.0});
+  ContactState state = ContactState::unstressed(model.problem);
+  const Vector previous_x = state.x;
+  if (!system->set_modes(mixed_modes(model))) bench.SkipWithError("singular");
+  for (auto _ : bench) {
+    system->solve(loading, previous_x, state);
+    benchmark::DoNotOptimize(state.x.data());
+  }
+  report_per_bump(bench);
+}
+BENCHMARK(solve)->Arg(26)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond)->Complexity(benchmark::oN);
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+
+#include "bumpfoil/contact/newton.hpp"
+#include "support/random_problem.hpp"
+
+// Under a sanitizer the allocator is its own: nothing is counted there.
+#if !defined(__SANITIZE_ADDRESS__)
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+
+// Stands before the C library's: operator new and Eigen both end here.
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* realloc(void* old, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+}
+
+namespace bumpfoil {
+namespace {
+
+TEST(Allocation, IsCounted) {
+  const long before = allocations;
+  const Vector some = Vector::Ones(100);
+  EXPECT_EQ(some.sum(), 100.0);
+  EXPECT_GE(allocations - before, 1);
+}
+
+/// Allocations of a second solve, after a first one under another loading.
+struct Counted {
+  long allocations{};
+  SolveReport report;
+};
+
+Counted count_second_solve(const RandomProblem& random) {
+  NewtonSolver solver(random.problem);
+  const ContactState start = ContactState::unstressed(random.problem);
+  ContactState previous = start;
+  ContactState state = start;
+  EXPECT_TRUE(solver.solve(random.first, start, previous).converged);
+  state = previous;
+  const long before = allocations;
+  Counted counted;
+  counted.report = solver.solve(random.second, previous, state);
+  counted.allocations = allocations - before;
+  return counted;
+}
+
+/// Increments of a long simulation must not touch the heap: all storage is there after the first solve.
+TEST(Allocation, NewtonSolverAllocatesOnlyInItsFirstSolve) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Counted counted = count_second_solve(make_random_problem(seed, 12, 6, 0.3));
+    EXPECT_TRUE(counted.report.converged);
+    EXPECT_EQ(counted.allocations, 0) << "seed " << seed;
+  }
+}
+
+/// Nor where the event path and the augmented Lagrangian have to help: friction coefficient 1.
+TEST(Allocation, NeitherDoItsOtherMethods) {
+  int helped = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Counted counted = count_second_solve(make_random_problem(seed, 20, 6, 1.0));
+    if (counted.report.outer_iterations > 0) ++helped;
+    EXPECT_EQ(counted.allocations, 0) << "seed " << seed << ", " << counted.report.outer_iterations
+                                      << " multiplier updates";
+  }
+  EXPECT_GE(helped, 1);
+}
+
+}  // namespace
+}  // namespace bumpfoil
+
+#endif

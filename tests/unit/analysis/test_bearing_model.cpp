@@ -1,0 +1,84 @@
+#include "bumpfoil/analysis/bearing_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "support/reference_cycles.hpp"
+
+namespace bumpfoil {
+namespace {
+
+TEST(BearingModel, HasThreeContactsPerBumpOfTheTruss) {
+  Case input = case_with_given_constants();
+  input.friction = {.top_bump = 0.2, .bump_sleeve = 0.3};
+  const BearingModel model = make_bearing_model(input);
+  EXPECT_EQ(model.bumps(), 26);
+  EXPECT_EQ(model.feet_per_bump(), 1);
+  ASSERT_EQ(model.problem.pairs.size(), 3U);
+  EXPECT_EQ(model.problem.contacts(), 78);
+  const BumpDofs& dofs = model.structure.dofs;
+  const ContactPair& journal = model.problem.pairs[BearingModel::journal_top];
+  EXPECT_EQ(journal.plus, dofs.top_u);
+  EXPECT_EQ(journal.minus, -1);
+  EXPECT_EQ(journal.tangential, -1);
+  const ContactPair& crest = model.problem.pairs[BearingModel::top_bump];
+  EXPECT_EQ(crest.plus, dofs.crest_v);
+  EXPECT_EQ(crest.minus, dofs.top_u);
+  EXPECT_EQ(crest.tangential, dofs.crest_u);
+  EXPECT_EQ(crest.friction_coefficient, 0.2);
+  const ContactPair& foot = model.problem.pairs[BearingModel::first_foot];
+  EXPECT_EQ(foot.plus, -1);
+  EXPECT_EQ(foot.minus, dofs.foot_v[0]);
+  EXPECT_EQ(foot.tangential, dofs.foot_u[0]);
+  EXPECT_EQ(foot.friction_coefficient, 0.3);
+}
+
+TEST(BearingModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
+  Case input = case_with_given_constants();
+  input.bump_foil.height_errors.assign(26, 0.0);
+  input.bump_foil.height_errors[4] = 3e-6;
+  input.bump_foil.sleeve_gaps.assign(26, 0.0);
+  input.bump_foil.sleeve_gaps[7] = 2e-6;
+  const BearingModel model = make_bearing_model(input);
+  const ContactLoading loading = loading_at(model, {1e-5, 2e-5});
+  ASSERT_EQ(loading.initial_gap.size(), 78);
+  EXPECT_EQ(loading.load, Vector::Zero(model.problem.K.rows()));
+  for (Eigen::Index i = 0; i < 26; ++i) {
+    // Default weld at 180 degrees, clockwise: r = C_r + x cos(theta) - y sin(theta).
+    const double theta = (static_cast<double>(i) + 0.5) * input.bump_foil.pitch / input.bearing.radius;
+    const double gap = input.bearing.radial_clearance + 1e-5 * std::cos(theta) - 2e-5 * std::sin(theta);
+    EXPECT_NEAR(loading.initial_gap[3 * i], gap, 1e-19);
+    EXPECT_EQ(loading.initial_gap[3 * i + 1], i == 4 ? -3e-6 : 0.0);  // a taller bump interferes
+    EXPECT_EQ(loading.initial_gap[3 * i + 2], i == 7 ? 2e-6 : 0.0);
+  }
+}
+
+TEST(BearingModel, LoadingRateIsTheDerivativeOfTheLoading) {
+  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const Eigen::Vector2d direction = unit_vector(0.7);
+  const ContactLoading rate = loading_rate(model, direction);
+  const ContactLoading far = loading_at(model, 8e-5 * direction);
+  const ContactLoading near = loading_at(model, 3e-5 * direction);
+  EXPECT_LT((far.initial_gap - near.initial_gap - 5e-5 * rate.initial_gap).cwiseAbs().maxCoeff(), 1e-18);
+  EXPECT_EQ(rate.load, Vector::Zero(model.problem.K.rows()));
+  EXPECT_EQ(rate.initial_gap[1], 0.0);
+}
+
+TEST(BearingModel, JournalLoadsAreEveryThirdContact) {
+  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const Vector loads = journal_loads(model, Vector::LinSpaced(78, 0.0, 77.0));
+  ASSERT_EQ(loads.size(), 26);
+  for (Eigen::Index i = 0; i < 26; ++i) EXPECT_DOUBLE_EQ(loads[i], 3.0 * static_cast<double>(i));
+}
+
+TEST(BearingModel, RefusesCasesThatCannotBeBuilt) {
+  Case input = case_with_given_constants();
+  input.bump_foil.height_errors = {1e-6, 2e-6};  // 26 bumps
+  EXPECT_THROW((void)make_bearing_model(input), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil

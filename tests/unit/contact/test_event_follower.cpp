@@ -1,0 +1,135 @@
+#include "bumpfoil/contact/event_follower.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/residual.hpp"
+#include "support/random_problem.hpp"
+#include "support/toy_problems.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A problem followed along straight paths.
+struct Path {
+  explicit Path(const ContactProblem& problem) : follower(problem), state(ContactState::unstressed(problem)) {}
+
+  void to(const ContactLoading& end) {
+    events.clear();
+    report = follower.follow(end, state, {}, &events);
+    ASSERT_TRUE(report.reached_end);
+    EXPECT_EQ(report.fraction, 1.0);
+  }
+
+  EventFollower follower;
+  ContactState state;
+  FollowReport report;
+  std::vector<ContactEvent> events;
+};
+
+/// Pressed by 40 N the floor holds 20 N of friction; the spring along it has 2 N/um.
+TEST(EventFollower, BlockSlipsExactlyWhenThePullReachesItsFriction) {
+  Path path(toy::dragged_block());
+  path.to(toy::pull(0.0, 40.0));
+  path.to(toy::pull(30.0, 40.0));
+  ASSERT_EQ(path.events.size(), 1U);
+  EXPECT_NEAR(path.events[0].fraction, 20.0 / 30.0, 1e-12);
+  EXPECT_EQ(path.events[0].from, ContactMode::stick);
+  EXPECT_EQ(path.events[0].to, ContactMode::slip_forward);
+  EXPECT_EQ(path.report.pieces, 1);  // pieces before the last one
+  EXPECT_NEAR(path.state.x[0], 5e-6, 1e-17);
+
+  path.to(toy::pull(-30.0, 40.0));  // sticks at once, slips back when 40 of the 60 N are taken
+  ASSERT_EQ(path.events.size(), 2U);
+  EXPECT_EQ(path.events[0].fraction, 0.0);
+  EXPECT_EQ(path.events[0].to, ContactMode::stick);
+  EXPECT_NEAR(path.events[1].fraction, 40.0 / 60.0, 1e-12);
+  EXPECT_EQ(path.events[1].to, ContactMode::slip_backward);
+  EXPECT_NEAR(path.state.x[0], -5e-6, 1e-17);
+  EXPECT_NEAR(path.state.friction_force[0], 20.0, 1e-11);
+}
+
+/// Slabs on beds of 1 N/um, 10 um above the floor and 4 um apart.
+TEST(EventFollower, SlabsMeetOneAfterTheOther) {
+  Path path(toy::stacked_slabs());
+  const Vector gaps = Eigen::Vector2d(10e-6, 4e-6);
+  path.to({.initial_gap = gaps, .load = Vector::Zero(2)});
+  path.to({.initial_gap = gaps, .load = Eigen::Vector2d(0.0, -40.0)});
+  ASSERT_EQ(path.events.size(), 2U);
+  EXPECT_EQ(path.events[0].contact, 1);  // the upper reaches the lower under 4 N
+  EXPECT_NEAR(path.events[0].fraction, 0.1, 1e-12);
+  EXPECT_EQ(path.events[1].contact, 0);  // both reach the floor under 4 + 2 * 10 N
+  EXPECT_NEAR(path.events[1].fraction, 0.6, 1e-12);
+  EXPECT_NEAR(path.state.normal_force[0], 16.0, 1e-11);
+}
+
+TEST(EventFollower, PiecesJoinWithoutAGap) {
+  const RandomProblem random = make_random_problem(21, 6, 6, 0.3);
+  EventFollower follower(random.problem);
+  ContactState state = ContactState::unstressed(random.problem);
+  ASSERT_TRUE(follower.follow(random.first, state).reached_end);
+  Vector x = state.x;
+  int pieces = 0;
+  const auto visit = [&](const ContactState& begin, const ContactState& end) {
+    EXPECT_EQ(begin.x, x);
+    EXPECT_EQ(begin.mode, state.mode);
+    x = end.x;
+    ++pieces;
+  };
+  ASSERT_TRUE(follower.follow(random.second, state, visit).reached_end);
+  EXPECT_EQ(x, state.x);
+  EXPECT_GT(pieces, 3);
+}
+
+/// What increments converge to: at every event all conditions hold, slip measured from the event before.
+TEST(EventFollower, EveryEventIsASolution) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const RandomProblem random = make_random_problem(seed, 5, 6, 0.3);
+    EventFollower follower(random.problem);
+    ContactState state = ContactState::unstressed(random.problem);
+    NewtonSolver solver(random.problem);
+    const ContactState start = state;
+    ASSERT_TRUE(solver.solve(random.first, start, state).converged);
+    const auto visit = [&](const ContactState& begin, const ContactState& end) {
+      // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
+      const Vector initial_gap = end.gap - contact_gaps(random.problem, Vector::Zero(end.gap.size()), end.x);
+      const double fraction = (initial_gap - random.first.initial_gap).norm() /
+                              (random.second.initial_gap - random.first.initial_gap).norm();
+      const ContactLoading loading = interpolate(random.first, random.second, fraction);
+      const ContactResiduals residuals =
+          contact_residuals(random.problem, random.problem.K.multiply(end.x), loading, begin.x, end);
+      EXPECT_TRUE(residuals.within()) << "seed " << seed << " at " << fraction;
+    };
+    EXPECT_TRUE(follower.follow(random.second, state, visit).reached_end) << seed;
+  }
+}
+
+TEST(EventFollower, WithoutFrictionThePathDoesNotMatter) {
+  const RandomProblem random = make_random_problem(3, 6, 6, 0.0);
+  Path path(random.problem);
+  path.to(random.second);
+  const Vector direct = path.state.x;
+  path.to(random.first);
+  path.to(random.second);
+  EXPECT_LT((path.state.x - direct).norm(), 1e-11 * direct.norm());
+}
+
+TEST(EventFollower, StopsWhereItCannotGoOn) {
+  const ContactProblem block = toy::dragged_block();
+  EventFollower follower(block);
+  ContactState state = ContactState::unstressed(block);
+  ContactLoading broken = toy::pull(10.0, 40.0);
+  broken.load[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(follower.follow(broken, state).reached_end);
+  EventFollower short_sighted(block, {.max_pieces = 1});
+  state = ContactState::unstressed(block);
+  EXPECT_TRUE(short_sighted.follow(toy::pull(0.0, 40.0), state).reached_end);
+  EXPECT_FALSE(short_sighted.follow(toy::pull(30.0, 40.0), state).reached_end);
+}
+
+}  // namespace
+}  // namespace bumpfoil
