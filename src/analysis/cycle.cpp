@@ -168,7 +168,7 @@ bool CycleResult::converged() const {
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   const BearingModel model = make_bearing_model(input);
   PathSolver solver(input.solver, model.problem);
-  CycleResult result{.solver = std::string(solver.name()), .cycles = {}};
+  CycleResult result{.solver = input.solver.name, .cycles = {}};
   const auto increments = static_cast<std::size_t>(2 * input.cycle.steps + 1);
   bool stopped = false;
   for (const double direction : input.cycle.directions) {

@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& problem) : name_(settings.name) {
+PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& problem) {
   if (settings.name == SolverName::uzawa) {
     const UzawaParameters& given = settings.uzawa;
     increments_ = std::make_unique<UzawaSolver>(
@@ -15,18 +15,6 @@ PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& pro
     increments_ = std::make_unique<NewtonSolver>(problem);
   }
   if (settings.name == SolverName::events) events_ = std::make_unique<EventStepper>(problem);
-}
-
-std::string_view PathSolver::name() const {
-  switch (name_) {
-    case SolverName::newton:
-      return "newton";
-    case SolverName::uzawa:
-      return "uzawa";
-    case SolverName::events:
-      return "events";
-  }
-  return "";
 }
 
 SolveReport PathSolver::assemble(const ContactLoading& loading, const ContactState& unstressed, ContactState& state) {

@@ -120,7 +120,9 @@ std::string dump_json(const nlohmann::ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string_view name_of(SolverName solver) { return name_in(solver_names, solver); }
+std::string_view name_of(SolverName solver) {
+  return name_in(solver_names, solver);
+}
 
 std::string case_to_toml(const Case& input) {
   std::string out;

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bumpfoil/analysis/increment.hpp"
@@ -61,7 +60,7 @@ struct Cycle {
 };
 
 struct CycleResult {
-  std::string solver;         ///< name of the solver that was used, as in case files
+  SolverName solver{};        ///< that was used
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case
 
   [[nodiscard]] bool converged() const;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 #include <vector>
 
 #include "bumpfoil/contact/events.hpp"
@@ -14,9 +13,6 @@ namespace bumpfoil {
 class PathSolver {
  public:
   PathSolver(const SolverSettings& settings, const ContactProblem& problem);
-
-  /// As it is called in case files.
-  [[nodiscard]] std::string_view name() const;
 
   /// True if the parts of an increment are linear pieces between events.
   [[nodiscard]] bool follows_events() const { return events_ != nullptr; }
@@ -32,7 +28,6 @@ class PathSolver {
                                         const PartVisitor& visit, std::vector<ContactEvent>& events);
 
  private:
-  SolverName name_;
   std::unique_ptr<ContactSolver> increments_;
   std::unique_ptr<EventStepper> events_;
 };

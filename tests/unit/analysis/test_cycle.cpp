@@ -135,7 +135,7 @@ TEST(RunCycles, StartsEveryDirectionAnew) {
   const Case input = short_case();
   const CycleResult all = run_cycles(input);
   ASSERT_EQ(all.cycles.size(), 4U);
-  EXPECT_EQ(all.solver, "newton");
+  EXPECT_EQ(all.solver, SolverName::newton);
   EXPECT_TRUE(all.converged());
   for (std::size_t i = 0; i < 4; ++i) {
     const Cycle alone = run_single_cycle(input, input.cycle.directions[i]);
