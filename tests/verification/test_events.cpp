@@ -105,15 +105,15 @@ INSTANTIATE_TEST_SUITE_P(Directions, EventCycles, testing::Values(0.0, std::numb
 
 TEST(Events, UniformIncrementsApproachThePath) {
   Case input = case_with_given_constants();
-  const double exact = run_single_cycle(with_events(input), 0.0).turning_point->max_force;
+  const double exact = *run_single_cycle(with_events(input), 0.0).loop_energy;
   std::vector<double> error;
-  for (const int steps : {25, 100, 400, 1600}) {
+  for (const int steps : {10, 40, 160, 640}) {
     input.cycle.steps = steps;
-    error.push_back(std::abs(run_single_cycle(input, 0.0).turning_point->max_force - exact) / exact);
+    error.push_back(std::abs(*run_single_cycle(input, 0.0).loop_energy - exact) / exact);
   }
-  // First order: four times the steps, about a quarter of the error; a factor two is left for chance.
+  // First order would be a quarter for four times the steps; where events fall between increments leaves a factor two.
   for (std::size_t i = 1; i < error.size(); ++i) EXPECT_LT(error[i], 0.5 * error[i - 1]);
-  EXPECT_LT(error.back(), 1e-5);
+  EXPECT_LT(error.back(), 1e-3);
 }
 
 TEST(Events, AreListedInOrderWithWhatChanged) {
