@@ -76,10 +76,6 @@ class CheckArchitecture(unittest.TestCase):
         self.write("include/bumpfoil/model/case.hpp", "#pragma once\n")
         self.assert_one_fault("include/bumpfoil/model/case.hpp", "tests/unit/model/test_case.cpp")
 
-    def test_unit_test_without_header(self):
-        self.write("tests/unit/core/test_ghost.cpp", "\n")
-        self.assert_one_fault("tests/unit/core/test_ghost.cpp", "no header core/ghost.hpp")
-
 
 if __name__ == "__main__":
     unittest.main()
