@@ -5,6 +5,27 @@
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
+namespace {
+
+// Blocks are too small for general products of matrices of unknown size to pay.
+
+/// y += a x
+void add_product(const Matrix& a, const double* x, double* y) {
+  const double* entry = a.data();  // column by column
+  for (Eigen::Index c = 0; c < a.cols(); ++c) {
+    for (Eigen::Index r = 0; r < a.rows(); ++r) y[r] += *entry++ * x[c];
+  }
+}
+
+/// y += a' x
+void add_transposed_product(const Matrix& a, const double* x, double* y) {
+  const double* entry = a.data();
+  for (Eigen::Index c = 0; c < a.cols(); ++c) {
+    for (Eigen::Index r = 0; r < a.rows(); ++r) y[c] += *entry++ * x[r];
+  }
+}
+
+}  // namespace
 
 BlockTridiagonal::BlockTridiagonal(int blocks, int block_size)
     : diagonal(static_cast<std::size_t>(blocks), Matrix::Zero(block_size, block_size)),
@@ -28,12 +49,14 @@ void BlockTridiagonal::add(int block_i, int i, int block_j, int j, double value)
 Vector BlockTridiagonal::multiply(const Vector& x) const {
   BUMPFOIL_ASSERT(x.size() == rows());
   const int n = block_size();
-  Vector y(rows());
+  Vector y = Vector::Zero(rows());
   for (std::size_t b = 0; b < diagonal.size(); ++b) {
-    const Eigen::Index row = static_cast<Eigen::Index>(b) * n;
-    y.segment(row, n).noalias() = diagonal[b] * x.segment(row, n);
-    if (b + 1 < diagonal.size()) y.segment(row, n).noalias() += upper[b] * x.segment(row + n, n);
-    if (b > 0) y.segment(row, n).noalias() += upper[b - 1].transpose() * x.segment(row - n, n);
+    const double* xb = x.data() + static_cast<Eigen::Index>(b) * n;
+    double* yb = y.data() + static_cast<Eigen::Index>(b) * n;
+    add_product(diagonal[b], xb, yb);
+    if (b + 1 == diagonal.size()) break;
+    add_product(upper[b], xb + n, yb);
+    add_transposed_product(upper[b], xb, yb + n);
   }
   return y;
 }
