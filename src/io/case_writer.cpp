@@ -120,8 +120,6 @@ std::string dump_json(const nlohmann::ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string_view name_of(SolverName solver) { return name_in(solver_names, solver); }
-
 std::string case_to_toml(const Case& input) {
   std::string out;
   append_table(out, "", case_json(input));
