@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/cycle_csv.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
 #include "bumpfoil/io/result_folder.hpp"
@@ -63,7 +62,7 @@ ExitCode run_cycle(const CycleOptions& options, bool quiet) {
   folder.publish();
   if (!quiet) {
     print_output(cycle_table(result));
-    print_output(fmt::format("\nsolver {}; results in {}\n", name_of(result.solver), options.folder));
+    print_output(fmt::format("\nsolver {}; results in {}\n", result.solver, options.folder));
   }
   if (status != RunStatus::complete) {
     fmt::print(stderr, "bumpfoil: {}: the results in {} are partial, and flagged so\n",

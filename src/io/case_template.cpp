@@ -55,7 +55,12 @@ coefficient = 0.1               # for both interfaces of the bump foil; 0 for no
 # bump_sleeve = 0.1             # and with the sleeve
 
 # [solver]
-# name = "newton"               # exact contact and friction
+# name = "newton"               # exact contact and friction; "events" follows the path from one change of contact to the
+#                               # next; "uzawa" is the method of the 2019 paper, with the penalties below
+# eps_alm = "100 MN/m"          # of the normal contacts
+# eps_f = "10 GN/m"             # of sticking contacts
+# eps_r = "1 TN/m"              # of the journal's contact
+# tau_f = "0.1 nm"              # slip over which the friction force turns round
 
 [cycle]                         # the journal is pushed from the centre and pulled back
 directions = ["+X", "-X", "+Y", "-Y"]  # also angles, "37.5 deg"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/io/case_writer.hpp"
 #include "io/case_json.hpp"
 
 namespace bumpfoil {
@@ -90,7 +89,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   json["case"] = case_json(input);
   json["version"] = version();
   json["commit"] = commit();
-  json["solver"] = name_of(result.solver);
+  json["solver"] = result.solver;
   json["status"] = name_of(status);
   json["cycles"] = Json::array();
   for (const Cycle& cycle : result.cycles) json["cycles"].push_back(cycle_json(cycle));

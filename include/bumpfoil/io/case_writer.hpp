@@ -15,9 +15,6 @@ std::string case_to_toml(const Case& input);
 /// The same as a JSON object with the keys of the case file, m, rad, Pa and N/m.
 std::string case_to_json(const Case& input);
 
-/// Name of a solver in case files and results.
-std::string_view name_of(SolverName solver);
-
 /// Names of the presets that `case_template` knows.
 std::vector<std::string> preset_names();
 

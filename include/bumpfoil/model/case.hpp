@@ -93,9 +93,9 @@ struct UzawaParameters {
   double eps_alm{1e8};  ///< penalty of the normal contacts, N/m
   double eps_f{1e10};   ///< penalty of sticking contacts, N/m
   double eps_r{1e12};   ///< penalty of the journal contact, N/m
+  double tau_f{1e-10};  ///< slip over which the friction force turns round, m
 
   bool operator==(const UzawaParameters&) const = default;
-  double tau_f{1e-10};  ///< slip over which the friction force turns round, m
 };
 
 struct SolverSettings {
