@@ -1,8 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <string>
-#include <utility>
 
 #include "bumpfoil/analysis/cycle.hpp"
 
@@ -12,9 +10,8 @@ namespace bumpfoil {
 /// @param make_runner  direction (rad) -> a runner with `bool take_increment()`, false where the cycle ends early, and
 ///                     `Cycle finish()`
 template <typename MakeRunner>
-CycleResult run_each_direction(const Case& input, std::string solver, const ProgressCallback& progress,
-                               const MakeRunner& make_runner) {
-  CycleResult result{.solver = std::move(solver), .cycles = {}};
+CycleResult run_each_direction(const Case& input, const ProgressCallback& progress, const MakeRunner& make_runner) {
+  CycleResult result{.solver = input.solver.name, .cycles = {}};
   const int increments = 2 * input.cycle.steps + 1;
   bool stopped = false;
   for (const double direction : input.cycle.directions) {

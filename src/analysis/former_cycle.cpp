@@ -108,7 +108,7 @@ class FormerRunner {
 CycleResult run_former_cycles(const Case& input, const ProgressCallback& progress) {
   const FormerModel model = make_former_model(input);
   FormerSolver solver(model);
-  return run_each_direction(input, "former", progress,
+  return run_each_direction(input, progress,
                             [&](double direction) { return FormerRunner(model, solver, direction, input.cycle); });
 }
 
