@@ -43,17 +43,6 @@ ContactLoading loading_at(const FormerModel& model, const Eigen::Vector2d& posit
   return loading;
 }
 
-ContactResiduals former_residuals(const FormerModel& model, const ContactLoading& loading, const ContactState& state) {
-  // Friction knows the size of N alone; the difference to N is taken into account as a load on the balance.
-  ContactState judged = state;
-  judged.normal_force = state.normal_force.cwiseAbs();
-  ContactLoading balanced = loading;
-  balanced.load +=
-      contact_forces(model.problem, state.normal_force - judged.normal_force, Vector::Zero(model.problem.contacts()));
-  return contact_residuals(model.problem, elastic_forces(model.structure, state.x), balanced,
-                           Vector::Zero(state.x.size()), judged);
-}
-
 }  // namespace
 
 FormerModel make_former_model(const Case& input) {
@@ -81,6 +70,18 @@ Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& positi
 
 Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactState& state) {
   return journal_force(model.phi, state.normal_force(Eigen::seqN(FormerModel::crest, model.bumps(), 2)));
+}
+
+ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position,
+                                  const ContactState& state) {
+  // Friction knows the size of N alone; the difference to N is taken into account as a load on the balance.
+  ContactState judged = state;
+  judged.normal_force = state.normal_force.cwiseAbs();
+  ContactLoading balanced = loading_at(model, position);
+  balanced.load +=
+      contact_forces(model.problem, state.normal_force - judged.normal_force, Vector::Zero(model.problem.contacts()));
+  return contact_residuals(model.problem, elastic_forces(model.structure, state.x), balanced,
+                           Vector::Zero(state.x.size()), judged);
 }
 
 /// Unknowns, multipliers and friction bounds of the augmented Lagrangian, and what follows from them.
@@ -116,7 +117,7 @@ FormerSolution FormerSolver::solve(const Eigen::Vector2d& position) {
     state.mode[c] = held ? ContactMode::stick : ContactMode::open;
   }
   solution.report.converged = iterate_modes(loading, rounds_at_first, solution) || approach(loading, solution);
-  solution.residuals = former_residuals(model_, loading, state);
+  solution.residuals = former_residuals(model_, position, state);
   state.gap(Eigen::seqN(FormerModel::crest, model_.bumps(), 2)) =
       former_crest_gaps(model_, position) + state.x(Eigen::seqN(model_.structure.dofs.crest_v, model_.bumps(), 4));
   return solution;

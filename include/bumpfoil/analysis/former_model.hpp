@@ -35,10 +35,14 @@ FormerModel make_former_model(const Case& input);
 /// Gaps between journal and undeformed crests, r_i - height_error_i, m, one per bump.
 Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& position);
 
+/// Judges a state at a journal position by contact_residuals for |N|, with the balance judged for N itself. Crests
+/// beyond the journal's reach are not judged for penetration, which the model does not know.
+ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position, const ContactState& state);
+
 /// What one journal position gives.
 struct FormerSolution {
   ContactState state;  ///< normal forces below zero are tensions; `open` are crests that the journal does not reach
-  ContactResiduals residuals;
+  ContactResiduals residuals;  ///< former_residuals
   SolveReport report;
 };
 
