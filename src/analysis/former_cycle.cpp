@@ -86,12 +86,13 @@ class FormerRunner {
 
   InterfaceFields fields(const ContactState& state, int contact) const {
     const auto every = Eigen::seqN(contact, model_.bumps(), 2);
-    InterfaceFields out{.gap = state.gap(every).cwiseMax(0.0),
+    InterfaceFields out{.gap = state.gap(every),
                         .normal_force = state.normal_force(every),
                         .friction_force = state.friction_force(every),
                         .mode = {}};
     for (std::size_t i = 0; i < static_cast<std::size_t>(model_.bumps()); ++i) {
       out.mode.push_back(state.mode[2 * i + static_cast<std::size_t>(contact)]);
+      if (out.mode.back() != ContactMode::open) out.gap[static_cast<Eigen::Index>(i)] = 0.0;
     }
     return out;
   }

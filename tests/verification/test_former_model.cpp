@@ -52,5 +52,22 @@ TEST(FormerTowardsTheWeld, TheClampedTopFoilCarriesTheDifferenceTowardsTheWeld) 
               0.005 * with_foil.top_bump.normal_force[0]);
 }
 
+TEST(FormerAcrossTheWeld, FreeCrestsRiseThroughTheJournalWhereThePresentModelLoadsThem) {
+  Case input = case_with_given_constants();
+  input.cycle.directions = {input.cycle.directions[2]};
+  const Cycle present = run_cycles(input).cycles.front();
+  input.bump_foil.model = BumpFoilModel::former;
+  const Cycle former = run_cycles(input).cycles.front();
+  const Increment& without = former.at_turning_point();
+  EXPECT_EQ(without.top_bump.normal_force[1], 0.0);
+  EXPECT_LT(without.top_bump.gap[1], -10e-6);
+  const Vector& loads = present.at_turning_point().top_bump.normal_force;
+  EXPECT_NEAR(loads[0], 23.0, 0.5);
+  EXPECT_NEAR(loads[1], 77.0, 0.6);
+  EXPECT_NEAR(loads[2], 118.0, 0.6);
+  EXPECT_NEAR(without.top_bump.normal_force[2], 74.0, 0.6);
+  EXPECT_NEAR(without.top_bump.normal_force[4] / loads[4], 1.0, 1e-3);
+}
+
 }  // namespace
 }  // namespace bumpfoil
