@@ -1,14 +1,15 @@
 #include "bumpfoil/analysis/cycle.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "analysis/each_direction.hpp"
 #include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle_quantities.hpp"
 #include "bumpfoil/analysis/energy.hpp"
+#include "bumpfoil/analysis/former_cycle.hpp"
 #include "bumpfoil/analysis/path_solver.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
@@ -27,17 +28,17 @@ class CycleRunner {
   }
 
   /// Takes the next increment. @return false if it failed: the cycle ends there.
-  bool take_increment(ContactState& state, ContactLoading& loading) {
+  bool take_increment() {
     const int index = static_cast<int>(cycle_.increments.size());
     const int from_centre = index <= cycle_.steps ? index : 2 * cycle_.steps - index;
     const double displacement = cycle_.amplitude * from_centre / cycle_.steps;
     const Eigen::Vector2d position = displacement * normal_;
     ContactLoading next = loading_at(model_, position);
-    const IncrementReport report = index == 0 ? assemble(next, state) : step(loading, next, state);
-    if (!state.x.allFinite() || !state.normal_force.allFinite() || !state.friction_force.allFinite()) return false;
-    loading = std::move(next);
+    const IncrementReport report = index == 0 ? assemble(next) : step(next);
+    if (!state_.x.allFinite() || !state_.normal_force.allFinite() || !state_.friction_force.allFinite()) return false;
+    loading_ = std::move(next);
 
-    Increment record = record_increment(model_, position, normal_, loading, begin_of_part_, state);
+    Increment record = record_increment(model_, position, normal_, loading_, begin_of_part_, state_);
     record.index = index;
     record.branch = index <= cycle_.steps ? Branch::loading : Branch::unloading;
     record.displacement = displacement;
@@ -46,50 +47,31 @@ class CycleRunner {
     record.solve = report.solve;
     record.substeps = report.substeps;
     cycle_.increments.push_back(std::move(record));
+    if (index == cycle_.steps) tangents_ = tangent_stiffnesses(model_, state_.mode, normal_);
     return report.solve.converged;
   }
 
   /// Derives the quantities of the cycle from its increments.
-  Cycle finish(const std::vector<ContactMode>& modes_at_turning_point) {
-    const std::vector<Increment>& increments = cycle_.increments;
-    const auto all = static_cast<std::size_t>(2 * cycle_.steps + 1);
-    const auto good = static_cast<std::size_t>(std::count_if(
-        increments.begin(), increments.end(), [](const Increment& increment) { return increment.solve.converged; }));
-    cycle_.converged = good == all;
-    if (good > 0) {
-      cycle_.first_contact = first_contact_displacement(model_, increments.front().top_displacement, normal_);
-      cycle_.clearance_5N = clearance_at(increments, 5.0);
-      cycle_.clearance_10N = clearance_at(increments, 10.0);
+  Cycle finish() {
+    if (!cycle_.increments.empty() && cycle_.increments.front().solve.converged) {
+      cycle_.first_contact =
+          first_contact_displacement(model_.bearing, model_.phi, cycle_.increments.front().top_displacement, normal_);
     }
-    if (good > static_cast<std::size_t>(cycle_.steps)) {
-      const Increment& turning = cycle_.at_turning_point();
-      const TangentStiffnesses tangent = tangent_stiffnesses(model_, modes_at_turning_point, normal_);
-      cycle_.turning_point = TurningPoint{.max_force = turning.force_direct,
-                                          .cross_force = turning.force_cross,
-                                          .elastic_energy = turning.elastic_energy,
-                                          .tangent_stiffness_loading = tangent.loading,
-                                          .tangent_stiffness_unloading = tangent.unloading,
-                                          .secant_stiffness = turning.force_direct / cycle_.amplitude};
-    }
-    if (good == all) {
-      cycle_.loop_energy = increments.back().work;
-      cycle_.loss_factor =
-          loss_factor(*cycle_.loop_energy, cycle_.turning_point->elastic_energy - increments.front().elastic_energy);
-    }
+    derive_quantities(cycle_, tangents_);
     return std::move(cycle_);
   }
 
  private:
   /// Increment 0: solved in one step from the unstressed foils.
-  IncrementReport assemble(const ContactLoading& loading, ContactState& state) {
-    const ContactState unstressed = state;
-    const SolveReport report = solver_.assemble(loading, unstressed, state);
+  IncrementReport assemble(const ContactLoading& loading) {
+    const ContactState unstressed = ContactState::unstressed(model_.problem);
+    const SolveReport report = solver_.assemble(loading, unstressed, state_);
     begin_of_part_ = unstressed.x;
-    cycle_.assembly_dissipation = friction_dissipation(model_.problem, state.normal_force, unstressed.x, state.x);
+    cycle_.assembly_dissipation = friction_dissipation(model_.problem, state_.normal_force, unstressed.x, state_.x);
     return {.solve = report, .substeps = 0};
   }
 
-  IncrementReport step(const ContactLoading& from, const ContactLoading& to, ContactState& state) {
+  IncrementReport step(const ContactLoading& to) {
     std::vector<ContactEvent> events;
     const auto visit = [this](const ContactState& begin, const ContactState& end) {
       begin_of_part_ = begin.x;
@@ -99,7 +81,7 @@ class CycleRunner {
           solver_.follows_events() ? Vector(0.5 * (begin.normal_force + end.normal_force)) : end.normal_force;
       dissipation_ += friction_dissipation(model_.problem, p, begin.x, end.x);
     };
-    const IncrementReport report = solver_.advance(from, to, state, visit, events);
+    const IncrementReport report = solver_.advance(loading_, to, state_, visit, events);
     const Increment& last = cycle_.increments.back();
     const double begin = last.displacement;
     const double end = begin + cycle_.amplitude / cycle_.steps * (last.index < cycle_.steps ? 1.0 : -1.0);
@@ -132,6 +114,9 @@ class CycleRunner {
   PathSolver& solver_;
   Eigen::Vector2d normal_;
   Cycle cycle_;
+  ContactState state_;
+  ContactLoading loading_;
+  std::optional<TangentStiffnesses> tangents_;
   Vector begin_of_part_;
   double work_{};
   double dissipation_{};
@@ -166,29 +151,11 @@ bool CycleResult::converged() const {
 }
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
+  if (input.bump_foil.model == BumpFoilModel::former) return run_former_cycles(input, progress);
   const BearingModel model = make_bearing_model(input);
   PathSolver solver(input.solver, model.problem);
-  CycleResult result{.solver = input.solver.name, .cycles = {}};
-  const auto increments = static_cast<std::size_t>(2 * input.cycle.steps + 1);
-  bool stopped = false;
-  for (const double direction : input.cycle.directions) {
-    const auto start = std::chrono::steady_clock::now();
-    CycleRunner runner(model, solver, direction, input.cycle);
-    ContactState state = ContactState::unstressed(model.problem);
-    ContactLoading loading;
-    std::vector<ContactMode> modes_at_turning_point;
-    for (std::size_t k = 0; k < increments && !stopped; ++k) {
-      if (!runner.take_increment(state, loading)) break;
-      if (k == static_cast<std::size_t>(input.cycle.steps)) modes_at_turning_point = state.mode;
-      const double done =
-          static_cast<double>(result.cycles.size()) + static_cast<double>(k + 1) / static_cast<double>(increments);
-      stopped = progress && !progress(done / static_cast<double>(input.cycle.directions.size()));
-    }
-    result.cycles.push_back(runner.finish(modes_at_turning_point));
-    result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (stopped) break;
-  }
-  return result;
+  return run_each_direction(input, progress,
+                            [&](double direction) { return CycleRunner(model, solver, direction, input.cycle); });
 }
 
 }  // namespace bumpfoil

@@ -21,14 +21,14 @@ std::optional<double> clearance_at(const std::vector<Increment>& increments, dou
   return std::nullopt;
 }
 
-std::optional<double> first_contact_displacement(const BearingModel& model, const Vector& top_displacement,
-                                                 const Eigen::Vector2d& direction) {
+std::optional<double> first_contact_displacement(const Bearing& bearing, const Vector& phi,
+                                                 const Vector& top_displacement, const Eigen::Vector2d& direction) {
   constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
   std::optional<double> first;
-  for (Eigen::Index i = 0; i < model.phi.size(); ++i) {
-    const double cosine = unit_vector(model.phi[i]).dot(direction);
+  for (Eigen::Index i = 0; i < phi.size(); ++i) {
+    const double cosine = unit_vector(phi[i]).dot(direction);
     if (cosine <= facing) continue;
-    const double displacement = std::max(0.0, (model.bearing.radial_clearance + top_displacement[i]) / cosine);
+    const double displacement = std::max(0.0, (bearing.radial_clearance + top_displacement[i]) / cosine);
     first = std::min(first.value_or(displacement), displacement);
   }
   return first;
@@ -56,6 +56,32 @@ TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const std::vec
     if (m != ContactMode::open) m = ContactMode::stick;
   }
   return {.loading = stiffness(mode), .unloading = stiffness(sticking)};
+}
+
+void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents) {
+  const std::vector<Increment>& increments = cycle.increments;
+  const auto all = static_cast<std::size_t>(2 * cycle.steps + 1);
+  const auto good = static_cast<std::size_t>(std::count_if(
+      increments.begin(), increments.end(), [](const Increment& increment) { return increment.solve.converged; }));
+  cycle.converged = good == all;
+  if (good > 0) {
+    cycle.clearance_5N = clearance_at(increments, 5.0);
+    cycle.clearance_10N = clearance_at(increments, 10.0);
+  }
+  if (good > static_cast<std::size_t>(cycle.steps) && tangents) {
+    const Increment& turning = cycle.at_turning_point();
+    cycle.turning_point = TurningPoint{.max_force = turning.force_direct,
+                                       .cross_force = turning.force_cross,
+                                       .elastic_energy = turning.elastic_energy,
+                                       .tangent_stiffness_loading = tangents->loading,
+                                       .tangent_stiffness_unloading = tangents->unloading,
+                                       .secant_stiffness = turning.force_direct / cycle.amplitude};
+  }
+  if (good == all) {
+    cycle.loop_energy = increments.back().work;
+    cycle.loss_factor =
+        loss_factor(*cycle.loop_energy, cycle.turning_point->elastic_energy - increments.front().elastic_energy);
+  }
 }
 
 }  // namespace bumpfoil

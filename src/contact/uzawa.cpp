@@ -46,7 +46,7 @@ struct UzawaSolver::Workspace {
   bool newton(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
   double step_length(const ContactLoading& loading, const ContactState& previous);
   void evaluate(const ContactLoading& loading, const ContactState& previous);
-  void store(ContactState& state) const;
+  void store(const ContactLoading& loading, ContactState& state) const;
 
   [[nodiscard]] bool is_closed(const CoulombContact& c) const { return closed[static_cast<std::size_t>(c.index)]; }
   [[nodiscard]] double bound(const CoulombContact& c) const { return c.f * std::max(0.0, lambda[c.index]); }
@@ -88,8 +88,7 @@ SolveReport UzawaSolver::solve(const ContactLoading& loading, const ContactState
       break;
     }
   }
-  w.store(state);
-  state.gap = contact_gaps(w.problem, loading.initial_gap, state.x);
+  w.store(loading, state);
   return report;
 }
 
@@ -248,8 +247,9 @@ void UzawaSolver::Workspace::evaluate(const ContactLoading& loading, const Conta
   });
 }
 
-void UzawaSolver::Workspace::store(ContactState& state) const {
+void UzawaSolver::Workspace::store(const ContactLoading& loading, ContactState& state) const {
   state.x = x;
+  state.gap = contact_gaps(problem, loading.initial_gap, x);
   state.normal_force = p.cwiseMax(0.0);
   state.friction_force = t;
   state.mode.assign(closed.size(), ContactMode::open);

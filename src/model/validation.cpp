@@ -17,10 +17,6 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-/// What this version can compute: the one place to extend when a model or a solver arrives.
-constexpr std::array available_models{BumpFoilModel::truss, BumpFoilModel::frame};
-constexpr std::array available_solvers{SolverName::newton, SolverName::uzawa, SolverName::events};
-
 /// Values past these are slips of units, and could overflow what is computed from them.
 struct Range {
   double least, most;
@@ -228,12 +224,10 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
                 "give fewer steps or fewer directions");
 }
 
-void judge_availability(Judge& judge, const Case& input) {
-  const auto has = [](const auto& list, auto value) { return std::ranges::find(list, value) != list.end(); };
-  judge.require(has(available_models, input.bump_foil.model), "bump_foil.model", "",
-                "this model is not available in this version", "use \"truss\"");
-  judge.require(has(available_solvers, input.solver.name), "solver.name", "",
-                "this solver is not available in this version", "use \"newton\"");
+void judge_combination(Judge& judge, const Case& input) {
+  judge.require(input.solver.name == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
+                "solver.name", input.solver.name == SolverName::uzawa ? "uzawa" : "events",
+                "the former model has no increments of contact to solve", "leave it out");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", "arc_start", "only the frame model can be welded at the start of the first arc",
                 "set weld_at = \"mid_flat\" or model = \"frame\"");
@@ -265,7 +259,7 @@ std::vector<Fault> find_faults(const Case& input) {
   judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);
   judge_solver(judge, input.solver.uzawa);
   judge_cycle(judge, input, bumps, rise);
-  judge_availability(judge, input);
+  judge_combination(judge, input);
   return judge.take();
 }
 

@@ -14,8 +14,8 @@ std::optional<double> clearance_at(const std::vector<Increment>& increments, dou
 /// Displacement (m) along the unit vector `direction` at which the journal first touches the top foil,
 /// (C_r + u_t,i) / cos(phi_i - beta) smallest over the bumps that face the direction, with the displacements u_t of the
 /// top foil at the centred journal; 0 if it touches already, absent if no bump faces the direction.
-std::optional<double> first_contact_displacement(const BearingModel& model, const Vector& top_displacement,
-                                                 const Eigen::Vector2d& direction);
+std::optional<double> first_contact_displacement(const Bearing& bearing, const Vector& phi,
+                                                 const Vector& top_displacement, const Eigen::Vector2d& direction);
 
 /// Loop energy over 2 pi times the elastic energy stored between start and turning point; absent if none was stored.
 std::optional<double> loss_factor(double loop_energy, double elastic_energy_stored);
@@ -30,5 +30,10 @@ struct TangentStiffnesses {
 /// @param direction  unit vector n of the journal's motion
 TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const std::vector<ContactMode>& mode,
                                        const Eigen::Vector2d& direction);
+
+/// Fills in what follows from the increments of a cycle, as far as they got: whether it converged, clearances, turning
+/// point, loop energy and loss factor.
+/// @param tangents  at the turning point; absent if it was not reached
+void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents);
 
 }  // namespace bumpfoil

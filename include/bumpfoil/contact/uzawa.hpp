@@ -16,7 +16,7 @@ struct UzawaOptions {
   double tau_f{};    ///< slip at which the friction force has reached half its bound, m
 
   /// Equilibrium: largest unbalanced force / max(largest contact force, 1 N), where Newton's method ends.
-  double newton_tolerance{1e-8};
+  double newton_tolerance{1e-7};
   /// Multipliers: largest change of one / max(largest contact force, 1 N), where their updates end.
   double multiplier_tolerance{1e-6};
   /// A sticking contact may exceed its bound by this part of it.
@@ -25,7 +25,7 @@ struct UzawaOptions {
   int max_contact_updates{60};      ///< of the set of closed contacts
   int max_multiplier_updates{400};  ///< for one set of closed contacts
   int max_friction_updates{40};     ///< of sticking and slipping, for one set of multipliers
-  int max_newton_steps{60};         ///< for one set of sticking contacts
+  int max_newton_steps{100};        ///< for one set of sticking contacts
 };
 
 /// The method of [Arghir2019, Figs. 7, 8 and 17]: three nested loops round Newton's method.
@@ -43,17 +43,19 @@ struct UzawaOptions {
 /// friction opposes the slip; a sticking contact keeps the force of the last increment (F_prev, cut to the bound)
 /// where the paper starts its spring anew and so lets it creep; multipliers of open contacts stay zero; contacts with
 /// zero gap start closed; the contacts are tested inside their loop. Newton's steps are cut by a line search, since
-/// atan bends; multipliers, contacts and forces start from the last increment; and contacts that go on changing place
-/// are changed one at a time (contacts) or left slipping (friction), which the regularised law allows.
+/// atan bends, and the last increment is the first guess. Contacts that go on changing are changed one at a time
+/// (open and closed) or left slipping (stick and slip): the regularised law lets a slipping contact carry any force
+/// inside the cone, at the price of a slip of the order of tau_f.
 ///
-/// What a converged state meets, F = max(largest contact force, 1 N):
+/// What a converged state meets, with F = max(largest contact force, 1 N) and e = multiplier_tolerance:
 ///
-///     equilibrium             newton_tolerance F
-///     gaps of closed contacts multiplier_tolerance F / eps_alm; p / eps_r where eps_r acts
-///     stick                   |t| <= f p (1 + cone_tolerance) + f multiplier_tolerance F, |du| <= 2 f p / eps_f
-///     slip                    t opposes du; it lacks f p (1 - (2/pi) atan(|du| / tau_f)) to its bound
+///     balance    (newton_tolerance + e) F
+///     gaps       |g| <= e F / eps_alm of closed contacts, -g = p / eps_r where eps_r acts; g >= -e F / eps_alm of open
+///     stick      |t| <= f p (1 + cone_tolerance) + f e F,   |du| <= 2 f p / eps_f
+///     slip       t opposes du and lacks f p (1 - (2/pi) atan(|du| / tau_f)) to its bound, up to f e F
 ///
-/// so that contact_residuals shows larger values than for the exact solver.
+/// so that contact_residuals shows larger values than for the exact solver: `slip_in_stick` counts a slipping contact
+/// that lacks part of its bound.
 class UzawaSolver final : public ContactSolver {
  public:
   UzawaSolver(const ContactProblem& problem, const UzawaOptions& options);

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <memory>
+
+#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/contact/solver.hpp"
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/foil_structure.hpp"
+
+namespace bumpfoil {
+
+/// The former model of the bearing [LeLez2007], as [Arghir2019] compares itself with it: the truss alone, without top
+/// foil and without gaps that open. A plain value.
+///
+/// Contacts of the block of a bump: crest with journal, foot with sleeve. Both hold in both senses: a normal force may
+/// be a tension.
+struct FormerModel {
+  Bearing bearing;
+  FoilStructure structure;  ///< truss, four unknowns per bump
+  ContactProblem problem;
+  Vector phi;            ///< polar angles of the crests, rad
+  Vector height_errors;  ///< m, one per bump, positive = taller
+  Vector sleeve_gaps;    ///< m, one per bump
+
+  static constexpr int crest = 0;  ///< place of the contact in the block of a bump
+  static constexpr int foot = 1;
+
+  [[nodiscard]] int bumps() const { return structure.bumps(); }
+};
+
+/// @throws Error (input) if the case cannot be built.
+FormerModel make_former_model(const Case& input);
+
+/// Gaps between journal and undeformed crests, r_i - height_error_i, m, one per bump.
+Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& position);
+
+/// Judges a state at a journal position by contact_residuals for |N|, with the balance judged for N itself. Crests
+/// beyond the journal's reach are not judged for penetration, which the model does not know.
+ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position, const ContactState& state);
+
+/// What one journal position gives.
+struct FormerSolution {
+  ContactState state;  ///< normal forces below zero are tensions; `open` are crests that the journal does not reach
+  ContactResiduals residuals;  ///< former_residuals
+  SolveReport report;
+};
+
+/// Solves the static problem of one journal position from the unstressed foil, whatever was before: loading and
+/// unloading are one curve. With x = 0 the unstressed state,
+///
+///     K x = contact forces,
+///     v_crest = -(r_i - height_error_i) where that gap is negative, crest free elsewhere;   v_foot = sleeve_gap_i
+///     |t| <= f |N|,   t = -f |N| sign(u) where u is not zero
+///
+/// by exact solves for assumed modes and signs of N, changing what contradicts; where that goes on, an augmented
+/// Lagrangian with friction bounds held (Tresca) and updated leads the exact solves, which decide.
+///
+/// `residuals` are those of contact_residuals for |N|, with the balance judged for N itself; crests beyond the
+/// journal's reach are not judged for penetration, which the model does not know. A converged solution is
+/// ContactResiduals::within its default bounds.
+class FormerSolver {
+ public:
+  explicit FormerSolver(const FormerModel& model);
+  ~FormerSolver();
+
+  [[nodiscard]] FormerSolution solve(const Eigen::Vector2d& position);
+
+  /// d(F.n)/ds along the unit vector n for the contact modes of `state`, N/m: the same for loading and unloading.
+  [[nodiscard]] double tangent_stiffness(const ContactState& state, const Eigen::Vector2d& direction);
+
+ private:
+  struct TrescaState;
+
+  bool iterate_modes(const ContactLoading& loading, int rounds, FormerSolution& solution);
+  bool approach(const ContactLoading& loading, FormerSolution& solution);
+  bool minimise(const ContactLoading& loading, TrescaState& s, SolveReport& report);
+  void evaluate(const ContactLoading& loading, TrescaState& s);
+
+  FormerModel model_;
+  std::unique_ptr<ModeSystem> modes_;
+  std::unique_ptr<PenaltySystem> penalties_;
+};
+
+/// Force that holds the journal against the crests, N.
+Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactState& state);
+
+}  // namespace bumpfoil

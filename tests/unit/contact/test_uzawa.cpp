@@ -1,0 +1,163 @@
+#include "bumpfoil/contact/uzawa.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bumpfoil/contact/residual.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr UzawaOptions options{.eps_alm = 1e8, .eps_f = 1e10, .eps_r = 1e12, .tau_f = 1e-10};
+constexpr double stiffness = 1e6;  // N/m
+
+/// Two springs that hold a point over a wall: u along it, v towards it, f = 0.3. Uncoupled, so that answers are plain.
+ContactProblem point_over_wall() {
+  ContactProblem problem;
+  problem.K = BlockTridiagonal(1, 2);
+  problem.K.add(0, 0, 0, 0, stiffness);
+  problem.K.add(0, 1, 0, 1, stiffness);
+  problem.pairs = {{.minus = 1, .tangential = 0, .friction_coefficient = 0.3}};
+  return problem;
+}
+
+ContactLoading pushed(double along, double towards, double gap = 0.0) {
+  return {.initial_gap = Vector::Constant(1, gap), .load = Eigen::Vector2d(along, towards)};
+}
+
+struct Solved {
+  ContactState state;
+  SolveReport report;
+};
+
+Solved solve(const ContactProblem& problem, const ContactLoading& loading, const ContactState& previous,
+             const UzawaOptions& with = options) {
+  Solved solved;
+  solved.report = UzawaSolver(problem, with).solve(loading, previous, solved.state);
+  return solved;
+}
+
+TEST(Uzawa, HoldsAPointInsideTheCone) {
+  const ContactProblem problem = point_over_wall();
+  const auto [state, report] = solve(problem, pushed(2.0, 10.0), ContactState::unstressed(problem));
+  ASSERT_TRUE(report.converged);
+  EXPECT_EQ(state.mode[0], ContactMode::stick);
+  // The spring of a sticking contact gives way by 2 N / eps_f, and takes that much less.
+  EXPECT_NEAR(state.x[0], 2.0 / (options.eps_f + stiffness), 1e-15);
+  EXPECT_NEAR(state.friction_force[0], -2.0, 1e-3);
+  EXPECT_NEAR(state.normal_force[0], 10.0, 1e-5);  // multiplier_tolerance * 10 N
+}
+
+TEST(Uzawa, FrictionOpposesTheSlipBothWays) {
+  const ContactProblem problem = point_over_wall();
+  for (const double sign : {1.0, -1.0}) {
+    const auto [state, report] = solve(problem, pushed(sign * 5.0, 10.0), ContactState::unstressed(problem));
+    ASSERT_TRUE(report.converged);
+    EXPECT_EQ(state.mode[0], sign > 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward);
+    // 5 N against 0.3 * 10 N leave 2 N on the spring; the arctangent lacks (2/pi) 1e-10/2e-6 of 3 N.
+    EXPECT_NEAR(state.friction_force[0], -sign * 3.0, 1e-4);
+    EXPECT_NEAR(state.x[0], sign * 2.0 / stiffness, 1e-10);
+  }
+}
+
+TEST(Uzawa, RegularisedSlipFollowsTheArctangent) {
+  const ContactProblem problem = point_over_wall();
+  UzawaOptions smooth = options;
+  smooth.tau_f = 1e-6;
+  const auto [state, report] = solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), smooth);
+  ASSERT_TRUE(report.converged);
+  const double expected = -0.3 * 10.0 * 2.0 / std::numbers::pi * std::atan(state.x[0] / 1e-6);
+  EXPECT_NEAR(state.friction_force[0], expected, 1e-5);  // multiplier_tolerance * 10 N
+  EXPECT_GT(state.x[0], 2.1e-6);                         // visibly more than the 2 um of Coulomb's law
+}
+
+TEST(Uzawa, AStuckContactDoesNotCreep) {
+  const ContactProblem problem = point_over_wall();
+  ContactState state = solve(problem, pushed(2.0, 10.0), ContactState::unstressed(problem)).state;
+  const double first = state.x[0];
+  for (int increment = 0; increment < 100; ++increment) {
+    const Solved next = solve(problem, pushed(2.0, 10.0), state);
+    ASSERT_TRUE(next.report.converged);
+    EXPECT_EQ(next.state.mode[0], ContactMode::stick);
+    state = next.state;
+  }
+  // A spring started anew each time would have gone 100 * 2 N / eps_f = 2e-8 m; the load is balanced to 1e-8 of 10 N.
+  EXPECT_NEAR(state.x[0], first, 1e-16);
+}
+
+TEST(Uzawa, ASlidingContactComesToRestAndKeepsItsForce) {
+  const ContactProblem problem = point_over_wall();
+  ContactState state = solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem)).state;
+  const double first = state.x[0];
+  for (int increment = 0; increment < 100; ++increment) state = solve(problem, pushed(5.0, 10.0), state).state;
+  EXPECT_EQ(state.mode[0], ContactMode::stick);
+  // Held, it is stuck with all of its friction.
+  EXPECT_NEAR(state.x[0], first, 1e-14);
+  EXPECT_NEAR(state.friction_force[0], -3.0, 1e-4);
+}
+
+TEST(Uzawa, OpensAndClosesByTheGap) {
+  const ContactProblem problem = point_over_wall();
+  const ContactState start = ContactState::unstressed(problem);
+  const Solved open = solve(problem, pushed(0.0, -1.0), start);  // starts with zero gap, thus closed
+  ASSERT_TRUE(open.report.converged);
+  EXPECT_EQ(open.state.mode[0], ContactMode::open);
+  EXPECT_EQ(open.state.normal_force[0], 0.0);
+  EXPECT_NEAR(open.state.gap[0], 1e-6, 1e-13);
+
+  const Solved closes = solve(problem, pushed(0.0, 10.0, 4e-6), start);  // would move 10 um through a gap of 4 um
+  ASSERT_TRUE(closes.report.converged);
+  EXPECT_NE(closes.state.mode[0], ContactMode::open);
+  EXPECT_NEAR(closes.state.normal_force[0], 6.0, 1e-5);
+  EXPECT_NEAR(closes.state.x[1], 4e-6, 1e-13);
+
+  const Solved touching = solve(problem, pushed(0.0, 10.0, 0.0), start);
+  EXPECT_NEAR(touching.state.normal_force[0], 10.0, 1e-5);
+}
+
+TEST(Uzawa, ThePenaltyContactPenetratesByItsForce) {
+  ContactProblem problem = point_over_wall();
+  problem.pairs = {{.minus = 1}};
+  UzawaOptions soft = options;
+  soft.eps_r = 1e9;
+  const auto [state, report] = solve(problem, pushed(0.0, 10.0), ContactState::unstressed(problem), soft);
+  ASSERT_TRUE(report.converged);
+  EXPECT_NEAR(state.x[1], 10.0 / (1e9 + stiffness), 1e-15);
+  EXPECT_NEAR(state.normal_force[0], 1e9 * state.x[1], 1e-9);
+  EXPECT_EQ(state.mode[0], ContactMode::stick);
+  EXPECT_EQ(state.friction_force[0], 0.0);
+}
+
+TEST(Uzawa, ForcesReportedAreInBalance) {
+  const ContactProblem problem = point_over_wall();
+  const ContactState start = ContactState::unstressed(problem);
+  for (const double along : {0.0, 2.0, 2.99, 3.0, 3.01, 5.0}) {
+    const ContactLoading loading = pushed(along, 10.0);
+    const auto [state, report] = solve(problem, loading, start);
+    ASSERT_TRUE(report.converged) << along;
+    const ContactResiduals r = contact_residuals(problem, problem.K.multiply(state.x), loading, start.x, state);
+    EXPECT_LT(r.equilibrium, options.newton_tolerance + options.multiplier_tolerance) << along;
+    EXPECT_LT(r.penetration, options.multiplier_tolerance * 10.0 / options.eps_alm) << along;
+    // cone_tolerance * 0.3, and 0.3 * multiplier_tolerance
+    EXPECT_LT(r.cone, 0.3 * (options.cone_tolerance + options.multiplier_tolerance)) << along;
+  }
+}
+
+TEST(Uzawa, SaysSoWhereItGivesUp) {
+  const ContactProblem problem = point_over_wall();
+  UzawaOptions impatient = options;
+  impatient.eps_alm = 1e5;  // a tenth of the stiffness: multipliers need some hundred updates
+  impatient.max_multiplier_updates = 10;
+  const Solved gave_up = solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient);
+  EXPECT_FALSE(gave_up.report.converged);
+  EXPECT_EQ(gave_up.report.outer_iterations, 10);
+  impatient.max_multiplier_updates = 400;
+  const Solved patient = solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient);
+  EXPECT_TRUE(patient.report.converged);
+  EXPECT_GT(patient.report.outer_iterations, 100);
+}
+
+}  // namespace
+}  // namespace bumpfoil
