@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
@@ -20,8 +24,27 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
 
 namespace {
 
+/// One word for a POSIX shell.
+std::string quoted(std::string_view word) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-_./=+,:@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + '\'';
+}
+
+std::string command_line(int argc, char** argv) {
+  std::string out = "bumpfoil";
+  for (int i = 1; i < argc; ++i) out += ' ' + quoted(argv[i]);
+  return out;
+}
+
 ExitCode run(int argc, char** argv) {
   Session session;
+  session.command_line = command_line(argc, argv);
   CLI::App program{"Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.",
                    "bumpfoil"};
   program.set_version_flag("--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");

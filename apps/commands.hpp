@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace bumpfoil {
 
@@ -15,6 +16,7 @@ enum class ExitCode {
 
 /// What a command is given and gives back.
 struct Session {
+  std::string command_line;  ///< as a shell would take it again
   bool quiet{};
   ExitCode exit_code{ExitCode::done};
 };

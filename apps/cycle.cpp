@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/cycle_csv.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
 #include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/result_netcdf.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "commands.hpp"
 #include "interruption.hpp"
@@ -39,17 +41,19 @@ ExitCode exit_code_of(RunStatus status) {
   return ExitCode::numerical_failure;
 }
 
-ExitCode run_cycle(const CycleOptions& options, bool quiet) {
+ExitCode run_cycle(const CycleOptions& options, const Session& session) {
   std::vector<std::string> overrides = options.overrides;
   if (!options.solver.empty()) overrides.push_back("solver.name=" + options.solver);
-  const Case input = read_case(options.case_path, {.overrides = overrides, .required_tables = {"cycle"}});
+  // Read once: what is written beside the results is what they came from.
+  const std::string case_text = read_case_text(options.case_path);
+  const Case input = parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {"cycle"}});
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse);
 
   CycleResult result;
   RunStatus status = RunStatus::complete;
   {
     const InterruptionGuard guard;
-    ProgressBar bar(!quiet);
+    ProgressBar bar(!session.quiet);
     result = run_cycles(input, [&](double fraction) {
       bar.show(fraction);
       return !guard.interrupted();
@@ -59,10 +63,13 @@ ExitCode run_cycle(const CycleOptions& options, bool quiet) {
 
   folder.stage("summary.json", summary_json(input, result, status));
   folder.stage("cycle.csv", cycle_csv(result));
+  write_result_netcdf(folder.stage("result.nc"), input, result, status,
+                      {.command_line = session.command_line, .case_text = case_text});
   folder.publish();
-  if (!quiet) {
+  if (!session.quiet) {
     print_output(cycle_table(result));
-    print_output(fmt::format("\nsolver {}; results in {}\n", result.solver, options.folder));
+    print_output(fmt::format("\nsolver {}; results in {} (summary.json, cycle.csv, result.nc)\n",
+                             name_of(result.solver), options.folder));
   }
   if (status != RunStatus::complete) {
     fmt::print(stderr, "bumpfoil: {}: the results in {} are partial, and flagged so\n",
@@ -77,7 +84,7 @@ void add_cycle_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<CycleOptions>();
   CLI::App* command = program.add_subcommand("cycle", "Push the journal in each direction of [cycle] and pull it back");
   command->add_option("CASE", options->case_path, "Case file")->required();
-  command->add_option("-o,--output", options->folder, "Folder for summary.json and cycle.csv")
+  command->add_option("-o,--output", options->folder, "Folder for summary.json, cycle.csv and result.nc")
       ->type_name("DIR")
       ->required();
   command->add_option("--solver", options->solver, "The same as --set solver.name=...: newton, uzawa or events")
@@ -90,7 +97,7 @@ void add_cycle_command(CLI::App& program, Session& session) {
       "  bumpfoil cycle case.toml -o frictionless --set friction.coefficient=0\n"
       "  bumpfoil cycle case.toml -o fine --set cycle.steps=400 --set 'cycle.directions=[\"+X\"]'\n"
       "Ctrl-C ends the run; what there is by then is written and flagged as partial.");
-  command->callback([options, &session] { session.exit_code = run_cycle(*options, session.quiet); });
+  command->callback([options, &session] { session.exit_code = run_cycle(*options, session); });
 }
 
 }  // namespace bumpfoil

@@ -176,7 +176,11 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
 }
 
 Case read_case(const std::string& path, const CaseRequest& request) {
-  return parse_case(read_text_file(path), path, request);
+  return parse_case(read_case_text(path), path, request);
+}
+
+std::string read_case_text(const std::string& path) {
+  return read_text_file(path);
 }
 
 }  // namespace bumpfoil

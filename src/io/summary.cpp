@@ -8,6 +8,7 @@
 
 #include "bumpfoil/core/version.hpp"
 #include "io/case_json.hpp"
+#include "io/result_columns.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -23,11 +24,6 @@ Json value(const Vector& numbers) {
 }
 
 Json cycle_json(const Cycle& cycle) {
-  const Increment* initial = cycle.increments.empty() ? nullptr : &cycle.increments.front();
-  const auto at_start = [initial](double Increment::*member) { return initial ? value(initial->*member) : Json(); };
-  const auto at_turn = [&cycle](double TurningPoint::*member) {
-    return cycle.turning_point ? value((*cycle.turning_point).*member) : Json();
-  };
   const auto loads = [&cycle](InterfaceFields Increment::*interface) {
     return cycle.turning_point ? value((cycle.at_turning_point().*interface).normal_force) : Json();
   };
@@ -36,30 +32,14 @@ Json cycle_json(const Cycle& cycle) {
   json["amplitude_m"] = cycle.amplitude;
   json["steps"] = cycle.steps;
   json["converged"] = cycle.converged;
-  json["max_force_N"] = at_turn(&TurningPoint::max_force);
-  json["cross_force_at_max_N"] = at_turn(&TurningPoint::cross_force);
-  json["initial_force_N"] = at_start(&Increment::force_direct);
-  json["initial_force_x_N"] = at_start(&Increment::force_x);
-  json["initial_force_y_N"] = at_start(&Increment::force_y);
-  json["initial_journal_load_N"] = initial ? value(cycle.initial_journal_load()) : Json();
-  json["initial_elastic_energy_J"] = at_start(&Increment::elastic_energy);
-  json["assembly_dissipation_J"] = initial ? value(cycle.assembly_dissipation) : Json();
-  json["loop_energy_J"] = value(cycle.loop_energy);
-  json["elastic_energy_at_max_J"] = at_turn(&TurningPoint::elastic_energy);
-  json["loss_factor"] = value(cycle.loss_factor);
-  json["tangent_stiffness_loading_N_per_m"] = at_turn(&TurningPoint::tangent_stiffness_loading);
-  json["tangent_stiffness_unloading_N_per_m"] = at_turn(&TurningPoint::tangent_stiffness_unloading);
-  json["secant_stiffness_N_per_m"] = at_turn(&TurningPoint::secant_stiffness);
-  json["first_contact_m"] = value(cycle.first_contact);
-  json["clearance_5N_m"] = value(cycle.clearance_5N);
-  json["clearance_10N_m"] = value(cycle.clearance_10N);
+  for (const CycleColumn& column : cycle_columns()) {
+    json[name_with_unit(column.name, column.unit)] = value(column.value(cycle));
+  }
   json["bump_loads_N"] = loads(&Increment::top_bump);
   json["foot_loads_N"] = loads(&Increment::bump_sleeve);
   json["journal_loads_N"] = loads(&Increment::journal_top);
-  json["max_residual"] = value(cycle.max_residual());
   json["iterations"] = cycle.total().iterations;
   json["substeps"] = cycle.substeps();
-  json["wall_time_s"] = cycle.wall_time;
   return json;
 }
 

@@ -20,6 +20,19 @@ Vector crest_angles(const Case& input) {
   return (Vector::LinSpaced(input.bump_foil.bumps, 0.0, input.bump_foil.bumps - 1.0).array() + 0.5) * pitch_angle;
 }
 
+Vector foot_angles(const Case& input) {
+  const Vector crests = crest_angles(input);
+  const double half_pitch_angle = 0.5 * input.bump_foil.pitch / input.bearing.radius;
+  if (input.bump_foil.model != BumpFoilModel::frame) return crests.array() + half_pitch_angle;
+  const double half_arc_angle = 0.5 * input.bump_foil.length / input.bearing.radius;
+  Vector feet(2 * crests.size());
+  for (Eigen::Index i = 0; i < crests.size(); ++i) {
+    feet[2 * i] = crests[i] - half_arc_angle;
+    feet[2 * i + 1] = crests[i] + half_arc_angle;
+  }
+  return feet;
+}
+
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {
   const double sigma = bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   return bearing.weld_angle + sigma * theta.array();

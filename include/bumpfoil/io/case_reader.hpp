@@ -22,6 +22,10 @@ struct CaseRequest {
 /// @throws Error (input) if the case is wrong; Error (file) if the file, or a file that it names, cannot be read.
 Case read_case(const std::string& path, const CaseRequest& request = {});
 
+/// The text of a case file, for those who keep it beside what parse_case() makes of it.
+/// @throws Error (input) if it is no text; Error (file) if it cannot be read.
+std::string read_case_text(const std::string& path);
+
 /// The same for the text of a case file. `name` stands for the file in messages; files that the case names are looked
 /// for beside it.
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request = {});

@@ -26,6 +26,10 @@ BumpArc make_bump_arc(const BumpFoil& foil);
 /// Angles of the crests from the weld along the foil, theta_i = (i - 1/2) p / R for i = 1..N, rad.
 Vector crest_angles(const Case& input);
 
+/// Angles of the feet from the weld along the foil, in the order of the results, rad: middle of the flat after each
+/// bump in the truss, both ends of each arc in the frame.
+Vector foot_angles(const Case& input);
+
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);
 

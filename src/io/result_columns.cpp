@@ -1,0 +1,103 @@
+#include "io/result_columns.hpp"
+
+#include <array>
+
+namespace bumpfoil {
+namespace {
+
+template <double Increment::*member>
+double of_increment(const Increment& increment) {
+  return increment.*member;
+}
+
+template <double Increment::*member>
+std::optional<double> at_start(const Cycle& cycle) {
+  return cycle.increments.empty() ? std::nullopt : std::optional(cycle.increments.front().*member);
+}
+
+template <double TurningPoint::*member>
+std::optional<double> at_turn(const Cycle& cycle) {
+  return cycle.turning_point ? std::optional((*cycle.turning_point).*member) : std::nullopt;
+}
+
+template <auto Cycle::*member>
+std::optional<double> of_cycle(const Cycle& cycle) {
+  return cycle.*member;
+}
+
+std::optional<double> initial_journal_load(const Cycle& cycle) {
+  return cycle.increments.empty() ? std::nullopt : std::optional(cycle.initial_journal_load());
+}
+
+std::optional<double> assembly_dissipation(const Cycle& cycle) {
+  return cycle.increments.empty() ? std::nullopt : std::optional(cycle.assembly_dissipation);
+}
+
+constexpr std::array<IncrementColumn, 11> increment_table{{
+    {"displacement", "m", "displacement of the journal along the direction", of_increment<&Increment::displacement>},
+    {"x", "m", "journal centre, X", of_increment<&Increment::x>},
+    {"y", "m", "journal centre, Y", of_increment<&Increment::y>},
+    {"force_x", "N", "force that holds the journal, X", of_increment<&Increment::force_x>},
+    {"force_y", "N", "force that holds the journal, Y", of_increment<&Increment::force_y>},
+    {"force_direct", "N", "force that holds the journal, along the direction", of_increment<&Increment::force_direct>},
+    {"force_cross", "N", "force that holds the journal, 90 degrees ahead of the direction",
+     of_increment<&Increment::force_cross>},
+    {"elastic_energy", "J", "elastic energy of the foils", of_increment<&Increment::elastic_energy>},
+    {"dissipated_energy", "J", "energy dissipated by friction since increment 0",
+     of_increment<&Increment::dissipated_energy>},
+    {"work", "J", "work of the journal since increment 0", of_increment<&Increment::work>},
+    {"residual", "1", "largest unbalanced force over the largest contact force",
+     [](const Increment& increment) { return increment.residuals.equilibrium; }},
+}};
+
+constexpr std::array<CycleColumn, 19> cycle_table{{
+    {"max_force", "N", "direct force at full displacement", at_turn<&TurningPoint::max_force>},
+    {"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>},
+    {"initial_force", "N", "direct force at the centred journal", at_start<&Increment::force_direct>},
+    {"initial_force_x", "N", "force at the centred journal, X", at_start<&Increment::force_x>},
+    {"initial_force_y", "N", "force at the centred journal, Y", at_start<&Increment::force_y>},
+    {"initial_journal_load", "N", "sum of the loads of the journal on the top foil at the centred journal",
+     initial_journal_load},
+    {"initial_elastic_energy", "J", "elastic energy at the centred journal", at_start<&Increment::elastic_energy>},
+    {"assembly_dissipation", "J", "energy dissipated by the assembly", assembly_dissipation},
+    {"loop_energy", "J", "closed integral of force over displacement", of_cycle<&Cycle::loop_energy>},
+    {"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>},
+    {"loss_factor", "1", "loop energy over 2 pi times the elastic energy stored", of_cycle<&Cycle::loss_factor>},
+    {"tangent_stiffness_loading", "N/m", "tangent stiffness at full displacement, further loading",
+     at_turn<&TurningPoint::tangent_stiffness_loading>},
+    {"tangent_stiffness_unloading", "N/m", "tangent stiffness at full displacement, unloading",
+     at_turn<&TurningPoint::tangent_stiffness_unloading>},
+    {"secant_stiffness", "N/m", "maximum force over amplitude", at_turn<&TurningPoint::secant_stiffness>},
+    {"first_contact", "m", "displacement at which the journal first touches the top foil",
+     of_cycle<&Cycle::first_contact>},
+    {"clearance_5N", "m", "displacement at which the direct force reaches 5 N", of_cycle<&Cycle::clearance_5N>},
+    {"clearance_10N", "m", "displacement at which the direct force reaches 10 N", of_cycle<&Cycle::clearance_10N>},
+    {"max_residual", "1", "largest residual of all increments",
+     [](const Cycle& cycle) -> std::optional<double> { return cycle.max_residual(); }},
+    {"wall_time", "s", "time that the cycle took", of_cycle<&Cycle::wall_time>},
+}};
+
+}  // namespace
+
+std::span<const IncrementColumn> increment_columns() {
+  return increment_table;
+}
+
+std::span<const CycleColumn> cycle_columns() {
+  return cycle_table;
+}
+
+std::string name_with_unit(std::string_view name, std::string_view unit) {
+  std::string out(name);
+  if (unit == "1") return out;
+  for (const char letter : '_' + std::string(unit)) {
+    if (letter == '/') {
+      out += "_per_";
+    } else {
+      out += letter;
+    }
+  }
+  return out;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bumpfoil/analysis/cycle.hpp"
+
+namespace bumpfoil {
+
+/// A quantity of every increment: a column of cycle.csv, a variable of result.nc.
+struct IncrementColumn {
+  std::string_view name;
+  std::string_view unit;  ///< as UDUNITS spells it; "1" where there is none
+  std::string_view long_name;
+  double (*value)(const Increment&);
+};
+
+/// Real quantities of an increment, in the order of the columns of cycle.csv.
+std::span<const IncrementColumn> increment_columns();
+
+/// A quantity of a whole cycle: a key of summary.json, a variable of result.nc.
+struct CycleColumn {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view long_name;
+  std::optional<double> (*value)(const Cycle&);  ///< absent where it is not known
+};
+
+/// Real quantities of a cycle, in the order of the keys of summary.json.
+std::span<const CycleColumn> cycle_columns();
+
+/// Name of a column or key that carries its unit at the end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
+std::string name_with_unit(std::string_view name, std::string_view unit);
+
+}  // namespace bumpfoil

@@ -1,0 +1,449 @@
+#include "bumpfoil/io/result_netcdf.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <netcdf>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "io/result_columns.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using netCDF::NcDim;
+using netCDF::NcGroup;
+using netCDF::NcVar;
+using Flag = signed char;
+
+/// How a number is stored, and what stands for one that is absent: the default of netCDF, said aloud.
+template <typename Number>
+struct Storage;
+template <>
+struct Storage<double> {
+  static const netCDF::NcType& type() { return netCDF::ncDouble; }
+  static constexpr double absent = NC_FILL_DOUBLE;
+};
+template <>
+struct Storage<int> {
+  static const netCDF::NcType& type() { return netCDF::ncInt; }
+  static constexpr int absent = NC_FILL_INT;
+};
+template <>
+struct Storage<Flag> {
+  static const netCDF::NcType& type() { return netCDF::ncByte; }
+  static constexpr Flag absent = NC_FILL_BYTE;
+};
+
+double finite_or_absent(const std::optional<double>& number) {
+  return number && std::isfinite(*number) ? *number : Storage<double>::absent;
+}
+
+std::vector<double> to_vector(const Vector& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+/// What readers are told about a variable.
+struct Meaning {
+  std::string name;
+  std::string_view unit;  ///< empty for flags
+  std::string long_name;
+};
+
+/// Meanings of flags: of 0, 1, 2, ..., in the order of the enumerations.
+constexpr std::string_view mode_meanings = "open stick slip_forward slip_backward";
+constexpr std::string_view branch_meanings = "loading unloading";
+constexpr std::string_view interface_meanings = "journal_top top_bump bump_sleeve";
+constexpr std::string_view truth_meanings = "no yes";
+
+struct NodalField {
+  std::string_view name;
+  std::string_view long_name;
+  Vector Increment::*values;
+  bool at_feet;
+};
+constexpr std::array<NodalField, 5> nodal_fields{{
+    {"top_displacement", "radial displacement of the top foil over the bump, positive outward",
+     &Increment::top_displacement, false},
+    {"crest_u", "tangential displacement of the crest, positive away from the weld", &Increment::crest_u, false},
+    {"crest_v", "radial displacement of the crest, positive outward", &Increment::crest_v, false},
+    {"foot_u", "tangential displacement of the foot, positive away from the weld", &Increment::foot_u, true},
+    {"foot_v", "radial displacement of the foot, positive outward", &Increment::foot_v, true},
+}};
+
+struct InterfaceName {
+  std::string_view name;
+  std::string_view between;
+  InterfaceFields Increment::*fields;
+  bool at_feet;
+  std::string_view loads;  ///< what its normal forces at full displacement are called
+};
+constexpr std::array<InterfaceName, 3> interfaces{{
+    {"journal_top", "between journal and top foil", &Increment::journal_top, false, "journal_loads"},
+    {"top_bump", "between top foil and crest", &Increment::top_bump, false, "bump_loads"},
+    {"bump_sleeve", "between foot and sleeve", &Increment::bump_sleeve, true, "foot_loads"},
+}};
+
+struct InterfaceQuantity {
+  std::string_view name;
+  std::string_view unit;
+  Vector InterfaceFields::*values;
+};
+constexpr std::array<InterfaceQuantity, 3> interface_quantities{{
+    {"gap", "m", &InterfaceFields::gap},
+    {"normal_force", "N", &InterfaceFields::normal_force},
+    {"friction_force", "N", &InterfaceFields::friction_force},
+}};
+
+/// A new file, open until it goes out of scope at the latest.
+class NetcdfFile {
+ public:
+  explicit NetcdfFile(const std::filesystem::path& path) {
+    netCDF::ncCheck(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_), __FILE__, __LINE__);
+    open_ = true;
+  }
+  ~NetcdfFile() {
+    if (open_) nc_close(id_);  // something was thrown already
+  }
+  NetcdfFile(const NetcdfFile&) = delete;
+  NetcdfFile& operator=(const NetcdfFile&) = delete;
+
+  [[nodiscard]] NcGroup root() const { return NcGroup(id_); }
+
+  void close() {
+    open_ = false;
+    netCDF::ncCheck(nc_close(id_), __FILE__, __LINE__);
+  }
+
+ private:
+  int id_{};
+  bool open_{};
+};
+
+/// Puts a result into a file, variable by variable.
+class ResultWriter {
+ public:
+  ResultWriter(const NcGroup& file, const Case& input, const CycleResult& result)
+      : file_(file),
+        input_(input),
+        result_(result),
+        theta_(crest_angles(input)),
+        foot_theta_(foot_angles(input)),
+        direction_(file.addDim("direction", input.cycle.directions.size())),
+        increment_(file.addDim("increment", static_cast<std::size_t>(2 * input.cycle.steps + 1))),
+        bump_(file.addDim("bump", static_cast<std::size_t>(theta_.size()))),
+        foot_(file.addDim("foot", static_cast<std::size_t>(foot_theta_.size()))) {
+    BUMPFOIL_ASSERT(result.cycles.size() <= input.cycle.directions.size());
+  }
+
+  void write_coordinates() {
+    std::vector<double> degrees;
+    for (const double direction : input_.cycle.directions) degrees.push_back(to_degrees(direction));
+    put({"direction", "degree", "direction of the push, from X towards Y"}, {direction_}, degrees);
+    put({"increment", "1", "increment; 0 is the assembly at the centred journal"}, {increment_},
+        numbers_from(0, increment_));
+    put({"bump", "1", "bump, counted from the weld"}, {bump_}, numbers_from(1, bump_));
+    put({"foot", "1", "foot of the bump foil on the sleeve, counted from the weld"}, {foot_}, numbers_from(1, foot_));
+  }
+
+  void write_geometry() {
+    const BumpFoil& foil = input_.bump_foil;
+    const BumpArc arc = make_bump_arc(foil);
+    put_scalar({"bearing_radius", "m", "radius of the bearing"}, input_.bearing.radius);
+    put_scalar({"axial_length", "m", "axial length of the foils"}, input_.bearing.axial_length);
+    put_scalar({"radial_clearance", "m", "radial clearance; negative means interference"},
+               input_.bearing.radial_clearance);
+    put_scalar({"bump_pitch", "m", "distance from crest to crest along the foil"}, foil.pitch);
+    put_scalar({"bump_half_length", "m", "half the chord of the arc of a bump"}, arc.half_length);
+    put_scalar({"bump_rise", "m", "rise of the mid-surface of a nominal bump"}, arc.rise);
+    put({"theta", "rad", "angle of the crest from the weld along the foil"}, {bump_}, to_vector(theta_));
+    put({"phi", "rad", "polar angle of the crest from X towards Y"}, {bump_},
+        to_vector(polar_angles(input_.bearing, theta_)));
+    put({"foot_theta", "rad", "angle of the foot from the weld along the foil"}, {foot_}, to_vector(foot_theta_));
+    put({"foot_phi", "rad", "polar angle of the foot from X towards Y"}, {foot_},
+        to_vector(polar_angles(input_.bearing, foot_theta_)));
+    put({"height_error", "m", "height of the bump over the nominal one"}, {bump_}, one_per_bump(foil.height_errors));
+    put({"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly"}, {bump_},
+        one_per_bump(foil.sleeve_gaps));
+  }
+
+  void write_cycles() {
+    for (const CycleColumn& column : cycle_columns()) {
+      put_cycles<double>(meaning(column), [&](const Cycle& cycle) { return finite_or_absent(column.value(cycle)); });
+    }
+    put_cycles<double>({"amplitude", "m", "full displacement"}, [](const Cycle& cycle) { return cycle.amplitude; });
+    put_cycles<int>({"steps", "1", "increments per branch"}, [](const Cycle& cycle) { return cycle.steps; });
+    put_cycles<int>({"total_iterations", "1", "linear solves of all increments"},
+                    [](const Cycle& cycle) { return cycle.total().iterations; });
+    put_cycles<int>({"total_substeps", "1", "extra solves of all increments because they had to be halved"},
+                    [](const Cycle& cycle) { return cycle.substeps(); });
+    // A direction that was never begun did not converge.
+    std::vector<Flag> converged(direction_.getSize());
+    for (std::size_t i = 0; i < result_.cycles.size(); ++i) converged[i] = result_.cycles[i].converged ? 1 : 0;
+    put({"converged", "", "whether every increment of the cycle is there and converged"}, {direction_}, converged,
+        truth_meanings);
+  }
+
+  void write_increments() {
+    for (const IncrementColumn& column : increment_columns()) {
+      put_increments<double>(meaning(column), [&](const Increment& increment, double* to) {
+        *to = finite_or_absent(column.value(increment));
+      });
+    }
+    put_increments<int>({"iterations", "1", "linear solves"},
+                        [](const Increment& increment, int* to) { *to = increment.solve.iterations; });
+    put_increments<int>({"substeps", "1", "extra solves because the increment had to be halved"},
+                        [](const Increment& increment, int* to) { *to = increment.substeps; });
+    put_increments<Flag>(
+        {"branch", "", "branch of the cycle"},
+        [](const Increment& increment, Flag* to) { *to = static_cast<Flag>(increment.branch); }, branch_meanings);
+    put_increments<Flag>(
+        {"increment_converged", "", "whether the increment meets the bound of the solver"},
+        [](const Increment& increment, Flag* to) { *to = increment.solve.converged ? 1 : 0; }, truth_meanings);
+  }
+
+  void write_fields() {
+    for (const NodalField& field : nodal_fields) {
+      put_vectors({std::string(field.name), "m", std::string(field.long_name)}, field.at_feet,
+                  [&](const Increment& increment) -> const Vector& { return increment.*field.values; });
+    }
+    for (const InterfaceName& interface : interfaces) {
+      for (const InterfaceQuantity& quantity : interface_quantities) {
+        std::string long_name = fmt::format("{} {}", quantity.name, interface.between);
+        std::replace(long_name.begin(), long_name.end(), '_', ' ');
+        put_vectors(
+            {fmt::format("{}_{}", quantity.name, interface.name), quantity.unit, long_name}, interface.at_feet,
+            [&](const Increment& increment) -> const Vector& { return increment.*interface.fields.*quantity.values; });
+      }
+      put_increments<Flag>(
+          {fmt::format("state_{}", interface.name), "", fmt::format("state of the contact {}", interface.between)},
+          [&](const Increment& increment, Flag* to) {
+            const std::vector<ContactMode>& mode = (increment.*interface.fields).mode;
+            std::transform(mode.begin(), mode.end(), to, [](ContactMode m) { return static_cast<Flag>(m); });
+          },
+          mode_meanings, &node(interface.at_feet));
+      put_loads(interface);
+    }
+  }
+
+  /// Changes of mode, where the solver followed them.
+  void write_events() {
+    std::vector<double> direction, displacement;
+    std::vector<Flag> branch, interface, from, to;
+    std::vector<int> index;
+    for (const Cycle& cycle : result_.cycles) {
+      for (const CycleEvent& event : cycle.events) {
+        direction.push_back(to_degrees(cycle.direction));
+        displacement.push_back(event.displacement);
+        branch.push_back(static_cast<Flag>(event.branch));
+        interface.push_back(static_cast<Flag>(event.interface));
+        index.push_back(event.index + 1);
+        from.push_back(static_cast<Flag>(event.from));
+        to.push_back(static_cast<Flag>(event.to));
+      }
+    }
+    if (direction.empty()) return;
+    const std::vector<NcDim> dims{file_.addDim("event", direction.size())};
+    put({"event_direction", "degree", "direction of the push"}, dims, direction);
+    put({"event_displacement", "m", "displacement of the journal along the direction"}, dims, displacement);
+    put({"event_index", "1", "bump or, at the sleeve, foot, counted from the weld"}, dims, index);
+    put({"event_branch", "", "branch of the cycle"}, dims, branch, branch_meanings);
+    put({"event_interface", "", "interface of the contact"}, dims, interface, interface_meanings);
+    put({"event_from", "", "state of the contact before"}, dims, from, mode_meanings);
+    put({"event_to", "", "state of the contact after"}, dims, to, mode_meanings);
+  }
+
+ private:
+  template <typename Column>
+  static Meaning meaning(const Column& column) {
+    return {std::string(column.name), column.unit, std::string(column.long_name)};
+  }
+
+  static std::vector<int> numbers_from(int first, const NcDim& dim) {
+    std::vector<int> numbers(dim.getSize());
+    std::iota(numbers.begin(), numbers.end(), first);
+    return numbers;
+  }
+
+  std::vector<double> one_per_bump(std::vector<double> numbers) const {
+    numbers.resize(bump_.getSize());
+    return numbers;
+  }
+
+  const NcDim& node(bool foot) const { return foot ? foot_ : bump_; }
+
+  /// @param flag_meanings  of a variable of flags; empty for others
+  template <typename Number>
+  NcVar define(const Meaning& meaning, const std::vector<NcDim>& dims, std::string_view flag_meanings) {
+    const NcVar variable = file_.addVar(meaning.name, Storage<Number>::type(), dims);
+    variable.putAtt("long_name", meaning.long_name);
+    if (!meaning.unit.empty()) variable.putAtt("units", std::string(meaning.unit));
+    if (!flag_meanings.empty()) {
+      std::vector<Flag> values(1 +
+                               static_cast<std::size_t>(std::count(flag_meanings.begin(), flag_meanings.end(), ' ')));
+      std::iota(values.begin(), values.end(), Flag{0});
+      variable.putAtt("flag_values", netCDF::ncByte, values.size(), values.data());
+      variable.putAtt("flag_meanings", std::string(flag_meanings));
+    }
+    return variable;
+  }
+
+  /// A variable that is all there.
+  template <typename Number>
+  void put(const Meaning& meaning, const std::vector<NcDim>& dims, const std::vector<Number>& values,
+           std::string_view flag_meanings = {}) {
+    define<Number>(meaning, dims, flag_meanings).putVar(values.data());
+  }
+
+  void put_scalar(const Meaning& meaning, double value) { put(meaning, {}, std::vector{value}); }
+
+  /// A variable with one value per direction, absent for those that were not begun.
+  template <typename Number, typename ValueOf>
+  void put_cycles(const Meaning& meaning, const ValueOf& value_of) {
+    std::vector<Number> values(direction_.getSize(), Storage<Number>::absent);
+    std::transform(result_.cycles.begin(), result_.cycles.end(), values.begin(), value_of);
+    const NcVar variable = define<Number>(meaning, {direction_}, {});
+    variable.setFill(true, Storage<Number>::absent);
+    variable.putVar(values.data());
+  }
+
+  /// A variable with one value per direction and increment or, where `node` is not null, per bump or foot besides.
+  /// @param values_of  (increment, to): puts the values of an increment from `to` on; what it leaves out is absent
+  template <typename Number, typename ValuesOf>
+  void put_increments(const Meaning& meaning, const ValuesOf& values_of, std::string_view flag_meanings = {},
+                      const NcDim* node = nullptr) {
+    std::vector<NcDim> dims{direction_, increment_};
+    if (node != nullptr) dims.push_back(*node);
+    const NcVar variable = define<Number>(meaning, dims, flag_meanings);
+    variable.setFill(true, Storage<Number>::absent);
+    if (node != nullptr) {
+      variable.putAtt("coordinates", node->getName() == "foot" ? "foot_theta foot_phi" : "theta phi");
+    }
+    const std::size_t width = node != nullptr ? node->getSize() : 1;
+    // One chunk per direction, unless it passes a megabyte.
+    std::vector<std::size_t> chunk{1, std::clamp<std::size_t>(131072 / width, 1, increment_.getSize()), width};
+    chunk.resize(dims.size());
+    variable.setChunking(NcVar::nc_CHUNKED, chunk);
+    variable.setCompression(true, true, 1);
+
+    std::vector<std::size_t> start{0, 0, 0};
+    std::vector<std::size_t> count{1, 0, width};
+    start.resize(dims.size());
+    count.resize(dims.size());
+    for (std::size_t direction = 0; direction < result_.cycles.size(); ++direction) {
+      const std::vector<Increment>& increments = result_.cycles[direction].increments;
+      if (increments.empty()) continue;
+      std::vector<Number> values(increments.size() * width, Storage<Number>::absent);
+      for (std::size_t i = 0; i < increments.size(); ++i) values_of(increments[i], values.data() + i * width);
+      start[0] = direction;
+      count[1] = increments.size();
+      variable.putVar(start, count, values.data());
+    }
+  }
+
+  template <typename VectorOf>
+  void put_vectors(const Meaning& meaning, bool at_feet, const VectorOf& vector_of) {
+    put_increments<double>(
+        meaning,
+        [&](const Increment& increment, double* to) {
+          const Vector& values = vector_of(increment);
+          std::transform(values.begin(), values.end(), to, [](double value) { return finite_or_absent(value); });
+        },
+        {}, &node(at_feet));
+  }
+
+  /// Normal forces at full displacement.
+  void put_loads(const InterfaceName& interface) {
+    const NcDim& dim = node(interface.at_feet);
+    std::vector<double> values(direction_.getSize() * dim.getSize(), Storage<double>::absent);
+    for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
+      if (!result_.cycles[i].turning_point) continue;
+      const Vector& loads = (result_.cycles[i].at_turning_point().*interface.fields).normal_force;
+      std::transform(loads.begin(), loads.end(), values.data() + i * dim.getSize(),
+                     [](double load) { return finite_or_absent(load); });
+    }
+    const NcVar variable = define<double>(
+        {std::string(interface.loads), "N", fmt::format("normal force {} at full displacement", interface.between)},
+        {direction_, dim}, {});
+    variable.setFill(true, Storage<double>::absent);
+    variable.putVar(values.data());
+  }
+
+  NcGroup file_;
+  const Case& input_;
+  const CycleResult& result_;
+  Vector theta_, foot_theta_;
+  NcDim direction_, increment_, bump_, foot_;
+};
+
+std::string_view message_of(RunStatus status) {
+  switch (status) {
+    case RunStatus::complete:
+      return "";
+    case RunStatus::failed:
+      return "an increment did not converge: results end there, or are of low accuracy";
+    case RunStatus::interrupted:
+      return "the run was interrupted by the user";
+  }
+  return "";
+}
+
+void write_provenance(const NcGroup& file, const Case& input, const CycleResult& result, RunStatus status,
+                      const Provenance& provenance) {
+  const auto put = [&file](const char* name, std::string_view text) {
+    // An attribute without a single character is more than some readers expect.
+    if (!text.empty()) file.putAtt(name, std::string(text));
+  };
+  const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  put("Conventions", "CF-1.8");
+  put("schema", "bumpfoil-result/1");
+  put("title", input.title);
+  put("source", fmt::format("bumpfoil {} ({})", version(), commit()));
+  put("history", fmt::format("{}: {}", date, provenance.command_line));
+  put("date_created", date);
+  put("command_line", provenance.command_line);
+  put("solver", name_of(result.solver));
+  put("status", status == RunStatus::complete ? "complete" : "partial");
+  put("status_message", message_of(status));
+  put("case_text", provenance.case_text);
+  put("case_understood", case_to_toml(input));
+}
+
+}  // namespace
+
+void write_result_netcdf(const std::filesystem::path& path, const Case& input, const CycleResult& result,
+                         RunStatus status, const Provenance& provenance) {
+  try {
+    NetcdfFile file(path);
+    write_provenance(file.root(), input, result, status, provenance);
+    ResultWriter writer(file.root(), input, result);
+    writer.write_coordinates();
+    writer.write_geometry();
+    writer.write_cycles();
+    writer.write_increments();
+    writer.write_fields();
+    writer.write_events();
+    file.close();
+  } catch (const netCDF::exceptions::NcException& error) {
+    // The first line says what went wrong, the second where in the library.
+    const std::string_view reason = error.what();
+    throw Error(ErrorKind::file,
+                {{path.string(), 0, "", "", fmt::format("cannot be written: {}", reason.substr(0, reason.find('\n'))),
+                  "is the disk full? give another place, or mend its permissions"}});
+  }
+}
+
+}  // namespace bumpfoil
