@@ -394,7 +394,7 @@ std::string_view message_of(RunStatus status) {
     case RunStatus::complete:
       return "";
     case RunStatus::failed:
-      return "an increment did not converge: results end there, or are of low accuracy";
+      return "an increment did not converge: its cycle ends there";
     case RunStatus::interrupted:
       return "the run was interrupted by the user";
   }

@@ -64,6 +64,10 @@ class Readme(unittest.TestCase):
     def test_shell_commands_work(self):
         self.run_in_directory(["bash", "-euo", "pipefail", "-c", readme_block("sh")])
 
+    def test_python_reads_the_results(self):
+        self.run_in_directory([str(PROGRAM), "cycle", str(ROOT / "examples/gen1.toml"), "-o", "loops"])
+        self.run_in_directory([sys.executable, "-c", readme_block("python")])
+
     def test_example_is_what_init_writes(self):
         self.run_in_directory([str(PROGRAM), "init", "-o", "case.toml"])
         written = (Path(self.directory) / "case.toml").read_text(encoding="utf-8")

@@ -199,6 +199,11 @@ TEST(HeightErrorsFile, MustNameEveryBump) {
   }
 }
 
+TEST(ReadCaseText, IsWhatItsAuthorWrote) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_case_text(folder.write("case.toml", "# mine\r\nx = 1\n")), "# mine\r\nx = 1\n");
+}
+
 TEST(ReadCase, FilesThatCannotBeReadAreNoWrongInput) {
   const TemporaryFolder folder;
   const auto kind = [](const std::string& path, const CaseRequest& request = {}) {

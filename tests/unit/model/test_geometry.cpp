@@ -39,6 +39,20 @@ TEST(CrestAngles, FirstCrestStandsHalfAPitchFromTheWeld) {
   EXPECT_NEAR(theta[25], 25.5 * 0.24, rounding);  // p / R = 0.24
 }
 
+TEST(FootAngles, FeetStandBetweenTheCrestsOrAtTheEndsOfTheArcs) {
+  Case input = reference_case();
+  const Vector after = foot_angles(input);
+  ASSERT_EQ(after.size(), 26);
+  EXPECT_NEAR(after[0], 0.24, rounding);  // p / R = 0.24
+  EXPECT_NEAR(after[25], 26 * 0.24, rounding);
+  input.bump_foil.model = BumpFoilModel::frame;
+  const Vector ends = foot_angles(input);
+  ASSERT_EQ(ends.size(), 52);
+  EXPECT_NEAR(ends[0], 0.508 / 19.05, rounding);  // half a flat from the weld
+  EXPECT_NEAR(ends[1], (0.508 + 3.556) / 19.05, rounding);
+  EXPECT_NEAR(ends[50] - ends[0], 25 * 0.24, rounding);
+}
+
 TEST(JournalGaps, DefaultsGiveTheTextbookForm) {
   // Weld at 180 deg, clockwise: r = C_r + x cos(theta) - y sin(theta).
   const Case input = reference_case();

@@ -1,0 +1,240 @@
+"""result.nc as xarray and Octave read it: the same numbers as in summary.json and cycle.csv, and as documented.
+
+Usage: test_result_netcdf.py REPOSITORY PROGRAM OCTAVE
+"""
+
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+ROOT = Path(sys.argv[1]).resolve()
+PROGRAM = Path(sys.argv[2]).resolve()
+OCTAVE = sys.argv[3]
+CASE = ROOT / "examples/gen1.toml"
+STEPS = 10
+# Ends of the names in summary.json and cycle.csv, and the units they stand for.
+UNITS = {"_N_per_m": "N/m", "_deg": "degree", "_N": "N", "_J": "J", "_m": "m", "_s": "s"}
+MODES = "open stick slip_forward slip_backward"
+
+
+def run_cycle(folder, *options):
+    return subprocess.run(
+        [PROGRAM, "cycle", CASE, "-o", folder, "--quiet", "--set", f"cycle.steps={STEPS}", *options],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+
+
+def split_unit(name):
+    """("force_x", "N") for "force_x_N"."""
+    for end, unit in UNITS.items():
+        if name.endswith(end):
+            return name.removesuffix(end), unit
+    return name, "1"
+
+
+class Read(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.directory.name) / "it's here"
+        run_cycle(cls.folder, "--set", "bump_foil.height=0.5 mm")
+        cls.summary = json.loads((cls.folder / "summary.json").read_text(encoding="utf-8"))
+        with open(cls.folder / "cycle.csv", newline="", encoding="utf-8") as file:
+            cls.rows = list(csv.DictReader(file))
+        cls.result = xarray.open_dataset(cls.folder / "result.nc")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.result.close()
+        cls.directory.cleanup()
+
+    def column(self, name):
+        """Column of cycle.csv as (direction, increment)."""
+        return np.array([float(row[name]) for row in self.rows]).reshape(4, 2 * STEPS + 1)
+
+    def test_dimensions_and_coordinates(self):
+        self.assertEqual(
+            dict(self.result.sizes), {"direction": 4, "increment": 2 * STEPS + 1, "bump": 26, "foot": 26}
+        )
+        np.testing.assert_array_equal(self.result.direction, [0, 180, 90, 270])
+        np.testing.assert_array_equal(self.result.increment, np.arange(2 * STEPS + 1))
+        np.testing.assert_array_equal(self.result.bump, np.arange(1, 27))
+        np.testing.assert_array_equal(self.result.foot, np.arange(1, 27))
+        self.assertEqual(self.result.theta.dims, ("bump",))
+
+    def test_every_column_of_the_csv(self):
+        for column in self.rows[0]:
+            name, unit = split_unit(column)
+            if name in ("direction", "increment", "branch"):
+                continue
+            variable = self.result[name]
+            self.assertEqual(variable.dims, ("direction", "increment"))
+            self.assertEqual(variable.attrs["units"], unit)
+            np.testing.assert_array_equal(variable, self.column(column), name)
+        branch = [row["branch"] for row in self.rows[: 2 * STEPS + 1]]
+        meanings = self.result.branch.attrs["flag_meanings"].split()
+        self.assertEqual([meanings[int(flag)] for flag in self.result.branch[0]], branch)
+
+    def test_every_quantity_of_the_summary(self):
+        names = {"iterations": "total_iterations", "substeps": "total_substeps"}
+        for key in self.summary["cycles"][0]:
+            name, unit = split_unit(key)
+            expected = np.array([cycle[key] for cycle in self.summary["cycles"]], dtype=float)
+            variable = self.result[names.get(name, name)]
+            np.testing.assert_array_equal(variable.astype(float), expected, key)
+            self.assertEqual(variable.attrs.get("units", "1"), unit)
+
+    def test_loads_and_forces_agree(self):
+        turning = self.result.isel(increment=STEPS)
+        for loads, interface in (
+            ("bump_loads", "top_bump"),
+            ("foot_loads", "bump_sleeve"),
+            ("journal_loads", "journal_top"),
+        ):
+            np.testing.assert_array_equal(self.result[loads], turning[f"normal_force_{interface}"])
+            self.assertEqual(self.result[f"state_{interface}"].attrs["flag_meanings"], MODES)
+        # What holds the journal is the sum of the loads along the polar angles of the crests; 26 roundings of 1 kN.
+        for axis, part in (("x", np.cos), ("y", np.sin)):
+            force = (self.result.normal_force_journal_top * part(self.result.phi)).sum("bump")
+            np.testing.assert_allclose(force, self.result[f"force_{axis}"], atol=1e-9)
+
+    def test_gaps_are_those_of_the_displacements(self):
+        result = self.result
+        gap = (
+            result.radial_clearance
+            - (result.x * np.cos(result.phi) + result.y * np.sin(result.phi))
+            + result.top_displacement
+        )
+        # A closed gap is zero to the resolution of contacts, 1e-12 m.
+        np.testing.assert_allclose(gap.transpose(*result.gap_journal_top.dims), result.gap_journal_top, atol=1e-12)
+
+    def test_every_variable_is_described(self):
+        for name, variable in self.result.variables.items():
+            self.assertTrue(variable.attrs["long_name"], name)
+            self.assertTrue("units" in variable.attrs or "flag_meanings" in variable.attrs, name)
+            self.assertIn(variable.dtype.kind, "fi", name)
+
+    def test_provenance(self):
+        attributes = self.result.attrs
+        self.assertEqual(attributes["Conventions"], "CF-1.8")
+        self.assertEqual(attributes["status"], "complete")
+        self.assertEqual(attributes["case_text"], CASE.read_text(encoding="utf-8"))
+        self.assertIn(self.summary["version"], attributes["source"])
+        self.assertIn(self.summary["commit"], attributes["source"])
+        self.assertRegex(attributes["date_created"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$")
+        # A shell takes the command line as it was given, spaces and quotes included.
+        words = subprocess.run(
+            ["sh", "-c", f"printf '%s\\n' {attributes['command_line']}"], capture_output=True, text=True, check=True
+        ).stdout.splitlines()
+        self.assertEqual(words[:5], ["bumpfoil", "cycle", str(CASE), "-o", str(self.folder)])
+        self.assertIn("bump_foil.height=0.5 mm", words)
+
+    def test_case_understood_gives_the_same_results(self):
+        case = Path(self.directory.name) / "understood.toml"
+        case.write_text(self.result.attrs["case_understood"], encoding="utf-8")
+        again = Path(self.directory.name) / "again"
+        subprocess.run([PROGRAM, "cycle", case, "-o", again, "--quiet"], check=True)
+        with xarray.open_dataset(again / "result.nc") as repeated:
+            xarray.testing.assert_equal(repeated.drop_vars("wall_time"), self.result.drop_vars("wall_time"))
+
+    def test_octave_reads_the_same(self):
+        script = """
+            pkg load netcdf
+            file = getenv("RESULT");
+            for name = {"force_direct", "loop_energy", "direction", "state_bump_sleeve", "normal_force_top_bump"}
+              values = double(ncread(file, name{1}));
+              printf("%s;%s;%s\\n", name{1}, sprintf("%d ", size(values)), sprintf("%.17g ", values));
+            end
+            printf("status;%s;\\n", ncreadatt(file, "/", "status"));
+            printf("units;%s;\\n", ncreadatt(file, "tangent_stiffness_loading", "units"));
+            printf("variables;%d;\\n", numel(ncinfo(file).Variables));
+        """
+        done = subprocess.run(
+            [OCTAVE, "--quiet", "--no-init-file", "--eval", script],
+            env=dict(os.environ, RESULT=str(self.folder / "result.nc")),
+            capture_output=True,
+            text=True,
+        )
+        lines = dict(line.split(";", 1) for line in done.stdout.splitlines())
+        self.assertEqual(lines.pop("status", done.stderr), "complete;")
+        self.assertEqual(lines.pop("units"), "N/m;")
+        self.assertEqual(lines.pop("variables"), f"{len(self.result.variables)};")
+        self.assertEqual(len(lines), 5)
+        for name, line in lines.items():
+            shape, values = ([float(word) for word in part.split()] for part in line.split(";"))
+            expected = self.result[name].values
+            # Octave counts the dimensions from the other end, and a column is a matrix.
+            self.assertEqual(shape, [*expected.shape[::-1], *([1] if expected.ndim == 1 else [])])
+            np.testing.assert_array_equal(values, expected.ravel(), name)
+
+
+class Partial(unittest.TestCase):
+    def test_an_interrupted_run_is_flagged(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            program = subprocess.Popen(
+                [PROGRAM, "cycle", CASE, "-o", folder, "--quiet", "--set", "cycle.steps=20000"],
+                stderr=subprocess.PIPE,
+            )
+            while not folder.exists() and program.poll() is None:
+                time.sleep(0.005)
+            time.sleep(0.2)
+            program.send_signal(signal.SIGINT)
+            program.communicate()
+            self.assertEqual(program.returncode, 130)
+            with xarray.open_dataset(folder / "result.nc") as result:
+                self.assertEqual(result.attrs["status"], "partial")
+                self.assertIn("interrupted", result.attrs["status_message"])
+                self.assertEqual(result.converged[-1], 0)
+                self.assertEqual(result.sizes["increment"], 40001)
+                force = result.force_direct.values
+                reached = np.isfinite(force)
+                self.assertTrue(reached[0, 0])
+                self.assertFalse(reached[-1, -1])
+                # Nothing but what was computed is a number.
+                self.assertEqual(reached.sum(), (folder / "cycle.csv").read_bytes().count(b"\n") - 1)
+
+
+class Documentation(unittest.TestCase):
+    TEXT = (ROOT / "docs/results.md").read_text(encoding="utf-8")
+
+    def test_every_variable_is_documented_with_dimensions_and_units(self):
+        rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \|", self.TEXT, re.MULTILINE)
+        documented = {name: (dims.strip(), unit) for name, dims, unit in rows}
+        with tempfile.TemporaryDirectory() as directory:
+            run_cycle(Path(directory) / "results", "--solver", "events")
+            with xarray.open_dataset(Path(directory) / "results/result.nc") as result:
+                written = {
+                    str(name): (", ".join(variable.dims), variable.attrs.get("units", "flag"))
+                    for name, variable in result.variables.items()
+                }
+                attributes = set(result.attrs)
+        self.assertEqual(documented, written)
+        for name in attributes | {"status_message"}:
+            self.assertIn(f"`{name}`", self.TEXT)
+
+    def test_every_key_and_column_is_documented(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            run_cycle(folder)
+            summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+            header = (folder / "cycle.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
+        for name in [*summary, *summary["cycles"][0], *header]:
+            self.assertIn(f"`{name}`", self.TEXT)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

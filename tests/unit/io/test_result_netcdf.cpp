@@ -1,0 +1,305 @@
+#include "bumpfoil/io/result_netcdf.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+#include <udunits2.h>
+
+#include <limits>
+#include <memory>
+#include <netcdf>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using netCDF::NcDim;
+using netCDF::NcFile;
+using netCDF::NcVar;
+using testing::TemporaryFolder;
+
+Case short_case() {
+  Case input = reference_case();
+  input.cycle.directions = {0.5 * std::numbers::pi, 0.3};
+  input.cycle.steps = 5;
+  input.bump_foil.height_errors.assign(26, 0.0);
+  input.bump_foil.height_errors[2] = 10e-6;
+  return input;
+}
+
+/// A run whose first direction failed at increment 3, and whose second was never begun.
+CycleResult failed_at_increment_three() {
+  CycleResult result = run_cycles(short_case());
+  result.cycles.resize(1);
+  Cycle& cycle = result.cycles[0];
+  cycle.converged = false;
+  cycle.increments.resize(4);
+  cycle.increments.back().solve.converged = false;
+  cycle.turning_point.reset();
+  cycle.loop_energy.reset();
+  cycle.loss_factor.reset();
+  return result;
+}
+
+/// A result as its readers find it.
+class ResultFile {
+ public:
+  explicit ResultFile(const CycleResult& result, const Case& input = short_case(),
+                      RunStatus status = RunStatus::complete, const Provenance& provenance = {}) {
+    write_result_netcdf(folder_.path() / "result.nc", input, result, status, provenance);
+    file_ = std::make_unique<NcFile>((folder_.path() / "result.nc").string(), NcFile::read);
+  }
+
+  [[nodiscard]] const NcFile& file() const { return *file_; }
+  [[nodiscard]] NcVar variable(const std::string& name) const {
+    NcVar found = file_->getVar(name);
+    EXPECT_FALSE(found.isNull()) << name;
+    return found;
+  }
+  [[nodiscard]] double at(const std::string& name, const std::vector<std::size_t>& index = {}) const {
+    double value = 0.0;
+    variable(name).getVar(index, &value);
+    return value;
+  }
+  [[nodiscard]] std::string attribute(const std::string& name) const {
+    std::string text;
+    file_->getAtt(name).getValues(text);
+    return text;
+  }
+  [[nodiscard]] std::string attribute(const std::string& variable_name, const std::string& name) const {
+    std::string text;
+    variable(variable_name).getAtt(name).getValues(text);
+    return text;
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::unique_ptr<NcFile> file_;
+};
+
+TEST(ResultNetcdf, HoldsEveryIncrementToTheLastBit) {
+  const CycleResult result = run_cycles(short_case());
+  const ResultFile file(result);
+  EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
+  EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
+  EXPECT_EQ(file.at("direction", {0}), 90.0);
+  EXPECT_EQ(file.at("increment", {10}), 10);
+  for (const std::size_t d : {0U, 1U}) {
+    for (std::size_t i = 0; i < 11; ++i) {
+      const Increment& expected = result.cycles[d].increments[i];
+      EXPECT_EQ(file.at("displacement", {d, i}), expected.displacement);
+      EXPECT_EQ(file.at("x", {d, i}), expected.x);
+      EXPECT_EQ(file.at("y", {d, i}), expected.y);
+      EXPECT_EQ(file.at("force_x", {d, i}), expected.force_x);
+      EXPECT_EQ(file.at("force_y", {d, i}), expected.force_y);
+      EXPECT_EQ(file.at("force_direct", {d, i}), expected.force_direct);
+      EXPECT_EQ(file.at("force_cross", {d, i}), expected.force_cross);
+      EXPECT_EQ(file.at("elastic_energy", {d, i}), expected.elastic_energy);
+      EXPECT_EQ(file.at("dissipated_energy", {d, i}), expected.dissipated_energy);
+      EXPECT_EQ(file.at("work", {d, i}), expected.work);
+      EXPECT_EQ(file.at("residual", {d, i}), expected.residuals.equilibrium);
+      EXPECT_EQ(file.at("iterations", {d, i}), expected.solve.iterations);
+      EXPECT_EQ(file.at("substeps", {d, i}), expected.substeps);
+      EXPECT_EQ(file.at("branch", {d, i}), i <= 5 ? 0 : 1);
+      EXPECT_EQ(file.at("increment_converged", {d, i}), 1);
+    }
+  }
+  EXPECT_EQ(file.attribute("branch", "flag_meanings"), "loading unloading");
+}
+
+TEST(ResultNetcdf, HoldsEveryBumpAndFoot) {
+  Case input = short_case();
+  input.bump_foil.model = BumpFoilModel::frame;  // two feet per bump: bumps and feet cannot be mistaken
+  const CycleResult result = run_cycles(input);
+  ASSERT_TRUE(result.converged());
+  const ResultFile file(result, input);
+  ASSERT_EQ(file.file().getDim("bump").getSize(), 26U);
+  ASSERT_EQ(file.file().getDim("foot").getSize(), 52U);
+  const std::size_t d = 1;
+  const std::size_t i = 4;
+  const Increment& expected = result.cycles[d].increments[i];
+  const auto expect_interface = [&](const std::string& name, const InterfaceFields& fields) {
+    for (Eigen::Index k = 0; k < fields.gap.size(); ++k) {
+      const auto place = static_cast<std::size_t>(k);
+      EXPECT_EQ(file.at("gap_" + name, {d, i, place}), fields.gap[k]);
+      EXPECT_EQ(file.at("normal_force_" + name, {d, i, place}), fields.normal_force[k]);
+      EXPECT_EQ(file.at("friction_force_" + name, {d, i, place}), fields.friction_force[k]);
+      EXPECT_EQ(file.at("state_" + name, {d, i, place}), static_cast<int>(fields.mode[place]));
+    }
+    EXPECT_EQ(file.attribute("state_" + name, "flag_meanings"), "open stick slip_forward slip_backward");
+    std::vector<signed char> values(4);
+    file.variable("state_" + name).getAtt("flag_values").getValues(values.data());
+    EXPECT_EQ(values, (std::vector<signed char>{0, 1, 2, 3}));
+  };
+  expect_interface("journal_top", expected.journal_top);
+  expect_interface("top_bump", expected.top_bump);
+  expect_interface("bump_sleeve", expected.bump_sleeve);
+  for (std::size_t k = 0; k < 52; ++k) {
+    const auto place = static_cast<Eigen::Index>(k);
+    EXPECT_EQ(file.at("foot_u", {d, i, k}), expected.foot_u[place]);
+    EXPECT_EQ(file.at("foot_v", {d, i, k}), expected.foot_v[place]);
+    EXPECT_EQ(file.at("foot_theta", {k}), foot_angles(input)[place]);
+    EXPECT_EQ(file.at("foot_loads", {d, k}), result.cycles[d].at_turning_point().bump_sleeve.normal_force[place]);
+    if (k >= 26) continue;
+    EXPECT_EQ(file.at("crest_u", {d, i, k}), expected.crest_u[place]);
+    EXPECT_EQ(file.at("crest_v", {d, i, k}), expected.crest_v[place]);
+    EXPECT_EQ(file.at("top_displacement", {d, i, k}), expected.top_displacement[place]);
+    EXPECT_EQ(file.at("theta", {k}), crest_angles(input)[place]);
+    EXPECT_EQ(file.at("phi", {k}), polar_angles(input.bearing, crest_angles(input))[place]);
+    EXPECT_EQ(file.at("height_error", {k}), input.bump_foil.height_errors[k]);
+    EXPECT_EQ(file.at("sleeve_gap", {k}), 0.0);
+    EXPECT_EQ(file.at("bump", {k}), static_cast<double>(k + 1));
+    EXPECT_EQ(file.at("bump_loads", {d, k}), result.cycles[d].at_turning_point().top_bump.normal_force[place]);
+    EXPECT_EQ(file.at("journal_loads", {d, k}), result.cycles[d].at_turning_point().journal_top.normal_force[place]);
+  }
+}
+
+TEST(ResultNetcdf, EveryUnitIsOneOfUdunits) {
+  const ResultFile file(run_cycles(short_case()));
+  ut_set_error_message_handler(ut_ignore);
+  ut_system* units = ut_read_xml(nullptr);
+  ASSERT_NE(units, nullptr);
+  for (const auto& [name, variable] : file.file().getVars()) {
+    EXPECT_FALSE(file.attribute(name, "long_name").empty()) << name;
+    const auto attributes = variable.getAtts();
+    if (attributes.contains("flag_values")) continue;
+    ASSERT_TRUE(attributes.contains("units")) << name;
+    ut_unit* unit = ut_parse(units, file.attribute(name, "units").c_str(), UT_ASCII);
+    EXPECT_NE(unit, nullptr) << name;
+    ut_free(unit);
+  }
+  ut_free_system(units);
+}
+
+TEST(ResultNetcdf, HoldsWhatItTakesToDrawTheBearing) {
+  const Case input = short_case();
+  const ResultFile file(run_cycles(input));
+  EXPECT_EQ(file.at("bearing_radius"), input.bearing.radius);
+  EXPECT_EQ(file.at("axial_length"), input.bearing.axial_length);
+  EXPECT_EQ(file.at("radial_clearance"), input.bearing.radial_clearance);
+  EXPECT_EQ(file.at("bump_pitch"), input.bump_foil.pitch);
+  EXPECT_EQ(file.at("bump_half_length"), 0.5 * input.bump_foil.length);
+  EXPECT_EQ(file.at("bump_rise"), input.bump_foil.height - input.bump_foil.thickness);
+}
+
+TEST(ResultNetcdf, SaysWhereItComesFrom) {
+  const Case input = short_case();
+  const ResultFile file(run_cycles(input), input, RunStatus::complete,
+                        {.command_line = "bumpfoil cycle 'my case.toml' -o out", .case_text = "# as written\n"});
+  EXPECT_EQ(file.attribute("Conventions"), "CF-1.8");
+  EXPECT_EQ(file.attribute("title"), input.title);
+  EXPECT_EQ(file.attribute("source"), "bumpfoil " + std::string(version()) + " (" + std::string(commit()) + ")");
+  EXPECT_EQ(file.attribute("command_line"), "bumpfoil cycle 'my case.toml' -o out");
+  EXPECT_EQ(file.attribute("history"), file.attribute("date_created") + ": " + file.attribute("command_line"));
+  EXPECT_EQ(file.attribute("solver"), "newton");
+  EXPECT_EQ(file.attribute("case_text"), "# as written\n");
+  EXPECT_EQ(parse_case(file.attribute("case_understood"), "understood.toml"), input);
+  EXPECT_EQ(file.attribute("status"), "complete");
+  EXPECT_FALSE(file.file().getAtts().contains("status_message"));
+}
+
+TEST(ResultNetcdf, TakesTheLargestCaseFile) {
+  const std::string text(10'000'000, '#');
+  const ResultFile file(run_cycles(short_case()), short_case(), RunStatus::complete,
+                        {.command_line = {}, .case_text = text});
+  EXPECT_EQ(file.attribute("case_text"), text);
+}
+
+TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
+  const CycleResult result = failed_at_increment_three();
+  const ResultFile file(result, short_case(), RunStatus::failed);
+  EXPECT_EQ(file.attribute("status"), "partial");
+  EXPECT_NE(file.attribute("status_message").find("did not converge"), std::string::npos);
+  // It is as large as the whole would be.
+  EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
+  EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
+  EXPECT_EQ(file.at("direction", {1}), to_degrees(0.3));
+  for (const std::size_t d : {0U, 1U}) {
+    EXPECT_EQ(file.at("converged", {d}), 0);
+    EXPECT_EQ(file.at("max_force", {d}), NC_FILL_DOUBLE);
+    EXPECT_EQ(file.at("loop_energy", {d}), NC_FILL_DOUBLE);
+    EXPECT_EQ(file.at("bump_loads", {d, 3}), NC_FILL_DOUBLE);
+    for (std::size_t i = d == 0 ? 4 : 0; i < 11; ++i) {
+      EXPECT_EQ(file.at("force_direct", {d, i}), NC_FILL_DOUBLE);
+      EXPECT_EQ(file.at("iterations", {d, i}), NC_FILL_INT);
+      EXPECT_EQ(file.at("branch", {d, i}), NC_FILL_BYTE);
+      EXPECT_EQ(file.at("increment_converged", {d, i}), NC_FILL_BYTE);
+      EXPECT_EQ(file.at("crest_v", {d, i, 25}), NC_FILL_DOUBLE);
+      EXPECT_EQ(file.at("state_bump_sleeve", {d, i, 25}), NC_FILL_BYTE);
+    }
+  }
+  EXPECT_EQ(file.at("initial_force", {0}), result.cycles[0].increments[0].force_direct);
+  EXPECT_EQ(file.at("initial_force", {1}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("force_direct", {0, 3}), result.cycles[0].increments[3].force_direct);
+  EXPECT_EQ(file.at("increment_converged", {0, 2}), 1);
+  EXPECT_EQ(file.at("increment_converged", {0, 3}), 0);
+  // Readers are told which number is none.
+  double fill = 0.0;
+  file.variable("force_direct").getAtt("_FillValue").getValues(&fill);
+  EXPECT_EQ(fill, NC_FILL_DOUBLE);
+}
+
+TEST(ResultNetcdf, AnInterruptedRunSaysSo) {
+  const ResultFile file({.solver = SolverName::newton, .cycles = {Cycle{}}}, short_case(), RunStatus::interrupted);
+  EXPECT_EQ(file.attribute("status"), "partial");
+  EXPECT_NE(file.attribute("status_message").find("interrupted"), std::string::npos);
+  EXPECT_EQ(file.at("force_direct", {0, 0}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("initial_journal_load", {0}), NC_FILL_DOUBLE);
+}
+
+TEST(ResultNetcdf, NeverHoldsNanAsANumber) {
+  CycleResult result = run_cycles(short_case());
+  result.cycles[0].increments[2].force_x = std::numeric_limits<double>::quiet_NaN();
+  result.cycles[0].increments[2].crest_v[7] = std::numeric_limits<double>::infinity();
+  result.cycles[0].turning_point->max_force = std::numeric_limits<double>::quiet_NaN();
+  result.cycles[0].increments[5].top_bump.normal_force[4] = std::numeric_limits<double>::quiet_NaN();
+  const ResultFile file(result);
+  EXPECT_EQ(file.at("force_x", {0, 2}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("crest_v", {0, 2, 7}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("max_force", {0}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("bump_loads", {0, 4}), NC_FILL_DOUBLE);
+}
+
+TEST(ResultNetcdf, HoldsEventsWhereTheyWereFollowed) {
+  Case input = short_case();
+  EXPECT_TRUE(ResultFile(run_cycles(input)).file().getDim("event").isNull());
+  input.solver.name = SolverName::events;
+  const CycleResult result = run_cycles(input);
+  const ResultFile file(result, input);
+  const std::size_t first = result.cycles[0].events.size();
+  ASSERT_GT(first, 0U);
+  ASSERT_EQ(file.file().getDim("event").getSize(), first + result.cycles[1].events.size());
+  for (std::size_t d = 0, at = 0; d < 2; ++d) {
+    for (const CycleEvent& event : result.cycles[d].events) {
+      EXPECT_EQ(file.at("event_direction", {at}), to_degrees(input.cycle.directions[d]));
+      EXPECT_EQ(file.at("event_displacement", {at}), event.displacement);
+      EXPECT_EQ(file.at("event_branch", {at}), static_cast<int>(event.branch));
+      EXPECT_EQ(file.at("event_interface", {at}), static_cast<int>(event.interface));
+      EXPECT_EQ(file.at("event_index", {at}), event.index + 1);
+      EXPECT_EQ(file.at("event_from", {at}), static_cast<int>(event.from));
+      EXPECT_EQ(file.at("event_to", {at}), static_cast<int>(event.to));
+      ++at;
+    }
+  }
+}
+
+TEST(ResultNetcdf, SaysWhyItCannotBeWritten) {
+  try {
+    write_result_netcdf("/nowhere/result.nc", short_case(), {}, RunStatus::failed, {});
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::file);
+    EXPECT_NE(std::string(error.what()).find("/nowhere/result.nc: cannot be written: "), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil
