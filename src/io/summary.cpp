@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/case_writer.hpp"
 #include "io/case_json.hpp"
 #include "io/result_columns.hpp"
 
@@ -69,7 +70,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   json["case"] = case_json(input);
   json["version"] = version();
   json["commit"] = commit();
-  json["solver"] = result.solver;
+  json["solver"] = name_of(result.solver);
   json["status"] = name_of(status);
   json["cycles"] = Json::array();
   for (const Cycle& cycle : result.cycles) json["cycles"].push_back(cycle_json(cycle));

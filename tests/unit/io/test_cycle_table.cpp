@@ -78,7 +78,7 @@ TEST(CycleTable, ShowsNumbersInTheUnitsItNames) {
 }
 
 TEST(CycleTable, DashesStandForWhatIsNotKnown) {
-  const std::string text = cycle_table({.solver = "newton", .cycles = {Cycle{}}});
+  const std::string text = cycle_table({.solver = SolverName::newton, .cycles = {Cycle{}}});
   for (const char* name : {"maximum force", "force at the centre", "highest bump load", "on bump", "loss factor"}) {
     EXPECT_EQ(last_cell(text, name), "-");
   }

@@ -133,7 +133,7 @@ TEST(SummaryJson, NeverHoldsNanAsANumber) {
 }
 
 TEST(SummaryJson, HoldsACycleWithoutIncrements) {
-  const CycleResult result{.solver = "newton", .cycles = {Cycle{}}};
+  const CycleResult result{.solver = SolverName::newton, .cycles = {Cycle{}}};
   const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed)).at("cycles").at(0);
   EXPECT_TRUE(cycle.at("initial_force_N").is_null());
 }
