@@ -28,7 +28,8 @@ UzawaDeviation compare_uzawa(Case input, const CycleResult& exact, const UzawaPa
     const double force = reference.turning_point->max_force;
     deviation.max_force = std::max(deviation.max_force, std::abs(cycle.turning_point->max_force / force - 1.0));
     // Without friction both loops are zero to rounding; the work of the push is then the measure.
-    const double energy = std::max(std::abs(*reference.loop_energy), 1e-6 * reference.at_turning_point().work);
+    const double work = reference.at_turning_point().work;
+    const double energy = *reference.loop_energy > 1e-9 * work ? *reference.loop_energy : work;
     deviation.loop_energy =
         std::max(deviation.loop_energy, std::abs(*cycle.loop_energy - *reference.loop_energy) / energy);
   }

@@ -8,7 +8,7 @@ namespace bumpfoil {
 /// How far the augmented Lagrangian solver is from the exact one over the cycles of a case, and what it costs.
 struct UzawaDeviation {
   double max_force{};              ///< largest relative deviation at full displacement
-  double loop_energy{};            ///< largest relative deviation
+  double loop_energy{};            ///< largest deviation relative to it or, without friction, to the work of the push
   double solves_per_increment{};   ///< linear solves
   double updates_per_increment{};  ///< of the multipliers
   int halvings{};                  ///< extra solves of increments that failed at first

@@ -21,38 +21,42 @@ TEST_P(UzawaDefaults, AreCloseToTheExactSolver) {
   EXPECT_EQ(deviation.halvings, 0);
   // What is asked for is 0.5 % in force and 3 % in loop energy; the page states less than 0.01 % and 0.02 %.
   EXPECT_LT(deviation.max_force, 1e-4);
-  EXPECT_LT(deviation.loop_energy, 3e-4);
+  // Without friction it is a part of the work of the push, left by multipliers that end at 1e-6 of the largest force.
+  EXPECT_LT(deviation.loop_energy, friction == 0.0 ? 1e-6 : 3e-4);
   RecordProperty("force", fmt::format("{:.2g}", deviation.max_force));
   RecordProperty("loop_energy", fmt::format("{:.2g}", deviation.loop_energy));
 }
 
 INSTANTIATE_TEST_SUITE_P(Reference, UzawaDefaults, testing::Combine(testing::Values(0.0, 0.1), testing::Bool()));
 
-struct Row {
+/// One error of the page's table, for the bearing and direction (place in the case) that show the largest.
+struct Entry {
   UzawaParameters parameters;
-  double force, loop_energy;  ///< of the page's table: worst of both bearings and all directions
+  bool scattered;
+  std::size_t direction;
+  double UzawaDeviation::*error;
+  double value;
 };
 
-/// The rows with errors that are large enough to be told from the tolerances of the solver, in the direction and for
-/// the bearing that show the worst of them.
-class UzawaStudy : public testing::TestWithParam<Row> {};
+class UzawaStudy : public testing::TestWithParam<Entry> {};
 
-TEST_P(UzawaStudy, ShowsThePagesErrors) {
-  const Row& row = GetParam();
-  UzawaDeviation all;
-  for (const Case& input : {uzawa_study_case(), scattered_uzawa_study_case()}) {
-    all = worst(all, compare_uzawa(input, run_cycles(input), row.parameters));
-  }
-  EXPECT_EQ(all.failures, 0);
+TEST_P(UzawaStudy, ShowsThePagesError) {
+  const Entry& entry = GetParam();
+  Case input = entry.scattered ? scattered_uzawa_study_case() : uzawa_study_case();
+  input.cycle.directions = {input.cycle.directions[entry.direction]};
+  const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), entry.parameters);
+  EXPECT_EQ(deviation.failures, 0);
   // The page prints three decimals of a per cent.
-  EXPECT_NEAR(all.max_force, row.force, 0.02 * row.force);
-  EXPECT_NEAR(all.loop_energy, row.loop_energy, 0.02 * row.loop_energy);
+  EXPECT_NEAR(deviation.*entry.error, entry.value, 0.01 * entry.value);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, UzawaStudy,
-                         testing::Values(Row{{.eps_f = 1e7}, 1.477e-2, 4.580e-2},
-                                         Row{{.eps_r = 1e8}, 3.752e-2, 6.982e-2},
-                                         Row{{.tau_f = 1e-8}, 0.297e-2, 1.001e-2}));
+INSTANTIATE_TEST_SUITE_P(Entries, UzawaStudy,
+                         testing::Values(Entry{{.eps_f = 1e7}, false, 2, &UzawaDeviation::max_force, 1.477e-2},
+                                         Entry{{.eps_f = 1e7}, true, 1, &UzawaDeviation::loop_energy, 4.580e-2},
+                                         Entry{{.eps_r = 1e8}, false, 2, &UzawaDeviation::max_force, 3.752e-2},
+                                         Entry{{.eps_r = 1e8}, false, 2, &UzawaDeviation::loop_energy, 6.982e-2},
+                                         Entry{{.tau_f = 1e-8}, true, 2, &UzawaDeviation::max_force, 0.297e-2},
+                                         Entry{{.tau_f = 1e-8}, true, 1, &UzawaDeviation::loop_energy, 1.001e-2}));
 
 TEST(UzawaHold, NothingCreepsInABearingThatIsHeld) {
   const BearingModel model = make_bearing_model(uzawa_study_case());
