@@ -20,7 +20,7 @@ demo: ## install what is missing, build, run the reference bearing in four direc
 	echo
 	build/release/bumpfoil cycle examples/gen1.toml -o results/demo --force
 	echo
-	echo "Results: $(CURDIR)/results/demo (summary.json, cycle.csv, result.nc)"
+	echo "Results: $(CURDIR)/results/demo"
 	echo "Time: $$SECONDS s in all"
 
 test: ## install what is missing, build with assertions armed, run every test
