@@ -27,7 +27,7 @@ class CycleRunner {
     cycle_.increments.reserve(static_cast<std::size_t>(2 * settings.steps + 1));
   }
 
-  /// Takes the next increment. @return false if it failed: the cycle ends there.
+  /// Takes the next increment. @return false if it failed: the cycle ends with the increment before.
   bool take_increment() {
     const int index = static_cast<int>(cycle_.increments.size());
     const int from_centre = index <= cycle_.steps ? index : 2 * cycle_.steps - index;
@@ -35,7 +35,7 @@ class CycleRunner {
     const Eigen::Vector2d position = displacement * normal_;
     ContactLoading next = loading_at(model_, position);
     const IncrementReport report = index == 0 ? assemble(next) : step(next);
-    if (!state_.x.allFinite() || !state_.normal_force.allFinite() || !state_.friction_force.allFinite()) return false;
+    if (!report.solve.converged) return false;
     loading_ = std::move(next);
 
     Increment record = record_increment(model_, position, normal_, loading_, begin_of_part_, state_);
@@ -46,9 +46,10 @@ class CycleRunner {
     record.dissipated_energy = dissipation_;
     record.solve = report.solve;
     record.substeps = report.substeps;
+    if (solver_.is_exact() && !record.residuals.within()) return false;
     cycle_.increments.push_back(std::move(record));
     if (index == cycle_.steps) tangents_ = tangent_stiffnesses(model_, state_.mode, normal_);
-    return report.solve.converged;
+    return true;
   }
 
   /// Derives the quantities of the cycle from its increments.

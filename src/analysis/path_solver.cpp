@@ -5,7 +5,8 @@
 
 namespace bumpfoil {
 
-PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& problem) {
+PathSolver::PathSolver(const SolverSettings& settings, const ContactProblem& problem)
+    : exact_(settings.name != SolverName::uzawa) {
   if (settings.name == SolverName::uzawa) {
     const UzawaParameters& given = settings.uzawa;
     increments_ = std::make_unique<UzawaSolver>(

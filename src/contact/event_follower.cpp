@@ -9,7 +9,11 @@ namespace bumpfoil {
 
 struct EventFollower::Workspace {
   Workspace(const ContactProblem& contact_problem, const FollowOptions& follow_options)
-      : problem(contact_problem), options(follow_options), modes(make_mode_system(contact_problem)) {}
+      : problem(contact_problem), options(follow_options), modes(make_mode_system(contact_problem)) {
+    const auto contacts = static_cast<std::size_t>(problem.contacts());
+    changes.reserve(contacts);
+    candidates.reserve(3 * contacts);  // a contact may open or leave its cone on either side
+  }
 
   /// Calls visit(contact, friction coefficient, tangential unknown or -1).
   template <typename Visitor>
@@ -33,6 +37,7 @@ struct EventFollower::Workspace {
   std::unique_ptr<ModeSystem> modes;
   std::vector<ContactMode> mode;  ///< of the piece that begins
   ContactState target;            ///< where the piece would lead if nothing happened before the end of the path
+  ContactState next;              ///< end of the piece
   double force_tolerance{};
 
   struct Candidate {
@@ -148,7 +153,8 @@ FollowReport EventFollower::follow(const ContactLoading& end, ContactState& stat
     state.mode = w.mode;
 
     const double part = w.next_event(state);
-    ContactState next = w.target;
+    ContactState& next = w.next;
+    next = w.target;
     const double fraction = part < 1.0 ? report.fraction + part * (1.0 - report.fraction) : 1.0;
     if (part < 1.0) {
       next.x = state.x + part * (w.target.x - state.x);

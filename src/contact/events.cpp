@@ -10,6 +10,8 @@ namespace {
 /// long enough for its slips and forces to stand clear of roundings. Grows by a factor where it does not help.
 constexpr double smallest_probe = 1e-4;
 constexpr double probe_growth = 4.0;
+/// Probes of one step before it is given up: many more than any response needs.
+constexpr int most_probes = 1000;
 
 /// What happened in the last part of a path, on the scale of the whole path.
 void append_events(const std::vector<ContactEvent>& part, double begin, std::vector<ContactEvent>& events) {
@@ -40,7 +42,9 @@ IncrementReport EventStepper::advance(const ContactLoading& from, const ContactL
     return followed.reached_end;
   };
 
-  while (!follow(nullptr)) {
+  for (int probes = 0; !follow(nullptr); ++probes) {
+    report.solve.converged = false;
+    if (probes == most_probes) return report;
     const double before = fraction;
     const double end = std::min(1.0, fraction + probe);
     report.solve += newton_.solve(interpolate(from, to, end), state, probed);

@@ -5,10 +5,17 @@
 #include <vector>
 
 #include "bumpfoil/contact/event_follower.hpp"
+#include "bumpfoil/core/assert.hpp"
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 namespace {
+
+/// Events within an increment beyond which following them is no longer the cheaper method.
+constexpr int most_pieces = 100;
+
+/// Rounds of mode changes after each update of the multipliers, which will show better modes next time.
+constexpr int rounds_per_multiplier_update = 2;
 
 /// Coulomb's law of one contact, read off its place in the block.
 struct Law {
@@ -65,9 +72,14 @@ struct NewtonSolver::Workspace {
         options(newton_options),
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
-        follower(contact_problem),
+        follower(contact_problem, {.max_pieces = most_pieces}),
         normal_stiffness(contact_problem.contacts()),
-        tangential_stiffness(contact_problem.contacts()) {}
+        tangential_stiffness(contact_problem.contacts()) {
+    const auto contacts = static_cast<std::size_t>(problem.contacts());
+    changes.reserve(contacts);
+    terms.reserve(2 * contacts);
+    kinks.reserve(4 * contacts);
+  }
 
   /// Calls visit(law, first row of the block, contact) for every contact.
   template <typename Visitor>
@@ -79,7 +91,7 @@ struct NewtonSolver::Workspace {
   }
 
   void find_changes(const ContactState& previous, const ContactState& state);
-  bool iterate_modes(const ContactLoading& loading, const ContactState& previous, ContactState& state,
+  bool iterate_modes(const ContactLoading& loading, const ContactState& previous, int rounds, ContactState& state,
                      SolveReport& report);
   bool augmented_lagrangian(const ContactLoading& loading, const ContactState& previous, ContactState& state,
                             SolveReport& report);
@@ -111,11 +123,12 @@ NewtonSolver::NewtonSolver(const ContactProblem& problem, const NewtonOptions& o
 NewtonSolver::~NewtonSolver() = default;
 
 SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactState& previous, ContactState& state) {
+  BUMPFOIL_ASSERT(&state != &previous);  // friction refers to `previous` throughout
   Workspace& w = *workspace_;
   SolveReport report;
   state = previous;
   w.trial = previous.mode;
-  report.converged = w.iterate_modes(loading, previous, state, report) ||
+  report.converged = w.iterate_modes(loading, previous, w.options.max_mode_updates, state, report) ||
                      w.follow_events(loading, previous, state, report) ||
                      w.augmented_lagrangian(loading, previous, state, report);
   return report;
@@ -138,9 +151,9 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
 }
 
 /// Exact solves from the modes in `trial`, until no contact contradicts its mode or the rounds are spent.
-bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const ContactState& previous,
+bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const ContactState& previous, int rounds,
                                             ContactState& state, SolveReport& report) {
-  PivotingRule rule(options.max_mode_updates);
+  PivotingRule rule(rounds);
   for (;;) {
     if (!modes->set_modes(trial)) return false;
     ++report.factorisations;
@@ -162,7 +175,7 @@ bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const
   report += followed.solve;
   if (!followed.reached_end) return false;
   trial = path_end.mode;
-  return iterate_modes(loading, previous, state, report);
+  return iterate_modes(loading, previous, options.max_mode_updates, state, report);
 }
 
 /// Forces p, t at x for the current multipliers and bounds, and the gradient of the energy there.
@@ -257,7 +270,7 @@ bool NewtonSolver::Workspace::augmented_lagrangian(const ContactLoading& loading
       bound[c] = law.f * lambda[c];
       mu[c] = std::clamp(mu[c], -bound[c], bound[c]);
     });
-    if (iterate_modes(loading, previous, state, report)) return true;
+    if (iterate_modes(loading, previous, rounds_per_multiplier_update, state, report)) return true;
   }
   return false;
 }

@@ -17,6 +17,9 @@ class PathSolver {
   /// True if the parts of an increment are linear pieces between events.
   [[nodiscard]] bool follows_events() const { return events_ != nullptr; }
 
+  /// True if every state must meet the bounds of contact/residual.hpp; false if the solver states bounds of its own.
+  [[nodiscard]] bool is_exact() const { return exact_; }
+
   /// One step from the unstressed foils to the first loading.
   [[nodiscard]] SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
                                      ContactState& state);
@@ -28,6 +31,7 @@ class PathSolver {
                                         const PartVisitor& visit, std::vector<ContactEvent>& events);
 
  private:
+  bool exact_;
   std::unique_ptr<ContactSolver> increments_;
   std::unique_ptr<EventStepper> events_;
 };
