@@ -9,8 +9,13 @@ namespace bumpfoil {
 
 struct EventFollower::Workspace {
   Workspace(const ContactProblem& contact_problem, const FollowOptions& follow_options)
-      : problem(contact_problem), options(follow_options), modes(make_mode_system(contact_problem)) {
+      : problem(contact_problem),
+        options(follow_options),
+        modes(make_mode_system(contact_problem)),
+        target(ContactState::unstressed(contact_problem)),
+        next(target) {
     const auto contacts = static_cast<std::size_t>(problem.contacts());
+    mode.reserve(contacts);
     changes.reserve(contacts);
     candidates.reserve(3 * contacts);  // a contact may open or leave its cone on either side
   }

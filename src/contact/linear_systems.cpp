@@ -94,6 +94,7 @@ class ModeSystemOf final : public ModeSystem {
         order_(elimination_order(problem.pairs)),
         K_(problem.K),
         lu_(problem.K.blocks(), problem.K.block_size()),
+        mode_(static_cast<std::size_t>(problem.contacts()), ContactMode::open),
         rhs_(problem.K.rows()),
         imbalance_(problem.K.rows()),
         rows_(problem.K.block_size(), 3 * problem.K.block_size()) {

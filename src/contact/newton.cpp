@@ -73,9 +73,16 @@ struct NewtonSolver::Workspace {
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
         follower(contact_problem, {.max_pieces = most_pieces}),
-        normal_stiffness(contact_problem.contacts()),
-        tangential_stiffness(contact_problem.contacts()) {
+        path_end(ContactState::unstressed(contact_problem)),
+        x(contact_problem.K.rows()),
+        gradient(x),
+        step(x) {
+    for (Vector* each : {&lambda, &mu, &bound, &p, &t, &normal_stiffness, &tangential_stiffness, &last_normal_stiffness,
+                         &last_tangential_stiffness}) {
+      each->setZero(problem.contacts());
+    }
     const auto contacts = static_cast<std::size_t>(problem.contacts());
+    trial.reserve(contacts);
     changes.reserve(contacts);
     terms.reserve(2 * contacts);
     kinks.reserve(4 * contacts);
@@ -245,11 +252,9 @@ bool NewtonSolver::Workspace::augmented_lagrangian(const ContactLoading& loading
   x = previous.x;
   lambda = previous.normal_force.cwiseMax(0.0);
   mu = previous.friction_force;
-  bound.setZero(lambda.size());
+  bound.setZero();
   p = lambda;
   t = mu;
-  last_normal_stiffness.resize(lambda.size());
-  last_tangential_stiffness.setZero(lambda.size());
   for_each_contact([&](const Law& law, Eigen::Index, Eigen::Index c) { bound[c] = law.f * lambda[c]; });
 
   for (int outer = 0; outer < options.max_outer_iterations; ++outer) {
