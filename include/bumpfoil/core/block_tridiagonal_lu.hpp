@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "bumpfoil/core/assert.hpp"
@@ -41,7 +40,8 @@ class BlockTridiagonalLU {
   Block& upper(int i) { return upper_[static_cast<std::size_t>(i)]; }
 
   /// Factors the matrix. Blocks before `first` must be as they were at the last factorisation: their part is kept.
-  /// @return false if a pivot was zero up to rounding or not finite; the factors are then unusable.
+  /// @return false if a pivot was zero or not finite (a long foil nearly floats, so that tiny ones are no error); the
+  /// factors are then unusable.
   [[nodiscard]] bool factor(int first = 0) {
     for (auto i = static_cast<std::size_t>(first); i < diagonal_.size(); ++i) {
       factors_[i] = diagonal_[i];
@@ -105,7 +105,6 @@ class BlockTridiagonalLU {
     const int n = size();
     double* a = factors_[i].data();
     int* pivot_row = pivot_rows_.data() + i * static_cast<std::size_t>(n);
-    const double vanishing = std::numeric_limits<double>::epsilon() * diagonal_[i].cwiseAbs().maxCoeff();
     for (int k = 0; k < n; ++k) {
       int best = k;
       for (int r = k + 1; r < n; ++r) {
@@ -114,7 +113,7 @@ class BlockTridiagonalLU {
       pivot_row[k] = best;
       if (best != k) std::swap_ranges(a + k * n, a + (k + 1) * n, a + best * n);
       const double pivot = a[k * n + k];
-      if (!(std::abs(pivot) > vanishing) || !std::isfinite(pivot)) return false;
+      if (pivot == 0.0 || !std::isfinite(pivot)) return false;
       a[k * n + k] = 1.0 / pivot;
       for (int r = k + 1; r < n; ++r) {
         const double factor = a[r * n + k] *= a[k * n + k];
