@@ -2,22 +2,28 @@
 
 #include <cmath>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
+
 namespace bumpfoil {
 
 double gap_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end) {
-  const Vector opened_by_foils = contact_gaps(problem, Vector::Zero(problem.contacts()), end.x - begin.x);
-  const Vector initial_gap_change = end.gap - begin.gap - opened_by_foils;
-  return -0.5 * (begin.normal_force + end.normal_force).dot(initial_gap_change);
+  double work = 0.0;
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const double opened_by_foils = contact.gap(end.x) - contact.gap(begin.x);
+    const double initial_gap_change = end.gap[c] - begin.gap[c] - opened_by_foils;
+    work -= 0.5 * (begin.normal_force[c] + end.normal_force[c]) * initial_gap_change;
+  });
+  return work;
 }
 
 double friction_dissipation(const ContactProblem& problem, const Vector& normal_force, const Vector& begin_x,
                             const Vector& end_x) {
-  const Vector slip = tangential_displacements(problem, end_x - begin_x);
   double dissipation = 0.0;
-  for (Eigen::Index c = 0; c < slip.size(); ++c) {
-    const ContactPair& pair = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()];
-    dissipation += pair.friction_coefficient * normal_force[c] * std::abs(slip[c]);
-  }
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const double slip = contact.tangential(end_x) - contact.tangential(begin_x);
+    dissipation += contact.f * normal_force[contact.index] * std::abs(slip);
+  });
   return dissipation;
 }
 

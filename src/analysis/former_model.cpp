@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
-#include "contact/coulomb_contact.hpp"
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
@@ -137,8 +137,9 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
       of_system[static_cast<std::size_t>(c.index)] =
           slips(m) ? mode_of_system(m == ContactMode::slip_forward, sense[c.index]) : m;
     });
+    const int factorisations = modes_->factorisations();
     if (!modes_->set_modes(of_system)) return false;
-    ++solution.report.factorisations;
+    solution.report.factorisations += modes_->factorisations() - factorisations;
     modes_->solve(loading, unstressed, state);
     ++solution.report.iterations;
     const double negligible = force_tolerance * std::max(1.0, state.normal_force.cwiseAbs().maxCoeff());

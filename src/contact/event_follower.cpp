@@ -2,34 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 
 struct EventFollower::Workspace {
-  Workspace(const ContactProblem& contact_problem, const FollowOptions& follow_options)
+  Workspace(const ContactProblem& contact_problem, std::shared_ptr<ModeSystem> mode_system,
+            const FollowOptions& follow_options)
       : problem(contact_problem),
         options(follow_options),
-        modes(make_mode_system(contact_problem)),
+        modes(std::move(mode_system)),
         target(ContactState::unstressed(contact_problem)),
         next(target) {
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     mode.reserve(contacts);
     changes.reserve(contacts);
     candidates.reserve(3 * contacts);  // a contact may open or leave its cone on either side
-  }
-
-  /// Calls visit(contact, friction coefficient, tangential unknown or -1).
-  template <typename Visitor>
-  void for_each_contact(Visitor&& visit) const {
-    Eigen::Index contact = 0;
-    for (Eigen::Index row = 0; row < problem.K.rows(); row += problem.K.block_size()) {
-      for (const ContactPair& pair : problem.pairs) {
-        const double f = pair.tangential >= 0 ? pair.friction_coefficient : 0.0;
-        visit(contact++, f, pair.tangential >= 0 ? row + pair.tangential : Eigen::Index{-1});
-      }
-    }
   }
 
   void find_changes(const ContactState& state);
@@ -39,7 +30,7 @@ struct EventFollower::Workspace {
 
   ContactProblem problem;
   FollowOptions options;
-  std::unique_ptr<ModeSystem> modes;
+  std::shared_ptr<ModeSystem> modes;
   std::vector<ContactMode> mode;  ///< of the piece that begins
   ContactState target;            ///< where the piece would lead if nothing happened before the end of the path
   ContactState next;              ///< end of the piece
@@ -54,22 +45,25 @@ struct EventFollower::Workspace {
   std::vector<ModeChange> changes;
 };
 
-EventFollower::EventFollower(const ContactProblem& problem, const FollowOptions& options)
-    : workspace_(std::make_unique<Workspace>(problem, options)) {}
+EventFollower::EventFollower(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes,
+                             const FollowOptions& options)
+    : workspace_(std::make_unique<Workspace>(problem, std::move(modes), options)) {}
 
 EventFollower::~EventFollower() = default;
 
 /// Collects the contacts that may choose their mode at `state` and contradict it on the way to `target`.
 void EventFollower::Workspace::find_changes(const ContactState& state) {
   changes.clear();
-  for_each_contact([&](Eigen::Index c, double f, Eigen::Index tangential) {
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const double f = contact.f;
     const ContactMode m = mode[static_cast<std::size_t>(c)];
     const bool loaded = state.normal_force[c] > force_tolerance;
     if (m == ContactMode::open && state.gap[c] > options.displacement_tolerance) return;
     ContactTrial trial{.gap = target.gap[c],
                        .normal = target.normal_force[c],
                        .friction = target.friction_force[c],
-                       .slip = tangential >= 0 ? target.x[tangential] - state.x[tangential] : 0.0};
+                       .slip = contact.tangential(target.x) - contact.tangential(state.x)};
     if (loaded) {
       trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
       if (m == ContactMode::stick) {
@@ -92,8 +86,9 @@ bool EventFollower::Workspace::settle_modes(const ContactLoading& end, const Con
   force_tolerance = options.force_tolerance * std::max(1.0, state.normal_force.maxCoeff());
   PivotingRule rule(options.max_mode_updates);
   for (;;) {
+    const int factorisations = modes->factorisations();
     if (!modes->set_modes(mode)) return false;
-    ++report.factorisations;
+    report.factorisations += modes->factorisations() - factorisations;
     modes->solve(end, state.x, target);
     ++report.iterations;
     if (!target.x.allFinite()) return false;
@@ -113,7 +108,9 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
     candidates.push_back({fraction, c, to});
     first = std::min(first, fraction);
   };
-  for_each_contact([&](Eigen::Index c, double f, Eigen::Index /*tangential*/) {
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const double f = contact.f;
     const ContactMode m = mode[static_cast<std::size_t>(c)];
     if (m == ContactMode::open) {
       if (target.gap[c] < -options.displacement_tolerance) propose(c, state.gap[c], target.gap[c], ContactMode::stick);

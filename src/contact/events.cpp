@@ -23,7 +23,8 @@ void append_events(const std::vector<ContactEvent>& part, double begin, std::vec
 
 }  // namespace
 
-EventStepper::EventStepper(const ContactProblem& problem) : follower_(problem), newton_(problem) {}
+EventStepper::EventStepper(const ContactProblem& problem)
+    : follower_(problem, make_mode_system(problem)), newton_(problem) {}
 
 IncrementReport EventStepper::advance(const ContactLoading& from, const ContactLoading& to, ContactState& state,
                                       const PartVisitor& visit, std::vector<ContactEvent>& events) {

@@ -117,9 +117,14 @@ class ModeSystemOf final : public ModeSystem {
       assemble_block(b, &*begin);
     }
     mode_ = mode;
-    if (first < K_.diagonal.size()) factored_ = lu_.factor(static_cast<int>(first));
+    if (first < K_.diagonal.size()) {
+      factored_ = lu_.factor(static_cast<int>(first));
+      ++factorisations_;
+    }
     return factored_;
   }
+
+  [[nodiscard]] int factorisations() const override { return factorisations_; }
 
   void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) override {
     BUMPFOIL_ASSERT(factored_);
@@ -224,6 +229,7 @@ class ModeSystemOf final : public ModeSystem {
   Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
   double constraint_scale_{0.0};  ///< brings constraint rows to the size of the stiffness, so that pivots compare
   bool factored_{false};
+  int factorisations_{0};
 };
 
 template <int B>

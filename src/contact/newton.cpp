@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/event_follower.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "contact/pivoting.hpp"
@@ -16,21 +17,6 @@ constexpr int most_pieces = 100;
 
 /// Rounds of mode changes after each update of the multipliers, which will show better modes next time.
 constexpr int rounds_per_multiplier_update = 2;
-
-/// Coulomb's law of one contact, read off its place in the block.
-struct Law {
-  const ContactPair& pair;
-  double f;  ///< 0 where frictionless
-
-  explicit Law(const ContactPair& p) : pair(p), f(p.tangential >= 0 ? p.friction_coefficient : 0.0) {}
-
-  [[nodiscard]] double gap(const Vector& x, Eigen::Index row) const {
-    return (pair.plus >= 0 ? x[row + pair.plus] : 0.0) - (pair.minus >= 0 ? x[row + pair.minus] : 0.0);
-  }
-  [[nodiscard]] double tangential(const Vector& x, Eigen::Index row) const {
-    return pair.tangential >= 0 ? x[row + pair.tangential] : 0.0;
-  }
-};
 
 /// The part -weight * clamp(centre - slope * a, low, high) of the derivative of the energy along a search direction.
 struct ClampedTerm {
@@ -72,7 +58,7 @@ struct NewtonSolver::Workspace {
         options(newton_options),
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
-        follower(contact_problem, {.max_pieces = most_pieces}),
+        follower(contact_problem, modes, {.max_pieces = most_pieces}),
         path_end(ContactState::unstressed(contact_problem)),
         x(contact_problem.K.rows()),
         gradient(x),
@@ -88,15 +74,6 @@ struct NewtonSolver::Workspace {
     kinks.reserve(4 * contacts);
   }
 
-  /// Calls visit(law, first row of the block, contact) for every contact.
-  template <typename Visitor>
-  void for_each_contact(Visitor&& visit) const {
-    Eigen::Index contact = 0;
-    for (Eigen::Index row = 0; row < problem.K.rows(); row += problem.K.block_size()) {
-      for (const ContactPair& pair : problem.pairs) visit(Law(pair), row, contact++);
-    }
-  }
-
   void find_changes(const ContactState& previous, const ContactState& state);
   bool iterate_modes(const ContactLoading& loading, const ContactState& previous, int rounds, ContactState& state,
                      SolveReport& report);
@@ -110,7 +87,7 @@ struct NewtonSolver::Workspace {
 
   ContactProblem problem;
   NewtonOptions options;
-  std::unique_ptr<ModeSystem> modes;
+  std::shared_ptr<ModeSystem> modes;  ///< shared with the follower, whose last factors are often the ones needed
   std::unique_ptr<PenaltySystem> penalties;
   EventFollower follower;
 
@@ -146,14 +123,15 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
   const double largest = std::max(1.0, state.normal_force.maxCoeff());
   const double force_tolerance = options.force_tolerance * largest;
   changes.clear();
-  for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index contact) {
-    const ContactMode m = state.mode[static_cast<std::size_t>(contact)];
-    const ContactTrial judged{.gap = state.gap[contact],
-                              .normal = state.normal_force[contact],
-                              .friction = state.friction_force[contact],
-                              .slip = law.tangential(state.x, row) - law.tangential(previous.x, row)};
-    const ContactMode to = next_mode(m, law.f, judged, options.displacement_tolerance, force_tolerance);
-    if (to != m) changes.push_back({contact, to});
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const ContactMode m = state.mode[static_cast<std::size_t>(c)];
+    const ContactTrial judged{.gap = state.gap[c],
+                              .normal = state.normal_force[c],
+                              .friction = state.friction_force[c],
+                              .slip = contact.tangential(state.x) - contact.tangential(previous.x)};
+    const ContactMode to = next_mode(m, contact.f, judged, options.displacement_tolerance, force_tolerance);
+    if (to != m) changes.push_back({c, to});
   });
 }
 
@@ -162,8 +140,9 @@ bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const
                                             ContactState& state, SolveReport& report) {
   PivotingRule rule(rounds);
   for (;;) {
+    const int factorisations = modes->factorisations();
     if (!modes->set_modes(trial)) return false;
-    ++report.factorisations;
+    report.factorisations += modes->factorisations() - factorisations;
     modes->solve(loading, previous.x, state);
     ++report.iterations;
     if (!state.x.allFinite()) return false;
@@ -188,22 +167,21 @@ bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const
 /// Forces p, t at x for the current multipliers and bounds, and the gradient of the energy there.
 void NewtonSolver::Workspace::evaluate(const ContactLoading& loading, const ContactState& previous) {
   gradient = penalties->multiply(x) - loading.load;
-  for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index c) {
-    const double gap = loading.initial_gap[c] + law.gap(x, row);
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const double gap = loading.initial_gap[c] + contact.gap(x);
     const double trial_normal = lambda[c] - options.penalty * gap;
     p[c] = std::max(0.0, trial_normal);
     normal_stiffness[c] = trial_normal > 0.0 ? options.penalty : 0.0;
-    if (law.pair.plus >= 0) gradient[row + law.pair.plus] -= p[c];
-    if (law.pair.minus >= 0) gradient[row + law.pair.minus] += p[c];
     t[c] = 0.0;
     tangential_stiffness[c] = 0.0;
-    if (law.f > 0.0) {
-      const double slip = law.tangential(x, row) - law.tangential(previous.x, row);
+    if (contact.f > 0.0) {
+      const double slip = contact.tangential(x) - contact.tangential(previous.x);
       const double trial_friction = mu[c] - options.penalty * slip;
       t[c] = std::clamp(trial_friction, -bound[c], bound[c]);
       tangential_stiffness[c] = std::abs(trial_friction) < bound[c] ? options.penalty : 0.0;
-      gradient[row + law.pair.tangential] -= t[c];
     }
+    contact.add_forces(p[c], t[c], -1.0, gradient);
   });
 }
 
@@ -212,13 +190,14 @@ double NewtonSolver::Workspace::line_search(const ContactLoading& loading, const
   const double constant = step.dot(penalties->multiply(x) - loading.load);
   const double rate = step.dot(penalties->multiply(step));
   terms.clear();
-  for_each_contact([&](const Law& law, Eigen::Index row, Eigen::Index c) {
-    const double gap = loading.initial_gap[c] + law.gap(x, row);
-    const double gap_rate = law.gap(step, row);
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const double gap = loading.initial_gap[c] + contact.gap(x);
+    const double gap_rate = contact.gap(step);
     terms.push_back({gap_rate, lambda[c] - options.penalty * gap, options.penalty * gap_rate, 0.0, HUGE_VAL});
-    if (law.f > 0.0) {
-      const double slip = law.tangential(x, row) - law.tangential(previous.x, row);
-      const double slip_rate = law.tangential(step, row);
+    if (contact.f > 0.0) {
+      const double slip = contact.tangential(x) - contact.tangential(previous.x);
+      const double slip_rate = contact.tangential(step);
       terms.push_back({slip_rate, mu[c] - options.penalty * slip, options.penalty * slip_rate, -bound[c], bound[c]});
     }
   });
@@ -255,7 +234,8 @@ bool NewtonSolver::Workspace::augmented_lagrangian(const ContactLoading& loading
   bound.setZero();
   p = lambda;
   t = mu;
-  for_each_contact([&](const Law& law, Eigen::Index, Eigen::Index c) { bound[c] = law.f * lambda[c]; });
+  for_each_contact(problem,
+                   [&](const CoulombContact& contact) { bound[contact.index] = contact.f * lambda[contact.index]; });
 
   for (int outer = 0; outer < options.max_outer_iterations; ++outer) {
     minimise(loading, previous, report);
@@ -263,16 +243,17 @@ bool NewtonSolver::Workspace::augmented_lagrangian(const ContactLoading& loading
     if (!x.allFinite()) return false;
     lambda = p;
     mu = t;
-    for_each_contact([&](const Law& law, Eigen::Index, Eigen::Index c) {
+    for_each_contact(problem, [&](const CoulombContact& contact) {
+      const Eigen::Index c = contact.index;
       ContactMode& m = trial[static_cast<std::size_t>(c)];
       if (p[c] <= 0.0) {
         m = ContactMode::open;
-      } else if (law.f == 0.0 || std::abs(t[c]) < bound[c]) {
+      } else if (contact.f == 0.0 || std::abs(t[c]) < bound[c]) {
         m = ContactMode::stick;
       } else {
         m = t[c] < 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
       }
-      bound[c] = law.f * lambda[c];
+      bound[c] = contact.f * lambda[c];
       mu[c] = std::clamp(mu[c], -bound[c], bound[c]);
     });
     if (iterate_modes(loading, previous, rounds_per_multiplier_update, state, report)) return true;

@@ -1,7 +1,7 @@
 #include "bumpfoil/contact/problem.hpp"
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/assert.hpp"
-#include "contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
 

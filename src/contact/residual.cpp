@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -18,29 +19,29 @@ ContactResiduals contact_residuals(const ContactProblem& problem, const Vector& 
                                    const ContactLoading& loading, const Vector& previous_x, const ContactState& state) {
   const Vector& p = state.normal_force;
   const Vector& t = state.friction_force;
-  const Vector gap = contact_gaps(problem, loading.initial_gap, state.x);
-  const Vector slip = tangential_displacements(problem, state.x) - tangential_displacements(problem, previous_x);
-  const Vector imbalance = elastic_force - loading.load - contact_forces(problem, p, t);
   const double scale = std::max({p.cwiseAbs().maxCoeff(), t.cwiseAbs().maxCoeff(), 1.0});
   // A force is inside the cone where it stays clear of the bound by more than the force tolerance.
   const double clear_of_the_bound = 1e-9 * scale;
 
   ContactResiduals residuals;
-  for (const double entry : imbalance) raise(residuals.equilibrium, std::abs(entry) / scale);
-  for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
-    const ContactPair& pair = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()];
-    const double f = pair.tangential >= 0 ? pair.friction_coefficient : 0.0;
-    const double bound = f * p[c];
-    raise(residuals.penetration, -gap[c]);
+  Vector imbalance = elastic_force - loading.load;
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    contact.add_forces(p[c], t[c], -1.0, imbalance);
+    const double gap = loading.initial_gap[c] + contact.gap(state.x);
+    const double slip = contact.tangential(state.x) - contact.tangential(previous_x);
+    const double bound = contact.f * p[c];
+    raise(residuals.penetration, -gap);
     raise(residuals.complementarity, -p[c] / scale);
-    if (gap[c] > displacement_resolution) raise(residuals.complementarity, p[c] / scale);
+    if (gap > displacement_resolution) raise(residuals.complementarity, p[c] / scale);
     raise(residuals.cone, (std::abs(t[c]) - bound) / scale);
-    if (std::abs(t[c]) < bound - clear_of_the_bound || std::isnan(slip[c])) {
-      raise(residuals.slip_in_stick, std::abs(slip[c]));
-    } else if (std::abs(slip[c]) > displacement_resolution) {
-      raise(residuals.cone, std::abs(t[c] + std::copysign(bound, slip[c])) / scale);
+    if (std::abs(t[c]) < bound - clear_of_the_bound || std::isnan(slip)) {
+      raise(residuals.slip_in_stick, std::abs(slip));
+    } else if (std::abs(slip) > displacement_resolution) {
+      raise(residuals.cone, std::abs(t[c] + std::copysign(bound, slip)) / scale);
     }
-  }
+  });
+  for (const double entry : imbalance) raise(residuals.equilibrium, std::abs(entry) / scale);
   return residuals;
 }
 

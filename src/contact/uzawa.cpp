@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
 namespace {

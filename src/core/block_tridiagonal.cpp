@@ -7,21 +7,39 @@
 namespace bumpfoil {
 namespace {
 
-// Blocks are too small for general products of matrices of unknown size to pay.
+// Blocks are too small for general products of matrices of unknown size to pay: plain loops, with a length that the
+// compiler knows for the sizes of the foil models.
 
 /// y += a x
+template <int B>
 void add_product(const Matrix& a, const double* x, double* y) {
-  const double* entry = a.data();  // column by column
-  for (Eigen::Index c = 0; c < a.cols(); ++c) {
-    for (Eigen::Index r = 0; r < a.rows(); ++r) y[r] += *entry++ * x[c];
+  const Eigen::Index n = B == Eigen::Dynamic ? a.rows() : B;
+  const double* column = a.data();
+  for (Eigen::Index c = 0; c < n; ++c, column += n) {
+    for (Eigen::Index r = 0; r < n; ++r) y[r] += column[r] * x[c];
   }
 }
 
 /// y += a' x
+template <int B>
 void add_transposed_product(const Matrix& a, const double* x, double* y) {
-  const double* entry = a.data();
-  for (Eigen::Index c = 0; c < a.cols(); ++c) {
-    for (Eigen::Index r = 0; r < a.rows(); ++r) y[c] += *entry++ * x[r];
+  const Eigen::Index n = B == Eigen::Dynamic ? a.rows() : B;
+  const double* column = a.data();
+  for (Eigen::Index c = 0; c < n; ++c, column += n) {
+    double sum = 0.0;
+    for (Eigen::Index r = 0; r < n; ++r) sum += column[r] * x[r];
+    y[c] += sum;
+  }
+}
+
+/// y += K x
+template <int B>
+void add_product(const BlockTridiagonal& K, const double* x, double* y) {
+  const int n = K.block_size();
+  for (std::size_t b = 0; b < K.diagonal.size(); ++b, x += n, y += n) {
+    add_product<B>(K.diagonal[b], x, y);
+    if (b + 1 < K.diagonal.size()) add_product<B>(K.upper[b], x + n, y);
+    if (b > 0) add_transposed_product<B>(K.upper[b - 1], x - n, y);
   }
 }
 
@@ -48,15 +66,16 @@ void BlockTridiagonal::add(int block_i, int i, int block_j, int j, double value)
 
 Vector BlockTridiagonal::multiply(const Vector& x) const {
   BUMPFOIL_ASSERT(x.size() == rows());
-  const int n = block_size();
   Vector y = Vector::Zero(rows());
-  for (std::size_t b = 0; b < diagonal.size(); ++b) {
-    const double* xb = x.data() + static_cast<Eigen::Index>(b) * n;
-    double* yb = y.data() + static_cast<Eigen::Index>(b) * n;
-    add_product(diagonal[b], xb, yb);
-    if (b + 1 == diagonal.size()) break;
-    add_product(upper[b], xb + n, yb);
-    add_transposed_product(upper[b], xb, yb + n);
+  switch (block_size()) {
+    case 6:
+      add_product<6>(*this, x.data(), y.data());
+      break;
+    case 11:
+      add_product<11>(*this, x.data(), y.data());
+      break;
+    default:
+      add_product<Eigen::Dynamic>(*this, x.data(), y.data());
   }
   return y;
 }

@@ -28,7 +28,7 @@ struct FollowReport {
 struct FollowOptions {
   double displacement_tolerance{1e-13};  ///< m
   double force_tolerance{1e-11};         ///< of max(largest contact force, 1 N)
-  int max_mode_updates{30};              ///< rounds of settling the modes after one event
+  int max_mode_updates{10};              ///< rounds of settling the modes after one event
   int max_pieces{100000};                ///< pieces of one path
 };
 
@@ -41,7 +41,9 @@ struct FollowOptions {
 /// are settled together, starting from their last modes.
 class EventFollower {
  public:
-  explicit EventFollower(const ContactProblem& problem, const FollowOptions& options = FollowOptions());
+  /// @param modes  linear system of the problem; may be shared with other solvers that are not at work meanwhile
+  EventFollower(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes,
+                const FollowOptions& options = FollowOptions());
   ~EventFollower();
 
   /// Follows the response from `state` to the loading `end`, which it approaches linearly.

@@ -21,6 +21,9 @@ class ModeSystem {
   /// @return false if the modes leave a mechanism or a singular system; then no solve may follow.
   [[nodiscard]] virtual bool set_modes(const std::vector<ContactMode>& mode) = 0;
 
+  /// How many times set_modes() had to factor since construction.
+  [[nodiscard]] virtual int factorisations() const = 0;
+
   /// Solves for the unknowns and the contact forces under the modes that were set. The result obeys the equations of
   /// the modes; whether it obeys their inequalities is for the caller to see. Linear: given rates it returns rates.
   /// @param loading     initial gaps and loads

@@ -14,7 +14,7 @@ struct NewtonOptions {
   /// A compression may be below zero, or friction above its bound, by this part of max(largest contact force, 1 N).
   double force_tolerance{1e-11};
   /// Rounds of changing contacts that contradict their mode before the next method is tried.
-  int max_mode_updates{8};
+  int max_mode_updates{2};
   /// Penalty of the proximal augmented Lagrangian, N/m. It sets its pace, not its result.
   double penalty{1e10};
   /// Multiplier updates of the augmented Lagrangian before the increment is given up.

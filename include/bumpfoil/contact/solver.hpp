@@ -9,8 +9,8 @@ namespace bumpfoil {
 /// What a solve cost and how it ended.
 struct SolveReport {
   bool converged{};        ///< the state meets the solver's own bound
-  int iterations{};        ///< linear solves
-  int factorisations{};    ///< of the whole system
+  int iterations{};        ///< linear solves: back-substitutions
+  int factorisations{};    ///< of the system, from the first block that changed on; kept factors cost none
   int outer_iterations{};  ///< multiplier updates of an augmented Lagrangian; 0 where none was needed
 
   SolveReport& operator+=(const SolveReport& other);

@@ -49,7 +49,7 @@ class BlockTridiagonalLU {
       if (!factor_block(i)) return false;
       if (i + 1 < diagonal_.size()) {
         reduced_upper_[i] = upper_[i];
-        solve_block(i, reduced_upper_[i].data(), size());
+        solve_block(i, reduced_upper_[i]);
       }
     }
     return true;
@@ -62,7 +62,7 @@ class BlockTridiagonalLU {
     double* part = x.data();
     for (std::size_t i = 0; i < factors_.size(); ++i, part += n) {
       if (i > 0) subtract_product(lower_[i], part - n, part);
-      solve_block(i, part, 1);
+      solve_block(i, part);
     }
     part -= n;
     for (std::size_t i = factors_.size() - 1; i-- > 0;) {
@@ -77,17 +77,27 @@ class BlockTridiagonalLU {
 
   [[nodiscard]] int size() const { return B == Eigen::Dynamic ? block_size_ : B; }
 
+  /// row -= sum over k < count of factors[k] * (row k of `rows`), all rows as long as a block. Known lengths are summed
+  /// in registers.
+  void subtract_rows(const double* factors, const double* rows, int count, double* row) const {
+    if constexpr (B == Eigen::Dynamic) {
+      for (int k = 0; k < count; ++k) {
+        for (int c = 0; c < block_size_; ++c) row[c] -= factors[k] * rows[k * block_size_ + c];
+      }
+    } else {
+      double sum[B];
+      for (int c = 0; c < B; ++c) sum[c] = row[c];
+      for (int k = 0; k < count; ++k) {
+        for (int c = 0; c < B; ++c) sum[c] -= factors[k] * rows[k * B + c];
+      }
+      for (int c = 0; c < B; ++c) row[c] = sum[c];
+    }
+  }
+
   /// result -= a * b
   void subtract_product(const Block& a, const Block& b, Block& result) const {
     const int n = size();
-    for (int r = 0; r < n; ++r) {
-      double* row = result.data() + r * n;
-      for (int k = 0; k < n; ++k) {
-        const double factor = a.data()[r * n + k];
-        const double* other = b.data() + k * n;
-        for (int c = 0; c < n; ++c) row[c] -= factor * other[c];
-      }
-    }
+    for (int r = 0; r < n; ++r) subtract_rows(a.data() + r * n, b.data(), n, result.data() + r * n);
   }
 
   /// y -= a x
@@ -123,25 +133,37 @@ class BlockTridiagonalLU {
     return true;
   }
 
-  /// Solves with the factors of block i for `columns` right-hand sides, stored row by row.
-  void solve_block(std::size_t i, double* x, int columns) const {
+  /// X = (block i)^-1 X with the factors of block i.
+  void solve_block(std::size_t i, Block& X) const {
+    const int n = size();
+    const double* a = factors_[i].data();
+    const int* pivot_row = pivot_rows_.data() + i * static_cast<std::size_t>(n);
+    double* x = X.data();
+    for (int k = 0; k < n; ++k) {
+      if (pivot_row[k] != k) std::swap_ranges(x + k * n, x + (k + 1) * n, x + pivot_row[k] * n);
+    }
+    for (int r = 1; r < n; ++r) subtract_rows(a + r * n, x, r, x + r * n);
+    for (int r = n - 1; r >= 0; --r) {
+      subtract_rows(a + r * n + r + 1, x + (r + 1) * n, n - 1 - r, x + r * n);
+      for (int c = 0; c < n; ++c) x[r * n + c] *= a[r * n + r];
+    }
+  }
+
+  /// The same for a vector.
+  void solve_block(std::size_t i, double* x) const {
     const int n = size();
     const double* a = factors_[i].data();
     const int* pivot_row = pivot_rows_.data() + i * static_cast<std::size_t>(n);
     for (int k = 0; k < n; ++k) {
-      if (pivot_row[k] != k) std::swap_ranges(x + k * columns, x + (k + 1) * columns, x + pivot_row[k] * columns);
+      if (pivot_row[k] != k) std::swap(x[k], x[pivot_row[k]]);
     }
     for (int r = 1; r < n; ++r) {
-      for (int k = 0; k < r; ++k) subtract_row(a[r * n + k], x + k * columns, x + r * columns, columns);
+      for (int k = 0; k < r; ++k) x[r] -= a[r * n + k] * x[k];
     }
     for (int r = n - 1; r >= 0; --r) {
-      for (int k = r + 1; k < n; ++k) subtract_row(a[r * n + k], x + k * columns, x + r * columns, columns);
-      for (int c = 0; c < columns; ++c) x[r * columns + c] *= a[r * n + r];
+      for (int k = r + 1; k < n; ++k) x[r] -= a[r * n + k] * x[k];
+      x[r] *= a[r * n + r];
     }
-  }
-
-  static void subtract_row(double factor, const double* from, double* row, int columns) {
-    for (int c = 0; c < columns; ++c) row[c] -= factor * from[c];
   }
 
   int block_size_;

@@ -16,7 +16,8 @@ namespace {
 
 /// A problem followed along straight paths.
 struct Path {
-  explicit Path(const ContactProblem& problem) : follower(problem), state(ContactState::unstressed(problem)) {}
+  explicit Path(const ContactProblem& problem)
+      : follower(problem, make_mode_system(problem)), state(ContactState::unstressed(problem)) {}
 
   void to(const ContactLoading& end) {
     events.clear();
@@ -69,7 +70,7 @@ TEST(EventFollower, SlabsMeetOneAfterTheOther) {
 
 TEST(EventFollower, PiecesJoinWithoutAGap) {
   const RandomProblem random = make_random_problem(21, 6, 6, 0.3);
-  EventFollower follower(random.problem);
+  EventFollower follower(random.problem, make_mode_system(random.problem));
   ContactState state = ContactState::unstressed(random.problem);
   ASSERT_TRUE(follower.follow(random.first, state).reached_end);
   Vector x = state.x;
@@ -89,7 +90,7 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
 TEST(EventFollower, EveryEventIsASolution) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const RandomProblem random = make_random_problem(seed, 5, 6, 0.3);
-    EventFollower follower(random.problem);
+    EventFollower follower(random.problem, make_mode_system(random.problem));
     ContactState state = ContactState::unstressed(random.problem);
     NewtonSolver solver(random.problem);
     const ContactState start = state;
@@ -120,12 +121,12 @@ TEST(EventFollower, WithoutFrictionThePathDoesNotMatter) {
 
 TEST(EventFollower, StopsWhereItCannotGoOn) {
   const ContactProblem block = toy::dragged_block();
-  EventFollower follower(block);
+  EventFollower follower(block, make_mode_system(block));
   ContactState state = ContactState::unstressed(block);
   ContactLoading broken = toy::pull(10.0, 40.0);
   broken.load[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(follower.follow(broken, state).reached_end);
-  EventFollower short_sighted(block, {.max_pieces = 1});
+  EventFollower short_sighted(block, make_mode_system(block), {.max_pieces = 1});
   state = ContactState::unstressed(block);
   EXPECT_TRUE(short_sighted.follow(toy::pull(0.0, 40.0), state).reached_end);
   EXPECT_FALSE(short_sighted.follow(toy::pull(30.0, 40.0), state).reached_end);
