@@ -87,7 +87,8 @@ std::vector<Row> rows() {
          const auto highest = highest_bump(cycle);
          return highest && highest->second > 0.0 ? std::to_string(highest->first) : "-";
        }},
-      {"iterations", "", [](const Cycle& cycle) { return std::to_string(cycle.total().iterations); }},
+      {"linear solves", "", [](const Cycle& cycle) { return std::to_string(cycle.total().iterations); }},
+      {"factorisations", "", [](const Cycle& cycle) { return std::to_string(cycle.total().factorisations); }},
       {"halved increments", "", [](const Cycle& cycle) { return std::to_string(cycle.substeps()); }},
       {"largest residual", "", [](const Cycle& cycle) { return fmt::format("{:.1e}", cycle.max_residual()); }},
       {"time", "ms", [](const Cycle& cycle) { return number_text(cycle.wall_time, 1e-3); }},

@@ -188,6 +188,8 @@ class ResultWriter {
     put_cycles<int>({"steps", "1", "increments per branch"}, [](const Cycle& cycle) { return cycle.steps; });
     put_cycles<int>({"total_iterations", "1", "linear solves of all increments"},
                     [](const Cycle& cycle) { return cycle.total().iterations; });
+    put_cycles<int>({"total_factorisations", "1", "factorisations of all increments"},
+                    [](const Cycle& cycle) { return cycle.total().factorisations; });
     put_cycles<int>({"total_substeps", "1", "extra solves of all increments because they had to be halved"},
                     [](const Cycle& cycle) { return cycle.substeps(); });
     // A direction that was never begun did not converge.
@@ -205,6 +207,8 @@ class ResultWriter {
     }
     put_increments<int>({"iterations", "1", "linear solves"},
                         [](const Increment& increment, int* to) { *to = increment.solve.iterations; });
+    put_increments<int>({"factorisations", "1", "factorisations of the system of equations"},
+                        [](const Increment& increment, int* to) { *to = increment.solve.factorisations; });
     put_increments<int>({"substeps", "1", "extra solves because the increment had to be halved"},
                         [](const Increment& increment, int* to) { *to = increment.substeps; });
     put_increments<Flag>(

@@ -40,6 +40,7 @@ Json cycle_json(const Cycle& cycle) {
   json["foot_loads_N"] = loads(&Increment::bump_sleeve);
   json["journal_loads_N"] = loads(&Increment::journal_top);
   json["iterations"] = cycle.total().iterations;
+  json["factorisations"] = cycle.total().factorisations;
   json["substeps"] = cycle.substeps();
   return json;
 }

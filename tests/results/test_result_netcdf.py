@@ -89,7 +89,7 @@ class Read(unittest.TestCase):
         self.assertEqual([meanings[int(flag)] for flag in self.result.branch[0]], branch)
 
     def test_every_quantity_of_the_summary(self):
-        names = {"iterations": "total_iterations", "substeps": "total_substeps"}
+        names = {"iterations": "total_iterations", "factorisations": "total_factorisations", "substeps": "total_substeps"}
         for key in self.summary["cycles"][0]:
             name, unit = split_unit(key)
             expected = np.array([cycle[key] for cycle in self.summary["cycles"]], dtype=float)

@@ -106,6 +106,7 @@ TEST(ResultNetcdf, HoldsEveryIncrementToTheLastBit) {
       EXPECT_EQ(file.at("work", {d, i}), expected.work);
       EXPECT_EQ(file.at("residual", {d, i}), expected.residuals.equilibrium);
       EXPECT_EQ(file.at("iterations", {d, i}), expected.solve.iterations);
+      EXPECT_EQ(file.at("factorisations", {d, i}), expected.solve.factorisations);
       EXPECT_EQ(file.at("substeps", {d, i}), expected.substeps);
       EXPECT_EQ(file.at("branch", {d, i}), i <= 5 ? 0 : 1);
       EXPECT_EQ(file.at("increment_converged", {d, i}), 1);

@@ -81,6 +81,7 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
                                    "journal_loads_N",
                                    "max_residual",
                                    "iterations",
+                                   "factorisations",
                                    "substeps",
                                    "wall_time_s"};
   std::set<std::string> met;
@@ -99,6 +100,7 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("loss_factor"), *expected.loss_factor);
   EXPECT_EQ(cycle.at("first_contact_m"), *expected.first_contact);
   EXPECT_EQ(cycle.at("iterations"), expected.total().iterations);
+  EXPECT_EQ(cycle.at("factorisations"), expected.total().factorisations);
   EXPECT_EQ(cycle.at("bump_loads_N").size(), 26U);
   EXPECT_EQ(cycle.at("foot_loads_N").size(), 26U);
   // Loads are those at full displacement.
