@@ -1,5 +1,7 @@
 #include "bumpfoil/analysis/bearing_model.hpp"
 
+#include <memory>
+
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 
@@ -10,6 +12,14 @@ using Stride = Eigen::InnerStride<Eigen::Dynamic>;
 
 }  // namespace
 
+std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
+  if (!structure.large_displacements) return std::nullopt;
+  const auto shared = std::make_shared<const FoilStructure>(structure);
+  return ElasticLaw{.forces = [shared](const Vector& x) { return internal_forces(*shared, x); },
+                    .tangent = [shared](const Vector& x) { return tangent_stiffness(*shared, x); },
+                    .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
+}
+
 BearingModel make_bearing_model(const Case& input) {
   require_valid(input);
   BearingModel model;
@@ -19,6 +29,7 @@ BearingModel make_bearing_model(const Case& input) {
 
   const BumpDofs& dofs = model.structure.dofs;
   model.problem.K = model.structure.K;
+  model.problem.law = elastic_law(model.structure);
   model.problem.pairs = {
       {.plus = dofs.top_u},
       {.plus = dofs.crest_v,

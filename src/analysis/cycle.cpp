@@ -48,7 +48,7 @@ class CycleRunner {
     record.substeps = report.substeps;
     if (solver_.is_exact() && !record.residuals.within()) return false;
     cycle_.increments.push_back(std::move(record));
-    if (index == cycle_.steps) tangents_ = tangent_stiffnesses(model_, state_.mode, normal_);
+    if (index == cycle_.steps) tangents_ = tangent_stiffnesses(model_, state_, normal_);
     return true;
   }
 

@@ -39,23 +39,24 @@ std::optional<double> loss_factor(double loop_energy, double elastic_energy_stor
   return loop_energy / (2.0 * std::numbers::pi * elastic_energy_stored);
 }
 
-TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const std::vector<ContactMode>& mode,
+TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactState& state,
                                        const Eigen::Vector2d& direction) {
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
-  const ContactLoading rate = loading_rate(model, direction);
-  ContactState state = ContactState::unstressed(model.problem);
-  const Vector at_rest = state.x;
+  system->set_elasticity(tangent_stiffness(model.structure, state.x));
+  const ContactLoading motion = loading_rate(model, direction);
+  ContactState rate = ContactState::unstressed(model.problem);
+  const Vector at_rest = rate.x;
   const auto stiffness = [&](const std::vector<ContactMode>& modes) {
     if (!system->set_modes(modes)) return 0.0;
-    system->solve(rate, at_rest, state);
-    return journal_force(model.phi, journal_loads(model, state.normal_force)).dot(direction);
+    system->solve(motion, at_rest, rate);
+    return journal_force(model.phi, journal_loads(model, rate.normal_force)).dot(direction);
   };
 
-  std::vector<ContactMode> sticking = mode;
+  std::vector<ContactMode> sticking = state.mode;
   for (ContactMode& m : sticking) {
     if (m != ContactMode::open) m = ContactMode::stick;
   }
-  return {.loading = stiffness(mode), .unloading = stiffness(sticking)};
+  return {.loading = stiffness(state.mode), .unloading = stiffness(sticking)};
 }
 
 void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents) {

@@ -78,7 +78,7 @@ Increment record_increment(const BearingModel& model, const Eigen::Vector2d& pos
   next.force_cross = force.dot(Eigen::Vector2d(-direction.y(), direction.x()));
 
   const Vector elastic = elastic_forces(model.structure, state.x);
-  next.elastic_energy = 0.5 * state.x.dot(elastic);
+  next.elastic_energy = elastic_energy(model.structure, state.x);
   next.residuals = contact_residuals(model.problem, elastic, loading, previous_x, state);
 
   const int block = model.problem.K.block_size();

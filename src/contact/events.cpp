@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bumpfoil/core/assert.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -24,7 +26,9 @@ void append_events(const std::vector<ContactEvent>& part, double begin, std::vec
 }  // namespace
 
 EventStepper::EventStepper(const ContactProblem& problem)
-    : follower_(problem, make_mode_system(problem)), newton_(problem) {}
+    : follower_(problem, make_mode_system(problem)), newton_(problem) {
+  BUMPFOIL_ASSERT(!problem.law);  // between two events the response would not be linear
+}
 
 IncrementReport EventStepper::advance(const ContactLoading& from, const ContactLoading& to, ContactState& state,
                                       const PartVisitor& visit, std::vector<ContactEvent>& events) {

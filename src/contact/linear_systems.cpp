@@ -53,7 +53,10 @@ template <int B>
 struct Stiffness {
   using Block = Eigen::Matrix<double, B, B>;
 
-  explicit Stiffness(const BlockTridiagonal& K) : block_size(K.block_size()) {
+  explicit Stiffness(const BlockTridiagonal& K) : block_size(K.block_size()) { assign(K); }
+
+  void assign(const BlockTridiagonal& K) {
+    BUMPFOIL_ASSERT(K.block_size() == block_size);
     diagonal.assign(K.diagonal.begin(), K.diagonal.end());
     upper.assign(K.upper.begin(), K.upper.end());
   }
@@ -101,6 +104,12 @@ class ModeSystemOf final : public ModeSystem {
     for (const Matrix& block : problem.K.diagonal) {
       constraint_scale_ = std::max(constraint_scale_, block.diagonal().cwiseAbs().maxCoeff());
     }
+  }
+
+  void set_elasticity(const BlockTridiagonal& K) override {
+    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
+    K_.assign(K);
+    factored_ = false;
   }
 
   bool set_modes(const std::vector<ContactMode>& mode) override {
@@ -240,6 +249,12 @@ class PenaltySystemOf final : public PenaltySystem {
         K_(problem.K),
         lu_(problem.K.blocks(), problem.K.block_size()),
         product_(problem.K.rows()) {
+    set_elasticity(problem.K);
+  }
+
+  void set_elasticity(const BlockTridiagonal& K) final {
+    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
+    K_.assign(K);
     for (std::size_t b = 0; b < K_.upper.size(); ++b) {
       lu_.upper(static_cast<int>(b)) = K_.upper[b];
       lu_.lower(static_cast<int>(b) + 1) = K_.upper[b].transpose();

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/event_follower.hpp"
+#include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "contact/pivoting.hpp"
 
@@ -74,6 +75,10 @@ struct NewtonSolver::Workspace {
     kinks.reserve(4 * contacts);
   }
 
+  bool solve_linear(const ContactLoading& loading, const ContactState& previous, ContactState& state,
+                    SolveReport& report);
+  bool pivot(const ContactLoading& loading, const ContactState& previous, ContactState& state, SolveReport& report);
+  bool solve_law(const ContactLoading& loading, const ContactState& previous, ContactState& state, SolveReport& report);
   void find_changes(const ContactState& previous, const ContactState& state);
   bool iterate_modes(const ContactLoading& loading, const ContactState& previous, int rounds, ContactState& state,
                      SolveReport& report);
@@ -110,12 +115,51 @@ SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactStat
   BUMPFOIL_ASSERT(&state != &previous);  // friction refers to `previous` throughout
   Workspace& w = *workspace_;
   SolveReport report;
-  state = previous;
-  w.trial = previous.mode;
-  report.converged = w.iterate_modes(loading, previous, w.options.max_mode_updates, state, report) ||
-                     w.follow_events(loading, previous, state, report) ||
-                     w.augmented_lagrangian(loading, previous, state, report);
+  report.converged =
+      w.problem.law ? w.solve_law(loading, previous, state, report) : w.solve_linear(loading, previous, state, report);
   return report;
+}
+
+bool NewtonSolver::Workspace::solve_linear(const ContactLoading& loading, const ContactState& previous,
+                                           ContactState& state, SolveReport& report) {
+  return pivot(loading, previous, state, report) || augmented_lagrangian(loading, previous, state, report);
+}
+
+/// The first two methods.
+bool NewtonSolver::Workspace::pivot(const ContactLoading& loading, const ContactState& previous, ContactState& state,
+                                    SolveReport& report) {
+  state = previous;
+  trial = previous.mode;
+  return iterate_modes(loading, previous, options.max_mode_updates, state, report) ||
+         follow_events(loading, previous, state, report);
+}
+
+/// Newton's method on the elastic law, each step with exact contacts. The modes of an iterate are the first guess of
+/// the next: they rarely change after the first.
+bool NewtonSolver::Workspace::solve_law(const ContactLoading& loading, const ContactState& previous,
+                                        ContactState& state, SolveReport& report) {
+  const ElasticLaw& law = *problem.law;
+  ContactState begin = previous;
+  Vector iterate = previous.x;
+  Vector forces = law.forces(iterate);
+  ContactLoading linearised = loading;
+  const auto linearise = [&](const BlockTridiagonal& K) {
+    modes->set_elasticity(K);
+    penalties->set_elasticity(K);
+    linearised.load = loading.load + K.multiply(iterate) - forces;
+  };
+  for (int i = 0; i < options.max_tangents; ++i) {
+    linearise(law.tangent(iterate));
+    if (!pivot(linearised, begin, state, report)) {
+      linearise(law.stable_tangent(iterate));
+      if (!solve_linear(linearised, begin, state, report)) return false;
+    }
+    iterate = state.x;
+    forces = law.forces(iterate);
+    if (contact_residuals(problem, forces, loading, previous.x, state).within(options.law_tolerance)) return true;
+    begin.mode = state.mode;
+  }
+  return false;
 }
 
 /// Collects the contacts whose inequalities `state`, solved for its modes, does not obey.

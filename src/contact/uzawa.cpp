@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -73,7 +74,9 @@ struct UzawaSolver::Workspace {
 };
 
 UzawaSolver::UzawaSolver(const ContactProblem& problem, const UzawaOptions& options)
-    : workspace_(std::make_unique<Workspace>(problem, options)) {}
+    : workspace_(std::make_unique<Workspace>(problem, options)) {
+  BUMPFOIL_ASSERT(!problem.law);  // linear elastic forces only
+}
 
 UzawaSolver::~UzawaSolver() = default;
 

@@ -17,6 +17,7 @@ inline constexpr Names<Wrap, 2> wrap_names{
     {{"clockwise", Wrap::clockwise}, {"counterclockwise", Wrap::counterclockwise}}};
 inline constexpr Names<BumpFoilModel, 3> model_names{
     {{"truss", BumpFoilModel::truss}, {"frame", BumpFoilModel::frame}, {"former", BumpFoilModel::former}}};
+inline constexpr Names<Geometry, 2> geometry_names{{{"linear", Geometry::linear}, {"nonlinear", Geometry::nonlinear}}};
 inline constexpr Names<HeightReference, 2> height_reference_names{
     {{"overall", HeightReference::overall}, {"midsurface", HeightReference::midsurface}}};
 inline constexpr Names<WeldPosition, 2> weld_position_names{

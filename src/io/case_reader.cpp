@@ -71,6 +71,7 @@ void read_height_errors_of(ReadingLog& log, TableReader& table, BumpFoil& foil) 
 void read_bump_foil(ReadingLog& log, TableReader table, BumpFoil& foil) {
   if (!open_required(log, table, "bump_foil")) return;
   table.choice("model", foil.model, model_names);
+  table.choice("geometry", foil.geometry, geometry_names);
   table.integer("bumps", foil.bumps, required);
   table.quantity("pitch", foil.pitch, Dimension::length, required);
   table.quantity("length", foil.length, Dimension::length, required);

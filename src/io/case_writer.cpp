@@ -62,6 +62,7 @@ void append_table(std::string& out, const std::string& path, const Json& table) 
 
 Json bump_foil_json(const BumpFoil& foil) {
   Json json{{"model", name_in(model_names, foil.model)},
+            {"geometry", name_in(geometry_names, foil.geometry)},
             {"bumps", foil.bumps},
             {"pitch", foil.pitch},
             {"length", foil.length},

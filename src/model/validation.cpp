@@ -231,6 +231,17 @@ void judge_combination(Judge& judge, const Case& input) {
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", "arc_start", "only the frame model can be welded at the start of the first arc",
                 "set weld_at = \"mid_flat\" or model = \"frame\"");
+  if (input.bump_foil.geometry == Geometry::linear) return;
+  judge.require(input.bump_foil.model == BumpFoilModel::frame, "bump_foil.geometry", "nonlinear",
+                "only the frame model can follow large displacements",
+                "set geometry = \"linear\" or model = \"frame\"");
+  judge.require(
+      input.solver.name == SolverName::newton, "solver.name",
+      input.solver.name == SolverName::uzawa ? "uzawa" : "events",
+      input.solver.name == SolverName::uzawa
+          ? "solves linear elastic forces only, and bump_foil.geometry is nonlinear"
+          : "follows a response that is linear between events, and with bump_foil.geometry = nonlinear it is not",
+      "set name = \"newton\" or bump_foil.geometry = \"linear\"");
 }
 
 }  // namespace

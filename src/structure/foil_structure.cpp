@@ -65,38 +65,73 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   return x;
 }
 
-}  // namespace
-
-FoilStructure make_foil_structure(const Case& input) {
-  const BumpFoil& foil = input.bump_foil;
-  FoilStructure structure;
-  if (foil.model == BumpFoilModel::frame) {
-    structure.dofs = frame_dofs();
-    structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
-    assemble_frame(make_frame_model(input), structure.K);
-  } else {
-    structure.dofs = truss_dofs(foil.model != BumpFoilModel::former);
-    structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
-    assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps), structure.K);
-  }
-  if (structure.dofs.top_u >= 0) {
-    const TopFoilBeam beam = make_top_foil_beam(input);
-    const double moment_scale = beam.bending_stiffness / (foil.pitch * foil.pitch);
-    assemble_top_foil(make_top_foil_moments(beam), moment_scale, structure.dofs, structure.K);
-  }
-  return structure;
-}
-
-Vector elastic_forces(const FoilStructure& structure, const Vector& x) {
-  Vector forces = structure.K.multiply(with_compatible_moments(structure, x));
+/// Forces of all that is linear on the displacements alone: with compatible moments, whose rows are zero then.
+Vector linear_forces(const FoilStructure& structure, const Vector& x) {
+  const BlockTridiagonal& K = structure.large_displacements ? structure.large_displacements->rest : structure.K;
+  Vector forces = K.multiply(with_compatible_moments(structure, x));
   if (const Eigen::Index m = structure.dofs.top_moment; m >= 0) {
     forces(Eigen::seqN(m, Eigen::Index{structure.bumps()}, Eigen::Index{structure.dofs.size})).setZero();
   }
   return forces;
 }
 
+}  // namespace
+
+FoilStructure make_foil_structure(const Case& input) {
+  const BumpFoil& foil = input.bump_foil;
+  const bool is_frame = foil.model == BumpFoilModel::frame;
+  FoilStructure structure;
+  structure.dofs = is_frame ? frame_dofs() : truss_dofs(foil.model != BumpFoilModel::former);
+  structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
+  if (structure.dofs.top_u >= 0) {
+    const TopFoilBeam beam = make_top_foil_beam(input);
+    const double moment_scale = beam.bending_stiffness / (foil.pitch * foil.pitch);
+    assemble_top_foil(make_top_foil_moments(beam), moment_scale, structure.dofs, structure.K);
+  }
+  if (is_frame) {
+    const FrameModel frame = make_frame_model(input);
+    if (foil.geometry == Geometry::nonlinear) {
+      structure.large_displacements = {.bump_foil = place_elements(frame, structure.dofs.size), .rest = structure.K};
+      hold_covered_node(frame, structure.large_displacements->rest);
+    }
+    assemble_frame(frame, structure.K);
+  } else {
+    assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps), structure.K);
+  }
+  return structure;
+}
+
+Vector internal_forces(const FoilStructure& structure, const Vector& x) {
+  if (!structure.large_displacements) return structure.K.multiply(x);
+  Vector forces = structure.large_displacements->rest.multiply(x);
+  add_corotational_forces(structure.large_displacements->bump_foil, x, forces);
+  return forces;
+}
+
+BlockTridiagonal tangent_stiffness(const FoilStructure& structure, const Vector& x) {
+  if (!structure.large_displacements) return structure.K;
+  BlockTridiagonal K = structure.large_displacements->rest;
+  add_corotational_tangent(structure.large_displacements->bump_foil, x, K);
+  return K;
+}
+
+BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const Vector& x) {
+  if (!structure.large_displacements) return structure.K;
+  BlockTridiagonal K = structure.large_displacements->rest;
+  add_stable_tangent(structure.large_displacements->bump_foil, x, K);
+  return K;
+}
+
+Vector elastic_forces(const FoilStructure& structure, const Vector& x) {
+  Vector forces = linear_forces(structure, x);
+  if (structure.large_displacements) add_corotational_forces(structure.large_displacements->bump_foil, x, forces);
+  return forces;
+}
+
 double elastic_energy(const FoilStructure& structure, const Vector& x) {
-  return 0.5 * x.dot(elastic_forces(structure, x));
+  const double linear = 0.5 * x.dot(linear_forces(structure, x));
+  if (!structure.large_displacements) return linear;
+  return linear + corotational_energy(structure.large_displacements->bump_foil, x);
 }
 
 }  // namespace bumpfoil

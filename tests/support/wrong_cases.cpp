@@ -168,6 +168,13 @@ void add_physics(std::vector<WrongCase>& table) {
   add(edit("upright rods", "\"15.83 deg\"", "\"90 deg\"",
            {"bump_foil.truss.theta_d = 90 deg", "between 0 and 90 degrees"}));
   add(edit("arc start of a truss", "\"mid_flat\"", "\"arc_start\"", {"bump_foil.weld_at = arc_start: only the frame"}));
+  add(edit("large displacements of a truss", "\"linear\"", "\"nonlinear\"",
+           {"bump_foil.geometry = nonlinear: only the frame model can follow large displacements"}));
+  add(edit("large displacements from event to event", "name = \"newton\"", "name = \"events\"",
+           {"solver.name = events: follows a response that is linear between events", "set name = \"newton\""}));
+  std::string& large = table.back().text;
+  const std::string small = "model = \"truss\"\ngeometry = \"linear\"";
+  large.replace(large.find(small), small.size(), "model = \"frame\"\ngeometry = \"nonlinear\"");
   add(edit("penalty of zero", "eps_alm = \"100 MN/m\"", "eps_alm = 0", {"solver.eps_alm = 0: must be positive"}));
   add(edit("no direction", "directions = [\"+X\", \"37.5 deg\"]", "directions = []",
            {"cycle.directions: there is no direction"}));
@@ -257,6 +264,7 @@ weld_angle = "180 deg"
 wrap = "clockwise"
 [bump_foil]
 model = "truss"
+geometry = "linear"
 bumps = 26
 pitch = "4.572 mm"
 length = "3.556 mm"

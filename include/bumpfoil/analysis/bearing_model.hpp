@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -25,6 +26,9 @@ struct BearingModel {
   [[nodiscard]] int bumps() const { return structure.bumps(); }
   [[nodiscard]] int feet_per_bump() const { return structure.dofs.feet(); }
 };
+
+/// The law that a contact problem of the foils needs: absent where K says all.
+std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 
 /// @throws Error (input) if the case cannot be built.
 BearingModel make_bearing_model(const Case& input);

@@ -20,15 +20,15 @@ std::optional<double> first_contact_displacement(const Bearing& bearing, const V
 /// Loop energy over 2 pi times the elastic energy stored between start and turning point; absent if none was stored.
 std::optional<double> loss_factor(double loop_energy, double elastic_energy_stored);
 
-/// Tangent stiffnesses d(F.n)/ds at a state, N/m, from the modes of its contacts.
+/// Tangent stiffnesses d(F.n)/ds at a state, N/m, from the modes of its contacts and the tangent of the foils.
 struct TangentStiffnesses {
   double loading{};    ///< slipping contacts go on slipping
   double unloading{};  ///< all closed contacts stick
 };
 
-/// @param mode       of each contact at the state
+/// @param state      converged; its modes count, and under large displacements its unknowns
 /// @param direction  unit vector n of the journal's motion
-TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const std::vector<ContactMode>& mode,
+TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactState& state,
                                        const Eigen::Vector2d& direction);
 
 /// Fills in what follows from the increments of a cycle, as far as they got: whether it converged, clearances, turning

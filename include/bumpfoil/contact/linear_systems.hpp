@@ -17,6 +17,9 @@ class ModeSystem {
  public:
   virtual ~ModeSystem() = default;
 
+  /// Takes another K of the same form. set_modes must follow before the next solve.
+  virtual void set_elasticity(const BlockTridiagonal& K) = 0;
+
   /// Factors the system for `mode`, reusing what did not change since the last call.
   /// @return false if the modes leave a mechanism or a singular system; then no solve may follow.
   [[nodiscard]] virtual bool set_modes(const std::vector<ContactMode>& mode) = 0;
@@ -36,6 +39,9 @@ class ModeSystem {
 class PenaltySystem {
  public:
   virtual ~PenaltySystem() = default;
+
+  /// Takes another K of the same form. set_stiffness must follow before the next solve.
+  virtual void set_elasticity(const BlockTridiagonal& K) = 0;
 
   /// Factors K + sum over contacts of normal_stiffness * n n' + tangential_stiffness * s s' (N/m, one per contact).
   /// @return false if the matrix is singular.

@@ -21,6 +21,11 @@ struct NewtonOptions {
   int max_outer_iterations{200};
   /// Newton steps for one set of multipliers.
   int max_inner_iterations{60};
+  /// Tangents of an elastic law before the increment is given up: a handful does, but where the foil snaps to another
+  /// place it takes up to a hundred.
+  int max_tangents{300};
+  /// With a law: ContactResiduals of the result, forces normalised, at most this; a tenth of what a state must meet.
+  double law_tolerance{1e-10};
 };
 
 /// Exact unilateral contact and Coulomb friction; no penalty in the result. Three methods in turn, each from the state
@@ -32,6 +37,11 @@ struct NewtonOptions {
 /// 3. Proximal augmented Lagrangian: with multipliers lambda, mu and friction bounds f lambda held, the state is the
 ///    minimum of a convex, piecewise quadratic energy, found by Newton steps with exact line search; multipliers are
 ///    updated, and the modes they show are tried as in 1, until these solve the problem.
+///
+/// An elastic law is met by Newton's method around all of this: at the iterate x_k the problem is solved exactly with
+/// the tangent K_k of the law and the constant load K_k x_k - e(x_k), friction referring to the last increment
+/// throughout, until e(x) itself balances the contact forces. Where methods 1 and 2 find no solution with K_k (a foil
+/// under compression may buckle), that step is taken with the stable tangent of the law and all three methods.
 class NewtonSolver final : public ContactSolver {
  public:
   explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
@@ -29,16 +31,27 @@ struct ContactPair {
   double friction_coefficient{};
 };
 
+/// Elastic forces that are not linear in the unknowns.
+struct ElasticLaw {
+  std::function<Vector(const Vector& x)> forces;             ///< e(x), N
+  std::function<BlockTridiagonal(const Vector& x)> tangent;  ///< their derivative, N/m, of the form of K
+  /// Stands in for the tangent where that gives no solution: positive semidefinite on the displacements. It sets the
+  /// pace, not the result.
+  std::function<BlockTridiagonal(const Vector& x)> stable_tangent;
+};
+
 /// Quasi-static contact problem with Coulomb friction: given the state x0 at the last increment and the initial gaps
 /// g0, find x, p, t such that
 ///
 ///     K x = load + sum of contact forces,   0 <= g _|_ p >= 0,   |t| <= f p,   t = -f p sign(du) where du != 0
 ///
 /// with du = x[tangential] - x0[tangential] [Arghir2019, Eqs. 10, 16]. All displacements in m, forces in N. K may have
-/// unknowns that are not displacements (moments of a mixed form); no contact acts on them.
+/// unknowns that are not displacements (moments of a mixed form); no contact acts on them. With a law, its e(x) takes
+/// the place of K x, and K is its tangent at x = 0; the normals and the tangential directions of the contacts stay.
 struct ContactProblem {
   BlockTridiagonal K;
-  std::vector<ContactPair> pairs;  ///< contact c of block b has index b * pairs.size() + c in every contact array
+  std::vector<ContactPair> pairs;   ///< contact c of block b has index b * pairs.size() + c in every contact array
+  std::optional<ElasticLaw> law{};  ///< absent where elastic forces are linear
 
   [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
 };

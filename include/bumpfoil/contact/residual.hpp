@@ -7,7 +7,7 @@ namespace bumpfoil {
 /// How far a state is from solving the contact problem. Judged from displacements and forces alone: it knows no
 /// solver, no modes and no penalty. Forces are divided by max(largest contact force, 1 N).
 struct ContactResiduals {
-  double equilibrium{};      ///< largest entry of K x - load - contact forces, normalised
+  double equilibrium{};      ///< largest entry of elastic forces - load - contact forces, normalised
   double penetration{};      ///< largest -g, m
   double slip_in_stick{};    ///< largest |du| of a contact whose friction force is inside the cone, m
   double complementarity{};  ///< largest tension, or compression across an open gap, normalised
@@ -27,7 +27,7 @@ inline constexpr double displacement_resolution = 1e-12;
 
 /// Judges a state.
 /// @param problem          pairs and friction coefficients
-/// @param elastic_force    K x, N, without any part of the solver: see elastic_forces in structure/
+/// @param elastic_force    K x or e(x), N, without any part of the solver: see elastic_forces in structure/
 /// @param loading          initial gaps and loads
 /// @param previous_x       unknowns at the last converged increment, which slip is measured from
 /// @param state            displacements and forces to be judged

@@ -17,6 +17,12 @@ enum class BumpFoilModel {
   former,  ///< truss with feet that never lift and no top foil [LeLez2007]
 };
 
+/// How far displacements change the geometry of the bump foil.
+enum class Geometry {
+  linear,     ///< not at all: small displacements
+  nonlinear,  ///< elements move and turn with their ends: large displacements (frame model only)
+};
+
 /// What `BumpFoil::height` measures.
 enum class HeightReference {
   overall,     ///< top of the bump over the sleeve; the rise of the mid-surface is height - thickness
@@ -55,6 +61,7 @@ struct TrussOverrides {
 
 struct BumpFoil {
   BumpFoilModel model{BumpFoilModel::truss};
+  Geometry geometry{Geometry::linear};
   int bumps{};      ///< N
   double pitch{};   ///< p, m
   double length{};  ///< chord of the arc 2 l0, m

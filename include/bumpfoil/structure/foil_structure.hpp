@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/corotational.hpp"
 
 namespace bumpfoil {
 
@@ -20,6 +22,12 @@ struct BumpDofs {
   [[nodiscard]] int feet() const { return static_cast<int>(foot_u.size()); }
 };
 
+/// Foils whose displacements are large: the elements of the bump foil are carried along, the rest stays linear.
+struct LargeDisplacements {
+  ElementChain bump_foil;
+  BlockTridiagonal rest;  ///< K of the foils without these elements
+};
+
 /// Elastic foils without contact: what the contact problem is built from. A plain value.
 ///
 /// K is symmetric block tridiagonal with one block per bump. Displacements and top-foil moments are its unknowns; the
@@ -32,9 +40,12 @@ struct BumpDofs {
 /// Each moment stands as M p^2 / EI' (m; p = bump pitch, EI' of the top foil), so that all of K is in N/m and its top
 /// part is of the order EI' / p^3. The moment at the weld is eliminated into the first block. The moment over the last
 /// crest is zero; its place is kept, coupled to nothing, so that all blocks have one size.
+///
+/// Under large displacements K is the stiffness of the undeformed foils.
 struct FoilStructure {
   BlockTridiagonal K;
   BumpDofs dofs;
+  std::optional<LargeDisplacements> large_displacements{};
 
   [[nodiscard]] int bumps() const { return K.blocks(); }
 };
@@ -46,11 +57,22 @@ struct FoilStructure {
 /// @throws Error (input) if the case cannot be built.
 FoilStructure make_foil_structure(const Case& input);
 
-/// Elastic forces of the foils, N: K_b u_b on the bump foil, K_t u_t on the top foil, zero in the rows of moments. The
+/// Left-hand side of the balance, N: K x, or under large displacements the forces of the carried elements beside the
+/// linear rest. Rows of moments hold their compatibility.
+Vector internal_forces(const FoilStructure& structure, const Vector& x);
+
+/// Derivative of internal_forces, N/m: K, unless displacements are large.
+BlockTridiagonal tangent_stiffness(const FoilStructure& structure, const Vector& x);
+
+/// The same with the stable tangents of the elements.
+BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const Vector& x);
+
+/// Elastic forces of the foils, N: those of the bump foil, K_t u_t on the top foil, zero in the rows of moments. The
 /// moments in `x` are not used: they are recomputed from the displacements.
 Vector elastic_forces(const FoilStructure& structure, const Vector& x);
 
-/// Elastic energy 1/2 u_b' K_b u_b + 1/2 u_t' K_t u_t, J. The moments in `x` are not used.
+/// Elastic energy, J: 1/2 u_t' K_t u_t of the top foil and 1/2 u_b' K_b u_b of the bump foil, or under large
+/// displacements the energy of its elements. The moments in `x` are not used.
 double elastic_energy(const FoilStructure& structure, const Vector& x);
 
 }  // namespace bumpfoil

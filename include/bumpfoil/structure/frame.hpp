@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bumpfoil/structure/corotational.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/frame_element.hpp"
 #include "bumpfoil/structure/section.hpp"
@@ -15,6 +16,7 @@ struct FrameModel {
   std::vector<BumpArc> arcs;  ///< one per bump, of the same half chord and flat
   double pitch{};             ///< p, m
   WeldPosition weld_at{WeldPosition::mid_flat};
+  Geometry geometry{Geometry::linear};
 };
 
 /// Frame of the bump foil of a case: every arc is the nominal one, height errors act through the gaps alone.
@@ -29,11 +31,17 @@ std::vector<BumpArc> make_own_arcs(const BumpFoil& foil);
 /// in N/m.
 BumpDofs frame_dofs();
 
-/// Adds the bump foil to K, whose blocks are those of frame_dofs().
-///
-/// Where the weld clamps the start of the first arc, its three unknowns are kept as springs to the ground of stiffness
-/// EA' / p that nothing else is coupled to: they stay zero, and a sleeve contact there is closed without load for a gap
-/// of zero and open for a positive one.
+/// Elements of the foil between nodes whose unknowns begin each block, in the order of frame_dofs(): the flat before a
+/// bump (none before the first where the weld covers it), then its two arcs, bump after bump.
+/// @param block_size  unknowns per bump
+ElementChain place_elements(const FrameModel& model, int block_size);
+
+/// Where the weld clamps the start of the first arc, its three unknowns are kept, and no element is coupled to them:
+/// this adds springs to the ground of stiffness EA' / p. They stay zero, and a sleeve contact there is closed without
+/// load for a gap of zero and open for a positive one. Elsewhere it adds nothing.
+void hold_covered_node(const FrameModel& model, BlockTridiagonal& K);
+
+/// Adds the undeformed bump foil, hold_covered_node() included, to K, whose blocks are those of frame_dofs().
 void assemble_frame(const FrameModel& model, BlockTridiagonal& K);
 
 /// Bending stress at the surfaces of the bump foil, |M| / W, Pa; one entry per bump.
@@ -45,6 +53,7 @@ struct FrameStress {
   double weld{};   ///< where the foil is clamped
 };
 
+/// Under large displacements the rigid motion of each element is taken off first.
 /// @param x unknowns of the foil structure, blocks of frame_dofs()
 FrameStress frame_stress(const FrameModel& model, const Vector& x);
 

@@ -111,7 +111,7 @@ class Pushed : public testing::TestWithParam<double> {
 };
 
 TEST_P(Pushed, TangentsAreTheSlopesOfSmallSteps) {
-  const TangentStiffnesses tangent = tangent_stiffnesses(model, state.mode, n);
+  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, n);
   constexpr double step = 1e-11;  // short of the next event
   EXPECT_NEAR(slope(step), tangent.loading, 1e-4 * tangent.loading);
   // A few lightly loaded contacts lose their grip at once as the journal turns back; by definition they are stuck.
@@ -124,16 +124,17 @@ TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
   for (ContactMode& m : mode) m = m == ContactMode::open ? m : ContactMode::stick;
   const DenseState rate = solve_dense(make_dense(model.problem), loading_rate(model, n), 0.0 * state.x, mode);
   const double expected = force(rate.normal_force);
-  EXPECT_NEAR(tangent_stiffnesses(model, state.mode, n).unloading, expected, 1e-9 * expected);
+  EXPECT_NEAR(tangent_stiffnesses(model, state, n).unloading, expected, 1e-9 * expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.0, 4.0));
 
 TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
   const BearingModel model = make_bearing_model(case_with_given_constants());
-  std::vector<ContactMode> mode(78, ContactMode::stick);
-  for (std::size_t i = 0; i < 26; ++i) mode[3 * i] = ContactMode::open;
-  const TangentStiffnesses tangent = tangent_stiffnesses(model, mode, unit_vector(0.0));
+  ContactState state = ContactState::unstressed(model.problem);
+  state.mode.assign(78, ContactMode::stick);
+  for (std::size_t i = 0; i < 26; ++i) state.mode[3 * i] = ContactMode::open;
+  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
   EXPECT_EQ(tangent.loading, 0.0);
   EXPECT_EQ(tangent.unloading, 0.0);
 }

@@ -71,6 +71,12 @@ TEST(ParseCase, TopFoilTakesTheMaterialOfTheBumpFoil) {
   EXPECT_EQ(with({"top_foil.poisson_ratio=0.3"}).top_foil.poisson_ratio, 0.3);
 }
 
+TEST(ParseCase, DisplacementsAreSmallUnlessSaidOtherwise) {
+  EXPECT_EQ(parse_case(cut(whole_case(), "geometry = \"linear\"\n"), "case.toml").bump_foil.geometry, Geometry::linear);
+  EXPECT_EQ(with({"bump_foil.model=\"frame\"", "bump_foil.geometry=\"nonlinear\""}).bump_foil.geometry,
+            Geometry::nonlinear);
+}
+
 TEST(ParseCase, TablesThatMayBeMissingAre) {
   const std::string text =
       cut(whole_case(), "[cycle]\ndirections = [\"+X\", \"37.5 deg\"]\namplitude = \"79.5 um\"\nsteps = 100\n");

@@ -46,6 +46,8 @@ Case arbitrary_case() {
   foil.model = *rc::gen::element(BumpFoilModel::truss, BumpFoilModel::frame);
   foil.weld_at = foil.model == BumpFoilModel::frame ? *rc::gen::element(WeldPosition::mid_flat, WeldPosition::arc_start)
                                                     : WeldPosition::mid_flat;
+  foil.geometry =
+      foil.model == BumpFoilModel::frame ? *rc::gen::element(Geometry::linear, Geometry::nonlinear) : Geometry::linear;
   foil.bumps = *rc::gen::inRange(1, 27);
   foil.height = between(0.4e-3, 0.6e-3);
   foil.height_reference = *rc::gen::element(HeightReference::overall, HeightReference::midsurface);

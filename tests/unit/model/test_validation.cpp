@@ -186,6 +186,21 @@ TEST(FindFaults, WeldsTheArcOfTheFrameAlone) {
   EXPECT_EQ(welded(BumpFoilModel::frame), Keys{});
 }
 
+TEST(FindFaults, FollowsLargeDisplacementsOfTheFrameWithNewtonAlone) {
+  const auto nonlinear = [](BumpFoilModel model, SolverName solver) {
+    return faulty_keys([=](Case& input) {
+      input.bump_foil.model = model;
+      input.bump_foil.geometry = Geometry::nonlinear;
+      input.solver.name = solver;
+    });
+  };
+  EXPECT_EQ(nonlinear(BumpFoilModel::frame, SolverName::newton), Keys{});
+  EXPECT_EQ(nonlinear(BumpFoilModel::frame, SolverName::events), Keys{"solver.name"});
+  EXPECT_EQ(nonlinear(BumpFoilModel::frame, SolverName::uzawa), Keys{"solver.name"});
+  EXPECT_EQ(nonlinear(BumpFoilModel::truss, SolverName::newton), Keys{"bump_foil.geometry"});
+  EXPECT_EQ(nonlinear(BumpFoilModel::truss, SolverName::events), (Keys{"bump_foil.geometry", "solver.name"}));
+}
+
 TEST(FindFaults, ListsEverything) {
   EXPECT_EQ(
       faulty_keys([](Case& input) {
