@@ -7,7 +7,9 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,16 +33,28 @@ struct ReproduceOptions {
   std::string folder;
   std::vector<int> figures;
   std::vector<std::string> studies;
+  bool all{};
   bool force{};
 };
 
-/// Studies asked for, each once, in the order of study_names(); all of them if none was asked for.
+/// Number of the figure that a study is, if it is one.
+std::optional<int> figure_number(std::string_view study) {
+  constexpr std::string_view prefix = "figure";
+  if (!study.starts_with(prefix)) return std::nullopt;
+  return std::stoi(std::string(study.substr(prefix.size())));
+}
+
+/// Studies asked for, each once, in the order of study_names(); the figures if none was asked for.
 std::vector<Study> wanted_studies(const ReproduceOptions& options) {
+  const auto among = [](const auto& list, const auto& one) {
+    return std::find(list.begin(), list.end(), one) != list.end();
+  };
+  const bool any_figure = options.figures.empty() && options.studies.empty();
   std::vector<Study> studies;
   for (const std::string& name : study_names()) {
-    bool wanted = options.figures.empty() && options.studies.empty();
-    for (const int figure : options.figures) wanted = wanted || name == fmt::format("figure{}", figure);
-    for (const std::string& study : options.studies) wanted = wanted || name == study;
+    const std::optional<int> figure = figure_number(name);
+    const bool wanted =
+        options.all || among(options.studies, name) || (figure && (any_figure || among(options.figures, *figure)));
     if (wanted) studies.push_back(make_study(name));
   }
   return studies;
@@ -161,7 +175,9 @@ ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) 
                  "\"gnuplot picture.gp\" in the folder of a study draws its picture\n");
     }
   }
-  if (plotted == PlotStatus::failed) fmt::print(stderr, "bumpfoil: gnuplot could not draw every picture\n");
+  if (plotted == PlotStatus::failed) {
+    fmt::print(stderr, "bumpfoil: gnuplot failed; \"gnuplot picture.gp\" in a folder without picture.svg says why\n");
+  }
   if (!converged) fmt::print(stderr, "bumpfoil: an increment did not converge: what is partial is flagged so\n");
   if (interrupted) {
     fmt::print(stderr, "bumpfoil: interrupted: {} of {} studies are whole, nothing was written of the others\n",
@@ -173,10 +189,9 @@ ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) 
 }
 
 std::vector<int> figure_numbers() {
-  constexpr std::string_view prefix = "figure";
   std::vector<int> numbers;
   for (const std::string& name : study_names()) {
-    if (name.starts_with(prefix)) numbers.push_back(std::stoi(name.substr(prefix.size())));
+    if (const std::optional<int> number = figure_number(name)) numbers.push_back(*number);
   }
   return numbers;
 }
@@ -185,8 +200,8 @@ std::vector<int> figure_numbers() {
 
 void add_reproduce_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<ReproduceOptions>();
-  CLI::App* command =
-      program.add_subcommand("reproduce", "Run the studies of the 2019 paper, and further ones, and draw them");
+  CLI::App* command = program.add_subcommand(
+      "reproduce", "Run the studies behind the figures of the 2019 paper, and further ones, and draw them");
   command->add_option("-o,--output", options->folder, "Folder for a folder of each study")
       ->type_name("DIR")
       ->required();
@@ -196,6 +211,7 @@ void add_reproduce_command(CLI::App& program, Session& session) {
   command->add_option("--study", options->studies, "Only this study; may be given again")
       ->allow_extra_args(false)
       ->check(CLI::IsMember(study_names()));
+  command->add_flag("--all", options->all, "All figures and all further studies");
   command->add_flag("--force", options->force, "Replace results that the folders hold");
   std::string footer = "Studies:\n";
   for (const std::string& name : study_names()) footer += fmt::format("  {:<11} {}\n", name, make_study(name).title);

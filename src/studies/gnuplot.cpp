@@ -1,7 +1,9 @@
 #include "bumpfoil/studies/gnuplot.hpp"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <vector>
@@ -31,10 +33,21 @@ PlotStatus run_gnuplot(const std::filesystem::path& script, const std::map<std::
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
+  // Silent: it warns of curves without points, which are no faults. In a process group of its own: Ctrl-C is for the
+  // caller, which lets it finish.
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t process{};
-  if (const int code = ::posix_spawnp(&process, "gnuplot", nullptr, nullptr, argv.data(), environ); code != 0) {
-    return code == ENOENT ? PlotStatus::no_gnuplot : PlotStatus::failed;
-  }
+  const int code = ::posix_spawnp(&process, "gnuplot", &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  if (code != 0) return code == ENOENT ? PlotStatus::no_gnuplot : PlotStatus::failed;
   int status = 0;
   while (::waitpid(process, &status, 0) < 0) {
     if (errno != EINTR) return PlotStatus::failed;

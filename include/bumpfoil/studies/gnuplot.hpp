@@ -10,10 +10,10 @@ namespace bumpfoil {
 enum class PlotStatus {
   drawn,
   no_gnuplot,  ///< the program is not installed
-  failed,      ///< it ended with an error, shown on standard error
+  failed,      ///< it ended with an error
 };
 
-/// Runs a gnuplot script.
+/// Runs a gnuplot script, in silence.
 /// @param variables  string variables that are defined before it starts
 PlotStatus run_gnuplot(const std::filesystem::path& script, const std::map<std::string, std::string>& variables);
 
