@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-sanitized bench format clean
+.PHONY: help demo paper test test-sanitized bench format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -23,13 +23,21 @@ demo: ## install what is missing, build, run the reference bearing in four direc
 	echo "Results: $(CURDIR)/results/demo"
 	echo "Time: $$SECONDS s in all"
 
+paper: ## reproduce the studies of the source paper, and further ones, with pictures
+	@scripts/require_packages.sh build plot
+	$(call BUILD,release)
+	echo
+	build/release/bumpfoil reproduce -o results/paper --all --force
+	echo
+	echo "Results: $(CURDIR)/results/paper"
+
 test: ## install what is missing, build with assertions armed, run every test
-	@scripts/require_packages.sh build test
+	@scripts/require_packages.sh build plot test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
 
 test-sanitized: ## the same tests under the address and undefined-behaviour sanitizers
-	@scripts/require_packages.sh build test
+	@scripts/require_packages.sh build plot test
 	$(call BUILD,dev)
 	ctest --preset dev --parallel $(JOBS)
 
@@ -45,4 +53,4 @@ format: ## format the C++ sources in place
 	@find include src apps tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +
 
 clean: ## remove what was built and the results of the demo
-	@rm -rf build results/demo
+	@rm -rf build results/demo results/paper

@@ -8,12 +8,10 @@
 
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/io/cycle_csv.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
 #include "bumpfoil/io/result_folder.hpp"
-#include "bumpfoil/io/result_netcdf.hpp"
-#include "bumpfoil/io/summary.hpp"
 #include "commands.hpp"
+#include "cycle_files.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
@@ -61,10 +59,7 @@ ExitCode run_cycle(const CycleOptions& options, const Session& session) {
     if (!result.converged()) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
   }
 
-  folder.stage("summary.json", summary_json(input, result, status));
-  folder.stage("cycle.csv", cycle_csv(result));
-  write_result_netcdf(folder.stage("result.nc"), input, result, status,
-                      {.command_line = session.command_line, .case_text = case_text});
+  stage_cycle_files(folder, input, result, status, {.command_line = session.command_line, .case_text = case_text});
   folder.publish();
   if (!session.quiet) {
     print_output(cycle_table(result));

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Makes sure that the system packages of the given purposes (see packages.txt) are there; installs what is missing.
-# Usage: scripts/require_packages.sh build [test] [bench]
+# Usage: scripts/require_packages.sh build [plot] [test] [bench]
 set -euo pipefail
 
 list="$(dirname "$0")/../packages.txt"

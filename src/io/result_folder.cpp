@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files whose presence makes a folder one that holds results.
-constexpr std::array<std::string_view, 4> result_names{"summary.json", "cycle.csv", "result.nc", "ensemble.nc"};
+constexpr std::array<std::string_view, 6> result_names{"summary.json", "cycle.csv",  "result.nc",
+                                                       "ensemble.nc",  "study.json", "picture.svg"};
 
 [[noreturn]] void throw_unwritable(const fs::path& path, int code) {
   throw Error(ErrorKind::file,
@@ -102,8 +103,15 @@ fs::path ResultFolder::stage(const std::string& name) {
   return temporary(path_ / name);
 }
 
-void ResultFolder::stage(const std::string& name, std::string_view contents) {
-  write_contents(stage(name), path_ / name, contents);
+fs::path ResultFolder::stage(const std::string& name, std::string_view contents) {
+  fs::path staged = stage(name);
+  write_contents(staged, path_ / name, contents);
+  return staged;
+}
+
+void ResultFolder::discard(const std::string& name) {
+  std::erase(staged_, name);
+  remove_quietly(temporary(path_ / name));
 }
 
 void ResultFolder::publish() {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -83,6 +84,14 @@ class Program : public ::testing::Test {
 
   [[nodiscard]] bool wrote_results() const { return std::filesystem::exists(results_); }
   [[nodiscard]] json summary() const { return json::parse(folder_.read("results/summary.json")); }
+
+  [[nodiscard]] std::set<std::string> names_in(const std::string& folder) const {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / folder)) {
+      names.insert(entry.path().filename());
+    }
+    return names;
+  }
 
   TemporaryFolder folder_;
   std::string case_path_{(folder_.path() / "case.toml").string()};
@@ -214,6 +223,9 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
                                              {"cycle", case_path_},
                                              {"cycle", "-o", results_},
                                              {"check"},
+                                             {"reproduce"},
+                                             {"reproduce", "-o", results_, "--figure", "9"},
+                                             {"reproduce", "-o", results_, "--study", "figure9"},
                                              {"check", case_path_, "--frob"},
                                              {"check", case_path_, case_path_},
                                              {"cycle", case_path_, "-o"},
@@ -229,7 +241,7 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
 }
 
 TEST_F(Program, HelpsEverywhere) {
-  for (const char* command : {"init", "check", "properties", "cycle"}) {
+  for (const char* command : {"init", "check", "properties", "cycle", "reproduce"}) {
     const Outcome help = run({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.output.find("Example"), std::string::npos) << command;
@@ -265,9 +277,63 @@ TEST_F(Program, AnInterruptedRunLeavesFlaggedResults) {
   EXPECT_NE(program.errors().find("interrupted"), std::string::npos);
   EXPECT_EQ(summary().at("status"), "interrupted");
   EXPECT_EQ(summary().at("cycles").back().at("converged"), false);
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(results_)) names.insert(entry.path().filename());
-  EXPECT_EQ(names, (std::set<std::string>{"cycle.csv", "result.nc", "summary.json"}));
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"cycle.csv", "result.nc", "summary.json"}));
+}
+
+TEST_F(Program, ReproducesAFigure) {
+  const std::vector<std::string> reproduce{"reproduce", "-o", results_, "--figure", "16"};
+  const Outcome outcome = run(reproduce);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_NE(outcome.output.find("figure16"), std::string::npos);
+  EXPECT_EQ(names_in("results"), std::set<std::string>{"figure16"});
+  EXPECT_EQ(names_in("results/figure16"), (std::set<std::string>{"contacts.csv", "foils.csv", "picture.gp",
+                                                                 "picture.svg", "scatter20-bearing4", "study.json"}));
+  EXPECT_EQ(names_in("results/figure16/scatter20-bearing4"),
+            (std::set<std::string>{"case.toml", "cycle.csv", "result.nc", "summary.json"}));
+  EXPECT_NE(folder_.read("results/figure16/picture.svg").find("</svg>"), std::string::npos);
+
+  // The case beside the results gives them again.
+  const std::string again = (folder_.path() / "again").string();
+  EXPECT_EQ(run({"cycle", results_ + "/figure16/scatter20-bearing4/case.toml", "-o", again}).exit_code, 0);
+  EXPECT_EQ(folder_.read("again/cycle.csv"), folder_.read("results/figure16/scatter20-bearing4/cycle.csv"));
+
+  const Outcome refused = run(reproduce);
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_NE(refused.errors.find("holds results already (study.json)"), std::string::npos);
+  const Outcome replaced = run(reproduce + std::vector<std::string>{"--force", "--quiet"});
+  EXPECT_EQ(replaced.exit_code, 0);
+  EXPECT_EQ(replaced.output + replaced.errors, "");
+}
+
+TEST_F(Program, ReproducesWithoutGnuplot) {
+  const std::vector<std::string> reproduce{"reproduce", "-o", results_, "--study", "figure16", "--force"};
+  EXPECT_EQ(run(reproduce).exit_code, 0);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder_.path().c_str(), 1);
+  const Outcome outcome = run(reproduce);
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.errors.find("gnuplot is not installed"), std::string::npos);
+  // The picture of the run before would not be that of these results.
+  EXPECT_EQ(names_in("results/figure16"),
+            (std::set<std::string>{"contacts.csv", "foils.csv", "picture.gp", "scatter20-bearing4", "study.json"}));
+  EXPECT_EQ(std::system(("cd " + results_ + "/figure16 && gnuplot picture.gp 2> /dev/null").c_str()), 0);
+  EXPECT_TRUE(names_in("results/figure16").contains("picture.svg"));
+}
+
+TEST_F(Program, AnInterruptedReproductionLeavesWholeStudies) {
+  const Running program({"reproduce", "-o", results_, "--all"}, (folder_.path() / "output").string());
+  while (!std::filesystem::exists(results_ + "/figure10/study.json")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  program.interrupt();
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_NE(program.errors().find("interrupted"), std::string::npos);
+  for (const std::string& study : names_in("results")) {
+    EXPECT_TRUE(names_in("results/" + study).contains("study.json")) << study;
+  }
+  EXPECT_FALSE(names_in("results").contains("clearance"));
 }
 
 }  // namespace

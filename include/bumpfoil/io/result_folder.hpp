@@ -24,8 +24,11 @@ class ResultFolder {
   /// Temporary path for a result called `name`; the caller writes the file.
   std::filesystem::path stage(const std::string& name);
 
-  /// Stages a file with these contents. @throws Error (file)
-  void stage(const std::string& name, std::string_view contents);
+  /// Stages a file with these contents; returns its temporary path. @throws Error (file)
+  std::filesystem::path stage(const std::string& name, std::string_view contents);
+
+  /// Forgets a staged file, and removes what was written of it.
+  void discard(const std::string& name);
 
   /// Puts everything staged in place, flushed to the disk; results of an earlier run are removed. @throws Error (file)
   void publish();

@@ -98,6 +98,20 @@ TEST(ResultFolder, SaysWhyItCannotBeWritten) {
   }
 }
 
+TEST(ResultFolder, ForgetsWhatIsDiscarded) {
+  const TemporaryFolder folder;
+  ResultFolder results(folder.path(), Existing::refuse);
+  const std::filesystem::path staged = results.stage("summary.json", "text");
+  EXPECT_TRUE(std::filesystem::exists(staged));
+  results.stage("picture.svg");  // never written
+  results.discard("summary.json");
+  results.discard("picture.svg");
+  EXPECT_EQ(folder.listing(), "");
+  results.stage("cycle.csv", "text");
+  results.publish();
+  EXPECT_EQ(folder.listing(), "cycle.csv ");
+}
+
 TEST(WriteFile, IsWholeOrNotThere) {
   const TemporaryFolder folder;
   write_file(folder.path() / "case.toml", "text", Existing::refuse);

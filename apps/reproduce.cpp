@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/studies/gnuplot.hpp"
+#include "bumpfoil/studies/study.hpp"
+#include "bumpfoil/studies/study_report.hpp"
+#include "bumpfoil/studies/study_tables.hpp"
+#include "commands.hpp"
+#include "cycle_files.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct ReproduceOptions {
+  std::string folder;
+  std::vector<int> figures;
+  std::vector<std::string> studies;
+  bool all{};
+  bool force{};
+};
+
+/// Number of the figure that a study is, if it is one.
+std::optional<int> figure_number(std::string_view study) {
+  constexpr std::string_view prefix = "figure";
+  if (!study.starts_with(prefix)) return std::nullopt;
+  return std::stoi(std::string(study.substr(prefix.size())));
+}
+
+/// Studies asked for, each once, in the order of study_names(); the figures if none was asked for.
+std::vector<Study> wanted_studies(const ReproduceOptions& options) {
+  const auto among = [](const auto& list, const auto& one) {
+    return std::find(list.begin(), list.end(), one) != list.end();
+  };
+  const bool any_figure = options.figures.empty() && options.studies.empty();
+  std::vector<Study> studies;
+  for (const std::string& name : study_names()) {
+    const std::optional<int> figure = figure_number(name);
+    const bool wanted =
+        options.all || among(options.studies, name) || (figure && (any_figure || among(options.figures, *figure)));
+    if (wanted) studies.push_back(make_study(name));
+  }
+  return studies;
+}
+
+/// A study with the folders that it writes to: its own, and inside that one for each run. They are made, or refused,
+/// before anything is computed.
+class StudyWriter {
+ public:
+  StudyWriter(Study study, const std::filesystem::path& path, Existing existing)
+      : study_(std::move(study)), folder_(path, existing) {
+    for (const StudyRun& run : study_.runs) {
+      const Case& input = cases_.emplace_back(study_case(run));
+      run_folders_.emplace_back(path / run.name, existing);
+      increments_ += static_cast<double>(input.cycle.directions.size()) * (2.0 * input.cycle.steps + 1.0);
+    }
+  }
+
+  /// Increments of all runs: the share of this study in the progress.
+  [[nodiscard]] double increments() const { return increments_; }
+
+  /// Runs everything. @return false if it was stopped
+  bool run(const ProgressCallback& progress) {
+    const auto runs = static_cast<double>(cases_.size());
+    for (const Case& input : cases_) {
+      bool stopped = false;
+      CycleResult result = run_cycles(input, [&](double fraction) {
+        stopped = !progress((static_cast<double>(results_.size()) + fraction) / runs);
+        return !stopped;
+      });
+      if (stopped) return false;
+      const RunStatus status = result.converged() ? RunStatus::complete : RunStatus::failed;
+      results_.push_back({input, std::move(result), status});
+    }
+    return true;
+  }
+
+  /// Writes the results of all runs, the tables and the picture.
+  PlotStatus write(const Session& session) {
+    std::size_t index = 0;
+    for (ResultFolder& folder : run_folders_) {
+      const auto& [input, result, status] = results_[index++];
+      const std::string case_text = case_to_toml(input);
+      folder.stage("case.toml", case_text);
+      stage_cycle_files(folder, input, result, status, {.command_line = session.command_line, .case_text = case_text});
+      folder.publish();
+    }
+    std::vector<StudyTable> tables;
+    std::map<std::string, std::string> plot_files;
+    for (const StudyTableKind kind : study_.tables) {
+      const StudyTable& table = tables.emplace_back(make_study_table(kind, study_, results_));
+      plot_files[table.name] = folder_.stage(table.name + ".csv", table_csv(table)).string();
+    }
+    plot_files["picture"] = folder_.stage("picture.svg").string();
+    const PlotStatus plotted = run_gnuplot(folder_.stage("picture.gp", study_.plot_script), plot_files);
+    if (plotted != PlotStatus::drawn) folder_.discard("picture.svg");
+    folder_.stage("study.json", study_json(study_, results_, tables));
+    folder_.publish();
+    return plotted;
+  }
+
+  [[nodiscard]] StudyOutcome outcome() const { return outcome_of(study_, results_); }
+
+ private:
+  Study study_;
+  std::vector<Case> cases_;
+  ResultFolder folder_;
+  std::list<ResultFolder> run_folders_;  ///< inside folder_, and so to be removed before it where they stay empty
+  std::vector<StudyRunResult> results_;
+  double increments_{};
+};
+
+/// Runs and writes one study after the other. @return their outcomes, fewer if it was interrupted
+std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Session& session, PlotStatus& plotted) {
+  using Clock = std::chrono::steady_clock;
+  const InterruptionGuard guard;
+  ProgressBar bar(!session.quiet);
+  double all = 0.0;
+  for (const StudyWriter& writer : writers) all += writer.increments();
+  double done = 0.0;
+  std::vector<StudyOutcome> outcomes;
+  for (StudyWriter& writer : writers) {
+    const Clock::time_point start = Clock::now();
+    const bool finished = writer.run([&](double fraction) {
+      bar.show((done + fraction * writer.increments()) / all);
+      return !guard.interrupted();
+    });
+    if (!finished) break;
+    plotted = std::max(plotted, writer.write(session));
+    done += writer.increments();
+    StudyOutcome& outcome = outcomes.emplace_back(writer.outcome());
+    outcome.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    if (guard.interrupted()) break;
+  }
+  return outcomes;
+}
+
+ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) {
+  std::list<StudyWriter> writers;
+  for (Study& study : wanted_studies(options)) {
+    const std::filesystem::path path = std::filesystem::path(options.folder) / study.name;
+    writers.emplace_back(std::move(study), path, options.force ? Existing::replace : Existing::refuse);
+  }
+  PlotStatus plotted = PlotStatus::drawn;
+  const std::vector<StudyOutcome> outcomes = run_studies(writers, session, plotted);
+
+  const bool interrupted = outcomes.size() < writers.size();
+  const bool converged = std::all_of(outcomes.begin(), outcomes.end(), [](const auto& one) { return one.converged; });
+  if (!session.quiet) {
+    print_output(study_outcomes_table(outcomes));
+    print_output(
+        fmt::format("\nresults in {}: of each study picture.svg, study.json and tables (CSV), and a folder for "
+                    "each run\n",
+                    options.folder));
+    if (plotted == PlotStatus::no_gnuplot) {
+      fmt::print(stderr,
+                 "bumpfoil: there are no pictures, because gnuplot is not installed (Debian: gnuplot-nox); with it, "
+                 "\"gnuplot picture.gp\" in the folder of a study draws its picture\n");
+    }
+  }
+  if (plotted == PlotStatus::failed) {
+    fmt::print(stderr, "bumpfoil: gnuplot failed; \"gnuplot picture.gp\" in a folder without picture.svg says why\n");
+  }
+  if (!converged) fmt::print(stderr, "bumpfoil: an increment did not converge: what is partial is flagged so\n");
+  if (interrupted) {
+    fmt::print(stderr, "bumpfoil: interrupted: {} of {} studies are whole, nothing was written of the others\n",
+               outcomes.size(), writers.size());
+    return ExitCode::interrupted;
+  }
+  if (!converged) return ExitCode::numerical_failure;
+  return plotted == PlotStatus::failed ? ExitCode::file_error : ExitCode::done;
+}
+
+std::vector<int> figure_numbers() {
+  std::vector<int> numbers;
+  for (const std::string& name : study_names()) {
+    if (const std::optional<int> number = figure_number(name)) numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<ReproduceOptions>();
+  CLI::App* command = program.add_subcommand(
+      "reproduce", "Run the studies behind the figures of the 2019 paper, and further ones, and draw them");
+  command->add_option("-o,--output", options->folder, "Folder for a folder of each study")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--figure", options->figures, "Only this figure of the paper; may be given again")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(figure_numbers()));
+  command->add_option("--study", options->studies, "Only this study; may be given again")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(study_names()));
+  command->add_flag("--all", options->all, "All figures and all further studies");
+  command->add_flag("--force", options->force, "Replace results that the folders hold");
+  std::string footer = "Studies:\n";
+  for (const std::string& name : study_names()) footer += fmt::format("  {:<11} {}\n", name, make_study(name).title);
+  command->footer(footer +
+                  "Examples:\n"
+                  "  bumpfoil reproduce -o paper\n"
+                  "  bumpfoil reproduce -o paper --figure 10 --figure 11\n"
+                  "  bumpfoil reproduce -o paper --study friction\n"
+                  "Pictures are drawn by gnuplot, if it is installed. Ctrl-C ends the run; finished studies are kept.");
+  command->callback([options, &session] { session.exit_code = run_reproduce(*options, session); });
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,182 @@
+#include "bumpfoil/studies/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/studies/study_tables.hpp"
+#include "io/toml_document.hpp"
+#include "studies/study_library.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view base_case = "gen1";
+
+/// Takes the values of a table of a description; what is missing or not asked for is an error.
+class DescriptionReader {
+ public:
+  DescriptionReader(std::string_view study, const toml::table& table) : study_(study), table_(table) {}
+
+  std::string text(std::string_view key) { return value<std::string>(find(key), key); }
+  std::string text_or_empty(std::string_view key) { return table_.contains(key) ? text(key) : std::string(); }
+
+  template <typename Value>
+  std::vector<Value> list(std::string_view key) {
+    std::vector<Value> values;
+    if (const toml::array* array = array_of(key)) {
+      for (const toml::node& node : *array) values.push_back(value<Value>(&node, key));
+    }
+    return values;
+  }
+
+  std::vector<DescriptionReader> tables(std::string_view key) {
+    std::vector<DescriptionReader> readers;
+    if (const toml::array* array = array_of(key)) {
+      for (const toml::node& node : *array) {
+        if (!node.is_table()) fail(key, "is no table");
+        readers.emplace_back(study_, *node.as_table());
+      }
+    }
+    return readers;
+  }
+
+  /// To be called last.
+  void finish() const {
+    for (const auto& [key, node] : table_) {
+      if (!known_.contains(key.str())) fail(key.str(), "is not known");
+    }
+  }
+
+  [[noreturn]] void fail(std::string_view key, std::string what) const {
+    throw Error(ErrorKind::input, {{study_, 0, std::string(key), "", std::move(what), ""}});
+  }
+
+ private:
+  const toml::node* find(std::string_view key) {
+    known_.emplace(key);
+    return table_.get(key);
+  }
+
+  const toml::array* array_of(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node != nullptr && !node->is_array()) fail(key, "is no list");
+    return node == nullptr ? nullptr : node->as_array();
+  }
+
+  template <typename Value>
+  Value value(const toml::node* node, std::string_view key) const {
+    const auto found = node == nullptr ? std::nullopt : node->value<Value>();
+    if (!found) fail(key, "is missing or of the wrong type");
+    return *found;
+  }
+
+  std::string study_;
+  const toml::table& table_;
+  std::set<std::string, std::less<>> known_;
+};
+
+/// Overrides with their line breaks, which --set does not take, made spaces.
+std::vector<std::string> overrides_of(DescriptionReader& reader, const std::vector<std::string>& common) {
+  std::vector<std::string> overrides = common;
+  for (std::string& one : reader.list<std::string>("set")) {
+    std::replace(one.begin(), one.end(), '\n', ' ');
+    overrides.push_back(std::move(one));
+  }
+  return overrides;
+}
+
+void add_sweep(DescriptionReader& sweep, const std::vector<std::string>& common, Study& study) {
+  const std::string key = sweep.text("key");
+  const std::string unit = sweep.text_or_empty("unit");
+  const std::string name = sweep.text("name");
+  const std::vector<std::string> overrides = overrides_of(sweep, common);
+  study.parameter = key.substr(key.rfind('.') + 1);
+  study.parameter_unit = unit;
+  for (const double value : sweep.list<double>("values")) {
+    StudyRun run{.name = fmt::format("{}_{}{}", name, value, unit),
+                 .label = unit.empty() ? fmt::format("{} {}", name, value) : fmt::format("{} {} {}", name, value, unit),
+                 .overrides = overrides,
+                 .parameter = value};
+    run.overrides.push_back(unit.empty() ? fmt::format("{}={}", key, value)
+                                         : fmt::format("{}=\"{} {}\"", key, value, unit));
+    study.runs.push_back(std::move(run));
+  }
+  sweep.finish();
+}
+
+StudyTableKind table_kind(const DescriptionReader& reader, std::string_view name) {
+  using enum StudyTableKind;
+  for (const StudyTableKind kind : {loops, quantities, loads, heights, foils, contacts}) {
+    if (name_of(kind) == name) return kind;
+  }
+  reader.fail("tables", fmt::format("there is no table \"{}\"", name));
+}
+
+void add_runs_of(DescriptionReader& reader, Study& study) {
+  const std::vector<std::string> only = reader.list<std::string>("only");
+  for (const std::string& other : reader.list<std::string>("runs_of")) {
+    for (StudyRun& run : make_study(other).runs) {
+      const auto same = [&run](const auto& name) { return name == run.name; };
+      const bool wanted = only.empty() || std::any_of(only.begin(), only.end(), same);
+      const bool there = std::any_of(study.runs.begin(), study.runs.end(),
+                                     [&same](const StudyRun& known) { return same(known.name); });
+      if (wanted && !there) study.runs.push_back(std::move(run));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  for (const StudyText& study : study_library()) names.emplace_back(study.name);
+  return names;
+}
+
+Study make_study(std::string_view name) {
+  for (const StudyText& text : study_library()) {
+    if (text.name != name) continue;
+    Study study = parse_study(text.description, name);
+    study.plot_script = std::string(study_style_script()) + std::string(text.script);
+    return study;
+  }
+  throw Error(ErrorKind::input, {{"", 0, "study", std::string(name), "is not known",
+                                  fmt::format("use one of {}", fmt::join(study_names(), ", "))}});
+}
+
+Study parse_study(std::string_view text, std::string_view name) {
+  const toml::table document = parse_toml(text, std::string(name));
+  DescriptionReader reader(name, document);
+  Study study;
+  study.name = name;
+  study.title = reader.text("title");
+  const std::vector<std::string> common = overrides_of(reader, {});
+  add_runs_of(reader, study);
+  for (DescriptionReader& run : reader.tables("run")) {
+    StudyRun& added = study.runs.emplace_back();
+    added.name = run.text("name");
+    added.label = run.text("label");
+    added.overrides = overrides_of(run, common);
+    run.finish();
+  }
+  for (DescriptionReader& sweep : reader.tables("sweep")) add_sweep(sweep, common, study);
+  for (const std::string& table : reader.list<std::string>("tables")) study.tables.push_back(table_kind(reader, table));
+  study.increments = reader.list<int>("increments");
+  if (study.runs.empty()) reader.fail("run", "there is no run");
+  if (study.tables.empty()) reader.fail("tables", "there is no table");
+  reader.finish();
+  return study;
+}
+
+Case study_case(const StudyRun& run) {
+  return parse_case(case_template(base_case), run.name, {.overrides = run.overrides, .required_tables = {"cycle"}});
+}
+
+}  // namespace bumpfoil

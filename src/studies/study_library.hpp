@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace bumpfoil {
+
+/// A study as it is compiled in.
+struct StudyText {
+  std::string_view name;
+  std::string_view description;  ///< TOML
+  std::string_view script;       ///< for gnuplot
+};
+
+const std::vector<StudyText>& study_library();
+
+/// What every script begins with.
+std::string_view study_style_script();
+
+}  // namespace bumpfoil

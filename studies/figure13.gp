@@ -1,0 +1,48 @@
+
+eval panels(3, 4)
+scatter = 10
+
+# Six bearings: force against displacement, and below it the heights of the bumps and of the journal's surface.
+bearing(i) = sprintf("scatter%d-bearing%d", scatter, i)
+force(run, branch) = is_run(run) && on_branch(branch, 100) ? column("force_direct_N") : NaN
+height(run, name) = is_run(run) ? um * column(name) : NaN
+
+do for [row = 0:1] {
+  set xrange [0:80]
+  set yrange [-50:1100]
+  set xtics 20
+  set ytics 200
+  set xlabel "displacement of the journal to +X (µm)"
+  set ylabel "direct force (N)"
+  set key top left
+  do for [i = 3 * row + 1:3 * row + 3] {
+    set title sprintf("bearing %d", i)
+    plot loops using (um * column("displacement_m")):(force("perfect", "loading")) with lines lw 1.2 dt 1 lc rgb grey \
+           title i == 1 ? "no height errors" : "", \
+         loops using (um * column("displacement_m")):(force("perfect", "unloading")) with lines lw 1.2 dt (6, 4) lc rgb grey notitle, \
+         loops using (um * column("displacement_m")):(force(bearing(i), "loading")) with lines lw 2 dt 1 lc rgb blue \
+           title i == 1 ? "loading" : "", \
+         loops using (um * column("displacement_m")):(force(bearing(i), "unloading")) with lines lw 2 dt (8, 4) lc rgb blue \
+           title i == 1 ? "unloading" : ""
+  }
+  set xrange [0:27]
+  set yrange [440:680]
+  set boxwidth 0.9 absolute
+  set xtics 1, 5
+  set ytics 40
+  set xlabel "bump, counted from the weld"
+  set ylabel "height over the sleeve (µm)"
+  set key top center horizontal maxcols 2 opaque
+  do for [i = 3 * row + 1:3 * row + 3] {
+    set title sprintf("bearing %d", i)
+    plot heights using "bump":(height(bearing(i), "height_m")) with boxes fs solid 1 border lc rgb black fc rgb "#d4d4d4" \
+           title i == 1 ? "bumps" : "", \
+         heights using "bump":(height("perfect", "height_m")) with lines lw 1.5 dt (6, 4) lc rgb black \
+           title i == 1 ? "design" : "", \
+         heights using "bump":(height(bearing(i), "journal_centred_m")) with lines lw 1.5 dt (2, 3) lc rgb red \
+           title i == 1 ? "journal centred" : "", \
+         heights using "bump":(height(bearing(i), "journal_pushed_m")) with lines lw 2 dt 1 lc rgb red \
+           title i == 1 ? "journal pushed" : ""
+  }
+}
+unset multiplot
