@@ -55,12 +55,14 @@ ExitCode run(int argc, char** argv) {
       "Start with:\n"
       "  bumpfoil init -o case.toml\n"
       "  bumpfoil cycle case.toml -o results\n"
+      "  bumpfoil report results\n"
       "Exit codes: 0 done, 2 wrong input, 3 numerical failure, 4 files cannot be read or written, 130 interrupted.");
   add_init_command(program, session);
   add_check_command(program, session);
   add_properties_command(program, session);
   add_cycle_command(program, session);
   add_reproduce_command(program, session);
+  add_report_command(program, session);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

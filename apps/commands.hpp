@@ -27,6 +27,7 @@ void add_check_command(CLI::App& program, Session& session);
 void add_properties_command(CLI::App& program, Session& session);
 void add_cycle_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
+void add_report_command(CLI::App& program, Session& session);
 
 /// Adds the option --set, which changes keys of the case file.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);

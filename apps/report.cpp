@@ -1,0 +1,56 @@
+#include "bumpfoil/io/report.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+
+namespace bumpfoil {
+
+/// The page that web/ makes; empty if the program was built without Node.js.
+std::string_view report_page();
+
+namespace {
+
+struct ReportOptions {
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path path;
+  bool force{};
+};
+
+void run_report(const ReportOptions& options, const Session& session) {
+  if (report_page().empty()) {
+    throw Error(ErrorKind::file, {{"bumpfoil report", 0, "", "", "this program was built without the page of reports",
+                                   "install Node.js and npm (Debian: nodejs npm), then configure and build again"}});
+  }
+  const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
+  write_file(path, fill_report(report_page(), report_json(options.folders)),
+             options.force ? Existing::replace : Existing::refuse);
+  if (!session.quiet) print_output("wrote " + path.string() + "\n");
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = program.add_subcommand("report", "Make one HTML file to look at from the results of runs");
+  command->add_option("DIR", options->folders, "Folders of results; several are compared in the same charts")
+      ->required();
+  command->add_option("-o,--output", options->path, "File to write; report.html in the first folder without it")
+      ->type_name("FILE");
+  command->add_flag("--force", options->force, "Replace the file if it exists");
+  command->footer(
+      "Examples:\n"
+      "  bumpfoil report results\n"
+      "  bumpfoil report truss frame -o comparison.html\n"
+      "The file needs no network and nothing beside it: open it in a browser, print it, mail it.");
+  command->callback([options, &session] { run_report(*options, session); });
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bumpfoil {
+
+/// What the page of a report has in the place of its data.
+inline constexpr std::string_view report_placeholder = "@bumpfoil-report-data@";
+
+/// Numbers per increment and node that a report holds at most; runs with more of them are thinned.
+inline constexpr std::size_t most_report_values = 2'000'000;
+
+/// Everything that a report shows of the results in some folders, as JSON.
+///
+/// `{"schema": "bumpfoil-report/1", "version", "commit", "date", "runs": [...]}` with one object per folder:
+/// `name`, `kind`, `attributes` (global texts of result.nc), `summary` (summary.json as it is), `geometry` (variables
+/// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes) and `directions`.
+/// A direction has `direction_deg`, `increments` (numbers of those that are kept: all, or every n-th one, always with
+/// the first, the turning point and the last), `series` (variables per increment) and `fields` (per increment and
+/// node: `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes;
+/// NaN and -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here; gaps
+/// are left out, since the displacements give them.
+///
+/// netCDF is not thread-safe: to be called by one thread at a time.
+///
+/// @param folders      of results, at least one
+/// @param most_values  numbers per increment and node over all folders beyond which increments are left out
+/// @throws Error (file) that lists every folder that does not exist, holds no result or cannot be read
+std::string report_json(const std::vector<std::filesystem::path>& folders,
+                        std::size_t most_values = most_report_values);
+
+/// The page with the data in place of `report_placeholder`, written so that no text in it can end the script element
+/// that holds it. @param page  has the placeholder once
+std::string fill_report(std::string_view page, std::string_view json);
+
+}  // namespace bumpfoil

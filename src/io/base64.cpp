@@ -1,0 +1,44 @@
+#include "io/base64.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+std::string encode(const std::vector<std::uint8_t>& bytes) {
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= count ? alphabet[group >> (18 - 6 * k) & 63U] : '=';
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string base64_of(const std::vector<double>& numbers) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(4 * numbers.size());
+  for (const double number : numbers) {
+    const bool known = std::abs(number) <= std::numeric_limits<float>::max();
+    const auto bits = std::bit_cast<std::uint32_t>(known ? static_cast<float>(number)
+                                                         : std::numeric_limits<float>::quiet_NaN());
+    for (const unsigned shift : {0U, 8U, 16U, 24U}) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
+  }
+  return encode(bytes);
+}
+
+std::string base64_of(const std::vector<signed char>& flags) {
+  return encode({flags.begin(), flags.end()});
+}
+
+}  // namespace bumpfoil

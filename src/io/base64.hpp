@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// Base64 of numbers rounded to binary32, little-endian; of a NaN for those that are not finite.
+std::string base64_of(const std::vector<double>& numbers);
+
+/// Base64 of signed bytes.
+std::string base64_of(const std::vector<signed char>& flags);
+
+}  // namespace bumpfoil

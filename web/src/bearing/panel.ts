@@ -1,0 +1,201 @@
+import { contactStates, interfaces, largest, type Direction } from '../data/run';
+import { toCsv } from '../data/csv';
+import { formatQuantity } from '../data/units';
+import { dropDown, el, svg } from '../ui/dom';
+import { legend, panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+import type { Selection } from '../ui/selection';
+import { look, onLookChange, type Look } from '../ui/theme';
+import { arrowPath, standalone } from './drawing';
+import { drawRound } from './round';
+import { BearingGeometry, fittingMagnification, magnifications, shapeAt } from './shape';
+import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from './unwrapped';
+
+/** The deformed bearing at the chosen increment, round and laid flat, with the values of one bump in words. */
+export class BearingPanels {
+  readonly round: HTMLElement;
+  readonly unwrapped: HTMLElement;
+  private readonly roundDrawing = svg('svg', { class: 'round', role: 'img' });
+  private readonly flatDrawing = svg('svg', { class: 'unwrapped', role: 'img', tabindex: 0 });
+  private readonly flatPlace = el('div', { class: 'scroller' }, this.flatDrawing);
+  private readonly caption = el('p', { class: 'note caption', 'aria-live': 'off' });
+  private readonly bumpText = el('p', { class: 'note bump-values', 'aria-live': 'polite' });
+  private geometry: BearingGeometry;
+  private magnification: number;
+  private forces = true;
+  private bump: number | undefined;
+  private layout: UnwrappedLayout | undefined;
+
+  constructor(private readonly selection: Selection) {
+    this.geometry = new BearingGeometry(selection.run);
+    this.magnification = fittingMagnification(this.geometry);
+    const factors = dropDown(
+      'Magnification of displacements',
+      magnifications.map((value) => ({ value, text: `×${value}` })),
+      (factor) => {
+        this.magnification = factor;
+        this.draw();
+      },
+    );
+    factors.selectedIndex = magnifications.indexOf(this.magnification);
+    const forces = el('input', { type: 'checkbox', checked: true });
+    forces.addEventListener('change', () => {
+      this.forces = forces.checked;
+      this.draw();
+    });
+    const common = { csv: () => this.csv() };
+    this.round = panel(
+      {
+        title: 'The bearing',
+        note: 'Seen along its axis. The blue arrow is the force that holds the journal.',
+        file: () => this.file('bearing'),
+        svg: () => standalone(this.roundDrawing, look()),
+        ...common,
+      },
+      this.roundDrawing,
+      this.caption,
+    );
+    this.unwrapped = panel(
+      {
+        title: 'The foils, laid flat',
+        controls: [
+          el('label', { class: 'control' }, 'Displacements and gaps', factors),
+          el('label', { class: 'control' }, forces, 'Forces'),
+        ],
+        file: () => this.file('foils'),
+        svg: () => standalone(this.flatDrawing, look()),
+        ...common,
+      },
+      this.flatPlace,
+      this.bumpText,
+      this.legend(),
+    );
+    this.listen();
+    selection.onChange(() => this.follow());
+    onLookChange(() => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.flatPlace);
+  }
+
+  private follow(): void {
+    if (this.geometry.run !== this.selection.run) this.geometry = new BearingGeometry(this.selection.run);
+    this.draw();
+  }
+
+  private get direction(): Direction {
+    return this.selection.direction;
+  }
+
+  private draw(): void {
+    if (this.direction.size === 0 || this.flatPlace.clientWidth === 0) return;
+    const { index, run } = this.selection;
+    const current = look();
+    const scene: Scene = {
+      geometry: this.geometry,
+      direction: this.direction,
+      index,
+      shape: shapeAt(this.geometry, this.direction, index),
+      magnification: this.magnification,
+      largestForce: largest(
+        ...run.directions.flatMap((one) => interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
+      ) || 1,
+      forces: this.forces,
+      bump: this.bump,
+    };
+    // Bumps narrower than some pixels are no use: small screens scroll.
+    this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.flatPlace.clientWidth, 24 * run.bumps + 28));
+    this.flatDrawing.style.width = `${this.layout.width}px`;
+    drawRound(this.roundDrawing, scene, current);
+    this.describe();
+  }
+
+  private describe(): void {
+    const { direction, index } = this.selection;
+    const branch = index === direction.turning ? 'full displacement' : direction.isLoading(index) ? 'loading' : 'unloading';
+    const where = `${direction.name}, ${branch}: ${formatQuantity(direction.value('displacement', index), 'm')}, ${formatQuantity(direction.value('force_direct', index), 'N')}`;
+    const stretch = this.layout ? `, heights ×${this.layout.stretch.toPrecision(2)} against lengths` : '';
+    this.caption.textContent = `${where}. Displacements and gaps ×${this.magnification} against the height of the bumps.`;
+    this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${where}${stretch}. Arrow keys choose a bump.`);
+    this.roundDrawing.setAttribute('aria-label', `Deformed bearing, ${where}`);
+    this.bumpText.textContent = this.bump === undefined ? 'Point at a bump to read its values.' : this.bumpValues(this.bump);
+  }
+
+  private bumpValues(bump: number): string {
+    const { direction, index } = this.selection;
+    const force = (name: string, node: number): string => formatQuantity(direction.field(name).at(index, node), 'N', 3);
+    const length = (name: string): string => formatQuantity(direction.field(name).at(index, bump), 'm', 3);
+    const state = (name: string, node: number): string => contactStates[direction.states(name).at(index, node)] ?? 'unknown';
+    const feet = this.geometry.feetOf(bump).filter((foot): foot is number => foot !== undefined);
+    const own = this.geometry.twoFeet ? feet : [bump];
+    return [
+      `Bump ${bump + 1}: load ${force('normal_force_top_bump', bump)}, friction ${force('friction_force_top_bump', bump)}, ${state('top_bump', bump)}`,
+      `journal ${force('normal_force_journal_top', bump)}`,
+      `crest ${length('crest_v')} outwards, ${length('crest_u')} along`,
+      ...own.map((foot) => `foot ${foot + 1} ${force('normal_force_bump_sleeve', foot)}, ${state('bump_sleeve', foot)}`),
+    ].join(' · ');
+  }
+
+  private choose(bump: number | undefined): void {
+    if (bump === this.bump) return;
+    this.bump = bump;
+    this.draw();
+  }
+
+  private listen(): void {
+    this.flatDrawing.addEventListener('pointermove', (event) => {
+      const { left } = this.flatDrawing.getBoundingClientRect();
+      this.choose(this.layout?.bumpAt(event.clientX - left));
+    });
+    this.flatDrawing.addEventListener('keydown', (event) => {
+      const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      if (step === undefined) return;
+      event.preventDefault();
+      const last = this.selection.run.bumps - 1;
+      this.choose(Math.min(Math.max(0, (this.bump ?? (step > 0 ? -1 : last + 1)) + step), last));
+    });
+  }
+
+  private legend(): HTMLElement {
+    const sample = (draw: (current: Look) => SVGElement[]): SVGElement => {
+      const root = svg('svg', { width: 26, height: 12, 'aria-hidden': 'true' });
+      const paint = (): void => root.replaceChildren(...draw(look()));
+      paint();
+      onLookChange(paint);
+      return root;
+    };
+    const arrow = (colour: 'force' | 'friction'): SVGElement =>
+      sample((current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current[colour] })]);
+    return legend([
+      { sample: arrow('force'), text: 'normal force' },
+      { sample: arrow('friction'), text: `friction on the bump foil (×${frictionFactor})` },
+      { sample: sample((c) => [svg('circle', { cx: 13, cy: 6, r: 3, fill: c.background, stroke: c.muted })]), text: 'open' },
+      { sample: sample((c) => [svg('rect', { x: 10, y: 3, width: 6, height: 6, fill: c.states.stick })]), text: 'stick' },
+      { sample: sample((c) => [svg('path', { d: 'M9 2L18 6L9 10Z', fill: c.states['slip forward'] })]), text: 'slip forward' },
+      { sample: sample((c) => [svg('path', { d: 'M17 2L8 6L17 10Z', fill: c.states['slip backward'] })]), text: 'slip backward' },
+    ]);
+  }
+
+  private file(what: string): string {
+    return fileName(what, this.direction.name, String(this.direction.increments[this.selection.index]));
+  }
+
+  /** All that is known of bumps and feet at the increment. */
+  private csv(): string {
+    const { direction, index, run } = this.selection;
+    const atBumps = ['top_displacement', 'crest_u', 'crest_v', 'normal_force_journal_top', 'normal_force_top_bump', 'friction_force_top_bump'];
+    const atFeet = ['foot_u', 'foot_v', 'normal_force_bump_sleeve', 'friction_force_bump_sleeve'];
+    const header = ['run', 'direction_deg', 'increment', 'node', 'number', 'quantity', 'value_SI'];
+    const rows = (names: string[], node: string, count: number): (string | number)[][] =>
+      names.flatMap((name) =>
+        Array.from({ length: count }, (_, i) => [
+          run.label,
+          direction.degrees,
+          direction.increments[index] ?? 0,
+          node,
+          i + 1,
+          name,
+          direction.field(name).at(index, i),
+        ]),
+      );
+    return toCsv(header, [...rows(atBumps, 'bump', run.bumps), ...rows(atFeet, 'foot', run.feet)]);
+  }
+}

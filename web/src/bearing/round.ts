@@ -1,0 +1,118 @@
+import { at, interfaces } from '../data/run';
+import { svg } from '../ui/dom';
+import type { Look } from '../ui/theme';
+import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import type { ShapePoint } from './shape';
+import type { Scene } from './unwrapped';
+
+const size = 480;
+const centre = size / 2;
+/** Radius of the sleeve, and height of an undeformed bump, on the drawing. */
+const sleeveRadius = 192;
+const bumpHeight = 30;
+const foilGap = 2.2;
+const longestArrow = 30;
+
+/** The bearing as it stands, seen along its axis: X to the right, Y up. */
+class RoundLayout {
+  readonly perHeight: number;
+
+  constructor(private readonly scene: Scene) {
+    this.perHeight = bumpHeight / scene.geometry.rise;
+  }
+
+  /** Polar angle and radius on the drawing. */
+  polar(point: ShapePoint, lift: number): [number, number] {
+    const { geometry, magnification } = this.scene;
+    const radius = sleeveRadius - (point.height + magnification * point.moveIn) * this.perHeight - lift;
+    const turn = (magnification * point.moveAlong * this.perHeight) / radius;
+    return [geometry.polarAngle(point.along) + geometry.sense * turn, radius];
+  }
+
+  place(point: ShapePoint, lift = 0): Place {
+    return onCircle(...this.polar(point, lift));
+  }
+
+  /** Unit vector of increasing place along the foil. */
+  forward(point: ShapePoint): Place {
+    const [angle] = this.polar(point, 0);
+    const { sense } = this.scene.geometry;
+    return { x: -sense * Math.sin(angle), y: -sense * Math.cos(angle) };
+  }
+}
+
+function onCircle(angle: number, radius: number): Place {
+  return { x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) };
+}
+
+export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): void {
+  const { geometry, shape, direction, index, magnification } = scene;
+  const layout = new RoundLayout(scene);
+  const line = (points: ShapePoint[], lift: number): string => pathOf(points.map((point) => layout.place(point, lift)));
+  const scale = magnification * layout.perHeight;
+  const journal = {
+    x: centre + scale * direction.value('x', index),
+    y: centre - scale * direction.value('y', index),
+  };
+  const journalRadius = sleeveRadius - bumpHeight - scale * geometry.clearance - 2 * foilGap;
+  const weld = [onCircle(geometry.weldAngle, sleeveRadius + 5), layout.place(at(shape.topFoil, 0), foilGap)];
+  root.setAttribute('viewBox', `0 0 ${size} ${size}`);
+  root.replaceChildren(
+    svg('circle', { cx: centre, cy: centre, r: sleeveRadius + 13, fill: current.grid }),
+    svg('circle', { cx: centre, cy: centre, r: sleeveRadius + foilGap / 2, fill: current.background, stroke: current.sleeve, 'stroke-width': 1.4 }),
+    svg('circle', { cx: journal.x, cy: journal.y, r: Math.max(0, journalRadius), fill: current.journal, stroke: current.line, 'stroke-width': 1.2 }),
+    ...axes(current),
+    svg('path', { d: pathOf(weld), stroke: current.topFoil, 'stroke-width': 3.4 }),
+    svg('path', { d: line(shape.bumpFoil, 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
+    svg('path', { d: line(shape.topFoil, foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
+    ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
+    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), direction, interfaces[2], index, i, current, layout.forward(foot))),
+    ...numbers(scene, layout, current),
+  );
+}
+
+function axes(current: Look): SVGElement[] {
+  const line = { stroke: current.line, 'stroke-width': 0.8, 'stroke-dasharray': '5 4' };
+  const reach = sleeveRadius - bumpHeight - 26;
+  return [
+    svg('line', { x1: centre - reach, y1: centre, x2: centre + reach, y2: centre, ...line }),
+    svg('line', { x1: centre, y1: centre - reach, x2: centre, y2: centre + reach, ...line }),
+    text({ x: centre + reach - 10, y: centre - 6 }, 'X', current),
+    text({ x: centre + 6, y: centre - reach + 12 }, 'Y', current),
+  ];
+}
+
+/** Loads of the journal on the top foil, of the sleeve on the feet, and the force that holds the journal. */
+function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current: Look): SVGElement[] {
+  const { shape, direction, index } = scene;
+  const scale = longestArrow / scene.largestForce;
+  let normals = '';
+  const radial = (point: ShapePoint, lift: number, load: number): void => {
+    const [angle, radius] = layout.polar(point, lift);
+    normals += arrowPath(onCircle(angle, radius - load * scale), onCircle(angle, radius));
+  };
+  shape.topNodes.forEach((node, bump) => {
+    radial(node, 2 * foilGap, direction.field('normal_force_journal_top').at(index, bump));
+  });
+  shape.feet.forEach((foot, i) => radial(foot, -3, -direction.field('normal_force_bump_sleeve').at(index, i)));
+  const force = { x: direction.value('force_x', index), y: direction.value('force_y', index) };
+  const most = Math.max(...['force_x', 'force_y'].flatMap((name) => [...direction.values(name)].map(Math.abs)), 1e-30);
+  const reach = (0.5 * sleeveRadius) / most;
+  const tip = { x: journal.x + force.x * reach, y: journal.y - force.y * reach };
+  return [
+    svg('path', { d: normals, fill: current.force }),
+    svg('circle', { cx: journal.x, cy: journal.y, r: 3, fill: current.accent }),
+    svg('path', { d: arrowPath(journal, tip, 3), fill: current.accent }),
+  ];
+}
+
+function numbers({ geometry, bump }: Scene, layout: RoundLayout, current: Look): SVGElement[] {
+  const step = [1, 2, 5, 10, 20, 50, 100].find((every) => 40 * every >= geometry.crestPlaces.length) ?? 200;
+  return geometry.crestPlaces.flatMap((along, i) => {
+    if (i !== bump && i !== 0 && (i + 1) % step !== 0) return [];
+    const [angle] = layout.polar({ along, height: 0, moveAlong: 0, moveIn: 0 }, 0);
+    const { x, y } = onCircle(angle, sleeveRadius + 26);
+    const chosen = i === bump ? { fill: current.accent, 'font-weight': 'bold' } : {};
+    return [text({ x, y: y + 4 }, String(i + 1), current, { 'text-anchor': 'middle', 'font-size': 11, ...chosen })];
+  });
+}

@@ -1,0 +1,230 @@
+/** Shapes of the parts of a deformed bearing. Nothing is drawn here: the two views lay these points out. */
+import { at, largest, type Direction, type Run } from '../data/run';
+
+/**
+ * A point of a part: place along the foil from the weld and height over the sleeve (m, as designed), and what is to be
+ * magnified: displacement away from the weld and inwards, gaps and errors of height (m).
+ */
+export interface ShapePoint {
+  along: number;
+  height: number;
+  moveAlong: number;
+  moveIn: number;
+}
+
+export interface Shape {
+  bumpFoil: ShapePoint[];
+  topFoil: ShapePoint[];
+  journal: ShapePoint[];
+  sleeve: ShapePoint[];
+  /** One per bump. */
+  crests: ShapePoint[];
+  /** One per bump, of the top foil over it. */
+  topNodes: ShapePoint[];
+  feet: ShapePoint[];
+}
+
+/** What does not change while the journal moves. */
+export class BearingGeometry {
+  readonly radius: number;
+  readonly pitch: number;
+  readonly halfLength: number;
+  readonly rise: number;
+  readonly clearance: number;
+  readonly weldAngle: number;
+  /** +1 counterclockwise, -1 clockwise. */
+  readonly sense: number;
+  readonly crestPlaces: number[];
+  readonly footPlaces: number[];
+  readonly heightErrors: number[];
+  readonly sleeveGaps: number[];
+  readonly twoFeet: boolean;
+
+  constructor(readonly run: Run) {
+    const bearing = (run.data.summary.case['bearing'] ?? {}) as { weld_angle?: number; wrap?: string };
+    this.radius = run.scalar('bearing_radius');
+    this.pitch = run.scalar('bump_pitch');
+    this.halfLength = run.scalar('bump_half_length');
+    this.rise = run.scalar('bump_rise');
+    this.clearance = run.scalar('radial_clearance');
+    this.weldAngle = bearing.weld_angle ?? Math.PI;
+    this.sense = bearing.wrap === 'counterclockwise' ? 1 : -1;
+    this.crestPlaces = run.perNode('theta').map((theta) => theta * this.radius);
+    this.footPlaces = run.perNode('foot_theta').map((theta) => theta * this.radius);
+    this.heightErrors = run.perNode('height_error');
+    this.sleeveGaps = run.perNode('sleeve_gap');
+    this.twoFeet = run.feet === 2 * run.bumps;
+  }
+
+  get length(): number {
+    return this.run.bumps * this.pitch;
+  }
+
+  polarAngle(along: number): number {
+    return this.weldAngle + (this.sense * along) / this.radius;
+  }
+
+  /** Height of the arc of a bump at a distance from its crest. */
+  arc(distance: number): number {
+    const radius = (this.halfLength ** 2 + this.rise ** 2) / (2 * this.rise);
+    return Math.sqrt(radius ** 2 - distance ** 2) - (radius - this.rise);
+  }
+
+  /** Feet at the start and the end of a bump's arc; none at the start of the first one of a truss, which is the weld. */
+  feetOf(bump: number): [number | undefined, number] {
+    if (this.twoFeet) return [2 * bump, 2 * bump + 1];
+    return [bump > 0 ? bump - 1 : undefined, bump];
+  }
+}
+
+const halfArcPoints = 9;
+
+interface Move {
+  along: number;
+  inwards: number;
+}
+
+/** From 0 to 1 with level ends: crests stay level, feet flat. */
+function smooth(t: number): number {
+  return t * t * (3 - 2 * t);
+}
+
+function bumpFoil(geometry: BearingGeometry, direction: Direction, index: number): ShapePoint[] {
+  const [crestU, crestV] = [direction.field('crest_u'), direction.field('crest_v')];
+  const [footU, footV] = [direction.field('foot_u'), direction.field('foot_v')];
+  const footMove = (foot: number | undefined): Move =>
+    foot === undefined ? { along: 0, inwards: 0 } : { along: footU.at(index, foot), inwards: -footV.at(index, foot) };
+  const points: ShapePoint[] = [{ along: 0, height: 0, moveAlong: 0, moveIn: 0 }];
+  geometry.crestPlaces.forEach((place, bump) => {
+    const [start, end] = geometry.feetOf(bump);
+    const crest: Move = {
+      along: crestU.at(index, bump),
+      inwards: (geometry.heightErrors[bump] ?? 0) - crestV.at(index, bump),
+    };
+    for (let i = -halfArcPoints; i <= halfArcPoints; i += 1) {
+      const foot = footMove(i < 0 ? start : end);
+      const weight = smooth(1 - Math.abs(i) / halfArcPoints);
+      const distance = (geometry.halfLength * i) / halfArcPoints;
+      points.push({
+        along: place + distance,
+        height: geometry.arc(distance),
+        moveAlong: foot.along + weight * (crest.along - foot.along),
+        moveIn: foot.inwards + weight * (crest.inwards - foot.inwards),
+      });
+    }
+  });
+  // After the last bump of a truss there is half a flat; a frame ends with its arc.
+  const last = geometry.footPlaces.length - 1;
+  if (!geometry.twoFeet && last >= 0) {
+    const move = footMove(last);
+    points.push({ along: at(geometry.footPlaces, last), height: 0, moveAlong: move.along, moveIn: move.inwards });
+  }
+  return points;
+}
+
+/** A smooth curve through what is known at the weld and over the crests. */
+function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
+  const weld: ShapePoint = { along: 0, height: geometry.rise, moveAlong: 0, moveIn: 0 };
+  const known = [weld, ...nodes];
+  const slope = (i: number): number => {
+    // Clamped at the weld; free at the other end.
+    if (i === 0) return 0;
+    const before = at(known, i - 1);
+    const after = known[i + 1] ?? at(known, i);
+    return (after.moveIn - before.moveIn) / (after.along - before.along);
+  };
+  const points: ShapePoint[] = [weld];
+  const pieces = 6;
+  for (let i = 1; i < known.length; i += 1) {
+    const [a, b] = [at(known, i - 1), at(known, i)];
+    const span = b.along - a.along;
+    for (let piece = 1; piece <= pieces; piece += 1) {
+      const t = piece / pieces;
+      const bend =
+        t * (1 - t) * ((1 - t) * (slope(i - 1) * span - (b.moveIn - a.moveIn)) - t * (slope(i) * span - (b.moveIn - a.moveIn)));
+      points.push({
+        along: a.along + t * span,
+        height: geometry.rise,
+        moveAlong: 0,
+        moveIn: a.moveIn + t * (b.moveIn - a.moveIn) + bend,
+      });
+    }
+  }
+  const last = known.length - 1;
+  const end = at(known, last);
+  const rest = geometry.length - end.along;
+  points.push({ along: geometry.length, height: geometry.rise, moveAlong: 0, moveIn: end.moveIn + slope(last) * rest });
+  return points;
+}
+
+/** Gap between the undeformed top foil and a journal centred at (x, y). */
+export function undeformedGap(geometry: BearingGeometry, along: number, x: number, y: number): number {
+  const phi = geometry.polarAngle(along);
+  return geometry.clearance - (x * Math.cos(phi) + y * Math.sin(phi));
+}
+
+function journal(geometry: BearingGeometry, x: number, y: number): ShapePoint[] {
+  const pieces = 120;
+  return Array.from({ length: pieces + 1 }, (_, i) => {
+    const along = (geometry.length * i) / pieces;
+    return { along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, along, x, y) };
+  });
+}
+
+function sleeve(geometry: BearingGeometry): ShapePoint[] {
+  const surface = geometry.footPlaces.map((along, foot) => {
+    const bump = geometry.twoFeet ? Math.floor(foot / 2) : foot;
+    return { along, height: 0, moveAlong: 0, moveIn: -(geometry.sleeveGaps[bump] ?? 0) };
+  });
+  return [
+    { along: 0, height: 0, moveAlong: 0, moveIn: 0 },
+    ...surface,
+    { along: geometry.length, height: 0, moveAlong: 0, moveIn: surface[surface.length - 1]?.moveIn ?? 0 },
+  ];
+}
+
+/** The bearing at an increment. */
+export function shapeAt(geometry: BearingGeometry, direction: Direction, index: number): Shape {
+  const [crestU, crestV] = [direction.field('crest_u'), direction.field('crest_v')];
+  const [footU, footV] = [direction.field('foot_u'), direction.field('foot_v')];
+  const top = direction.field('top_displacement');
+  const topNodes = geometry.crestPlaces.map((along, bump) => ({
+    along,
+    height: geometry.rise,
+    moveAlong: 0,
+    moveIn: -top.at(index, bump),
+  }));
+  return {
+    bumpFoil: bumpFoil(geometry, direction, index),
+    topFoil: topFoil(geometry, topNodes),
+    journal: journal(geometry, direction.value('x', index), direction.value('y', index)),
+    sleeve: sleeve(geometry),
+    topNodes,
+    crests: geometry.crestPlaces.map((along, bump) => ({
+      along,
+      height: geometry.rise,
+      moveAlong: crestU.at(index, bump),
+      moveIn: (geometry.heightErrors[bump] ?? 0) - crestV.at(index, bump),
+    })),
+    feet: geometry.footPlaces.map((along, foot) => ({
+      along,
+      height: 0,
+      moveAlong: footU.at(index, foot),
+      moveIn: -footV.at(index, foot),
+    })),
+  };
+}
+
+/** Factors to choose from. */
+export const magnifications = [1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 100, 200, 500, 1000];
+
+/** The largest factor with which no bump of a run is drawn pressed by more than half its height. */
+export function fittingMagnification(geometry: BearingGeometry): number {
+  const pressed = Math.max(
+    largest(...geometry.run.directions.map((direction) => direction.values('displacement'))) - geometry.clearance,
+    Math.abs(geometry.clearance),
+    largest(geometry.heightErrors),
+  );
+  const fitting = magnifications.filter((factor) => factor * pressed <= 0.5 * geometry.rise);
+  return fitting[fitting.length - 1] ?? 1;
+}

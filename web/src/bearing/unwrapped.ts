@@ -1,0 +1,142 @@
+import { at, interfaces, type Direction } from '../data/run';
+import { svg } from '../ui/dom';
+import type { Look } from '../ui/theme';
+import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import type { BearingGeometry, Shape, ShapePoint } from './shape';
+
+export interface Scene {
+  geometry: BearingGeometry;
+  direction: Direction;
+  index: number;
+  shape: Shape;
+  magnification: number;
+  /** Force that the longest arrow stands for, N. */
+  largestForce: number;
+  forces: boolean;
+  /** Bump that the reader looks at. */
+  bump: number | undefined;
+}
+
+const height = 270;
+const margin = 14;
+const sleeveLevel = 204;
+/** Height of an undeformed bump on the drawing. */
+const bumpHeight = 84;
+/** Foils are drawn as lines beside each other, not upon each other. */
+const foilGap = 3.4;
+const longestArrow = 44;
+/** Friction is a small part of the normal force. */
+export const frictionFactor = 4;
+
+/** The bearing cut open at the weld and laid flat: sleeve below, journal above. */
+export class UnwrappedLayout {
+  private readonly perLength: number;
+  private readonly perHeight: number;
+
+  constructor(
+    private readonly geometry: BearingGeometry,
+    readonly width: number,
+    private readonly magnification: number,
+  ) {
+    this.perLength = (width - 2 * margin) / geometry.length;
+    this.perHeight = bumpHeight / geometry.rise;
+  }
+
+  place(point: ShapePoint, lift = 0): Place {
+    return {
+      x: margin + point.along * this.perLength + this.magnification * point.moveAlong * this.perHeight,
+      y: sleeveLevel - (point.height + this.magnification * point.moveIn) * this.perHeight - lift,
+    };
+  }
+
+  /** How much larger heights are drawn than lengths along the foil. */
+  get stretch(): number {
+    return this.perHeight / this.perLength;
+  }
+
+  /** Bump at a place on the drawing. */
+  bumpAt(x: number): number {
+    const bump = Math.floor((x - margin) / (this.perLength * this.geometry.pitch));
+    return Math.min(Math.max(0, bump), this.geometry.run.bumps - 1);
+  }
+}
+
+export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, width: number): UnwrappedLayout {
+  const { geometry, shape } = scene;
+  const layout = new UnwrappedLayout(geometry, width, scene.magnification);
+  const line = (points: ShapePoint[], lift: number): Place[] => points.map((point) => layout.place(point, lift));
+  const journal = line(shape.journal, 2 * foilGap);
+  const sleeve = line(shape.sleeve, -foilGap / 2);
+  const journalBody = [{ x: margin, y: 0 }, ...journal, { x: width - margin, y: 0 }];
+  const sleeveBody = [...sleeve, { x: width - margin, y: height - 22 }, { x: margin, y: height - 22 }];
+  const weld = [layout.place(at(shape.sleeve, 0)), layout.place(at(shape.topFoil, 0), foilGap)];
+  root.setAttribute('viewBox', `0 0 ${width} ${height}`);
+  root.replaceChildren(
+    ...highlight(scene, layout, current),
+    svg('path', { d: pathOf(journalBody, true), fill: current.journal }),
+    svg('path', { d: pathOf(journal), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
+    svg('path', { d: pathOf(sleeveBody, true), fill: current.grid }),
+    svg('path', { d: pathOf(sleeve), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
+    svg('path', { d: pathOf(weld), stroke: current.topFoil, 'stroke-width': 3.4 }),
+    svg('path', { d: pathOf(line(shape.bumpFoil, 0)), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
+    svg('path', { d: pathOf(line(shape.topFoil, foilGap)), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
+    ...(scene.forces ? forceArrows(scene, layout, current) : []),
+    ...marks(scene, layout, current),
+    ...numbers(scene, layout, current),
+    text({ x: margin + 8, y: 18 }, 'journal', current),
+    text({ x: width - margin - 8, y: height - 28 }, 'sleeve', current, { 'text-anchor': 'end' }),
+    text({ x: margin + 6, y: height - 28 }, 'weld', current),
+  );
+  return layout;
+}
+
+function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+  if (bump === undefined) return [];
+  const edge = (along: number): number => layout.place({ along, height: 0, moveAlong: 0, moveIn: 0 }).x;
+  const left = edge(bump * geometry.pitch);
+  return [svg('rect', { x: left, y: 0, width: edge((bump + 1) * geometry.pitch) - left, height: height - 18, fill: current.accent, opacity: 0.12 })];
+}
+
+function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+  const { shape, direction, index } = scene;
+  const scale = longestArrow / scene.largestForce;
+  const normal = (name: string, node: number): number => direction.field(`normal_force_${name}`).at(index, node) * scale;
+  const along = (name: string, node: number): number =>
+    direction.field(`friction_force_${name}`).at(index, node) * scale * frictionFactor;
+  let normals = '';
+  let frictions = '';
+  shape.topNodes.forEach((node, bump) => {
+    const tip = layout.place(node, 2 * foilGap);
+    normals += arrowPath({ x: tip.x, y: tip.y - normal('journal_top', bump) }, tip);
+  });
+  shape.crests.forEach((crest, bump) => {
+    const tail = layout.place(crest, -4);
+    normals += arrowPath(tail, { x: tail.x, y: tail.y + normal('top_bump', bump) });
+    frictions += arrowPath(tail, { x: tail.x + along('top_bump', bump), y: tail.y });
+  });
+  shape.feet.forEach((foot, i) => {
+    const tip = layout.place(foot, -5);
+    normals += arrowPath({ x: tip.x, y: tip.y + normal('bump_sleeve', i) }, tip);
+    frictions += arrowPath(tip, { x: tip.x + along('bump_sleeve', i), y: tip.y });
+  });
+  return [svg('path', { d: normals, fill: current.force }), svg('path', { d: frictions, fill: current.friction })];
+}
+
+function marks({ shape, direction, index }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+  const forward = { x: 1, y: 0 };
+  const [, topBump, bumpSleeve] = interfaces;
+  return [
+    ...shape.crests.map((crest, i) => stateMark(layout.place(crest), direction, topBump, index, i, current, forward)),
+    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), direction, bumpSleeve, index, i, current, forward)),
+  ];
+}
+
+function numbers({ geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+  const room = (layout.width - 2 * margin) / geometry.crestPlaces.length;
+  const step = [1, 2, 5, 10, 20, 50, 100].find((every) => every * room >= 24) ?? 200;
+  return geometry.crestPlaces.flatMap((along, bump) => {
+    if (bump !== 0 && (bump + 1) % step !== 0) return [];
+    const { x } = layout.place({ along, height: 0, moveAlong: 0, moveIn: 0 });
+    return [text({ x, y: height - 6 }, String(bump + 1), current, { 'text-anchor': 'middle', 'font-size': 11 })];
+  });
+}

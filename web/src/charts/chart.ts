@@ -1,0 +1,147 @@
+import { BarChart, CustomChart, LineChart } from 'echarts/charts';
+import { GridComponent, TitleComponent, TooltipComponent } from 'echarts/components';
+import * as echarts from 'echarts/core';
+import { SVGRenderer } from 'echarts/renderers';
+import type { EChartsType } from 'echarts/core';
+import { el } from '../ui/dom';
+import { fontFamily, look, onLookChange, type Look } from '../ui/theme';
+
+echarts.use([BarChart, CustomChart, LineChart, GridComponent, TitleComponent, TooltipComponent, SVGRenderer]);
+
+export type Option = Record<string, unknown>;
+export type Point = [number, number];
+
+/** A chart that follows the width of its place and the colours of the page, with a cursor that costs no redrawing. */
+export class Chart {
+  readonly root: HTMLElement;
+  private readonly place = el('div', { class: 'plot' });
+  private readonly cursors: HTMLElement[] = [];
+  private instance: EChartsType | undefined;
+  private moveCursor: () => void = () => {};
+
+  /**
+   * @param label what the chart shows, for those who cannot see it
+   * @param build its contents for the colours and the width at hand
+   */
+  constructor(
+    label: string,
+    private readonly height: (width: number) => number,
+    private readonly build: (look: Look, width: number) => Option,
+    private readonly ready: (instance: EChartsType) => void = () => {},
+  ) {
+    this.root = el('div', { class: 'chart', role: 'img', 'aria-label': label }, this.place);
+    new ResizeObserver(() => this.fit()).observe(this.root);
+    onLookChange(() => this.fit());
+  }
+
+  /** Draws anew, in the size and the colours of now. */
+  fit(): void {
+    const width = this.root.clientWidth;
+    if (width === 0) return;
+    const height = this.height(width);
+    this.place.style.height = `${height}px`;
+    if (!this.instance) {
+      this.instance = echarts.init(this.place, null, { renderer: 'svg', width, height });
+      this.ready(this.instance);
+    } else {
+      this.instance.resize({ width, height });
+    }
+    const current = look();
+    this.instance.setOption(
+      {
+        animation: false,
+        backgroundColor: current.background,
+        textStyle: { fontFamily, color: current.text },
+        ...this.build(current, width),
+      },
+      { notMerge: true },
+    );
+    this.moveCursor();
+  }
+
+  /** Changes parts of the option that is there. */
+  update(option: Option): void {
+    this.instance?.setOption(option);
+  }
+
+  /** Puts marks (elements of class `cursor`) where `position` says, now and whenever the chart changes its size. */
+  setCursors(marks: { name: string; grid: number; x: number; y?: number }[]): void {
+    this.moveCursor = () => {
+      while (this.cursors.length < marks.length) {
+        const cursor = el('div', { class: 'cursor', 'aria-hidden': 'true' });
+        this.cursors.push(cursor);
+        this.root.append(cursor);
+      }
+      this.cursors.forEach((cursor, i) => {
+        const mark = marks[i];
+        const pixel = mark && this.instance ? this.pixel(mark.grid, mark.x, mark.y ?? 0) : undefined;
+        cursor.hidden = !mark || !pixel || !pixel.every(Number.isFinite);
+        if (!mark || !pixel) return;
+        cursor.className = `cursor ${mark.name}`;
+        const area = this.area(mark.grid);
+        cursor.style.left = `${pixel[0]}px`;
+        cursor.style.top = `${mark.y === undefined ? area.top : pixel[1]}px`;
+        cursor.style.height = mark.y === undefined ? `${area.height}px` : '';
+      });
+    };
+    this.moveCursor();
+  }
+
+  /** Place of a point of the diagram on the chart, px. */
+  pixel(grid: number, x: number, y: number): Point {
+    return (this.instance?.convertToPixel({ gridIndex: grid }, [x, y]) ?? [NaN, NaN]) as Point;
+  }
+
+  toSvg(): string {
+    return this.instance?.renderToSVGString() ?? '';
+  }
+
+  private area(grid: number): { top: number; height: number } {
+    type Internal = { getModel(): { getComponent(name: string, index: number): { coordinateSystem: Area } } };
+    type Area = { getRect(): { y: number; height: number } };
+    const rect = (this.instance as unknown as Internal).getModel().getComponent('grid', grid).coordinateSystem.getRect();
+    return { top: rect.y, height: rect.height };
+  }
+}
+
+/** An axis of numbers in the style of the report. */
+export function axis(current: Look, name: string, more: object = {}): object {
+  return {
+    type: 'value',
+    name,
+    nameLocation: 'middle',
+    nameGap: 30,
+    nameTextStyle: { color: current.muted, fontSize: 12 },
+    axisLine: { show: true, lineStyle: { color: current.line } },
+    axisTick: { show: true, lineStyle: { color: current.line } },
+    axisLabel: { color: current.muted, fontSize: 12, formatter: tickText, hideOverlap: true },
+    splitLine: { lineStyle: { color: current.grid } },
+    ...more,
+  };
+}
+
+export function tickText(number: number): string {
+  return String(Number(number.toPrecision(6))).replace('-', '−');
+}
+
+/** Box that shows values under the pointer; texts in it are text nodes. */
+export function tooltip(current: Look, more: object): object {
+  return {
+    confine: true,
+    backgroundColor: current.background,
+    borderColor: current.line,
+    padding: [8, 10],
+    textStyle: { color: current.text, fontSize: 12, fontFamily },
+    ...more,
+  };
+}
+
+/** Contents of such a box: a heading and pairs of names and values. */
+export function tooltipBox(heading: string, rows: [string, string][]): HTMLElement {
+  return el(
+    'div',
+    { class: 'tip' },
+    el('strong', {}, heading),
+    el('dl', {}, ...rows.flatMap(([name, value]) => [el('dt', {}, name), el('dd', {}, value)])),
+  );
+}

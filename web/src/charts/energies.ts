@@ -1,0 +1,142 @@
+import { at, largest, type Direction } from '../data/run';
+import { toCsv } from '../data/csv';
+import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
+import { el, svg } from '../ui/dom';
+import { legend, panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+import type { Selection } from '../ui/selection';
+import { look, onLookChange, type Look } from '../ui/theme';
+import { axis, Chart, tooltip, tooltipBox, type Option } from './chart';
+import type { Curve } from './loops';
+import { PathAxis } from './path_axis';
+
+const energies = [
+  { name: 'work', text: 'work of the journal', style: 0 },
+  { name: 'elastic_energy', text: 'elastic energy gained', style: 2 },
+  { name: 'dissipated_energy', text: 'dissipated by friction', style: 1 },
+] as const;
+
+/** Dashes tell the runs apart; one run alone is drawn solid. */
+const dashes: ('solid' | number[])[] = ['solid', [7, 3], [2, 2], [9, 3, 2, 3]];
+
+/** Since the centred journal, as work and dissipation are. */
+function energy(direction: Direction, name: string, index: number): number {
+  const value = direction.value(name, index);
+  return name === 'elastic_energy' ? value - direction.value(name, 0) : value;
+}
+
+function energiesOf(direction: Direction, name: string): number[] {
+  return direction.increments.map((_, index) => energy(direction, name, index));
+}
+
+/** Where the work of one direction goes, along the path; one curve per run and kind of energy. */
+function energyChart(curves: Curve[], scale: Scale, path: PathAxis, selection: Selection): HTMLElement {
+  const { direction } = at(curves, 0);
+  const several = curves.length > 1;
+  const option = (current: Look, width: number): Option => ({
+    grid: { left: 56, right: 16, top: 14, bottom: 46 },
+    xAxis: path.option(current, width),
+    yAxis: axis(current, axisTitle('Energy', scale), { nameGap: 40, max: undefined }),
+    tooltip: tooltip(current, {
+      trigger: 'axis',
+      formatter: (items: { seriesIndex: number; dataIndex: number }[]) => {
+        const first = items[0];
+        if (!first) return '';
+        const rows = items.map(({ seriesIndex, dataIndex }): [string, string] => {
+          const curve = at(curves, Math.floor(seriesIndex / energies.length));
+          const kind = at(energies, seriesIndex % energies.length);
+          const name = several ? `${curve.label}: ${kind.text}` : kind.text;
+          return [name, formatQuantity(energy(curve.direction, kind.name, dataIndex), 'J')];
+        });
+        const curve = at(curves, Math.floor(first.seriesIndex / energies.length));
+        const branch = curve.direction.isLoading(first.dataIndex) ? 'loading' : 'unloading';
+        const displacement = formatQuantity(curve.direction.value('displacement', first.dataIndex), 'm');
+        return tooltipBox(`${curve.direction.name}, ${branch}, ${displacement}`, rows);
+      },
+    }),
+    series: curves.flatMap((curve, i) =>
+      energies.map(({ name, text, style }) => ({
+        type: 'line',
+        name: text,
+        showSymbol: false,
+        lineStyle: { color: at(current.series, style), width: 1.8, type: at(dashes, i % dashes.length) },
+        itemStyle: { color: at(current.series, style) },
+        data: energiesOf(curve.direction, name).map((value, index) => [
+          path.position(curve.direction, index),
+          value * scale.factor,
+        ]),
+      })),
+    ),
+  });
+  const peak = at(energiesOf(direction, 'work'), direction.turning);
+  const chart = new Chart(
+    `Energies along the path, ${direction.name}: work ${formatQuantity(peak, 'J')} at full displacement`,
+    () => 240,
+    option,
+  );
+  const follow = (): void => {
+    const shown = curves.find((curve) => curve.direction === selection.direction);
+    chart.setCursors(shown ? [{ name: 'line', grid: 0, x: path.position(shown.direction, selection.index) }] : []);
+  };
+  selection.onChange(follow);
+  follow();
+  return panel(
+    {
+      title: direction.name,
+      file: () => fileName('energies', direction.name),
+      svg: () => chart.toSvg(),
+      csv: () =>
+        toCsv(
+          ['run', 'direction_deg', 'increment', 'displacement_m', 'work_J', 'elastic_energy_J', 'dissipated_energy_J'],
+          curves.flatMap((curve) =>
+            curve.direction.increments.map((increment, index) => [
+              curve.run.label,
+              curve.direction.degrees,
+              increment,
+              curve.direction.value('displacement', index),
+              ...['work', 'elastic_energy', 'dissipated_energy'].map((name) => curve.direction.value(name, index)),
+            ]),
+          ),
+        ),
+    },
+    chart.root,
+  );
+}
+
+function lineSample(style: number, dash: 'solid' | number[]): SVGElement {
+  const line = svg('line', {
+    x1: 0,
+    y1: 6,
+    x2: 30,
+    y2: 6,
+    'stroke-width': 2,
+    'stroke-dasharray': dash === 'solid' ? 'none' : dash.join(' '),
+  });
+  const colour = (): void => line.setAttribute('stroke', style < 0 ? 'currentColor' : at(look().series, style));
+  colour();
+  onLookChange(colour);
+  return svg('svg', { width: 30, height: 12, 'aria-hidden': 'true' }, line);
+}
+
+/** One chart per direction, all with the same scales. */
+export function energySection(groups: Curve[][], selection: Selection): HTMLElement {
+  const begun = groups.map((curves) => curves.filter((curve) => curve.direction.size > 0)).filter((c) => c.length > 0);
+  const directions = begun.flatMap((curves) => curves.map((curve) => curve.direction));
+  const scale = scaleFor(
+    largest(...directions.flatMap((direction) => energies.map(({ name }) => energiesOf(direction, name)))),
+    'J',
+  );
+  const path = new PathAxis(directions);
+  const runs = begun[0]?.length ?? 0;
+  return el(
+    'div',
+    {},
+    legend([
+      ...energies.map(({ text, style }) => ({ sample: lineSample(style, 'solid'), text })),
+      ...(runs > 1
+        ? at(begun, 0).map((curve, i) => ({ sample: lineSample(-1, at(dashes, i % dashes.length)), text: curve.run.label }))
+        : []),
+    ]),
+    el('div', { class: 'multiples' }, ...begun.map((curves) => energyChart(curves, scale, path, selection))),
+  );
+}

@@ -1,0 +1,240 @@
+import type { EChartsType } from 'echarts/core';
+import { at, largest, type Direction, type Run } from '../data/run';
+import { toCsv, type Cell } from '../data/csv';
+import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
+import { choice, svg } from '../ui/dom';
+import { legend, panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+import type { Selection } from '../ui/selection';
+import { look, markers, type Look } from '../ui/theme';
+import { axis, Chart, tooltip, tooltipBox, type Option, type Point } from './chart';
+
+/** One loop: a direction of a run. */
+export interface Curve {
+  run: Run;
+  direction: Direction;
+  label: string;
+  /** Number of its colour and marker. */
+  style: number;
+}
+
+const forces = [
+  { name: 'force_direct', text: 'Direct', title: 'Direct force' },
+  { name: 'force_cross', text: 'Cross', title: 'Cross force' },
+] as const;
+
+/** Line and markers of a branch: solid and filled on the way in, dashed and hollow on the way out. */
+function branchLook(current: Look, style: number, loading: boolean): object {
+  const color = at(current.series, style % current.series.length);
+  return {
+    symbol: at(markers, style % markers.length),
+    lineStyle: { color, width: 1.8, type: loading ? 'solid' : [5, 3] },
+    itemStyle: { color: loading ? color : current.background, borderColor: color, borderWidth: 1.4, opacity: 1 },
+  };
+}
+
+/** Indices of a branch; both have the turning point, so that the loop is closed there. */
+function branchIndices(direction: Direction, loading: boolean): number[] {
+  const turning = direction.increments.indexOf(direction.steps);
+  const indices = [...direction.increments.keys()];
+  if (turning < 0) return loading ? indices : [];
+  return loading ? indices.slice(0, turning + 1) : indices.slice(turning);
+}
+
+/** Force over displacement: the hysteresis loops of several directions or runs, linked with the bearing. */
+export class LoopPanel {
+  readonly root: HTMLElement;
+  private force: (typeof forces)[number] = forces[0];
+  private readonly chart: Chart;
+  private readonly across: Scale;
+  private upwards: Scale;
+  private readonly series: { curve: Curve; indices: number[] }[];
+
+  constructor(
+    title: string,
+    private readonly curves: Curve[],
+    private readonly selection: Selection,
+  ) {
+    this.across = scaleFor(largest(...curves.map((curve) => curve.direction.values('displacement'))), 'm');
+    this.upwards = this.scaleOfForce();
+    this.series = curves.flatMap((curve) =>
+      [true, false].map((loading) => ({ curve, indices: branchIndices(curve.direction, loading) })),
+    );
+    const peaks = curves.map(({ label, direction }) => {
+      const force = direction.value('force_direct', direction.turning);
+      return `${label} ${formatQuantity(force, 'N')}`;
+    });
+    this.chart = new Chart(
+      `${title}: direct force over displacement; at full displacement ${peaks.join(', ')}`,
+      (width) => Math.max(300, Math.min(0.72 * width, 560)),
+      (current, width) => this.option(current, width),
+      (instance) => this.listen(instance),
+    );
+    this.root = panel(
+      {
+        title,
+        note: 'Click a point of a loop to see the bearing there.',
+        controls: [
+          choice('Force shown', forces.map((value) => ({ value, text: value.text })), this.force, (force) => {
+            this.force = force;
+            this.upwards = this.scaleOfForce();
+            this.chart.fit();
+          }),
+        ],
+        file: () => fileName('loops', ...new Set(curves.map((curve) => curve.direction.name))),
+        svg: () => this.chart.toSvg(),
+        csv: () => this.csv(),
+      },
+      this.chart.root,
+      legend([
+        { sample: this.sample(true), text: 'loading' },
+        { sample: this.sample(false), text: 'unloading' },
+      ]),
+    );
+    selection.onChange(() => this.follow());
+    this.follow();
+  }
+
+  private scaleOfForce(): Scale {
+    return scaleFor(largest(...this.curves.map((curve) => curve.direction.values(this.force.name))), 'N');
+  }
+
+  private point(direction: Direction, index: number): Point {
+    return [
+      direction.value('displacement', index) * this.across.factor,
+      direction.value(this.force.name, index) * this.upwards.factor,
+    ];
+  }
+
+  private option(current: Look, width: number): Option {
+    const narrow = width < 480;
+    return {
+      grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, top: 16, bottom: 48 },
+      xAxis: axis(current, axisTitle('Displacement', this.across), { min: 0 }),
+      yAxis: axis(current, axisTitle(this.force.title, this.upwards), { nameGap: narrow ? 38 : 46 }),
+      tooltip: tooltip(current, {
+        triggerOn: 'none',
+        formatter: (tip: { seriesIndex: number; dataIndex: number }) => this.tip(tip.seriesIndex, tip.dataIndex),
+      }),
+      series: this.series.map(({ curve, indices }, i) => {
+        const loading = i % 2 === 0;
+        const spacing = Math.max(1, Math.round(indices.length / 7));
+        return {
+          type: 'line',
+          name: curve.label,
+          silent: true,
+          ...branchLook(current, curve.style, loading),
+          symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? 7 : 0),
+          showAllSymbol: true,
+          data: indices.map((index) => this.point(curve.direction, index)),
+          z: curve.direction === this.selection.direction ? 4 : 3,
+          ...(loading && indices.length > 0
+            ? {
+                endLabel: {
+                  show: true,
+                  formatter: () => curve.label,
+                  color: at(current.series, curve.style % current.series.length),
+                  fontWeight: 'bold',
+                  fontSize: 12,
+                  width: narrow ? 44 : 84,
+                  overflow: 'truncate',
+                },
+                labelLayout: { moveOverlap: 'shiftY' },
+              }
+            : {}),
+        };
+      }),
+    };
+  }
+
+  private tip(seriesIndex: number, dataIndex: number): HTMLElement | string {
+    const series = this.series[seriesIndex];
+    const index = series?.indices[dataIndex];
+    if (!series || index === undefined) return '';
+    const { direction, label } = series.curve;
+    const increment = at(direction.increments, index);
+    return tooltipBox(label, [
+      ['Increment', `${increment}, ${seriesIndex % 2 === 0 ? 'loading' : 'unloading'}`],
+      ['Displacement', formatQuantity(direction.value('displacement', index), 'm')],
+      ['Direct force', formatQuantity(direction.value('force_direct', index), 'N')],
+      ['Cross force', formatQuantity(direction.value('force_cross', index), 'N')],
+    ]);
+  }
+
+  /** The point next to the pointer, if it is near enough. */
+  private nearest(x: number, y: number, reach: number): { seriesIndex: number; dataIndex: number } | undefined {
+    let found: { seriesIndex: number; dataIndex: number } | undefined;
+    let least = reach ** 2;
+    this.series.forEach(({ curve, indices }, seriesIndex) => {
+      indices.forEach((index, dataIndex) => {
+        const [px, py] = this.chart.pixel(0, ...this.point(curve.direction, index));
+        const distance = (px - x) ** 2 + (py - y) ** 2;
+        if (distance < least) {
+          least = distance;
+          found = { seriesIndex, dataIndex };
+        }
+      });
+    });
+    return found;
+  }
+
+  private listen(instance: EChartsType): void {
+    const area = instance.getZr();
+    area.on('mousemove', (event) => {
+      const point = this.nearest(event.offsetX, event.offsetY, 40);
+      if (point) instance.dispatchAction({ type: 'showTip', ...point });
+      else instance.dispatchAction({ type: 'hideTip' });
+    });
+    area.on('globalout', () => instance.dispatchAction({ type: 'hideTip' }));
+    area.on('click', (event) => {
+      const point = this.nearest(event.offsetX, event.offsetY, 60);
+      if (!point) return;
+      const { curve, indices } = at(this.series, point.seriesIndex);
+      this.selection.show({
+        run: curve.run,
+        degrees: curve.direction.degrees,
+        index: at(indices, point.dataIndex),
+      });
+    });
+  }
+
+  private follow(): void {
+    const { direction, index, run } = this.selection;
+    const shown = this.curves.some((curve) => curve.run === run && curve.direction === direction);
+    const [x, y] = this.point(direction, index);
+    this.chart.setCursors(shown ? [{ name: 'point', grid: 0, x, y }] : []);
+  }
+
+  private sample(loading: boolean): SVGElement {
+    const marker = { cx: 15, cy: 6, r: 3, stroke: 'currentColor', 'stroke-width': 1.4 };
+    return svg(
+      'svg',
+      { width: 30, height: 12, 'aria-hidden': 'true' },
+      svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: 'currentColor', 'stroke-width': 1.8, 'stroke-dasharray': loading ? 'none' : '5 3' }),
+      svg('circle', { ...marker, class: loading ? 'filled' : 'hollow' }),
+    );
+  }
+
+  private csv(): string {
+    const names = ['displacement', 'force_direct', 'force_cross'];
+    const rows: Cell[][] = this.curves.flatMap(({ run, direction }) =>
+      direction.increments.map((increment, index) => [
+        run.label,
+        direction.degrees,
+        increment,
+        direction.isLoading(index) ? 'loading' : 'unloading',
+        ...names.map((name) => direction.value(name, index)),
+      ]),
+    );
+    return toCsv(
+      ['run', 'direction_deg', 'increment', 'branch', 'displacement_m', 'force_direct_N', 'force_cross_N'],
+      rows,
+    );
+  }
+}
+
+/** Colour of a curve, for what stands for it elsewhere. */
+export function curveColour(style: number): string {
+  const { series } = look();
+  return at(series, style % series.length);
+}

@@ -1,0 +1,56 @@
+import type { Direction } from '../data/run';
+import { axisTitle, scaleFor, type Scale } from '../data/units';
+import type { Look } from '../ui/theme';
+import { axis, tickText } from './chart';
+
+/** Way of the journal: displacement up to the turning point, and back again beyond it. */
+export class PathAxis {
+  readonly scale: Scale;
+  private readonly amplitude: number;
+  private readonly same: boolean;
+
+  constructor(directions: Direction[]) {
+    this.amplitude = Math.max(0, ...directions.map((direction) => direction.amplitude));
+    this.same = directions.every((direction) => direction.amplitude === this.amplitude);
+    this.scale = scaleFor(this.amplitude, 'm');
+  }
+
+  position(direction: Direction, index: number): number {
+    return direction.path(index) * this.scale.factor;
+  }
+
+  get turning(): number {
+    return this.amplitude * this.scale.factor;
+  }
+
+  /** Marked by the displacement; by the way itself where the runs turn at different ones. */
+  option(current: Look, width: number, more: object = {}): object {
+    const end = 2 * this.turning;
+    const values = this.same ? this.ticks(width) : undefined;
+    return axis(current, this.same ? axisTitle('Displacement: push, then pull back', this.scale) : axisTitle('Way of the journal', this.scale), {
+      min: 0,
+      max: end,
+      axisLabel: {
+        color: current.muted,
+        fontSize: 12,
+        hideOverlap: true,
+        formatter: (x: number) => tickText(this.same && x > this.turning ? end - x : x),
+        ...(values ? { customValues: values } : {}),
+      },
+      axisTick: { lineStyle: { color: current.line }, ...(values ? { customValues: values } : {}) },
+      splitLine: { show: false },
+      ...more,
+    });
+  }
+
+  private ticks(width: number): number[] {
+    const turning = this.turning;
+    if (!(turning > 0)) return [0];
+    const wanted = turning / Math.max(1, Math.min(6, width / 160));
+    const power = 10 ** Math.floor(Math.log10(wanted));
+    const step = ([1, 2, 5, 10].find((digit) => digit * power >= wanted) ?? 10) * power;
+    const ways: number[] = [];
+    for (let x = 0; x < turning - 0.4 * step; x += step) ways.push(x);
+    return [...ways, turning, ...ways.map((x) => 2 * turning - x).reverse()];
+  }
+}

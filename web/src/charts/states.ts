@@ -1,0 +1,242 @@
+import { at, contactStates, interfaces, type ContactState, type Direction } from '../data/run';
+import { toCsv } from '../data/csv';
+import { formatQuantity } from '../data/units';
+import { svg } from '../ui/dom';
+import { legend, panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+import type { Selection } from '../ui/selection';
+import { look, onLookChange, type Look } from '../ui/theme';
+import { axis, Chart, tooltip, tooltipBox, type Option } from './chart';
+import { PathAxis } from './path_axis';
+
+/** Part of a row that a state takes, from its lower edge: it is told by its place, too, and not by its colour alone. */
+export const stateBand: Record<ContactState, [number, number]> = {
+  open: [0, 0],
+  stick: [0.08, 0.92],
+  'slip forward': [0.5, 1],
+  'slip backward': [0, 0.5],
+};
+
+/** Successive increments of a contact with the same state; `first` to `last` are indices. */
+export interface Stretch {
+  node: number;
+  state: ContactState;
+  first: number;
+  last: number;
+}
+
+/** States of an interface along the path, without the open ones. */
+export function stretchesOf(direction: Direction, interfaceName: string): Stretch[] {
+  const states = direction.states(interfaceName);
+  const stretches: Stretch[] = [];
+  for (let node = 0; node < states.width; node += 1) {
+    let current: Stretch | undefined;
+    for (let index = 0; index < direction.size; index += 1) {
+      const state = contactStates[states.at(index, node)];
+      if (current && current.state === state) {
+        current.last = index;
+        continue;
+      }
+      current = state && state !== 'open' ? { node, state, first: index, last: index } : undefined;
+      if (current) stretches.push(current);
+    }
+  }
+  return stretches;
+}
+
+/** Contact states of the chosen direction: one map per interface, displacement against bump or foot. */
+export class StatePanel {
+  readonly root: HTMLElement;
+  private readonly chart: Chart;
+  private path: PathAxis;
+  private stretches: Stretch[][] = [];
+  private direction: Direction;
+
+  constructor(private readonly selection: Selection) {
+    this.direction = selection.direction;
+    this.path = new PathAxis([this.direction]);
+    this.chart = new Chart(
+      'Contact states of every bump along the path, at the three interfaces',
+      () => this.layout().height,
+      (current, width) => this.option(current, width),
+    );
+    this.root = panel(
+      {
+        title: 'Contact states along the path',
+        file: () => fileName('contact-states', this.direction.name),
+        svg: () => this.chart.toSvg(),
+        csv: () => this.csv(),
+      },
+      legend(contactStates.map((state) => ({ sample: stateSample(state), text: state }))),
+      this.chart.root,
+    );
+    selection.onChange(() => this.follow());
+    this.read();
+    this.setCursors();
+  }
+
+  private read(): void {
+    this.direction = this.selection.direction;
+    this.path = new PathAxis([this.direction]);
+    this.stretches = interfaces.map(({ name }) => stretchesOf(this.direction, name));
+  }
+
+  private follow(): void {
+    if (this.direction !== this.selection.direction) {
+      this.read();
+      this.chart.fit();
+    }
+    this.setCursors();
+  }
+
+  private setCursors(): void {
+    if (this.direction.size === 0) return;
+    const x = this.path.position(this.direction, this.selection.index);
+    this.chart.setCursors(interfaces.map((_, grid) => ({ name: 'line', grid, x })));
+  }
+
+  private nodes(interfaceIndex: number): number {
+    return Math.max(1, this.direction.states(at(interfaces, interfaceIndex).name).width);
+  }
+
+  /** Places of the three maps, one above the other. */
+  private layout(): { tops: number[]; heights: number[]; height: number } {
+    const tops: number[] = [];
+    const heights: number[] = [];
+    let top = 26;
+    interfaces.forEach((_, i) => {
+      const height = Math.min(420, Math.max(60, 9 * this.nodes(i)));
+      tops.push(top);
+      heights.push(height);
+      top += height + 40;
+    });
+    return { tops, heights, height: top + 14 };
+  }
+
+  private option(current: Look, width: number): Option {
+    const { tops, heights } = this.layout();
+    const last = interfaces.length - 1;
+    return {
+      title: interfaces.map(({ title }, i) => ({
+        text: title,
+        left: 54,
+        top: at(tops, i) - 22,
+        padding: 0,
+        textStyle: { color: current.text, fontSize: 12, fontWeight: 'bold' },
+      })),
+      grid: tops.map((top, i) => ({ left: 54, right: 16, top, height: at(heights, i) })),
+      xAxis: interfaces.map((_, gridIndex) => ({
+        ...this.path.option(current, width, gridIndex === last ? {} : { name: '' }),
+        gridIndex,
+      })),
+      yAxis: interfaces.map(({ node }, gridIndex) => ({
+        ...axis(current, node === 'foot' ? 'Foot' : 'Bump', {
+          min: 0.5,
+          max: this.nodes(gridIndex) + 0.5,
+          interval: 1e9,
+          splitLine: { show: false },
+          nameGap: 32,
+          axisLabel: { color: current.muted, fontSize: 11, customValues: nodeTicks(this.nodes(gridIndex)) },
+          axisTick: { show: false },
+        }),
+        gridIndex,
+      })),
+      tooltip: tooltip(current, {
+        trigger: 'item',
+        formatter: (item: { seriesIndex: number; dataIndex: number }) => this.tip(item.seriesIndex, item.dataIndex),
+      }),
+      series: interfaces.map(({ title }, i) => ({
+        type: 'custom',
+        name: title,
+        xAxisIndex: i,
+        yAxisIndex: i,
+        clip: true,
+        encode: { x: [0, 1], y: 2 },
+        data: at(this.stretches, i).map((stretch) => [...this.extent(stretch), stretch.node + 1]),
+        renderItem: (item: { dataIndex: number }, api: RenderApi) =>
+          renderStretch(at(at(this.stretches, i), item.dataIndex), current, api),
+      })),
+    };
+  }
+
+  /** From half-way since the increment before to half-way to the next. */
+  private extent({ first, last }: Stretch): [number, number] {
+    const position = (index: number): number => this.path.position(this.direction, index);
+    const end = this.direction.size - 1;
+    return [
+      first === 0 ? position(0) : 0.5 * (position(first - 1) + position(first)),
+      last === end ? position(end) : 0.5 * (position(last) + position(last + 1)),
+    ];
+  }
+
+  private tip(interfaceIndex: number, dataIndex: number): HTMLElement {
+    const { node, title } = at(interfaces, interfaceIndex);
+    const stretch = at(at(this.stretches, interfaceIndex), dataIndex);
+    const where = (index: number): string =>
+      `${formatQuantity(this.direction.value('displacement', index), 'm')}, ${this.direction.isLoading(index) ? 'loading' : 'unloading'}`;
+    return tooltipBox(`${node === 'foot' ? 'Foot' : 'Bump'} ${stretch.node + 1}: ${stretch.state}`, [
+      ['Interface', title],
+      ['From', where(stretch.first)],
+      ['To', where(stretch.last)],
+    ]);
+  }
+
+  private csv(): string {
+    const { direction } = this;
+    return toCsv(
+      ['run', 'direction_deg', 'increment', 'displacement_m', 'interface', 'node', 'state'],
+      interfaces.flatMap(({ name }) => {
+        const states = direction.states(name);
+        return direction.increments.flatMap((increment, index) =>
+          Array.from({ length: states.width }, (_, node) => [
+            this.selection.run.label,
+            direction.degrees,
+            increment,
+            direction.value('displacement', index),
+            name,
+            node + 1,
+            contactStates[states.at(index, node)],
+          ]),
+        );
+      }),
+    );
+  }
+}
+
+interface RenderApi {
+  coord(point: [number, number]): [number, number];
+  value(dimension: number): number;
+}
+
+function renderStretch({ state }: Stretch, current: Look, api: RenderApi): object {
+  const row = api.value(2);
+  const [lower, upper] = stateBand[state];
+  const [left, top] = api.coord([api.value(0), row - 0.5 + upper]);
+  const [right, bottom] = api.coord([api.value(1), row - 0.5 + lower]);
+  return {
+    type: 'rect',
+    shape: { x: left, y: top, width: Math.max(0.5, right - left), height: bottom - top },
+    style: { fill: current.states[state] },
+  };
+}
+
+function nodeTicks(nodes: number): number[] {
+  const step = nodes <= 12 ? 1 : nodes <= 60 ? 5 : 10 ** Math.ceil(Math.log10(nodes / 20));
+  const ticks = [1];
+  for (let node = step === 1 ? 2 : step; node <= nodes; node += step) ticks.push(node);
+  return ticks;
+}
+
+/** A piece of a map as the legend shows it. */
+function stateSample(state: ContactState): SVGElement {
+  const [lower, upper] = stateBand[state];
+  const frame = svg('rect', { x: 0.5, y: 0.5, width: 25, height: 11, fill: 'none' });
+  const band = svg('rect', { x: 1, y: 1 + 10 * (1 - upper), width: 24, height: 10 * (upper - lower) });
+  const colour = (): void => {
+    frame.setAttribute('stroke', look().line);
+    band.setAttribute('fill', look().states[state]);
+  };
+  colour();
+  onLookChange(colour);
+  return svg('svg', { width: 26, height: 12, 'aria-hidden': 'true' }, band, frame);
+}

@@ -1,0 +1,45 @@
+/** What `bumpfoil report` puts into the page; include/bumpfoil/io/report.hpp describes it. */
+
+export interface ReportData {
+  schema: string;
+  version: string;
+  commit: string;
+  runs: RunData[];
+}
+
+export interface RunData {
+  name: string;
+  kind: string;
+  attributes: Record<string, string>;
+  summary: Summary;
+  geometry: Record<string, number | null | (number | null)[]>;
+  nodes: { bump: number; foot: number };
+  directions: DirectionData[];
+}
+
+/** Values are base64: of binary32, of signed bytes for states and other flags. */
+export interface DirectionData {
+  direction_deg: number;
+  increments: number[];
+  series: Record<string, string>;
+  fields: Record<string, { at: 'bump' | 'foot'; values: string }>;
+}
+
+export type CaseValue = string | number | boolean | null | CaseValue[] | { [key: string]: CaseValue };
+
+export interface Summary {
+  case: { [key: string]: CaseValue };
+  version: string;
+  commit: string;
+  solver: string;
+  status: string;
+  cycles: CycleSummary[];
+}
+
+export interface CycleSummary {
+  direction_deg: number;
+  amplitude_m: number;
+  steps: number;
+  converged: boolean;
+  [key: string]: number | boolean | null | (number | null)[];
+}

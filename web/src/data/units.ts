@@ -1,0 +1,60 @@
+/** SI numbers as engineers write them. */
+
+export interface Scale {
+  /** Shown = SI number times this. */
+  factor: number;
+  /** With its prefix; empty where there is none. */
+  unit: string;
+}
+
+const prefixes: Record<number, string> = {
+  [-12]: 'p',
+  [-9]: 'n',
+  [-6]: 'µ',
+  [-3]: 'm',
+  0: '',
+  3: 'k',
+  6: 'M',
+  9: 'G',
+  12: 'T',
+};
+
+/** The prefix that brings `largest` between 1 and 1000. */
+export function scaleFor(largest: number, unit: string): Scale {
+  if (unit === '' || !(largest > 0) || !Number.isFinite(largest)) return { factor: 1, unit };
+  // Half a unit of the fourth digit more, so that 999.99 becomes 1 of the next prefix.
+  const exponent = Math.min(12, Math.max(-12, 3 * Math.floor(Math.log10(largest * 1.00005) / 3)));
+  return { factor: 10 ** -exponent, unit: `${prefixes[exponent] ?? ''}${unit}` };
+}
+
+/** A number with some significant digits, a true minus sign, and no exponent where it is usual; "–" if not known. */
+export function formatNumber(number: number | null | undefined, digits = 4): string {
+  if (number === null || number === undefined || !Number.isFinite(number)) return '–';
+  if (number === 0) return '0';
+  const size = Math.abs(number);
+  let text: string;
+  if (size < 1e-3 || size >= 1e6) {
+    const [mantissa, exponent] = number.toExponential(digits - 1).split('e');
+    text = `${mantissa}·10${superscript(Number(exponent))}`;
+  } else {
+    text = number.toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
+  }
+  return text.replace('-', '−');
+}
+
+function superscript(number: number): string {
+  const digits = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+  return String(number).replace(/./g, (sign) => (sign === '-' ? '⁻' : (digits[Number(sign)] ?? '')));
+}
+
+/** "739.3 N" */
+export function formatQuantity(number: number | null | undefined, unit: string, digits = 4): string {
+  const scale = scaleFor(Math.abs(number ?? 0), unit);
+  const text = formatNumber(number === null || number === undefined ? number : number * scale.factor, digits);
+  return text === '–' || scale.unit === '' ? text : `${text} ${scale.unit}`;
+}
+
+/** "Direct force (N)" */
+export function axisTitle(name: string, scale: Scale): string {
+  return scale.unit === '' ? name : `${name} (${scale.unit})`;
+}

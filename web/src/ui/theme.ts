@@ -1,0 +1,99 @@
+import type { ContactState } from '../data/run';
+
+/** Colours that drawings need as values, since they are saved without the style sheet. */
+export interface Look {
+  background: string;
+  text: string;
+  muted: string;
+  line: string;
+  grid: string;
+  /** Of curves: safe for the colour-blind, each with its own marker and dash besides. */
+  series: string[];
+  states: Record<ContactState, string>;
+  journal: string;
+  topFoil: string;
+  bumpFoil: string;
+  sleeve: string;
+  force: string;
+  friction: string;
+  accent: string;
+}
+
+const light: Look = {
+  background: '#ffffff',
+  text: '#1c2329',
+  muted: '#5a6670',
+  line: '#b9c1c8',
+  grid: '#e7eaed',
+  series: ['#0067a8', '#cf5200', '#00825f', '#a4478a', '#7a6a00', '#3f8fc4', '#5b5f66', '#8c3b2e'],
+  states: { open: '#ffffff', stick: '#7d8890', 'slip forward': '#d55e00', 'slip backward': '#0072b2' },
+  journal: '#e3e8ec',
+  topFoil: '#1c2329',
+  bumpFoil: '#0067a8',
+  sleeve: '#8b959e',
+  force: '#1c2329',
+  friction: '#cf5200',
+  accent: '#0067a8',
+};
+
+const dark: Look = {
+  background: '#1a2026',
+  text: '#e5e9ec',
+  muted: '#a0abb5',
+  line: '#56616b',
+  grid: '#2b333b',
+  series: ['#5eb3ee', '#ff9252', '#43c99d', '#e39acb', '#d8c44a', '#9ccbea', '#b9bfc6', '#e08a7b'],
+  states: { open: '#1a2026', stick: '#8b97a1', 'slip forward': '#ff9252', 'slip backward': '#5eb3ee' },
+  journal: '#2f3942',
+  topFoil: '#e5e9ec',
+  bumpFoil: '#5eb3ee',
+  sleeve: '#7b8791',
+  force: '#e5e9ec',
+  friction: '#ff9252',
+  accent: '#5eb3ee',
+};
+
+export const fontFamily = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
+
+/** Markers of curves, in the order of the colours. */
+export const markers = ['circle', 'triangle', 'rect', 'diamond', 'pin', 'roundRect', 'arrow', 'circle'] as const;
+
+const prefersDark = window.matchMedia('(prefers-color-scheme: dark)');
+const listeners: (() => void)[] = [];
+let chosen: 'light' | 'dark' | undefined;
+let printing = false;
+
+export function isDark(): boolean {
+  return !printing && (chosen ? chosen === 'dark' : prefersDark.matches);
+}
+
+export function look(): Look {
+  return isDark() ? dark : light;
+}
+
+export function onLookChange(listener: () => void): void {
+  listeners.push(listener);
+}
+
+function apply(): void {
+  document.documentElement.dataset['theme'] = isDark() ? 'dark' : 'light';
+  for (const listener of listeners) listener();
+}
+
+export function toggleTheme(): void {
+  chosen = isDark() ? 'light' : 'dark';
+  apply();
+}
+
+/** Follows the system until the user chooses; paper is always light. */
+export function startTheme(): void {
+  apply();
+  prefersDark.addEventListener('change', apply);
+  const print = (now: boolean): void => {
+    printing = now;
+    document.documentElement.classList.toggle('printing', now);
+    apply();
+  };
+  window.addEventListener('beforeprint', () => print(true));
+  window.addEventListener('afterprint', () => print(false));
+}
