@@ -14,7 +14,7 @@ namespace bumpfoil {
 ///
 ///     stretch = |c| - |c_0|,   rotation = rotation of the end node - angle from c_0 to c
 ///
-/// in the order of frame_element_stiffness, m and rad [Crisfield1991, Sec. 7.2]. Zero for any rigid motion that turns
+/// in the order of frame_element_stiffness, m and rad [Crisfield1991, Ch. 7]. Zero for any rigid motion that turns
 /// by less than half a turn.
 ElementVector chord_deformations(const FrameElement& element, const ElementVector& displacements);
 

@@ -56,6 +56,19 @@ TEST(BearingModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   }
 }
 
+TEST(BearingModel, HasALawWhereDisplacementsAreLarge) {
+  Case input = case_with_given_constants();
+  input.bump_foil.model = BumpFoilModel::frame;
+  EXPECT_FALSE(make_bearing_model(input).problem.law);
+  input.bump_foil.geometry = Geometry::nonlinear;
+  const BearingModel model = make_bearing_model(input);
+  ASSERT_TRUE(model.problem.law);
+  const Vector x = 1e-5 * Vector::LinSpaced(model.problem.K.rows(), 0.3, 40.0).array().sin();
+  EXPECT_EQ(model.problem.law->forces(x), internal_forces(model.structure, x));
+  EXPECT_EQ(model.problem.law->tangent(x).dense(), tangent_stiffness(model.structure, x).dense());
+  EXPECT_EQ(model.problem.law->stable_tangent(x).dense(), stable_tangent_stiffness(model.structure, x).dense());
+}
+
 TEST(BearingModel, LoadingRateIsTheDerivativeOfTheLoading) {
   const BearingModel model = make_bearing_model(case_with_given_constants());
   const Eigen::Vector2d direction = unit_vector(0.7);

@@ -80,6 +80,38 @@ TEST_P(BlockSizes, PenaltySystemSolvesLikeDense) {
   EXPECT_LT(distance(system->multiply(right), dense.K * right), 1e-14 * (dense.K * right).cwiseAbs().maxCoeff());
 }
 
+TEST_P(BlockSizes, TakeAnotherK) {
+  const RandomProblem random = make_random_problem(7, 6, GetParam(), 0.2);
+  const ContactProblem other = make_random_problem(8, 6, GetParam(), 0.2).problem;
+  const std::vector<ContactMode> mode = random_modes(1, random.problem);
+  const Vector previous_x = Vector::Zero(random.problem.K.rows());
+  ContactState given = ContactState::unstressed(other);
+  ContactState fresh = given;
+  const std::unique_ptr<ModeSystem> modes = make_mode_system(random.problem);
+  ASSERT_TRUE(modes->set_modes(mode));
+  modes->set_elasticity(other.K);
+  ASSERT_TRUE(modes->set_modes(mode));
+  modes->solve(random.first, previous_x, given);
+  const std::unique_ptr<ModeSystem> fresh_modes = make_mode_system(other);
+  ASSERT_TRUE(fresh_modes->set_modes(mode));
+  fresh_modes->solve(random.first, previous_x, fresh);
+  // Constraint rows keep the scale of the first K, which leaves roundings.
+  EXPECT_LT(distance(given.x, fresh.x), 1e-11 * fresh.x.cwiseAbs().maxCoeff());
+  EXPECT_LT(distance(given.normal_force, fresh.normal_force), 1e-11 * fresh.normal_force.cwiseAbs().maxCoeff());
+
+  const Vector stiffness = Vector::Constant(other.contacts(), 1e7);
+  Vector x = random.first.load;
+  Vector expected = x;
+  const std::unique_ptr<PenaltySystem> penalties = make_penalty_system(random.problem);
+  penalties->set_elasticity(other.K);
+  ASSERT_TRUE(penalties->set_stiffness(stiffness, stiffness));
+  penalties->solve_in_place(x);
+  const std::unique_ptr<PenaltySystem> fresh_penalties = make_penalty_system(other);
+  ASSERT_TRUE(fresh_penalties->set_stiffness(stiffness, stiffness));
+  fresh_penalties->solve_in_place(expected);
+  EXPECT_EQ(x, expected);
+}
+
 INSTANTIATE_TEST_SUITE_P(LinearSystems, BlockSizes, testing::Values(5, 6, 8, 11));
 
 TEST(ModeSystem, PrescribesStickByThePreviousState) {

@@ -20,7 +20,8 @@ struct LoadPath {
     const ContactState previous = state;
     report = solver.solve(loading, previous, state);
     ASSERT_TRUE(report.converged);
-    EXPECT_TRUE(contact_residuals(problem, problem.K.multiply(state.x), loading, previous.x, state).within());
+    const Vector elastic = problem.law ? problem.law->forces(state.x) : problem.K.multiply(state.x);
+    EXPECT_TRUE(contact_residuals(problem, elastic, loading, previous.x, state).within());
     EXPECT_LT((state.gap - contact_gaps(problem, loading.initial_gap, state.x)).cwiseAbs().maxCoeff(), 1e-18);
   }
 
@@ -190,6 +191,104 @@ TEST(NewtonSolver, AugmentedLagrangianSolvesWhatIsLeft) {
         << seed;
   }
   EXPECT_GE(left, 1);
+}
+
+/// The dragged block on a spring that hardens: 2e6 x (1 + (x / 10 um)^2) along the floor.
+TEST(NewtonSolver, MeetsAHardeningSpring) {
+  ContactProblem problem = toy::dragged_block();
+  problem.law = ElasticLaw{
+      .forces = [](const Vector& x) { return Eigen::Vector2d(2e6 * x[0] * (1.0 + 1e10 * x[0] * x[0]), 1e6 * x[1]); },
+      .tangent =
+          [](const Vector& x) {
+            BlockTridiagonal K(1, 2);
+            K.add(0, 0, 0, 0, 2e6 * (1.0 + 3e10 * x[0] * x[0]));
+            K.add(0, 1, 0, 1, 1e6);
+            return K;
+          },
+      .stable_tangent = nullptr};  // not needed here
+  LoadPath run(problem);
+  run.load(toy::pull(0.0, 40.0));
+  run.load(toy::pull(60.0, 40.0));  // 20 N of friction, 40 N of spring: 20 z (1 + z^2) = 40 at z = 1
+  EXPECT_NEAR(run.state.x[0], 1e-5, 1e-15);
+  EXPECT_NEAR(run.state.friction_force[0], -20.0, 1e-12);
+  EXPECT_EQ(run.state.mode[0], ContactMode::slip_forward);
+  EXPECT_LE(run.report.iterations, 8);  // quadratic once the block slips
+  run.load(toy::pull(30.0, 40.0));      // holds: the spring pulls back with 10 N
+  EXPECT_EQ(run.state.mode[0], ContactMode::stick);
+  EXPECT_NEAR(run.state.friction_force[0], 10.0, 1e-9);
+  run.load(toy::pull(0.0, 40.0));  // 20 N hold: z (1 + z^2) = 1
+  EXPECT_NEAR(run.state.x[0], 0.6823278038280194e-5, 1e-15);
+  EXPECT_EQ(run.state.mode[0], ContactMode::slip_backward);
+}
+
+/// A shallow arch of one unknown, e = c x (x - a) (x - 2a), pressed beyond its limit load of 0.385 c a^3 against a wall
+/// behind it. No tangent leads there: between the limit points it is negative.
+TEST(NewtonSolver, SnapsToWhereTheFoilIsHeld) {
+  constexpr double a = 1e-5;
+  constexpr double c = 1e6 / (2.0 * a * a);
+  const auto scalar = [](double k) {
+    BlockTridiagonal K(1, 1);
+    K.add(0, 0, 0, 0, k);
+    return K;
+  };
+  ContactProblem problem = toy::spring_against_a_wall();
+  problem.law = ElasticLaw{
+      .forces = [](const Vector& x) { return Vector::Constant(1, c * x[0] * (x[0] - a) * (x[0] - 2.0 * a)); },
+      .tangent = [&](const Vector& x) { return scalar(c * (3.0 * x[0] * x[0] - 6.0 * a * x[0] + 2.0 * a * a)); },
+      .stable_tangent = [&](const Vector&) { return scalar(1e6); }};
+  for (const double wall : {1.5 * a, 3.0 * a}) {
+    LoadPath run(problem);
+    const auto push = [wall](double load) {
+      return ContactLoading{.initial_gap = Vector::Constant(1, wall),
+                            .load = Vector::Constant(1, load * c * a * a * a)};
+    };
+    run.load(push(0.38));
+    EXPECT_LT(run.state.x[0], 0.43 * a);  // short of the limit point at 1 - 1/sqrt(3)
+    run.load(push(0.5));
+    if (wall < 2.0 * a) {
+      EXPECT_DOUBLE_EQ(run.state.x[0], wall);
+      EXPECT_NEAR(run.state.normal_force[0], (0.5 + 0.375) * c * a * a * a, 1e-9);
+    } else {
+      EXPECT_NEAR(run.state.x[0], 2.1914878840 * a, 1e-9 * a);  // root of z (z - 1) (z - 2) = 1/2
+      EXPECT_EQ(run.state.mode[0], ContactMode::open);
+    }
+  }
+}
+
+TEST(NewtonSolver, TakesALinearLawForItsMatrix) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    RandomProblem random = make_random_problem(seed, 5, 6, 0.2);
+    LoadPath plain(random.problem);
+    const BlockTridiagonal K = random.problem.K;
+    const auto tangent = [K](const Vector&) { return K; };
+    random.problem.K = BlockTridiagonal(5, 6);  // must not be used
+    random.problem.K.diagonal.assign(5, 1e6 * Matrix::Identity(6, 6));
+    random.problem.law = ElasticLaw{
+        .forces = [K](const Vector& x) { return K.multiply(x); }, .tangent = tangent, .stable_tangent = tangent};
+    LoadPath lawful(random.problem);
+    for (const ContactLoading& loading : {random.first, random.second}) {
+      plain.load(loading);
+      lawful.load(loading);
+      // Condition numbers of some 1e3.
+      EXPECT_LT((lawful.state.x - plain.state.x).norm(), 1e-11 * plain.state.x.norm()) << seed;
+      EXPECT_EQ(lawful.state.mode, plain.state.mode) << seed;
+    }
+  }
+}
+
+TEST(NewtonSolver, SaysThatALawWasNotMet) {
+  ContactProblem problem = toy::spring_against_a_wall();
+  const auto tangent = [](const Vector&) { return toy::spring_against_a_wall().K; };
+  problem.law = ElasticLaw{.forces = [](const Vector& x) { return Vector::Constant(1, x[0] > 0.0 ? 5.0 : -5.0); },
+                           .tangent = tangent,
+                           .stable_tangent = tangent};
+  NewtonSolver solver(problem);
+  const ContactLoading loading{.initial_gap = Vector::Constant(1, 1.0), .load = Vector::Zero(1)};
+  ContactState state;
+  EXPECT_FALSE(solver.solve(loading, ContactState::unstressed(problem), state).converged);
+  problem.law->forces = [](const Vector&) { return Vector::Constant(1, std::numeric_limits<double>::quiet_NaN()); };
+  NewtonSolver without_numbers(problem);
+  EXPECT_FALSE(without_numbers.solve(loading, ContactState::unstressed(problem), state).converged);
 }
 
 TEST(NewtonSolver, CountsWhatItDid) {

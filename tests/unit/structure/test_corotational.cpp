@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,23 @@ TEST(Corotational, TangentIsTheDerivativeOfTheForces) {
         EXPECT_LT(best, 1e-9) << "element turning " << element.turning << ", unknown " << i;  // as above
       }
     }
+  }
+}
+
+TEST(Corotational, StableTangentNeverPullsAndLacksNothingUnderTension) {
+  for (const FrameElement& element : elements) {
+    for (int number = 0; number < 5; ++number) {
+      const CorotationalResponse response = corotational_response(foil_section, element, some_displacements(number));
+      const ElementMatrix scaled = unit.asDiagonal() * response.stable_tangent * unit.asDiagonal();
+      const ElementVector values = Eigen::SelfAdjointEigenSolver<ElementMatrix>(scaled).eigenvalues();
+      EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());  // zero for the rigid motions
+    }
+    // Stretched along its chord by a thousandth, with both rotations held: equal and opposite end moments.
+    const Eigen::Vector2d stretch = 1e-3 * element.chord;
+    const ElementVector q{{0.0, 0.0, 0.0, stretch.x(), stretch.y(), 0.0}};
+    const CorotationalResponse stretched = corotational_response(foil_section, element, q);
+    EXPECT_LT((unit.asDiagonal() * (stretched.tangent - stretched.stable_tangent) * unit.asDiagonal()).norm(),
+              1e-12 * (unit.asDiagonal() * stretched.tangent * unit.asDiagonal()).norm());
   }
 }
 

@@ -129,6 +129,65 @@ TEST(FoilStructure, FrameModelHasTheSameTopFoil) {
   }
 }
 
+/// Frame of five bumps, with large displacements or without.
+FoilStructure frame_structure(Geometry geometry, WeldPosition weld_at) {
+  Case input = given_constants(5);
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.bump_foil.geometry = geometry;
+  input.bump_foil.weld_at = weld_at;
+  return make_foil_structure(input);
+}
+
+TEST(LargeDisplacements, TangentAndEnergyBelongToTheForces) {
+  for (const WeldPosition weld_at : {WeldPosition::mid_flat, WeldPosition::arc_start}) {
+    const FoilStructure structure = frame_structure(Geometry::nonlinear, weld_at);
+    const Vector x = any_displacements(structure);
+    const Vector direction = Vector::LinSpaced(x.size(), -1.0, 2.0).array().cos();
+    const Vector slope = tangent_stiffness(structure, x).multiply(direction);
+    const Vector forces = elastic_forces(structure, x);
+    double best_slope = 1.0;
+    double best_energy = 1.0;
+    for (const double h : {1e-6, 1e-7, 1e-8}) {  // m; central differences, from truncation to rounding
+      const Vector difference =
+          (internal_forces(structure, x + h * direction) - internal_forces(structure, x - h * direction)) / (2.0 * h);
+      best_slope = std::min(best_slope, (difference - slope).norm() / slope.norm());
+      const double gain = elastic_energy(structure, x + h * direction) - elastic_energy(structure, x - h * direction);
+      best_energy = std::min(best_energy, std::abs(gain / (2.0 * h) / forces.dot(direction) - 1.0));
+    }
+    EXPECT_LT(best_slope, 1e-8);
+    EXPECT_LT(best_energy, 1e-7);
+  }
+}
+
+TEST(LargeDisplacements, AreSmallNearTheUndeformedFoils) {
+  for (const WeldPosition weld_at : {WeldPosition::mid_flat, WeldPosition::arc_start}) {
+    const FoilStructure linear = frame_structure(Geometry::linear, weld_at);
+    const FoilStructure large = frame_structure(Geometry::nonlinear, weld_at);
+    EXPECT_EQ(large.K.dense(), linear.K.dense());
+    const Vector at_rest = Vector::Zero(linear.K.rows());
+    EXPECT_LT((tangent_stiffness(large, at_rest).dense() - linear.K.dense()).norm(), 1e-15 * linear.K.dense().norm());
+    EXPECT_EQ(stable_tangent_stiffness(large, at_rest).dense(), tangent_stiffness(large, at_rest).dense());
+    EXPECT_EQ(tangent_stiffness(linear, any_displacements(linear)).dense(), linear.K.dense());
+    for (const double factor : {1e-2, 1e-3}) {
+      const Vector x = factor * any_displacements(linear);
+      const Vector forces = elastic_forces(linear, x);
+      // Some 1e-5 m of displacements in elements of 1e-3 m: second order.
+      EXPECT_LT((elastic_forces(large, x) - forces).norm(), 0.1 * factor * forces.norm());
+      EXPECT_NEAR(elastic_energy(large, x), elastic_energy(linear, x), 0.1 * factor * elastic_energy(linear, x));
+      EXPECT_GT((elastic_forces(large, x) - forces).norm(), 1e-4 * factor * forces.norm());
+    }
+  }
+}
+
+TEST(LargeDisplacements, LeaveTheTopFoilLinear) {
+  const FoilStructure linear = frame_structure(Geometry::linear, WeldPosition::mid_flat);
+  const FoilStructure large = frame_structure(Geometry::nonlinear, WeldPosition::mid_flat);
+  const Vector x = any_displacements(linear);
+  const auto top = every(linear, linear.dofs.top_u);
+  EXPECT_EQ(Vector(elastic_forces(large, x)(top)), Vector(elastic_forces(linear, x)(top)));
+  EXPECT_EQ(elastic_forces(large, x)(every(large, large.dofs.top_moment)).norm(), 0.0);
+}
+
 TEST(FoilStructure, FormerModelHasNoTopFoil) {
   Case input = given_constants(3);
   input.bump_foil.model = BumpFoilModel::former;

@@ -116,6 +116,29 @@ TEST(FrameStress, OfABumpPressedBetweenSlidingFeet) {
   EXPECT_GT(stress.weld, 0.0);
 }
 
+TEST(FrameStress, IsFreeOfRigidMotionUnderLargeDisplacements) {
+  // All that follows the first flat is turned about the weld by a finite angle: only this flat is bent.
+  FrameModel model = make_frame_model(frame_case(2, WeldPosition::mid_flat));
+  const double angle = 0.2;
+  const double l = 0.5 * model.arcs[0].flat;
+  const double l0 = model.arcs[0].half_length;
+  Vector x = Vector::Zero(22);
+  for (Eigen::Index node = 0; node < 6; ++node) {
+    const double along = l + static_cast<double>(node / 3) * model.pitch + static_cast<double>(node % 3) * l0;
+    const double out = node % 3 == 1 ? -model.arcs[0].rise : 0.0;
+    x.segment<3>(11 * (node / 3) + 3 * (node % 3)) << along * (std::cos(angle) - 1.0) - out * std::sin(angle),
+        along * std::sin(angle) + out * (std::cos(angle) - 1.0), angle * model.pitch;
+  }
+  model.geometry = Geometry::nonlinear;
+  const FrameStress turned = frame_stress(model, x);
+  EXPECT_LT(turned.largest.maxCoeff(), 1e-9 * turned.weld);
+  // The flat keeps the length of its chord, and its end turns with that; its start is held back by the weld.
+  EXPECT_NEAR(turned.weld, 4.0 * model.section.bending_stiffness / l * angle / model.section.modulus,
+              1e-9 * turned.weld);
+  model.geometry = Geometry::linear;
+  EXPECT_GT(frame_stress(model, x).largest.maxCoeff(), 0.01 * turned.weld);
+}
+
 TEST(FrameStress, CantileveredBumpUnderAnEndForceIsStaticallyDeterminate) {
   // One bump clamped at its start, a force F along v at its free end: M = F * distance, zero at the end.
   const FrameModel model = make_frame_model(frame_case(1, WeldPosition::arc_start));
