@@ -214,7 +214,7 @@ void add_reproduce_command(CLI::App& program, Session& session) {
   command->add_flag("--all", options->all, "All figures and all further studies");
   command->add_flag("--force", options->force, "Replace results that the folders hold");
   std::string footer = "Studies:\n";
-  for (const std::string& name : study_names()) footer += fmt::format("  {:<11} {}\n", name, make_study(name).title);
+  for (const std::string& name : study_names()) footer += fmt::format("  {:<16} {}\n", name, make_study(name).title);
   command->footer(footer +
                   "Examples:\n"
                   "  bumpfoil reproduce -o paper\n"

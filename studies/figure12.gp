@@ -1,7 +1,7 @@
 
 eval panels(2, 2)
 set xrange [20:82]
-set yrange [0:950]
+set yrange [0:1100]
 set xtics 10
 set ytics 200
 set xlabel "displacement of the journal (µm)"
@@ -19,6 +19,10 @@ do for [i = 1:4] {
        loops using (um * column("displacement_m")):(force("frame", direction_degrees[i], "loading")) every 3 \
          with points pt 7 ps 0.45 lc rgb red title "frame, loading", \
        loops using (um * column("displacement_m")):(force("frame", direction_degrees[i], "unloading")) every 3 \
-         with points pt 6 ps 0.5 lc rgb red title "frame, unloading"
+         with points pt 6 ps 0.5 lc rgb red title "frame, unloading", \
+       loops using (um * column("displacement_m")):(force("frame-nonlinear", direction_degrees[i], "loading")) every 3 \
+         with points pt 9 ps 0.5 lc rgb green title "nonlinear frame, loading", \
+       loops using (um * column("displacement_m")):(force("frame-nonlinear", direction_degrees[i], "unloading")) every 3 \
+         with points pt 8 ps 0.55 lc rgb green title "nonlinear frame, unloading"
 }
 unset multiplot

@@ -119,17 +119,37 @@ StudyTableKind table_kind(const DescriptionReader& reader, std::string_view name
   reader.fail("tables", fmt::format("there is no table \"{}\"", name));
 }
 
-void add_runs_of(DescriptionReader& reader, Study& study) {
+std::vector<StudyRun> runs_of_others(DescriptionReader& reader) {
   const std::vector<std::string> only = reader.list<std::string>("only");
+  std::vector<StudyRun> runs;
   for (const std::string& other : reader.list<std::string>("runs_of")) {
     for (StudyRun& run : make_study(other).runs) {
       const auto same = [&run](const auto& name) { return name == run.name; };
       const bool wanted = only.empty() || std::any_of(only.begin(), only.end(), same);
-      const bool there = std::any_of(study.runs.begin(), study.runs.end(),
-                                     [&same](const StudyRun& known) { return same(known.name); });
-      if (wanted && !there) study.runs.push_back(std::move(run));
+      const bool there = std::any_of(runs.begin(), runs.end(), [&](const StudyRun& known) { return same(known.name); });
+      if (wanted && !there) runs.push_back(std::move(run));
     }
   }
+  return runs;
+}
+
+/// The runs once for each variant, with its overrides; as they are if there is none.
+std::vector<StudyRun> in_variants(DescriptionReader& reader, std::vector<StudyRun> runs) {
+  std::vector<DescriptionReader> variants = reader.tables("variant");
+  if (variants.empty()) return runs;
+  std::vector<StudyRun> out;
+  for (DescriptionReader& variant : variants) {
+    const std::string name = variant.text("name");
+    const std::vector<std::string> overrides = overrides_of(variant, {});
+    variant.finish();
+    for (const StudyRun& run : runs) {
+      StudyRun& added = out.emplace_back(run);
+      added.name += '-' + name;
+      added.label += ", " + name;
+      added.overrides.insert(added.overrides.end(), overrides.begin(), overrides.end());
+    }
+  }
+  return out;
 }
 
 }  // namespace
@@ -158,7 +178,7 @@ Study parse_study(std::string_view text, std::string_view name) {
   study.name = name;
   study.title = reader.text("title");
   const std::vector<std::string> common = overrides_of(reader, {});
-  add_runs_of(reader, study);
+  study.runs = in_variants(reader, runs_of_others(reader));
   for (DescriptionReader& run : reader.tables("run")) {
     StudyRun& added = study.runs.emplace_back();
     added.name = run.text("name");

@@ -45,11 +45,11 @@ StudyOutcome outcome_of(const Study& study, const std::vector<StudyRunResult>& r
 }
 
 std::string study_outcomes_table(const std::vector<StudyOutcome>& outcomes) {
-  const std::string header = fmt::format("{:<11} {:>4} {:>10} {:>9} {:>9} {:>7}   {}\n", "study", "runs", "increments",
+  const std::string header = fmt::format("{:<16} {:>4} {:>10} {:>9} {:>9} {:>7}   {}\n", "study", "runs", "increments",
                                          "residual", "converged", "time s", "what");
-  std::string out = header + std::string(100, '-') + '\n';
+  std::string out = header + std::string(105, '-') + '\n';
   for (const StudyOutcome& one : outcomes) {
-    fmt::format_to(std::back_inserter(out), "{:<11} {:>4} {:>10} {:>9.1e} {:>9} {:>7.2f}   {}\n", one.name, one.runs,
+    fmt::format_to(std::back_inserter(out), "{:<16} {:>4} {:>10} {:>9.1e} {:>9} {:>7.2f}   {}\n", one.name, one.runs,
                    one.increments, one.max_residual, one.converged ? "yes" : "no", one.wall_time, one.title);
   }
   return out;

@@ -41,10 +41,11 @@ std::vector<std::string> study_names();
 /// |---|---|
 /// | `title` | one line |
 /// | `tables` | names of StudyTableKind |
-/// | `set` | overrides of every run |
+/// | `set` | overrides of every run that is not of another study |
 /// | `[[run]]` | `name`, `label`, `set` of one run |
 /// | `[[sweep]]` | a run for each of `values` of `key` (in `unit`), called `name`_value, with `set` |
 /// | `runs_of`, `only` | runs of other studies come first: all, or those named by `only`; each name once |
+/// | `[[variant]]` | these are run once for each variant: `name` is added to theirs, `set` to their overrides |
 /// | `increments` | those that the table `foils` shows |
 ///
 /// @throws Error (input) if there is none of this name, or its description is wrong

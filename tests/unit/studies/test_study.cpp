@@ -109,6 +109,27 @@ tables = ["loads"]
   EXPECT_EQ(study.runs[1].overrides, std::vector<std::string>{"bump_foil.model=former"});
 }
 
+TEST(Study, VariantsRepeatTheRunsOfOthers) {
+  const Study study = parse_study(R"(
+title = "Two by two"
+runs_of = ["figure10"]
+only = ["present-friction", "present-frictionless"]
+tables = ["loads"]
+[[variant]]
+name = "truss"
+[[variant]]
+name = "frame"
+set = ["bump_foil.model=frame"]
+)",
+                                  "variants");
+  ASSERT_EQ(study.runs.size(), 4U);
+  EXPECT_EQ(study.runs[1].name, "present-frictionless-truss");
+  EXPECT_EQ(study.runs[1].overrides, std::vector<std::string>{"friction.coefficient=0"});
+  EXPECT_EQ(study.runs[3].name, "present-frictionless-frame");
+  EXPECT_EQ(study_case(study.runs[3]).bump_foil.model, BumpFoilModel::frame);
+  EXPECT_EQ(study_case(study.runs[3]).friction.top_bump, 0.0);
+}
+
 TEST(Study, WrongDescriptionsAreToldByKey) {
   const std::string text(smallest);
   const auto key_of_fault = [](const std::string& description) {
