@@ -14,13 +14,15 @@ endef
 help: ## list the commands
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## /\1|/' | awk -F'|' '{printf "make %-16s %s\n", $$1, $$2}'
 
-demo: ## install what is missing, build, run the reference bearing in four directions
+demo: ## install what is missing, build, run the reference bearing in four directions, make its report
 	@scripts/require_packages.sh build
 	$(call BUILD,release)
 	echo
 	build/release/bumpfoil cycle examples/gen1.toml -o results/demo --force
+	build/release/bumpfoil report results/demo --force --quiet
 	echo
 	echo "Results: $(CURDIR)/results/demo"
+	echo "Report:  $(CURDIR)/results/demo/report.html (open it in a browser)"
 	echo "Time: $$SECONDS s in all"
 
 paper: ## reproduce the studies of the source paper, and further ones, with pictures

@@ -20,7 +20,9 @@ fi
 
 missing_packages() {
   local installed
-  installed="$(dpkg-query -W -f='${Package} ${db:Status-Abbrev}\n' "${wanted[@]}" 2> /dev/null | awk '$2 == "ii" {print $1}' || true)"
+  # What an installed package provides is there, too: Node.js from its makers brings its own npm.
+  installed="$(dpkg-query -W -f='${db:Status-Abbrev},${Package},${Provides}\n' | awk -F',' '$1 ~ /^ii/ {
+    for (i = 2; i <= NF; i++) { split($i, words, " "); print words[1] } }')"
   for package in "${wanted[@]}"; do
     if ! grep -qxF -- "$package" <<< "$installed"; then echo "$package"; fi
   done

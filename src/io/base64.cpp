@@ -30,8 +30,8 @@ std::string base64_of(const std::vector<double>& numbers) {
   bytes.reserve(4 * numbers.size());
   for (const double number : numbers) {
     const bool known = std::abs(number) <= std::numeric_limits<float>::max();
-    const auto bits = std::bit_cast<std::uint32_t>(known ? static_cast<float>(number)
-                                                         : std::numeric_limits<float>::quiet_NaN());
+    const auto bits =
+        std::bit_cast<std::uint32_t>(known ? static_cast<float>(number) : std::numeric_limits<float>::quiet_NaN());
     for (const unsigned shift : {0U, 8U, 16U, 24U}) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
   }
   return encode(bytes);

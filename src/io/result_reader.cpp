@@ -39,7 +39,8 @@ bool is_series(const NcVar& variable) {
 }
 
 bool is_field(const NcVar& variable) {
-  return has_dims(variable, {"direction", "increment", "bump"}) || has_dims(variable, {"direction", "increment", "foot"});
+  return has_dims(variable, {"direction", "increment", "bump"}) ||
+         has_dims(variable, {"direction", "increment", "foot"});
 }
 
 /// Part of a variable; NaN where the file has its fill value.
@@ -179,10 +180,7 @@ Json read_result(const std::filesystem::path& path, std::size_t most_values) {
   Json directions = Json::array();
   const DirectionReader reader(file, stride);
   for (std::size_t i = 0; i < reader.size(); ++i) directions.push_back(reader.read(i));
-  return {{"attributes", attributes},
-          {"geometry", geometry_of(file)},
-          {"nodes", nodes},
-          {"directions", directions}};
+  return {{"attributes", attributes}, {"geometry", geometry_of(file)}, {"nodes", nodes}, {"directions", directions}};
 }
 
 }  // namespace bumpfoil

@@ -266,6 +266,48 @@ TEST_F(Program, IsQuietIfAsked) {
   EXPECT_NE(run({"--quiet", "check", "missing.toml"}).errors, "");
 }
 
+#if BUMPFOIL_HAS_REPORT
+TEST_F(Program, ReportGoesBesideTheResultsOrWhereItIsTold) {
+  ASSERT_EQ(run(cycle_).exit_code, 0);
+  const Outcome report = run({"report", results_});
+  EXPECT_EQ(report.exit_code, 0) << report.errors;
+  EXPECT_EQ(report.output, "wrote " + results_ + "/report.html\n");
+  const std::string page = folder_.read("results/report.html");
+  EXPECT_EQ(page.find("<!doctype html>"), 0U);
+  EXPECT_NE(page.find("\"schema\":\"bumpfoil-report/1\""), std::string::npos);
+
+  const Outcome again = run({"report", results_});
+  EXPECT_EQ(again.exit_code, 4);
+  EXPECT_NE(again.errors.find("--force"), std::string::npos);
+  EXPECT_EQ(run({"report", results_, "--force", "--quiet"}).output, "");
+  EXPECT_EQ(folder_.read("results/report.html"), page);
+
+  const std::string elsewhere = (folder_.path() / "both.html").string();
+  EXPECT_EQ(run({"report", results_, results_, "-o", elsewhere}).exit_code, 0);
+  EXPECT_GT(folder_.read("both.html").size(), page.size());
+
+  // A report of results that are no more would be wrong.
+  EXPECT_EQ(run(cycle_ + std::vector<std::string>{"--force"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(results_ + "/report.html"));
+}
+
+TEST_F(Program, ReportNamesEveryFolderWithoutResults) {
+  const Outcome report = run({"report", "nowhere", folder_.path().string()});
+  EXPECT_EQ(report.exit_code, 4);
+  EXPECT_NE(report.errors.find("nowhere: does not exist"), std::string::npos) << report.errors;
+  EXPECT_NE(report.errors.find("result.nc is missing"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "report.html"));
+  EXPECT_EQ(run({"report"}).exit_code, 2);
+}
+#else
+TEST_F(Program, ReportSaysWhatItWasBuiltWithout) {
+  ASSERT_EQ(run(cycle_).exit_code, 0);
+  const Outcome report = run({"report", results_});
+  EXPECT_EQ(report.exit_code, 4);
+  EXPECT_NE(report.errors.find("Node.js"), std::string::npos);
+}
+#endif
+
 TEST_F(Program, AnInterruptedRunLeavesFlaggedResults) {
   // Long enough to be interrupted on any machine.
   const Running program({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=80000"},

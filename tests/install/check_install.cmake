@@ -37,6 +37,11 @@ foreach(name summary.json cycle.csv result.nc)
   endif()
 endforeach()
 
+# Its page moves with it.
+if(HAS_REPORT)
+  run("${prefix}/bin/bumpfoil" report ${WORK_DIR}/results)
+endif()
+
 list(JOIN FLAGS " " flags)
 run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/consumer -G Ninja -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${flags}" "-DCMAKE_PREFIX_PATH=${prefix}")

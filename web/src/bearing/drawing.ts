@@ -75,14 +75,3 @@ export function stateMark(
   ];
   return svg('path', { d: pathOf(corners, true), fill: current.states[state], stroke: current.background, 'stroke-width': 0.8 });
 }
-
-/** A drawing as a file of its own. */
-export function standalone(root: SVGSVGElement, current: Look): string {
-  const copy = root.cloneNode(true) as SVGSVGElement;
-  const [, , width = 0, height = 0] = (root.getAttribute('viewBox') ?? '').split(' ').map(Number);
-  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  copy.setAttribute('width', String(width));
-  copy.setAttribute('height', String(height));
-  copy.prepend(svg('rect', { width, height, fill: current.background }));
-  return new XMLSerializer().serializeToString(copy);
-}

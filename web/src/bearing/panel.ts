@@ -3,10 +3,10 @@ import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { dropDown, el, svg } from '../ui/dom';
 import { legend, panel } from '../ui/panel';
-import { fileName } from '../ui/save';
+import { fileName, standalone } from '../ui/save';
 import type { Selection } from '../ui/selection';
 import { look, onLookChange, type Look } from '../ui/theme';
-import { arrowPath, standalone } from './drawing';
+import { arrowPath } from './drawing';
 import { drawRound } from './round';
 import { BearingGeometry, fittingMagnification, magnifications, shapeAt } from './shape';
 import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from './unwrapped';
@@ -49,7 +49,7 @@ export class BearingPanels {
         title: 'The bearing',
         note: 'Seen along its axis. The blue arrow is the force that holds the journal.',
         file: () => this.file('bearing'),
-        svg: () => standalone(this.roundDrawing, look()),
+        svg: () => standalone(this.roundDrawing, look().background),
         ...common,
       },
       this.roundDrawing,
@@ -63,7 +63,7 @@ export class BearingPanels {
           el('label', { class: 'control' }, forces, 'Forces'),
         ],
         file: () => this.file('foils'),
-        svg: () => standalone(this.flatDrawing, look()),
+        svg: () => standalone(this.flatDrawing, look().background),
         ...common,
       },
       this.flatPlace,

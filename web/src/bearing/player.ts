@@ -67,7 +67,7 @@ export function player(selection: Selection): HTMLElement {
       return;
     }
     const branch = direction.isLoading(index) ? 'loading' : 'unloading';
-    const text = `${formatQuantity(direction.value('displacement', index), 'm')} · ${formatQuantity(direction.value('force_direct', index), 'N')} · ${branch}, increment ${at(direction.increments, index)} of ${2 * direction.steps}`;
+    const text = `${formatQuantity(direction.value('displacement', index), 'm')} · ${formatQuantity(direction.value('force_direct', index), 'N')} · ${branch} ${at(direction.increments, index)} / ${2 * direction.steps}`;
     readout.textContent = text;
     slider.setAttribute('aria-valuetext', text);
   };

@@ -84,11 +84,6 @@ interface Move {
   inwards: number;
 }
 
-/** From 0 to 1 with level ends: crests stay level, feet flat. */
-function smooth(t: number): number {
-  return t * t * (3 - 2 * t);
-}
-
 function bumpFoil(geometry: BearingGeometry, direction: Direction, index: number): ShapePoint[] {
   const [crestU, crestV] = [direction.field('crest_u'), direction.field('crest_v')];
   const [footU, footV] = [direction.field('foot_u'), direction.field('foot_v')];
@@ -103,8 +98,9 @@ function bumpFoil(geometry: BearingGeometry, direction: Direction, index: number
     };
     for (let i = -halfArcPoints; i <= halfArcPoints; i += 1) {
       const foot = footMove(i < 0 ? start : end);
-      const weight = smooth(1 - Math.abs(i) / halfArcPoints);
       const distance = (geometry.halfLength * i) / halfArcPoints;
+      // Between foot and crest nothing is known: the arc is drawn as one, flatter or higher.
+      const weight = geometry.arc(distance) / geometry.rise;
       points.push({
         along: place + distance,
         height: geometry.arc(distance),

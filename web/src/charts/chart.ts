@@ -4,6 +4,7 @@ import * as echarts from 'echarts/core';
 import { SVGRenderer } from 'echarts/renderers';
 import type { EChartsType } from 'echarts/core';
 import { el } from '../ui/dom';
+import { standalone } from '../ui/save';
 import { fontFamily, look, onLookChange, type Look } from '../ui/theme';
 
 echarts.use([BarChart, CustomChart, LineChart, GridComponent, TitleComponent, TooltipComponent, SVGRenderer]);
@@ -93,7 +94,8 @@ export class Chart {
   }
 
   toSvg(): string {
-    return this.instance?.renderToSVGString() ?? '';
+    const drawing = this.place.querySelector('svg');
+    return drawing ? standalone(drawing, look().background) : '';
   }
 
   private area(grid: number): { top: number; height: number } {
@@ -118,6 +120,13 @@ export function axis(current: Look, name: string, more: object = {}): object {
     splitLine: { lineStyle: { color: current.grid } },
     ...more,
   };
+}
+
+/** A round number just above, for the end of an axis. */
+export function roundAbove(number: number): number {
+  if (!(number > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(number));
+  return ([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((digit) => digit * power >= number) ?? 10) * power;
 }
 
 export function tickText(number: number): string {

@@ -6,14 +6,14 @@ import { legend, panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
 import { look, onLookChange, type Look } from '../ui/theme';
-import { axis, Chart, tooltip, tooltipBox, type Option } from './chart';
+import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option } from './chart';
 import type { Curve } from './loops';
 import { PathAxis } from './path_axis';
 
 const energies = [
-  { name: 'work', text: 'work of the journal', style: 0 },
-  { name: 'elastic_energy', text: 'elastic energy gained', style: 2 },
-  { name: 'dissipated_energy', text: 'dissipated by friction', style: 1 },
+  { name: 'work', text: 'work of the journal', style: 0, marker: 'circle' },
+  { name: 'elastic_energy', text: 'elastic energy gained', style: 2, marker: 'rect' },
+  { name: 'dissipated_energy', text: 'dissipated by friction', style: 1, marker: 'triangle' },
 ] as const;
 
 /** Dashes tell the runs apart; one run alone is drawn solid. */
@@ -29,14 +29,19 @@ function energiesOf(direction: Direction, name: string): number[] {
   return direction.increments.map((_, index) => energy(direction, name, index));
 }
 
+/** Increments from one marker to the next. */
+function spacing(direction: Direction): number {
+  return Math.max(1, Math.round(direction.size / 9));
+}
+
 /** Where the work of one direction goes, along the path; one curve per run and kind of energy. */
-function energyChart(curves: Curve[], scale: Scale, path: PathAxis, selection: Selection): HTMLElement {
+function energyChart(curves: Curve[], most: number, scale: Scale, path: PathAxis, selection: Selection): HTMLElement {
   const { direction } = at(curves, 0);
   const several = curves.length > 1;
   const option = (current: Look, width: number): Option => ({
     grid: { left: 56, right: 16, top: 14, bottom: 46 },
     xAxis: path.option(current, width),
-    yAxis: axis(current, axisTitle('Energy', scale), { nameGap: 40, max: undefined }),
+    yAxis: axis(current, axisTitle('Energy', scale), { nameGap: 40, max: roundAbove(most * scale.factor) }),
     tooltip: tooltip(current, {
       trigger: 'axis',
       formatter: (items: { seriesIndex: number; dataIndex: number }[]) => {
@@ -55,10 +60,13 @@ function energyChart(curves: Curve[], scale: Scale, path: PathAxis, selection: S
       },
     }),
     series: curves.flatMap((curve, i) =>
-      energies.map(({ name, text, style }) => ({
+      energies.map(({ name, text, style, marker }) => ({
         type: 'line',
         name: text,
-        showSymbol: false,
+        showAllSymbol: true,
+        symbol: marker,
+        symbolSize: (_: unknown, item: { dataIndex: number }) =>
+          item.dataIndex % spacing(curve.direction) === spacing(curve.direction) >> 1 ? 7 : 0,
         lineStyle: { color: at(current.series, style), width: 1.8, type: at(dashes, i % dashes.length) },
         itemStyle: { color: at(current.series, style) },
         data: energiesOf(curve.direction, name).map((value, index) => [
@@ -103,7 +111,8 @@ function energyChart(curves: Curve[], scale: Scale, path: PathAxis, selection: S
   );
 }
 
-function lineSample(style: number, dash: 'solid' | number[]): SVGElement {
+/** A line as the legend shows it; of no colour (style -1) where it stands for its dash alone. */
+function lineSample(style: number, dash: 'solid' | number[], marker = ''): SVGElement {
   const line = svg('line', {
     x1: 0,
     y1: 6,
@@ -112,31 +121,39 @@ function lineSample(style: number, dash: 'solid' | number[]): SVGElement {
     'stroke-width': 2,
     'stroke-dasharray': dash === 'solid' ? 'none' : dash.join(' '),
   });
-  const colour = (): void => line.setAttribute('stroke', style < 0 ? 'currentColor' : at(look().series, style));
+  const shapes: Record<string, string> = {
+    circle: 'M11.5 6a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z',
+    rect: 'M11.8 2.8H18.2V9.2H11.8Z',
+    triangle: 'M15 2L19 9.5H11Z',
+  };
+  const mark = svg('path', { d: shapes[marker] ?? '' });
+  const colour = (): void => {
+    const value = style < 0 ? 'currentColor' : at(look().series, style);
+    line.setAttribute('stroke', value);
+    mark.setAttribute('fill', value);
+  };
   colour();
   onLookChange(colour);
-  return svg('svg', { width: 30, height: 12, 'aria-hidden': 'true' }, line);
+  return svg('svg', { width: 30, height: 12, 'aria-hidden': 'true' }, line, mark);
 }
 
 /** One chart per direction, all with the same scales. */
 export function energySection(groups: Curve[][], selection: Selection): HTMLElement {
   const begun = groups.map((curves) => curves.filter((curve) => curve.direction.size > 0)).filter((c) => c.length > 0);
   const directions = begun.flatMap((curves) => curves.map((curve) => curve.direction));
-  const scale = scaleFor(
-    largest(...directions.flatMap((direction) => energies.map(({ name }) => energiesOf(direction, name)))),
-    'J',
-  );
+  const most = largest(...directions.flatMap((direction) => energies.map(({ name }) => energiesOf(direction, name))));
+  const scale = scaleFor(most, 'J');
   const path = new PathAxis(directions);
   const runs = begun[0]?.length ?? 0;
   return el(
     'div',
     {},
     legend([
-      ...energies.map(({ text, style }) => ({ sample: lineSample(style, 'solid'), text })),
+      ...energies.map(({ text, style, marker }) => ({ sample: lineSample(style, 'solid', marker), text })),
       ...(runs > 1
         ? at(begun, 0).map((curve, i) => ({ sample: lineSample(-1, at(dashes, i % dashes.length)), text: curve.run.label }))
         : []),
     ]),
-    el('div', { class: 'multiples' }, ...begun.map((curves) => energyChart(curves, scale, path, selection))),
+    el('div', { class: 'multiples' }, ...begun.map((curves) => energyChart(curves, most, scale, path, selection))),
   );
 }

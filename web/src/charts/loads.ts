@@ -6,7 +6,7 @@ import { legend, panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
 import { type Look } from '../ui/theme';
-import { axis, Chart, tooltip, tooltipBox, type Option } from './chart';
+import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option } from './chart';
 import type { Curve } from './loops';
 
 function loadsAt(direction: Direction, kind: Interface, index: number): number[] {
@@ -72,7 +72,7 @@ class LoadPanel {
         splitLine: { show: false },
         axisTick: { show: false },
       }),
-      yAxis: axis(current, axisTitle('Load', this.scale), { nameGap: 38, max: niceAbove(this.most() * this.scale.factor) }),
+      yAxis: axis(current, axisTitle('Load', this.scale), { nameGap: 38, max: roundAbove(this.most() * this.scale.factor) }),
       tooltip: tooltip(current, {
         trigger: 'axis',
         axisPointer: { type: 'shadow', shadowStyle: { color: current.grid, opacity: 0.5 } },
@@ -142,13 +142,6 @@ class LoadPanel {
       ),
     );
   }
-}
-
-/** A round number just above, so that the axes of all directions are one. */
-function niceAbove(number: number): number {
-  if (!(number > 0)) return 1;
-  const power = 10 ** Math.floor(Math.log10(number));
-  return (([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((digit) => digit * power >= number) ?? 10) * power);
 }
 
 /** One chart per direction, all with the same scales; the interface can be chosen. */

@@ -7,7 +7,8 @@ import { legend, panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
 import { look, markers, type Look } from '../ui/theme';
-import { axis, Chart, tooltip, tooltipBox, type Option, type Point } from './chart';
+import { labelOffsets } from './label_offsets';
+import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option, type Point } from './chart';
 
 /** One loop: a direction of a run. */
 export interface Curve {
@@ -66,7 +67,7 @@ export class LoopPanel {
     });
     this.chart = new Chart(
       `${title}: direct force over displacement; at full displacement ${peaks.join(', ')}`,
-      (width) => Math.max(300, Math.min(0.72 * width, 560)),
+      (width) => this.height(width),
       (current, width) => this.option(current, width),
       (instance) => this.listen(instance),
     );
@@ -95,6 +96,10 @@ export class LoopPanel {
     this.follow();
   }
 
+  private height(width: number): number {
+    return Math.max(300, Math.min(0.82 * width, 620));
+  }
+
   private scaleOfForce(): Scale {
     return scaleFor(largest(...this.curves.map((curve) => curve.direction.values(this.force.name))), 'N');
   }
@@ -108,10 +113,21 @@ export class LoopPanel {
 
   private option(current: Look, width: number): Option {
     const narrow = width < 480;
+    const frame = { top: 16, bottom: 48 };
+    const forces = this.curves.flatMap(({ direction }) => [...direction.values(this.force.name)]).filter(Number.isFinite);
+    const upper = roundAbove(this.upwards.factor * Math.max(0, ...forces));
+    const lower = forces.some((force) => force < 0) ? -roundAbove(-this.upwards.factor * Math.min(...forces)) : 0;
+    const perUnit = (this.height(width) - frame.top - frame.bottom) / (upper - lower);
+    const ends = this.curves.map(({ direction }) => -perUnit * this.point(direction, direction.turning)[1]);
+    const offsets = labelOffsets(ends);
     return {
-      grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, top: 16, bottom: 48 },
+      grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, ...frame },
       xAxis: axis(current, axisTitle('Displacement', this.across), { min: 0 }),
-      yAxis: axis(current, axisTitle(this.force.title, this.upwards), { nameGap: narrow ? 38 : 46 }),
+      yAxis: axis(current, axisTitle(this.force.title, this.upwards), {
+        nameGap: narrow ? 38 : 46,
+        min: lower,
+        max: upper,
+      }),
       tooltip: tooltip(current, {
         triggerOn: 'none',
         formatter: (tip: { seriesIndex: number; dataIndex: number }) => this.tip(tip.seriesIndex, tip.dataIndex),
@@ -138,8 +154,8 @@ export class LoopPanel {
                   fontSize: 12,
                   width: narrow ? 44 : 84,
                   overflow: 'truncate',
+                  offset: [0, at(offsets, i >> 1)],
                 },
-                labelLayout: { moveOverlap: 'shiftY' },
               }
             : {}),
         };

@@ -8,6 +8,7 @@ import type { Selection } from '../ui/selection';
 import { look, onLookChange, type Look } from '../ui/theme';
 import { axis, Chart, tooltip, tooltipBox, type Option } from './chart';
 import { PathAxis } from './path_axis';
+import { stretchesOf, type Stretch } from './stretches';
 
 /** Part of a row that a state takes, from its lower edge: it is told by its place, too, and not by its colour alone. */
 export const stateBand: Record<ContactState, [number, number]> = {
@@ -17,32 +18,13 @@ export const stateBand: Record<ContactState, [number, number]> = {
   'slip backward': [0, 0.5],
 };
 
-/** Successive increments of a contact with the same state; `first` to `last` are indices. */
-export interface Stretch {
-  node: number;
-  state: ContactState;
-  first: number;
-  last: number;
-}
-
-/** States of an interface along the path, without the open ones. */
-export function stretchesOf(direction: Direction, interfaceName: string): Stretch[] {
-  const states = direction.states(interfaceName);
-  const stretches: Stretch[] = [];
-  for (let node = 0; node < states.width; node += 1) {
-    let current: Stretch | undefined;
-    for (let index = 0; index < direction.size; index += 1) {
-      const state = contactStates[states.at(index, node)];
-      if (current && current.state === state) {
-        current.last = index;
-        continue;
-      }
-      current = state && state !== 'open' ? { node, state, first: index, last: index } : undefined;
-      if (current) stretches.push(current);
-    }
-  }
-  return stretches;
-}
+/** Nothing sticks to the journal, which has no friction: its contacts are open or closed. */
+const stateText: Record<ContactState, string> = {
+  open: 'open',
+  stick: 'stick (journal: closed)',
+  'slip forward': 'slip forward, away from the weld',
+  'slip backward': 'slip backward',
+};
 
 /** Contact states of the chosen direction: one map per interface, displacement against bump or foot. */
 export class StatePanel {
@@ -67,7 +49,7 @@ export class StatePanel {
         svg: () => this.chart.toSvg(),
         csv: () => this.csv(),
       },
-      legend(contactStates.map((state) => ({ sample: stateSample(state), text: state }))),
+      legend(contactStates.map((state) => ({ sample: stateSample(state), text: stateText[state] }))),
       this.chart.root,
     );
     selection.onChange(() => this.follow());
@@ -103,18 +85,20 @@ export class StatePanel {
   private layout(): { tops: number[]; heights: number[]; height: number } {
     const tops: number[] = [];
     const heights: number[] = [];
-    let top = 26;
+    let top = 28;
     interfaces.forEach((_, i) => {
       const height = Math.min(420, Math.max(60, 9 * this.nodes(i)));
       tops.push(top);
       heights.push(height);
-      top += height + 40;
+      top += height + 54;
     });
     return { tops, heights, height: top + 14 };
   }
 
   private option(current: Look, width: number): Option {
     const { tops, heights } = this.layout();
+    // What is drawn keeps its own: a change of size may draw it again after the direction has changed.
+    const { stretches } = this;
     const last = interfaces.length - 1;
     return {
       title: interfaces.map(({ title }, i) => ({
@@ -152,9 +136,9 @@ export class StatePanel {
         yAxisIndex: i,
         clip: true,
         encode: { x: [0, 1], y: 2 },
-        data: at(this.stretches, i).map((stretch) => [...this.extent(stretch), stretch.node + 1]),
+        data: at(stretches, i).map((stretch) => [...this.extent(stretch), stretch.node + 1]),
         renderItem: (item: { dataIndex: number }, api: RenderApi) =>
-          renderStretch(at(at(this.stretches, i), item.dataIndex), current, api),
+          renderStretch(at(at(stretches, i), item.dataIndex), current, api),
       })),
     };
   }

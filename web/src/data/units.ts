@@ -31,7 +31,8 @@ export function scaleFor(largest: number, unit: string): Scale {
 export function formatNumber(number: number | null | undefined, digits = 4): string {
   if (number === null || number === undefined || !Number.isFinite(number)) return '–';
   if (number === 0) return '0';
-  const size = Math.abs(number);
+  // Rounded first, so that 9.9996 has no digit too many.
+  const size = Math.abs(Number(number.toPrecision(Math.max(1, digits))));
   let text: string;
   if (size < 1e-3 || size >= 1e6) {
     const [mantissa, exponent] = number.toExponential(digits - 1).split('e');

@@ -5,7 +5,7 @@ import { loadSection } from '../charts/loads';
 import { curveColour, LoopPanel, type Curve } from '../charts/loops';
 import { StatePanel } from '../charts/states';
 import { allDirections, at, directionName, type Run } from '../data/run';
-import { formatNumber, formatQuantity } from '../data/units';
+import { formatQuantity } from '../data/units';
 import { caseTable, provenance } from '../tables/case';
 import { resultTable } from '../tables/results';
 import { el } from '../ui/dom';
@@ -45,7 +45,7 @@ function directionCards(groups: Curve[][], selection: Selection): HTMLElement {
           { class: 'result' },
           el('span', { class: 'who' }, colour, selection.runs.length > 1 ? run.label : label),
           el('strong', {}, formatQuantity(result('max_force_N'), 'N', 3)),
-          el('small', {}, `${formatQuantity(result('secant_stiffness_N_per_m'), 'N/m', 3)} · loss ${formatNumber(result('loss_factor'), 2)}`),
+          el('small', {}, `${formatQuantity(result('secant_stiffness_N_per_m'), 'N/m', 3)} · loss ${result('loss_factor')?.toFixed(3) ?? '–'}`),
         );
       });
       const heading = selection.runs.length > 1 ? [el('span', { class: 'heading' }, direction.name)] : [];
@@ -86,7 +86,7 @@ export function cycleView(runs: Run[]): HTMLElement[] {
       'Loops and bearing',
       directionCards(groups, selection),
       ...(runs.length > 1
-        ? [loopsPlace, el('div', { class: 'pair' }, bearing.round, bearing.unwrapped)]
+        ? [loopsPlace, el('div', { class: 'pair wide-right' }, bearing.round, bearing.unwrapped)]
         : [el('div', { class: 'pair' }, loopsPlace, bearing.round), bearing.unwrapped]),
     ),
     part('loads', 'Bump loads', loadSection(groups, selection)),

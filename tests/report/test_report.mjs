@@ -1,0 +1,346 @@
+// Reports in a real browser: the numbers shown are those of the results, what can be moved moves, nothing is fetched.
+//
+// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
+
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { pathToFileURL } from 'node:url';
+
+const { BUMPFOIL_PROGRAM: program, BUMPFOIL_CASE: caseFile } = process.env;
+const { chromium } = createRequire(join(process.env.BUMPFOIL_WEB, 'package.json'))('playwright-core');
+
+const hostileTitle = '</script><img src="x" onerror="alert(1)"> {a|b} \u2028 & <b>bold</b>';
+const steps = 100;
+const directions = [0, 180, 90, 270];
+const prefixes = { p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, k: 1e3, M: 1e6, G: 1e9 };
+
+let folder;
+let browser;
+
+function run(...args) {
+  const done = spawnSync(program, [...args, '--quiet'], { encoding: 'utf8' });
+  assert.equal(done.status, 0, done.stderr);
+}
+
+function summaryOf(name) {
+  return JSON.parse(readFileSync(join(folder, name, 'summary.json'), 'utf8'));
+}
+
+function rowsOf(csv) {
+  const [header, ...lines] = csv.trim().split(/\r?\n/);
+  const names = header.split(',');
+  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], cell])));
+}
+
+/** A report, and everything that goes wrong or out while it is shown. */
+async function open(file, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  const url = pathToFileURL(join(folder, file)).href;
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(String(error)));
+  page.on('console', (message) => faults.push(message.text()));
+  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
+  page.on('request', (request) => {
+    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
+  });
+  await page.goto(url);
+  await page.locator('footer').waitFor();
+  return { page, faults, close: () => context.close() };
+}
+
+async function withReport(file, check, options) {
+  const { page, faults, close } = await open(file, options);
+  await check(page);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+/** "739.3 N" as 739.3, in SI. */
+function quantity(text, base) {
+  const [number, unit = ''] = text.replaceAll('−', '-').split(' ');
+  const prefix = unit.slice(0, unit.length - base.length);
+  assert.ok(unit.endsWith(base) && (prefix === '' || prefix in prefixes), text);
+  return Number(number) * (prefix === '' ? 1 : prefixes[prefix]);
+}
+
+function near(actual, expected, relative, what) {
+  assert.ok(Math.abs(actual - expected) <= relative * Math.abs(expected) + 1e-15, `${what}: ${actual}, not ${expected}`);
+}
+
+async function saved(page, panelName, button) {
+  const download = page.waitForEvent('download');
+  await page.getByRole('region', { name: panelName, exact: true }).getByRole('button', { name: button }).click();
+  const file = await download;
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+/** What is drawn of the foils, and where the bar says that it is. */
+async function state(page) {
+  return {
+    index: Number(await page.locator('.player input').inputValue()),
+    readout: await page.locator('.player output').textContent(),
+    drawing: await page.locator('.unwrapped').innerHTML(),
+    round: await page.locator('.round').innerHTML(),
+  };
+}
+
+async function moveTo(page, index) {
+  await page.locator('.player input').evaluate((slider, value) => {
+    slider.value = String(value);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, index);
+}
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'bumpfoil-report-'));
+  const set = (...pairs) => pairs.flatMap((pair) => ['--set', pair]);
+  run('cycle', caseFile, '-o', join(folder, 'truss'), ...set(`title=${JSON.stringify(hostileTitle)}`, `cycle.steps=${steps}`));
+  run('cycle', caseFile, '-o', join(folder, 'frame'), ...set('bump_foil.model=frame', 'cycle.steps=20', 'cycle.directions=["+X", "37.5 deg"]'));
+  run('report', join(folder, 'truss'), '-o', join(folder, 'one.html'));
+  run('report', join(folder, 'truss'), join(folder, 'frame'), '-o', join(folder, 'two.html'));
+  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox'] });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test('a hostile title is text, and the file is small', () =>
+  withReport('one.html', async (page) => {
+    assert.equal(await page.locator('h1').textContent(), hostileTitle);
+    assert.equal(await page.locator('img, h1 *').count(), 0);
+    assert.ok((await page.title()).startsWith('</script><img'));
+    assert.ok(statSync(join(folder, 'one.html')).size < 3e6);
+  }));
+
+test('the table shows the numbers of summary.json', () =>
+  withReport('one.html', async (page) => {
+    const { cycles } = summaryOf('truss');
+    const units = { _N_per_m: 'N/m', _N: 'N', _J: 'J', _m: 'm', _s: 's' };
+    const rows = page.locator('.results tr[data-key]');
+    const count = await rows.count();
+    assert.ok(count > 15);
+    let compared = 0;
+    for (let i = 0; i < count; i += 1) {
+      const key = await rows.nth(i).getAttribute('data-key');
+      const [unit, ...cells] = await rows.nth(i).locator('td').allTextContents();
+      assert.equal(cells.length, cycles.length);
+      cells.forEach((cell, k) => {
+        const expected = cycles[k][key];
+        if (typeof expected !== 'number' || cell.includes('10')) return;
+        const end = Object.keys(units).find((one) => key.endsWith(one));
+        // Four significant digits, three of the time taken.
+        near(quantity(`${cell} ${unit}`.trim(), end ? units[end] : ''), expected, 6e-3, key);
+        compared += 1;
+      });
+    }
+    assert.ok(compared > 60, `${compared} compared`);
+    assert.deepEqual(await page.locator('[data-key=converged] td').allTextContents(), ['', 'yes', 'yes', 'yes', 'yes']);
+  }));
+
+test('every chart is drawn', () =>
+  withReport('one.html', async (page) => {
+    const charts = page.locator('.chart');
+    const perDirection = 2 * directions.length;
+    assert.equal(await charts.count(), 2 + perDirection);
+    for (let i = 0; i < 2 + perDirection; i += 1) {
+      assert.ok((await charts.nth(i).locator('svg path').count()) > 5, await charts.nth(i).getAttribute('aria-label'));
+    }
+    for (const drawing of ['.round', '.unwrapped']) assert.ok((await page.locator(`${drawing} path`).count()) > 5);
+    const label = await page.locator('#loops .chart').getAttribute('aria-label');
+    for (const [i, name] of ['+X', '−X', '+Y', '−Y'].entries()) {
+      const shown = label.split(`${name} `)[1].split(/[,]/)[0];
+      near(quantity(shown, 'N'), summaryOf('truss').cycles[i].max_force_N, 1e-3, name);
+    }
+  }));
+
+test('the slider and its keys move the bearing', () =>
+  withReport('one.html', async (page) => {
+    const rows = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8'));
+    const slider = page.locator('.player input');
+    const start = await state(page);
+    assert.equal(start.index, steps);
+    await slider.focus();
+    await page.keyboard.press('Home');
+    const first = await state(page);
+    assert.equal(first.index, 0);
+    assert.notEqual(first.drawing, start.drawing);
+    assert.notEqual(first.round, start.round);
+    await moveTo(page, 130);
+    await page.keyboard.press('ArrowRight');
+    const { index, readout } = await state(page);
+    assert.equal(index, 131);
+    const [displacement, force, branch] = readout.split(' · ');
+    const row = rows.find((one) => Number(one.direction_deg) === 0 && Number(one.increment) === 131);
+    near(quantity(displacement, 'm'), Number(row.displacement_m), 1e-3, 'displacement');
+    near(quantity(force, 'N'), Number(row.force_direct_N), 1e-3, 'force');
+    assert.equal(branch, `unloading 131 / ${2 * steps}`);
+    await page.locator('.player select').selectOption('+Y');
+    assert.notEqual((await state(page)).drawing, first.drawing);
+    assert.equal((await state(page)).index, 131);
+  }));
+
+test('play runs along the cycle until it is stopped', () =>
+  withReport('one.html', async (page) => {
+    await moveTo(page, 10);
+    const before = await state(page);
+    await page.getByRole('button', { name: 'Play the cycle' }).click();
+    await page.waitForFunction(() => Number(document.querySelector('.player input').value) > 12);
+    await page.getByRole('button', { name: 'Pause' }).click();
+    const stopped = await state(page);
+    assert.notEqual(stopped.drawing, before.drawing);
+    await sleep(100);
+    assert.equal((await state(page)).index, stopped.index);
+    // From the end it starts anew, and stops there by itself.
+    await moveTo(page, 2 * steps - 2);
+    await page.getByRole('button', { name: 'Play the cycle' }).click();
+    await page.getByRole('button', { name: 'Play the cycle' }).waitFor();
+    assert.equal((await state(page)).index, 2 * steps);
+  }));
+
+test('a click on the loop moves the bearing there, and the mark on the loop follows the bearing', () =>
+  withReport('one.html', async (page) => {
+    const mark = page.locator('#loops .cursor.point');
+    await moveTo(page, 75);
+    const wanted = await state(page);
+    const there = await mark.boundingBox();
+    await moveTo(page, 180);
+    const elsewhere = await mark.boundingBox();
+    assert.ok(Math.hypot(there.x - elsewhere.x, there.y - elsewhere.y) > 50);
+    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    const reached = await state(page);
+    assert.deepEqual(reached, wanted);
+    assert.deepEqual(await mark.boundingBox(), there);
+    // Values with units stand beside the pointer.
+    const tip = await page.locator('#loops .tip').textContent();
+    const cycle = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8')).find(
+      (one) => Number(one.direction_deg) === 0 && Number(one.increment) === 75,
+    );
+    assert.match(tip, /75, loading/);
+    near(quantity(tip.split('Direct force')[1].split('Cross')[0], 'N'), Number(cycle.force_direct_N), 1e-3, tip);
+  }));
+
+test('data and drawings can be saved', () =>
+  withReport('one.html', async (page) => {
+    const loops = await saved(page, 'Loops', /CSV/);
+    assert.match(loops.name, /^loops-.*\.csv$/);
+    const shown = rowsOf(loops.bytes.toString());
+    const expected = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8'));
+    assert.equal(shown.length, expected.length);
+    shown.forEach((row, i) => {
+      for (const name of ['direction_deg', 'increment', 'displacement_m', 'force_direct_N', 'force_cross_N']) {
+        // Seven digits; what rounding left of zero counts against a newton and a micrometre.
+        const floor = name.endsWith('_N') ? 1e-6 : 1e-12;
+        assert.ok(Math.abs(row[name] - expected[i][name]) <= 6e-7 * Math.abs(expected[i][name]) + floor, `${name} of row ${i}`);
+      }
+      assert.equal(row.branch, expected[i].branch);
+    });
+    const results = rowsOf((await saved(page, 'Results by direction', /CSV/)).bytes.toString());
+    near(Number(results.find((row) => row.quantity === 'loop_energy_J')['90 deg']), summaryOf('truss').cycles[2].loop_energy_J, 1e-6, 'loop energy');
+    for (const name of ['Loops', 'The foils, laid flat', 'The bearing', 'Contact states along the path']) {
+      const drawing = (await saved(page, name, /SVG/)).bytes.toString();
+      assert.match(drawing, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
+      assert.doesNotMatch(drawing, /NaN|undefined/);
+      const picture = (await saved(page, name, /PNG/)).bytes;
+      assert.deepEqual([...picture.subarray(1, 4)], [...Buffer.from('PNG')]);
+      assert.ok(picture.length > 5000, name);
+    }
+  }));
+
+test('loads and states are those of the results', () =>
+  withReport('one.html', async (page) => {
+    const loads = await page.locator('#loads .panel').nth(2).getByRole('button', { name: /CSV/ });
+    const download = page.waitForEvent('download');
+    await loads.click();
+    const rows = rowsOf(readFileSync(await (await download).path(), 'utf8'));
+    const expected = summaryOf('truss').cycles[2].bump_loads_N;
+    assert.equal(rows.length, expected.length);
+    rows.forEach((row, i) => assert.ok(Math.abs(row.normal_force_N - expected[i]) <= 1e-6 * Math.abs(expected[i]) + 1e-6));
+    const states = rowsOf((await saved(page, 'Contact states along the path', /CSV/)).bytes.toString());
+    assert.equal(states.length, 3 * 26 * (2 * steps + 1));
+    const closed = states.filter((row) => row.increment === String(steps) && row.interface === 'top_bump' && row.state !== 'open');
+    assert.equal(closed.length, summaryOf('truss').cycles[0].bump_loads_N.filter((load) => load > 0).length);
+  }));
+
+test('runs are compared in the same charts', () =>
+  withReport('two.html', async (page) => {
+    assert.deepEqual(await page.locator('.results thead tr').nth(1).locator('th').allTextContents(), ['truss', 'frame', 'truss', 'truss', 'truss', 'frame']);
+    const [, ...cells] = await page.locator('[data-key=max_force_N] td').allTextContents();
+    near(Number(cells[1]), summaryOf('frame').cycles[0].max_force_N, 1e-3, 'frame +X');
+    near(Number(cells[5]), summaryOf('frame').cycles[1].max_force_N, 1e-3, 'frame 37.5 deg');
+    const loops = page.getByRole('region', { name: 'Loops, +X' });
+    for (const name of ['truss', 'frame']) assert.equal(await loops.locator('text', { hasText: name }).count(), 1);
+    assert.match(await page.locator('.case .differs').allTextContents().then(String), /Model.*truss.*frame/);
+    const truss = await state(page);
+    await page.getByRole('combobox', { name: 'Run' }).selectOption('frame');
+    const frame = await state(page);
+    assert.equal(frame.index, 20);
+    assert.notEqual(frame.drawing, truss.drawing);
+    near(quantity(frame.readout.split(' · ')[1], 'N'), summaryOf('frame').cycles[0].max_force_N, 1e-3, 'frame');
+  }));
+
+test('a partial run is shown as far as it got, and called partial', async () => {
+  const target = join(folder, 'partial');
+  const running = spawn(program, ['cycle', caseFile, '-o', target, '--quiet', '--set', 'cycle.steps=20000']);
+  const ended = new Promise((resolve) => running.on('exit', resolve));
+  while (!existsSync(target)) await sleep(5);
+  await sleep(200);
+  running.kill('SIGINT');
+  assert.equal(await ended, 130);
+  run('report', target, '-o', join(folder, 'partial.html'));
+  await withReport('partial.html', async (page) => {
+    const warnings = await page.locator('.warnings').textContent();
+    assert.match(warnings, /partial: the run was interrupted/);
+    assert.match(warnings, /−Y was not begun/);
+    assert.ok((await page.locator('.unwrapped path').count()) > 5);
+    await page.locator('.player select').selectOption('−Y');
+    assert.equal(await page.locator('.player output').textContent(), 'this direction was not begun');
+  });
+});
+
+test('it fits every width, in light and dark, and on paper', async () => {
+  const colours = new Set();
+  for (const width of [360, 1280, 2560]) {
+    for (const colorScheme of ['light', 'dark']) {
+      await withReport(
+        'one.html',
+        async (page) => {
+          assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
+          colours.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
+        },
+        { viewport: { width, height: 800 }, colorScheme },
+      );
+    }
+  }
+  assert.equal(colours.size, 2);
+  await withReport('one.html', async (page) => {
+    const light = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    await page.getByRole('button', { name: 'Dark' }).click();
+    assert.notEqual(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), light);
+    assert.ok((await page.pdf()).length > 20_000);
+  });
+});
+
+test('the keyboard alone reaches what can be chosen', () =>
+  withReport('one.html', async (page) => {
+    const reached = new Set();
+    for (let i = 0; i < 120; i += 1) {
+      await page.keyboard.press('Tab');
+      reached.add(await page.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.textContent));
+    }
+    for (const name of ['Increment of the cycle', 'Play the cycle', 'Direction', 'Magnification of displacements', 'Loops: save the data as CSV', 'Cross']) {
+      assert.ok(reached.has(name), name);
+    }
+    const foils = page.locator('.unwrapped');
+    await foils.focus();
+    await page.keyboard.press('ArrowRight');
+    assert.match(await page.locator('.bump-values').textContent(), /^Bump 1: load/);
+  }));

@@ -1,0 +1,225 @@
+#include "bumpfoil/io/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <netcdf>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/result_netcdf.hpp"
+#include "bumpfoil/io/summary.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+using testing::TemporaryFolder;
+
+Case short_case() {
+  Case input = reference_case();
+  input.cycle.directions = {0.0, 0.5 * std::numbers::pi};
+  input.cycle.steps = 5;
+  input.bump_foil.height_errors.assign(26, 0.0);
+  input.bump_foil.height_errors[2] = 10e-6;
+  return input;
+}
+
+/// A run that failed at increment 3 of its first direction.
+CycleResult failed_at_increment_three() {
+  CycleResult result = run_cycles(short_case());
+  result.cycles.resize(1);
+  Cycle& cycle = result.cycles[0];
+  cycle.converged = false;
+  cycle.increments.resize(4);
+  cycle.turning_point.reset();
+  cycle.loop_energy.reset();
+  cycle.loss_factor.reset();
+  return result;
+}
+
+/// The folder of a run.
+class Results {
+ public:
+  explicit Results(const CycleResult& result, const Case& input = short_case(),
+                   RunStatus status = RunStatus::complete) {
+    folder_.write("summary.json", summary_json(input, result, status));
+    write_result_netcdf(folder_.path() / "result.nc", input, result, status, {});
+  }
+  [[nodiscard]] std::filesystem::path path() const { return folder_.path(); }
+  [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+std::vector<std::uint8_t> decode(const std::string& text) {
+  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char letter : text) {
+    if (letter == '=') break;
+    bits = bits << 6 | static_cast<std::uint32_t>(alphabet.find(letter));
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      bytes.push_back(static_cast<std::uint8_t>(bits >> count));
+    }
+  }
+  return bytes;
+}
+
+std::vector<float> numbers_of(const json& text) {
+  const std::vector<std::uint8_t> bytes = decode(text.get<std::string>());
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+    const std::uint32_t bits = bytes[i] | static_cast<std::uint32_t>(bytes[i + 1]) << 8 |
+                               static_cast<std::uint32_t>(bytes[i + 2]) << 16 |
+                               static_cast<std::uint32_t>(bytes[i + 3]) << 24;
+    numbers.push_back(std::bit_cast<float>(bits));
+  }
+  return numbers;
+}
+
+std::vector<Fault> faults_of(const std::vector<std::filesystem::path>& folders) {
+  try {
+    report_json(folders);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::file);
+    return error.faults();
+  }
+  return {};
+}
+
+TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
+  const CycleResult result = run_cycles(short_case());
+  const Results results(result);
+  const json report = json::parse(report_json({results.path()}));
+  EXPECT_EQ(report.at("schema"), "bumpfoil-report/1");
+  EXPECT_EQ(report.at("version"), version());
+  const json& run = report.at("runs").at(0);
+  EXPECT_EQ(run.at("name"), results.path().string());
+  EXPECT_EQ(run.at("kind"), "cycle");
+  EXPECT_EQ(run.at("summary"), json::parse(results.folder().read("summary.json")));
+  EXPECT_EQ(run.at("attributes").at("status"), "complete");
+  EXPECT_EQ(run.at("nodes"), (json{{"bump", 26}, {"foot", 26}}));
+  EXPECT_EQ(run.at("geometry").at("bearing_radius"), 19.05e-3);
+  EXPECT_EQ(run.at("geometry").at("height_error").at(2), 10e-6);
+  ASSERT_EQ(run.at("directions").size(), 2U);
+  for (std::size_t d = 0; d < 2; ++d) {
+    const json& direction = run.at("directions").at(d);
+    const std::vector<Increment>& increments = result.cycles[d].increments;
+    EXPECT_EQ(direction.at("direction_deg"), 90.0 * static_cast<double>(d));
+    EXPECT_EQ(direction.at("increments").size(), 11U);
+    const std::vector<float> force = numbers_of(direction.at("series").at("force_direct"));
+    const json& loads = direction.at("fields").at("normal_force_top_bump");
+    EXPECT_EQ(loads.at("at"), "bump");
+    const std::vector<float> load = numbers_of(loads.at("values"));
+    const std::vector<std::uint8_t> state = decode(direction.at("fields").at("state_bump_sleeve").at("values"));
+    ASSERT_EQ(force.size(), 11U);
+    ASSERT_EQ(load.size(), 11U * 26U);
+    ASSERT_EQ(state.size(), 11U * 26U);
+    for (std::size_t i = 0; i < 11; ++i) {
+      EXPECT_EQ(force[i], static_cast<float>(increments[i].force_direct));
+      for (std::size_t bump = 0; bump < 26; ++bump) {
+        const auto node = static_cast<Eigen::Index>(bump);
+        EXPECT_EQ(load[26 * i + bump], static_cast<float>(increments[i].top_bump.normal_force[node]));
+        EXPECT_EQ(state[26 * i + bump], static_cast<std::uint8_t>(increments[i].bump_sleeve.mode[bump]));
+      }
+    }
+    EXPECT_FALSE(direction.at("fields").contains("gap_top_bump"));
+  }
+}
+
+TEST(Report, EndsWhereAPartialRunEnded) {
+  const Results results(failed_at_increment_three(), short_case(), RunStatus::failed);
+  const std::string text = report_json({results.path()});
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+  const json run = json::parse(text).at("runs").at(0);
+  EXPECT_EQ(run.at("attributes").at("status"), "partial");
+  EXPECT_EQ(run.at("directions").at(0).at("increments"), (json{0, 1, 2, 3}));
+  EXPECT_EQ(numbers_of(run.at("directions").at(0).at("series").at("work")).size(), 4U);
+  EXPECT_EQ(run.at("directions").at(1).at("increments"), json::array());
+  EXPECT_EQ(run.at("directions").at(1).at("series").at("work"), "");
+}
+
+TEST(Report, ThinsWhatIsTooMuchButKeepsTheTurningPoint) {
+  const Results results(run_cycles(short_case()));
+  const json whole = json::parse(report_json({results.path()}));
+  // 2 directions, 11 increments, 26 bumps, 13 fields are 7436 numbers: every third increment fits.
+  const json thinned = json::parse(report_json({results.path()}, 7436 / 3 + 1));
+  const json& direction = thinned.at("runs").at(0).at("directions").at(1);
+  EXPECT_EQ(direction.at("increments"), (json{0, 3, 5, 8, 10}));
+  const std::vector<float> all =
+      numbers_of(whole.at("runs").at(0).at("directions").at(1).at("fields").at("crest_v").at("values"));
+  const std::vector<float> some = numbers_of(direction.at("fields").at("crest_v").at("values"));
+  ASSERT_EQ(some.size(), 5U * 26U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto increment = direction.at("increments").at(i).get<std::size_t>();
+    for (std::size_t bump = 0; bump < 26; ++bump) EXPECT_EQ(some[26 * i + bump], all[26 * increment + bump]);
+  }
+}
+
+TEST(Report, ComparesSeveralFolders) {
+  Case frame = short_case();
+  frame.bump_foil.model = BumpFoilModel::frame;
+  const Results a(run_cycles(short_case()));
+  const Results b(run_cycles(frame), frame);
+  const json report = json::parse(report_json({a.path(), b.path()}));
+  ASSERT_EQ(report.at("runs").size(), 2U);
+  EXPECT_EQ(report.at("runs").at(1).at("name"), b.path().string());
+  EXPECT_EQ(report.at("runs").at(1).at("nodes").at("foot"), 52);
+}
+
+TEST(Report, NamesEveryFolderThatHoldsNoResult) {
+  const Results good(run_cycles(short_case()));
+  const TemporaryFolder empty;
+  const TemporaryFolder broken;
+  broken.write("summary.json", "{}");
+  broken.write("result.nc", "no netCDF at all");
+  const Results cut(run_cycles(short_case()));
+  cut.folder().write("summary.json", "{\"schema\": ");
+  const std::vector<Fault> faults = faults_of(
+      {empty.path() / "nowhere", good.path(), empty.path(), good.path() / "summary.json", broken.path(), cut.path()});
+  ASSERT_EQ(faults.size(), 5U);
+  EXPECT_EQ(faults[0].file, (empty.path() / "nowhere").string());
+  EXPECT_EQ(faults[0].what, "does not exist");
+  EXPECT_EQ(faults[1].what, "holds no results: result.nc is missing");
+  EXPECT_EQ(faults[2].what, "is no folder");
+  EXPECT_EQ(faults[3].file, (broken.path() / "result.nc").string());
+  EXPECT_NE(faults[3].what.find("cannot be read"), std::string::npos);
+  EXPECT_EQ(faults[4].what, "cannot be read: it is no JSON");
+}
+
+TEST(Report, TakesNoOtherNetcdfForAResult) {
+  const Results results(run_cycles(short_case()));
+  netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::replace).putAtt("schema", "other/1");
+  const std::vector<Fault> faults = faults_of({results.path()});
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].what, "is no result of this program");
+}
+
+TEST(Report, KeepsHostileTextsInsideTheirScriptElement) {
+  Case input = short_case();
+  input.title = "</script><img src=x onerror=alert(1)> <!-- \xe2\x80\xa8 \" \\ \xff";
+  const Results results(run_cycles(input), input);
+  const std::string data = report_json({results.path()});
+  const std::string page = fill_report("<script>@bumpfoil-report-data@</script><p>after</p>", data);
+  EXPECT_EQ(page.find("<script>"), 0U);
+  EXPECT_EQ(page.find('<', 1), page.find("</script><p>after</p>"));
+  const std::string between = page.substr(8, page.find("</script>") - 8);
+  const json title = json::parse(between).at("runs").at(0).at("attributes").at("title");
+  // What is no UTF-8 is mended, all else is kept.
+  EXPECT_EQ(title, "</script><img src=x onerror=alert(1)> <!-- \xe2\x80\xa8 \" \\ \xef\xbf\xbd");
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,102 @@
+import { describe, expect, it } from 'vitest';
+import { stretchesOf } from '../src/charts/stretches';
+import { labelOffsets } from '../src/charts/label_offsets';
+import { toCsv } from '../src/data/csv';
+import { decodeFlags, decodeNumbers } from '../src/data/decode';
+import type { DirectionData } from '../src/data/format';
+import { Direction, directionName, largest, shortNames } from '../src/data/run';
+
+function base64(bytes: ArrayBuffer): string {
+  return btoa(String.fromCharCode(...new Uint8Array(bytes)));
+}
+
+/** Two bumps, `states` increment by increment. */
+function direction(displacement: number[], steps: number, states: number[][]): Direction {
+  const data: DirectionData = {
+    direction_deg: 90,
+    increments: displacement.map((_, i) => i),
+    series: { displacement: base64(new Float32Array(displacement).buffer) },
+    fields: { state_top_bump: { at: 'bump', values: base64(new Int8Array(states.flat()).buffer) } },
+  };
+  return new Direction(data, { bump: 2, foot: 2 }, undefined, steps, Math.max(...displacement));
+}
+
+describe('base64', () => {
+  it('gives numbers and flags back, NaN for what is absent', () => {
+    const numbers = new Float32Array([1.5, -3e-6, NaN, 0]);
+    expect([...decodeNumbers(base64(numbers.buffer))]).toEqual([...numbers]);
+    expect([...decodeFlags(base64(new Int8Array([0, 3, -127]).buffer))]).toEqual([0, 3, -127]);
+    expect(decodeNumbers('')).toHaveLength(0);
+  });
+});
+
+describe('directions', () => {
+  it('are named after the axes', () => {
+    expect([0, 90, 180, 270, -90, 360, 37.5].map(directionName)).toEqual(['+X', '+Y', '−X', '−Y', '−Y', '+X', '37.5°']);
+  });
+
+  it('know their turning point and their way', () => {
+    const whole = direction([0, 1, 2, 1, 0], 2, []);
+    expect(whole.turning).toBe(2);
+    expect([0, 1, 2, 3, 4].map((i) => whole.path(i))).toEqual([0, 1, 2, 3, 4]);
+  });
+
+  it('end where the run ended', () => {
+    const broken = direction([0, 1], 2, []);
+    expect(broken.turning).toBe(1);
+    expect(broken.size).toBe(2);
+    expect(broken.value('work', 0)).toBeNaN();
+    expect(broken.field('crest_u').at(0, 0)).toBeNaN();
+  });
+});
+
+describe('contact states', () => {
+  it('are joined while they last, and left out where open', () => {
+    const states = [
+      [0, 1],
+      [2, 1],
+      [2, 3],
+      [0, 3],
+      [2, 3],
+    ];
+    expect(stretchesOf(direction([0, 1, 2, 1, 0], 2, states), 'top_bump')).toEqual([
+      { node: 0, state: 'slip forward', first: 1, last: 2 },
+      { node: 0, state: 'slip forward', first: 4, last: 4 },
+      { node: 1, state: 'stick', first: 0, last: 1 },
+      { node: 1, state: 'slip backward', first: 2, last: 4 },
+    ]);
+  });
+});
+
+describe('files', () => {
+  it('quote what needs it and leave out what is not known', () => {
+    expect(toCsv(['a', 'b'], [['x,"y"\n', null], [NaN, 0.1]])).toBe('a,b\r\n"x,""y""\n",\r\n,0.1\r\n');
+  });
+
+  it('have seven digits of a number of 32 bits', () => {
+    expect(toCsv(['a'], [[Math.fround(7.95e-5)]])).toBe('a\r\n0.0000795\r\n');
+  });
+});
+
+describe('names of runs', () => {
+  it('are as short as they can be', () => {
+    expect(shortNames(['/a/truss', '/a/frame'])).toEqual(['truss', 'frame']);
+    expect(shortNames(['/a/run', '/b/run'])).toEqual(['a/run', 'b/run']);
+    expect(shortNames(['/a/run', '/a/run'])).toEqual(['/a/run (1)', '/a/run (2)']);
+  });
+});
+
+describe('labels', () => {
+  it('keep apart, in their order', () => {
+    const heights = [100, 102, 60];
+    const placed = labelOffsets(heights).map((offset, i) => offset + (heights[i] ?? 0));
+    expect(placed[1]! - placed[0]!).toBeCloseTo(15);
+    expect(placed[0]! - placed[2]!).toBeGreaterThan(15);
+    expect(labelOffsets([5])).toEqual([0]);
+  });
+});
+
+it('finds the largest size among what is known', () => {
+  expect(largest([1, -3, NaN], new Float32Array([2]))).toBe(3);
+  expect(largest([])).toBe(0);
+});

@@ -1,0 +1,92 @@
+import { describe, expect, it } from 'vitest';
+import { BearingGeometry, shapeAt, undeformedGap } from '../src/bearing/shape';
+import type { DirectionData, RunData } from '../src/data/format';
+import { Run } from '../src/data/run';
+
+function base64(numbers: number[]): string {
+  return btoa(String.fromCharCode(...new Uint8Array(new Float32Array(numbers).buffer)));
+}
+
+/** Two bumps of pitch 4 mm on a radius of 10 mm, clearance 30 um; the journal is 50 um below the centre. */
+function run(feet: number): Run {
+  const field = (at: 'bump' | 'foot', numbers: number[]): DirectionData['fields'][string] => ({ at, values: base64(numbers) });
+  const footPlaces = feet === 2 ? [4e-3, 8e-3] : [0.5e-3, 3.5e-3, 4.5e-3, 7.5e-3];
+  const data: RunData = {
+    name: '/results',
+    kind: 'cycle',
+    attributes: {},
+    summary: {
+      case: { bearing: { weld_angle: Math.PI, wrap: 'clockwise' }, cycle: { amplitude: 50e-6, steps: 1 } },
+      version: '',
+      commit: '',
+      solver: 'newton',
+      status: 'complete',
+      cycles: [],
+    },
+    geometry: {
+      bearing_radius: 10e-3,
+      bump_pitch: 4e-3,
+      bump_half_length: 1.5e-3,
+      bump_rise: 0.4e-3,
+      radial_clearance: 30e-6,
+      theta: [0.2, 0.6],
+      foot_theta: footPlaces.map((place) => place / 10e-3),
+      height_error: [0, 7e-6],
+      sleeve_gap: [0, 0],
+    },
+    nodes: { bump: 2, foot: feet },
+    directions: [
+      {
+        direction_deg: 270,
+        increments: [0],
+        series: { displacement: base64([50e-6]), x: base64([0]), y: base64([-50e-6]) },
+        fields: {
+          crest_u: field('bump', [1e-6, 2e-6]),
+          crest_v: field('bump', [20e-6, 0]),
+          foot_u: field('foot', footPlaces.map((_, i) => i * 1e-6)),
+          foot_v: field('foot', footPlaces.map(() => 0)),
+          top_displacement: field('bump', [20e-6, 5e-6]),
+        },
+      },
+    ],
+  };
+  return new Run(data, 'results');
+}
+
+function shapeOf(feet: number): ReturnType<typeof shapeAt> {
+  const one = run(feet);
+  return shapeAt(new BearingGeometry(one), one.directions[0]!, 0);
+}
+
+describe('shape', () => {
+  it('moves crests and top foil inwards where they are displaced outwards by less', () => {
+    const { crests, topNodes } = shapeOf(2);
+    expect(crests[0]!.moveIn).toBeCloseTo(-20e-6, 10);
+    // A taller bump stands out by its error.
+    expect(crests[1]!.moveIn).toBeCloseTo(7e-6, 10);
+    expect(topNodes[1]!.moveIn).toBeCloseTo(-5e-6, 10);
+    expect(crests[1]!.along).toBeCloseTo(6e-3, 10);
+  });
+
+  it('passes through feet and crests of a truss, from the weld to half a flat after the last bump', () => {
+    const { bumpFoil } = shapeOf(2);
+    expect(bumpFoil[0]).toEqual({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
+    const crest = bumpFoil.find((point) => Math.abs(point.along - 2e-3) < 1e-9)!;
+    expect(crest.height).toBeCloseTo(0.4e-3, 10);
+    expect(crest.moveIn).toBeCloseTo(-20e-6, 10);
+    expect(bumpFoil[bumpFoil.length - 1]!.along).toBeCloseTo(8e-3, 8);
+  });
+
+  it('ends with the arc of the last bump in a frame', () => {
+    const { bumpFoil } = shapeOf(4);
+    expect(bumpFoil[bumpFoil.length - 1]!.along).toBeCloseTo(7.5e-3, 8);
+    expect(bumpFoil[bumpFoil.length - 1]!.moveAlong).toBeCloseTo(3e-6, 10);
+  });
+
+  it('has the gap of the journal that the conventions say', () => {
+    const geometry = new BearingGeometry(run(2));
+    // With the defaults C_r + x cos(theta) - y sin(theta).
+    expect(undeformedGap(geometry, 2e-3, 0, -50e-6)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
+    expect(shapeOf(2).journal[0]!.moveIn).toBeCloseTo(30e-6, 10);
+  });
+});
