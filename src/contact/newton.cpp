@@ -13,8 +13,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Events within an increment beyond which following them is no longer the cheaper method.
-constexpr int most_pieces = 100;
+/// Events within an increment, per contact, beyond which following them is no longer the cheaper method.
+constexpr int most_pieces_per_contact = 2;
 
 /// Rounds of mode changes after each update of the multipliers, which will show better modes next time.
 constexpr int rounds_per_multiplier_update = 2;
@@ -59,7 +59,7 @@ struct NewtonSolver::Workspace {
         options(newton_options),
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
-        follower(contact_problem, modes, {.max_pieces = most_pieces}),
+        follower(contact_problem, modes, {.max_pieces = most_pieces_per_contact * contact_problem.contacts()}),
         path_end(ContactState::unstressed(contact_problem)),
         x(contact_problem.K.rows()),
         gradient(x),
@@ -67,6 +67,9 @@ struct NewtonSolver::Workspace {
     for (Vector* each : {&lambda, &mu, &bound, &p, &t, &normal_stiffness, &tangential_stiffness, &last_normal_stiffness,
                          &last_tangential_stiffness}) {
       each->setZero(problem.contacts());
+    }
+    for (const Matrix& block : problem.K.diagonal) {
+      penalty = std::max(penalty, options.penalty * block.diagonal().cwiseAbs().maxCoeff());
     }
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     trial.reserve(contacts);
@@ -92,6 +95,7 @@ struct NewtonSolver::Workspace {
 
   ContactProblem problem;
   NewtonOptions options;
+  double penalty{0.0};                ///< N/m
   std::shared_ptr<ModeSystem> modes;  ///< shared with the follower, whose last factors are often the ones needed
   std::unique_ptr<PenaltySystem> penalties;
   EventFollower follower;
@@ -214,16 +218,16 @@ void NewtonSolver::Workspace::evaluate(const ContactLoading& loading, const Cont
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const Eigen::Index c = contact.index;
     const double gap = loading.initial_gap[c] + contact.gap(x);
-    const double trial_normal = lambda[c] - options.penalty * gap;
+    const double trial_normal = lambda[c] - penalty * gap;
     p[c] = std::max(0.0, trial_normal);
-    normal_stiffness[c] = trial_normal > 0.0 ? options.penalty : 0.0;
+    normal_stiffness[c] = trial_normal > 0.0 ? penalty : 0.0;
     t[c] = 0.0;
     tangential_stiffness[c] = 0.0;
     if (contact.f > 0.0) {
       const double slip = contact.tangential(x) - contact.tangential(previous.x);
-      const double trial_friction = mu[c] - options.penalty * slip;
+      const double trial_friction = mu[c] - penalty * slip;
       t[c] = std::clamp(trial_friction, -bound[c], bound[c]);
-      tangential_stiffness[c] = std::abs(trial_friction) < bound[c] ? options.penalty : 0.0;
+      tangential_stiffness[c] = std::abs(trial_friction) < bound[c] ? penalty : 0.0;
     }
     contact.add_forces(p[c], t[c], -1.0, gradient);
   });
@@ -238,11 +242,11 @@ double NewtonSolver::Workspace::line_search(const ContactLoading& loading, const
     const Eigen::Index c = contact.index;
     const double gap = loading.initial_gap[c] + contact.gap(x);
     const double gap_rate = contact.gap(step);
-    terms.push_back({gap_rate, lambda[c] - options.penalty * gap, options.penalty * gap_rate, 0.0, HUGE_VAL});
+    terms.push_back({gap_rate, lambda[c] - penalty * gap, penalty * gap_rate, 0.0, HUGE_VAL});
     if (contact.f > 0.0) {
       const double slip = contact.tangential(x) - contact.tangential(previous.x);
       const double slip_rate = contact.tangential(step);
-      terms.push_back({slip_rate, mu[c] - options.penalty * slip, options.penalty * slip_rate, -bound[c], bound[c]});
+      terms.push_back({slip_rate, mu[c] - penalty * slip, penalty * slip_rate, -bound[c], bound[c]});
     }
   });
   return exact_step(constant, rate, terms, kinks);
