@@ -6,6 +6,7 @@ if (!exists("loads")) loads = "loads.csv"
 if (!exists("heights")) heights = "heights.csv"
 if (!exists("foils")) foils = "foils.csv"
 if (!exists("contacts")) contacts = "contacts.csv"
+if (!exists("finite_elements")) finite_elements = "finite_elements.csv"
 
 set datafile separator comma
 set datafile columnheaders
