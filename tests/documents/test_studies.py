@@ -46,6 +46,19 @@ def quantity(study, run, direction, key="max_force_N"):
     return float(rows(study, "quantities", run, direction)[0][key])
 
 
+def elements(direction, key="force_direct_N"):
+    """A column of the finite elements beside figure 12."""
+    rows_of = [row for row in table("figure12", "finite_elements") if float(row["direction_deg"]) == DIRECTIONS[direction]]
+    return [float(row[key]) for row in rows_of]
+
+
+def loop_energy(forces_of, displacements):
+    return sum(
+        0.5 * (forces_of[i] + forces_of[i - 1]) * (displacements[i] - displacements[i - 1])
+        for i in range(1, len(forces_of))
+    )
+
+
 def loads(study, run, direction, key="bump_load_N"):
     return [float(row[key]) for row in rows(study, "loads", run, direction)]
 
@@ -175,6 +188,18 @@ def claims():
     def against(model, key):
         return [change(quantity("figure12", "truss", d, key), quantity("figure12", model, d, key)) for d in every]
 
+    def against_elements(model):
+        """Force and loop energy for the bumps of the finite elements."""
+        run = f"{model}-midsurface"
+        of_force = [change(quantity("figure12", run, d), elements(d)[100]) for d in every]
+        of_loop = [
+            change(
+                quantity("figure12", run, d, "loop_energy_J"), loop_energy(elements(d), elements(d, "displacement_m"))
+            )
+            for d in every
+        ]
+        return texts(of_force, 1, signed=True) + texts(of_loop, 1, signed=True)
+
     def scatter_against_frame(key):
         return [
             change(truss, frame)
@@ -223,7 +248,9 @@ def claims():
         17: [t for d in ("+Y", "−X") for t in texts([steepest(d, "friction", m) for m in ("present", "former")])],
         18: texts(against("frame", "max_force_N"), 1, signed=True)
         + texts(against("frame-nonlinear", "max_force_N"), 1, signed=True)
-        + texts(against("frame-nonlinear", "loop_energy_J"), 1, signed=True),
+        + texts(against("frame-nonlinear", "loop_energy_J"), 1, signed=True)
+        + against_elements("truss")
+        + against_elements("frame"),
         22: texts([100 * sigma / 508 for sigma in SIGMAS], 1),
         23: texts([f(scatter_against_frame("max_force_N")) for f in (min, max)], 1, signed=True),
         24: [text(sum(v > 0 for v in scatter_against_frame("max_force_N")))],
@@ -359,6 +386,14 @@ class Pages(unittest.TestCase):
         for n, line in lines.items():
             self.assertRegex(line.split("|")[3].strip(), r"^(met|partly met|not met|not checkable)$", n)
         self.assertEqual(bold_numbers(page.split("## Where we differ")[1]), arguments())
+
+    def test_finite_elements_are_those_of_the_verification(self):
+        records = json.loads((ROOT / "tests/data/fe/full_bearing.json").read_text(encoding="utf-8"))["rows"]
+        for name, degrees in DIRECTIONS.items():
+            held = [r for r in records if (r["variant"], r["friction"], r["direction_deg"]) == ("held", 0.1, degrees)]
+            self.assertEqual(len(held), 1)
+            for key in ("displacement_m", "force_direct_N", "force_cross_N"):
+                self.assertEqual(elements(name, key), held[0][key])
 
     def test_tables_of_the_studies(self):
         page = (ROOT / "docs/studies.md").read_text(encoding="utf-8")
