@@ -213,6 +213,9 @@ def claims():
         fives, tens = (scattered(f"clearance_{n}N_m", sigma) for n in (5, 10))
         return [*range_texts([1e6 * v for v in fives]), *range_texts([1e6 * v for v in tens])]
 
+    def perfect_clearance(newtons):
+        return quantity("figure13", "perfect", "+X", f"clearance_{newtons}N_m")
+
     thin = "frictionless-top_foil_0.0102mm"
     return {
         1: [text(2.5 * 31.8, 1), text(1.5 * 31.8, 1)],
@@ -256,22 +259,23 @@ def claims():
         24: [text(sum(v > 0 for v in scatter_against_frame("max_force_N")))],
         25: texts([f(scatter_against_frame("loop_energy_J")) for f in (min, max)], 1, signed=True),
         26: [text(quantity("clearance", "clearance_-10um", "+X", "initial_journal_load_N"))],
-        27: texts([1e6 * quantity("figure13", "perfect", "+X", f"clearance_{n}N_m") for n in (5, 10)], 1),
-        28: estimates(10) + estimates(20),
-        29: texts(scattered("initial_journal_load_N", 20), 1),
-        30: [text(sum(v > 0 for v in scattered("initial_journal_load_N", 10)))]
+        27: texts([1e6 * perfect_clearance(n) for n in (5, 10)], 1),
+        28: [text(1e6 * (perfect_clearance(10) - perfect_clearance(5)), 1)],
+        29: estimates(10) + estimates(20),
+        30: texts(scattered("initial_journal_load_N", 20), 1),
+        31: [text(sum(v > 0 for v in scattered("initial_journal_load_N", 10)))]
         + texts([tall_bump_probability(sigma) for sigma in SIGMAS]),
-        31: [
+        32: [
             t
             for interface in ("top_bump", "journal_top", "bump_sleeve")
             for t in texts(changes_of_state("figure16", "scatter20-bearing4", "+X", interface))
         ],
-        32: [
+        33: [
             rows("figure10", "contacts", present, "+X")[100][f"closed_{interface}"]
             for interface in ("journal_top", "top_bump", "bump_sleeve")
         ]
         + [text(sum(changes_of_state("figure10", present, d, "top_bump", 101)[0] for d in every))],
-        36: [text(halved_increments())],
+        37: [text(halved_increments())],
     }
 
 
