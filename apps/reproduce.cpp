@@ -108,6 +108,9 @@ class StudyWriter {
       const StudyTable& table = tables.emplace_back(make_study_table(kind, study_, results_));
       plot_files[table.name] = folder_.stage(table.name + ".csv", table_csv(table)).string();
     }
+    for (const StudyData& data : study_.data) {
+      plot_files[std::string(data.name)] = folder_.stage(std::string(data.name) + ".csv", data.csv).string();
+    }
     plot_files["picture"] = folder_.stage("picture.svg").string();
     const PlotStatus plotted = run_gnuplot(folder_.stage("picture.gp", study_.plot_script), plot_files);
     if (plotted != PlotStatus::drawn) folder_.discard("picture.svg");

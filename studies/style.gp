@@ -6,6 +6,7 @@ if (!exists("loads")) loads = "loads.csv"
 if (!exists("heights")) heights = "heights.csv"
 if (!exists("foils")) foils = "foils.csv"
 if (!exists("contacts")) contacts = "contacts.csv"
+if (!exists("finite_elements")) finite_elements = "finite_elements.csv"
 
 set datafile separator comma
 set datafile columnheaders
@@ -26,7 +27,7 @@ panel_width = 430.0
 panel_height = 300.0
 panels(columns, rows) = sprintf("set terminal svg size %d, %d font 'DejaVu Sans,12' background 'white' enhanced; ", \
                                 columns * panel_width + 15, rows * panel_height) . \
-  sprintf("set output '%s'; set multiplot layout %d, %d margins screen %g, %g, %g, %g ", picture, rows, columns, \
+  sprintf("set output picture; set multiplot layout %d, %d margins screen %g, %g, %g, %g ", rows, columns, \
           70.0 / (columns * panel_width + 15), 1 - 15.0 / (columns * panel_width + 15), \
           55.0 / (rows * panel_height), 1 - 28.0 / (rows * panel_height)) . \
   sprintf("spacing screen %g, %g", 75.0 / (columns * panel_width + 15), 88.0 / (rows * panel_height))

@@ -119,6 +119,13 @@ StudyTableKind table_kind(const DescriptionReader& reader, std::string_view name
   reader.fail("tables", fmt::format("there is no table \"{}\"", name));
 }
 
+StudyData data_called(const DescriptionReader& reader, std::string_view name) {
+  for (const StudyData& data : study_data_library()) {
+    if (data.name == name) return data;
+  }
+  reader.fail("data", fmt::format("there is no table \"{}\"", name));
+}
+
 std::vector<StudyRun> runs_of_others(DescriptionReader& reader) {
   const std::vector<std::string> only = reader.list<std::string>("only");
   std::vector<StudyRun> runs;
@@ -188,6 +195,7 @@ Study parse_study(std::string_view text, std::string_view name) {
   }
   for (DescriptionReader& sweep : reader.tables("sweep")) add_sweep(sweep, common, study);
   for (const std::string& table : reader.list<std::string>("tables")) study.tables.push_back(table_kind(reader, table));
+  for (const std::string& data : reader.list<std::string>("data")) study.data.push_back(data_called(reader, data));
   study.increments = reader.list<int>("increments");
   if (study.runs.empty()) reader.fail("run", "there is no run");
   if (study.tables.empty()) reader.fail("tables", "there is no table");

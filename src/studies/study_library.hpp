@@ -3,6 +3,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/studies/study.hpp"
+
 namespace bumpfoil {
 
 /// A study as it is compiled in.
@@ -13,6 +15,9 @@ struct StudyText {
 };
 
 const std::vector<StudyText>& study_library();
+
+/// All tables that are compiled in.
+const std::vector<StudyData>& study_data_library();
 
 /// What every script begins with.
 std::string_view study_style_script();

@@ -56,6 +56,12 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/film/reynolds.cpp", "\n")
         self.assert_one_fault("module 'film'")
 
+    def test_studies_stand_above_io(self):
+        self.write("src/studies/study.cpp", '#include <filesystem>\n#include "bumpfoil/io/summary.hpp"\n')
+        self.assertEqual(find_faults(self.root), [])
+        self.write("src/io/report.cpp", '#include "bumpfoil/studies/study.hpp"\n')
+        self.assert_one_fault("src/io/report.cpp:1", "io must not include studies")
+
     def test_printing_below_io(self):
         self.write("src/analysis/cycle.cpp", "#include <iostream>\n")
         self.assert_one_fault("<iostream>", "not to analysis")

@@ -351,6 +351,7 @@ TEST_F(Program, ReproducesAFigure) {
 TEST_F(Program, ReproducesWithoutGnuplot) {
   const std::vector<std::string> reproduce{"reproduce", "-o", results_, "--study", "figure16", "--force"};
   EXPECT_EQ(run(reproduce).exit_code, 0);
+  EXPECT_TRUE(names_in("results/figure16").contains("picture.svg"));
   const std::string path = std::getenv("PATH");
   setenv("PATH", folder_.path().c_str(), 1);
   const Outcome outcome = run(reproduce);

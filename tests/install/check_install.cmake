@@ -37,6 +37,9 @@ foreach(name summary.json cycle.csv result.nc)
   endif()
 endforeach()
 
+# What the studies need moves with it.
+run("${prefix}/bin/bumpfoil" reproduce --figure 16 -o ${WORK_DIR}/paper)
+
 # Its page moves with it.
 if(HAS_REPORT)
   run("${prefix}/bin/bumpfoil" report ${WORK_DIR}/results)

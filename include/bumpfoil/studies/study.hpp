@@ -20,6 +20,12 @@ struct StudyRun {
 /// What a study takes from the results of its runs; see studies/study_tables.hpp.
 enum class StudyTableKind { loops, quantities, loads, heights, foils, contacts };
 
+/// A table from elsewhere that a study compares with.
+struct StudyData {
+  std::string_view name;
+  std::string_view csv;
+};
+
 /// A set of cycle runs, and the tables and the picture made of them.
 struct Study {
   std::string name;  ///< "figure10" is Fig. 10 of [Arghir2019]; others have names of their own
@@ -28,6 +34,7 @@ struct Study {
   std::string parameter;       ///< what is varied, such as "radial_clearance"; empty where nothing is
   std::string parameter_unit;  ///< such as "um"; empty for plain numbers
   std::vector<StudyTableKind> tables;
+  std::vector<StudyData> data;
   std::vector<int> increments;  ///< that the table `foils` shows
   std::string plot_script;      ///< for gnuplot; reads the tables and writes the picture
 };
@@ -46,6 +53,7 @@ std::vector<std::string> study_names();
 /// | `[[sweep]]` | a run for each of `values` of `key` (in `unit`), called `name`_value, with `set` |
 /// | `runs_of`, `only` | runs of other studies come first: all, or those named by `only`; each name once |
 /// | `[[variant]]` | these are run once for each variant: `name` is added to theirs, `set` to their overrides |
+/// | `data` | tables from elsewhere, studies/<name>.csv |
 /// | `increments` | those that the table `foils` shows |
 ///
 /// @throws Error (input) if there is none of this name, or its description is wrong

@@ -39,10 +39,8 @@ std::string_view name_of(StudyTableKind kind);
 /// | quantities | direction: what `summary.json` has, and the parameter that is varied |
 /// | loads | bump: loads at full displacement |
 /// | heights | bump: its height over the sleeve, and that of the journal (less the top foil) at both ends of the push |
-/// | foils | bump at one of Study::increments: heights over the sleeve, gaps, forces, states; the foot is the one after
-///   the crest |
-/// | contacts | increment: closed and slipping contacts of each interface; how many opened and closed since the last
-/// one |
+/// | foils | bump at one of Study::increments: heights over the sleeve, gaps, forces, states; the foot after it |
+/// | contacts | increment: closed and slipping contacts of each interface, and those that opened and closed in it |
 ///
 /// @param results  in the order of Study::runs
 StudyTable make_study_table(StudyTableKind kind, const Study& study, const std::vector<StudyRunResult>& results);

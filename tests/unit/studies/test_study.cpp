@@ -130,6 +130,13 @@ set = ["bump_foil.model=frame"]
   EXPECT_EQ(study_case(study.runs[3]).friction.top_bump, 0.0);
 }
 
+TEST(Study, DataFromElsewhereHasTheColumnsOfTheLoops) {
+  const Study study = make_study("figure12");
+  ASSERT_EQ(study.data.size(), 1U);
+  EXPECT_TRUE(study.data[0].csv.starts_with(
+      "run,direction_deg,increment,branch,displacement_m,force_direct_N,force_cross_N\n"));
+}
+
 TEST(Study, WrongDescriptionsAreToldByKey) {
   const std::string text(smallest);
   const auto key_of_fault = [](const std::string& description) {
@@ -148,6 +155,7 @@ TEST(Study, WrongDescriptionsAreToldByKey) {
   EXPECT_EQ(key_of_fault(text + "colour = 1\n"), "colour");
   EXPECT_EQ(key_of_fault("title = \"\"\ntables = [\"loops\"]"), "run");
   EXPECT_EQ(key_of_fault("tables = [\"loop\"]\ntitle = \"\""), "tables");
+  EXPECT_EQ(key_of_fault("data = [\"nowhere\"]\n" + text), "data");
   EXPECT_EQ(key_of_fault("runs_of = 3\n" + text), "runs_of");
   EXPECT_EQ(key_of_fault("increments = [\"a\"]\n" + text), "increments");
 }
