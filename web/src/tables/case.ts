@@ -13,6 +13,7 @@ const names: Record<string, [text: string, unit: string]> = {
   'bearing.weld_angle': ['Weld angle', 'rad'],
   'bearing.wrap': ['Sense of winding', ''],
   'bump_foil.model': ['Model', ''],
+  'bump_foil.geometry': ['Displacements', ''],
   'bump_foil.bumps': ['Bumps', ''],
   'bump_foil.pitch': ['Pitch', 'm'],
   'bump_foil.length': ['Length of a bump', 'm'],
