@@ -38,7 +38,7 @@ std::pair<Json, std::optional<Fault>> read_run(const fs::path& folder, std::size
     if (!fs::exists(folder / name, code)) return fault(folder, fmt::format("holds no results: {} is missing", name));
   }
   try {
-    Json run{{"name", fs::absolute(folder).lexically_normal().string()}, {"kind", "cycle"}};
+    Json run{{"name", fs::absolute(folder).lexically_normal().string()}};
     run["summary"] = read_summary(folder / "summary.json");
     run.update(read_result(folder / "result.nc", most_values));
     return {run, std::nullopt};

@@ -174,13 +174,20 @@ Json read_result(const std::filesystem::path& path, std::size_t most_values) {
   const NcFile file(path.string(), NcFile::read);
   Json attributes = global_texts(file);
   if (attributes.value("schema", "") != "bumpfoil-result/1") throw NotAResult("is no result of this program");
+  // Results that were written before there were others do not say what they are.
+  const std::string kind = attributes.value("bumpfoil_command", "cycle");
+  if (kind != "cycle") throw NotAResult("is a result of `bumpfoil " + kind + "`, which reports cannot show");
   const std::size_t stride = (node_values(file) + most_values - 1) / most_values;
   Json nodes = Json::object();
   for (const char* name : {"bump", "foot"}) nodes[name] = file.getDim(name).getSize();
   Json directions = Json::array();
   const DirectionReader reader(file, stride);
   for (std::size_t i = 0; i < reader.size(); ++i) directions.push_back(reader.read(i));
-  return {{"attributes", attributes}, {"geometry", geometry_of(file)}, {"nodes", nodes}, {"directions", directions}};
+  return {{"kind", kind},
+          {"attributes", attributes},
+          {"geometry", geometry_of(file)},
+          {"nodes", nodes},
+          {"directions", directions}};
 }
 
 }  // namespace bumpfoil

@@ -51,7 +51,7 @@ async function open(file, options = {}) {
     if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
   });
   await page.goto(url);
-  await page.locator('footer').waitFor();
+  await page.locator('html[data-drawn]').waitFor();
   return { page, faults, close: () => context.close() };
 }
 

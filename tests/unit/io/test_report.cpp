@@ -207,6 +207,14 @@ TEST(Report, TakesNoOtherNetcdfForAResult) {
   EXPECT_EQ(faults[0].what, "is no result of this program");
 }
 
+TEST(Report, SaysWhichResultsItCannotShow) {
+  const Results results(run_cycles(short_case()));
+  netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::write).putAtt("bumpfoil_command", "orbit");
+  const std::vector<Fault> faults = faults_of({results.path()});
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].what, "is a result of `bumpfoil orbit`, which reports cannot show");
+}
+
 TEST(Report, KeepsHostileTextsInsideTheirScriptElement) {
   Case input = short_case();
   input.title = "</script><img src=x onerror=alert(1)> <!-- \xe2\x80\xa8 \" \\ \xff";

@@ -8,7 +8,7 @@ import type { Selection } from '../ui/selection';
 import { look, onLookChange, type Look } from '../ui/theme';
 import { arrowPath } from './drawing';
 import { drawRound } from './round';
-import { BearingGeometry, fittingMagnification, magnifications, shapeAt } from './shape';
+import { BearingGeometry, fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
 import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from './unwrapped';
 
 /** The deformed bearing at the chosen increment, round and laid flat, with the values of one bump in words. */
@@ -21,23 +21,23 @@ export class BearingPanels {
   private readonly caption = el('p', { class: 'note caption', 'aria-live': 'off' });
   private readonly bumpText = el('p', { class: 'note bump-values', 'aria-live': 'polite' });
   private geometry: BearingGeometry;
-  private magnification: number;
+  private inwards: number;
   private forces = true;
   private bump: number | undefined;
   private layout: UnwrappedLayout | undefined;
 
   constructor(private readonly selection: Selection) {
     this.geometry = new BearingGeometry(selection.run);
-    this.magnification = fittingMagnification(this.geometry);
+    this.inwards = fittingInwards(this.geometry);
     const factors = dropDown(
       'Magnification of displacements',
       magnifications.map((value) => ({ value, text: `×${value}` })),
       (factor) => {
-        this.magnification = factor;
+        this.inwards = factor;
         this.draw();
       },
     );
-    factors.selectedIndex = magnifications.indexOf(this.magnification);
+    factors.selectedIndex = magnifications.indexOf(this.inwards);
     const forces = el('input', { type: 'checkbox', checked: true });
     forces.addEventListener('change', () => {
       this.forces = forces.checked;
@@ -81,6 +81,11 @@ export class BearingPanels {
     this.draw();
   }
 
+  /** Chosen together with the other factor, and as much larger as the lengths are. */
+  private get along(): number {
+    return (fittingAlong(this.geometry) * this.inwards) / fittingInwards(this.geometry);
+  }
+
   private get direction(): Direction {
     return this.selection.direction;
   }
@@ -94,7 +99,8 @@ export class BearingPanels {
       direction: this.direction,
       index,
       shape: shapeAt(this.geometry, this.direction, index),
-      magnification: this.magnification,
+      inwards: this.inwards,
+      along: this.along,
       largestForce: largest(
         ...run.directions.flatMap((one) => interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
       ) || 1,
@@ -113,7 +119,7 @@ export class BearingPanels {
     const branch = index === direction.turning ? 'full displacement' : direction.isLoading(index) ? 'loading' : 'unloading';
     const where = `${direction.name}, ${branch}: ${formatQuantity(direction.value('displacement', index), 'm')}, ${formatQuantity(direction.value('force_direct', index), 'N')}`;
     const stretch = this.layout ? `, heights ×${this.layout.stretch.toPrecision(2)} against lengths` : '';
-    this.caption.textContent = `${where}. Displacements and gaps ×${this.magnification} against the height of the bumps.`;
+    this.caption.textContent = `${where}. Displacements and gaps ×${this.inwards} against the height of the bumps, slip ×${Number(this.along.toPrecision(2))} against their pitch.`;
     this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${where}${stretch}. Arrow keys choose a bump.`);
     this.roundDrawing.setAttribute('aria-label', `Deformed bearing, ${where}`);
     this.bumpText.textContent = this.bump === undefined ? 'Point at a bump to read its values.' : this.bumpValues(this.bump);

@@ -23,10 +23,9 @@ class RoundLayout {
 
   /** Polar angle and radius on the drawing. */
   polar(point: ShapePoint, lift: number): [number, number] {
-    const { geometry, magnification } = this.scene;
-    const radius = sleeveRadius - (point.height + magnification * point.moveIn) * this.perHeight - lift;
-    const turn = (magnification * point.moveAlong * this.perHeight) / radius;
-    return [geometry.polarAngle(point.along) + geometry.sense * turn, radius];
+    const { geometry, inwards, along } = this.scene;
+    const radius = sleeveRadius - (point.height + inwards * point.moveIn) * this.perHeight - lift;
+    return [geometry.polarAngle(point.along + along * point.moveAlong), radius];
   }
 
   place(point: ShapePoint, lift = 0): Place {
@@ -46,10 +45,10 @@ function onCircle(angle: number, radius: number): Place {
 }
 
 export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): void {
-  const { geometry, shape, direction, index, magnification } = scene;
+  const { geometry, shape, direction, index } = scene;
   const layout = new RoundLayout(scene);
   const line = (points: ShapePoint[], lift: number): string => pathOf(points.map((point) => layout.place(point, lift)));
-  const scale = magnification * layout.perHeight;
+  const scale = scene.inwards * layout.perHeight;
   const journal = {
     x: centre + scale * direction.value('x', index),
     y: centre - scale * direction.value('y', index),

@@ -214,13 +214,25 @@ export function shapeAt(geometry: BearingGeometry, direction: Direction, index: 
 /** Factors to choose from. */
 export const magnifications = [1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 100, 200, 500, 1000];
 
+function largestFactor(most: number): number {
+  const fitting = magnifications.filter((factor) => factor <= most);
+  return fitting[fitting.length - 1] ?? 1;
+}
+
 /** The largest factor with which no bump of a run is drawn pressed by more than half its height. */
-export function fittingMagnification(geometry: BearingGeometry): number {
+export function fittingInwards(geometry: BearingGeometry): number {
   const pressed = Math.max(
     largest(...geometry.run.directions.map((direction) => direction.values('displacement'))) - geometry.clearance,
     Math.abs(geometry.clearance),
     largest(geometry.heightErrors),
   );
-  const fitting = magnifications.filter((factor) => factor * pressed <= 0.5 * geometry.rise);
-  return fitting[fitting.length - 1] ?? 1;
+  return largestFactor((0.5 * geometry.rise) / pressed);
+}
+
+/** The largest factor with which no foot or crest is drawn half a pitch away from its place. */
+export function fittingAlong(geometry: BearingGeometry): number {
+  const fields = geometry.run.directions.flatMap((direction) =>
+    ['crest_u', 'foot_u'].map((name) => direction.field(name).values),
+  );
+  return Math.min(100, largestFactor((0.5 * geometry.pitch) / largest(...fields)));
 }

@@ -9,7 +9,10 @@ export interface Scene {
   direction: Direction;
   index: number;
   shape: Shape;
-  magnification: number;
+  /** Of displacements inwards and gaps, against the height of the bumps. */
+  inwards: number;
+  /** Of displacements along the foil, against its length. */
+  along: number;
   /** Force that the longest arrow stands for, N. */
   largestForce: number;
   forces: boolean;
@@ -34,18 +37,17 @@ export class UnwrappedLayout {
   private readonly perHeight: number;
 
   constructor(
-    private readonly geometry: BearingGeometry,
+    private readonly scene: Scene,
     readonly width: number,
-    private readonly magnification: number,
   ) {
-    this.perLength = (width - 2 * margin) / geometry.length;
-    this.perHeight = bumpHeight / geometry.rise;
+    this.perLength = (width - 2 * margin) / scene.geometry.length;
+    this.perHeight = bumpHeight / scene.geometry.rise;
   }
 
   place(point: ShapePoint, lift = 0): Place {
     return {
-      x: margin + point.along * this.perLength + this.magnification * point.moveAlong * this.perHeight,
-      y: sleeveLevel - (point.height + this.magnification * point.moveIn) * this.perHeight - lift,
+      x: margin + (point.along + this.scene.along * point.moveAlong) * this.perLength,
+      y: sleeveLevel - (point.height + this.scene.inwards * point.moveIn) * this.perHeight - lift,
     };
   }
 
@@ -56,14 +58,15 @@ export class UnwrappedLayout {
 
   /** Bump at a place on the drawing. */
   bumpAt(x: number): number {
-    const bump = Math.floor((x - margin) / (this.perLength * this.geometry.pitch));
-    return Math.min(Math.max(0, bump), this.geometry.run.bumps - 1);
+    const { geometry } = this.scene;
+    const bump = Math.floor((x - margin) / (this.perLength * geometry.pitch));
+    return Math.min(Math.max(0, bump), geometry.run.bumps - 1);
   }
 }
 
 export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, width: number): UnwrappedLayout {
-  const { geometry, shape } = scene;
-  const layout = new UnwrappedLayout(geometry, width, scene.magnification);
+  const { shape } = scene;
+  const layout = new UnwrappedLayout(scene, width);
   const line = (points: ShapePoint[], lift: number): Place[] => points.map((point) => layout.place(point, lift));
   const journal = line(shape.journal, 2 * foilGap);
   const sleeve = line(shape.sleeve, -foilGap / 2);

@@ -12,6 +12,15 @@ echarts.use([BarChart, CustomChart, LineChart, GridComponent, TitleComponent, To
 export type Option = Record<string, unknown>;
 export type Point = [number, number];
 
+/** Charts that wait for their first drawing: one at a time, so that the page is there before the last of them. */
+const waiting: Chart[] = [];
+
+function drawNext(): void {
+  waiting.shift()?.fit();
+  if (waiting.length > 0) setTimeout(drawNext);
+  else document.documentElement.dataset['drawn'] = 'true';
+}
+
 /** A chart that follows the width of its place and the colours of the page, with a cursor that costs no redrawing. */
 export class Chart {
   readonly root: HTMLElement;
@@ -31,8 +40,19 @@ export class Chart {
     private readonly ready: (instance: EChartsType) => void = () => {},
   ) {
     this.root = el('div', { class: 'chart', role: 'img', 'aria-label': label }, this.place);
-    new ResizeObserver(() => this.fit()).observe(this.root);
+    new ResizeObserver(() => this.fitted()).observe(this.root);
     onLookChange(() => this.fit());
+  }
+
+  /** Takes its room at once, and is drawn in its turn. */
+  private fitted(): void {
+    if (this.instance) {
+      this.fit();
+    } else if (!waiting.includes(this)) {
+      this.place.style.height = `${this.height(this.root.clientWidth)}px`;
+      waiting.push(this);
+      if (waiting.length === 1) requestAnimationFrame(() => setTimeout(drawNext));
+    }
   }
 
   /** Draws anew, in the size and the colours of now. */

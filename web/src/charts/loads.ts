@@ -173,7 +173,7 @@ export function loadSection(groups: Curve[][], selection: Selection): HTMLElemen
       chooser,
       legend([
         { sample: bar, text: 'at full displacement' },
-        { sample: tick, text: 'at the increment chosen below' },
+        { sample: tick, text: 'at the increment chosen' },
       ]),
     ),
     el('div', { class: 'multiples' }, ...panels.map((one) => one.root)),

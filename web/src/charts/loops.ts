@@ -97,7 +97,7 @@ export class LoopPanel {
   }
 
   private height(width: number): number {
-    return Math.max(300, Math.min(0.82 * width, 620));
+    return Math.max(300, Math.min(0.82 * width, 560));
   }
 
   private scaleOfForce(): Scale {

@@ -13,6 +13,7 @@ const names: Record<string, [text: string, unit: string]> = {
   'bearing.weld_angle': ['Weld angle', 'rad'],
   'bearing.wrap': ['Sense of winding', ''],
   'bump_foil.model': ['Model', ''],
+  'bump_foil.geometry': ['Displacements', ''],
   'bump_foil.bumps': ['Bumps', ''],
   'bump_foil.pitch': ['Pitch', 'm'],
   'bump_foil.length': ['Length of a bump', 'm'],
@@ -95,17 +96,23 @@ export function caseTable(runs: Run[]): HTMLElement {
   const cases = runs.map((run) => flatten(run.data.summary.case));
   const keys = [...new Set(cases.flatMap((entries) => [...entries.keys()]))].filter((key) => key !== 'title');
   const several = runs.length > 1;
-  const bodies: HTMLElement[] = [];
+  const tables: HTMLElement[] = [];
   let group: string | undefined;
   for (const key of keys) {
     if (groupOf(key) !== group) {
       group = groupOf(key);
-      const title = el('th', { scope: 'rowgroup', colspan: runs.length + 1 }, groups[group] ?? group);
-      bodies.push(el('tbody', {}, el('tr', { class: 'group' }, title)));
+      const labels = several ? runs.map((run) => el('th', { scope: 'col' }, run.label)) : [];
+      tables.push(
+        el(
+          'table',
+          { class: 'case' },
+          el('tr', {}, el('th', { scope: 'col', class: 'group', colspan: several ? 1 : 2 }, groups[group] ?? group), ...labels),
+        ),
+      );
     }
     const texts = cases.map((entries) => valueText(key, entries.get(key)));
     const differs = new Set(texts).size > 1;
-    bodies[bodies.length - 1]?.append(
+    tables[tables.length - 1]?.append(
       el(
         'tr',
         differs ? { class: 'differs' } : {},
@@ -114,7 +121,6 @@ export function caseTable(runs: Run[]): HTMLElement {
       ),
     );
   }
-  const labels = runs.map((run) => el('th', { scope: 'col' }, run.label));
   return panel(
     {
       title: 'Case',
@@ -132,16 +138,7 @@ export function caseTable(runs: Run[]): HTMLElement {
           ]),
         ),
     },
-    el(
-      'div',
-      { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'The case' },
-      el(
-        'table',
-        { class: 'case' },
-        ...(several ? [el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, ''), ...labels))] : []),
-        ...bodies,
-      ),
-    ),
+    el('div', { class: several ? 'scroller' : 'groups', tabindex: 0, role: 'group', 'aria-label': 'The case' }, ...tables),
   );
 }
 

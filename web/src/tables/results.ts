@@ -34,6 +34,7 @@ const solverRows: Row[] = [
   { key: 'converged', text: 'Converged', unit: '' },
   { key: 'steps', text: 'Increments per branch', unit: '', digits: 0 },
   { key: 'iterations', text: 'Linear solves', unit: '', digits: 0 },
+  { key: 'factorisations', text: 'Factorisations', unit: '', digits: 0 },
   { key: 'substeps', text: 'Extra solves of halved increments', unit: '', digits: 0 },
   { key: 'max_residual', text: 'Largest residual', unit: '', digits: 2 },
   { key: 'wall_time_s', text: 'Time taken', unit: 's', digits: 3 },
