@@ -5,6 +5,7 @@
 #include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "long_bearing.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -46,9 +47,8 @@ void increment(benchmark::State& bench) {
 // Multiples of the 201 increments of a cycle, so that each run takes the same mixture.
 BENCHMARK(increment)->Unit(benchmark::kMicrosecond)->Iterations(201 * 20);
 
-/// The whole cycle as users run it, set-up excluded: increments, records, derived quantities.
-void reference_cycle(benchmark::State& bench, SolverName solver) {
-  Case input = reference_push();
+/// A whole cycle as users run it, set-up excluded: increments, records, derived quantities.
+void run_cycle(benchmark::State& bench, Case input, SolverName solver) {
   input.solver.name = solver;
   SolveReport report;
   for (auto _ : bench) {
@@ -60,8 +60,49 @@ void reference_cycle(benchmark::State& bench, SolverName solver) {
   bench.counters["linear_solves"] = report.iterations;
   bench.counters["factorisations"] = report.factorisations;
 }
+
+void reference_cycle(benchmark::State& bench, SolverName solver) {
+  run_cycle(bench, reference_push(), solver);
+}
 BENCHMARK_CAPTURE(reference_cycle, newton, SolverName::newton)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reference_cycle, events, SolverName::events)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void cycle_of_steps(benchmark::State& bench, SolverName solver) {
+  Case input = reference_push();
+  input.cycle.steps = static_cast<int>(bench.range(0));
+  run_cycle(bench, input, solver);
+}
+BENCHMARK_CAPTURE(cycle_of_steps, newton, SolverName::newton)
+    ->RangeMultiplier(4)
+    ->Range(25, 1600)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cycle_of_steps, events, SolverName::events)
+    ->RangeMultiplier(4)
+    ->Range(25, 1600)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// 20 steps per branch: the number of events grows with the bumps, and so does the cost of each.
+void cycle_of_bumps(benchmark::State& bench, SolverName solver) {
+  Case input = with_bumps(reference_push(), static_cast<int>(bench.range(0)));
+  input.cycle.steps = 20;
+  run_cycle(bench, input, solver);
+}
+BENCHMARK_CAPTURE(cycle_of_bumps, newton, SolverName::newton)
+    ->Arg(26)
+    ->Arg(52)
+    ->Arg(104)
+    ->Arg(208)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cycle_of_bumps, events, SolverName::events)
+    ->Arg(26)
+    ->Arg(52)
+    ->Arg(104)
+    ->Arg(208)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace bumpfoil

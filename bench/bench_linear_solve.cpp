@@ -4,16 +4,13 @@
 
 #include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/contact/linear_systems.hpp"
+#include "long_bearing.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// The reference bearing with more bumps on a radius that grows with them, so that the foils still go round once.
 BearingModel long_bearing(int bumps) {
-  Case input = reference_case();
-  input.bearing.radius *= bumps / 26.0;
-  input.bump_foil.bumps = bumps;
-  return make_bearing_model(input);
+  return make_bearing_model(with_bumps(reference_case(), bumps));
 }
 
 /// Bumps 1, 2, 3 of every four carry: two stick, one slips.

@@ -7,39 +7,18 @@
 namespace bumpfoil {
 namespace {
 
-// Blocks are too small for general products of matrices of unknown size to pay: plain loops, with a length that the
-// compiler knows for the sizes of the foil models.
-
-/// y += a x
+/// y = K x with blocks of a size that the compiler knows: they are too small for products of any size to pay.
 template <int B>
-void add_product(const Matrix& a, const double* x, double* y) {
-  const Eigen::Index n = B == Eigen::Dynamic ? a.rows() : B;
-  const double* column = a.data();
-  for (Eigen::Index c = 0; c < n; ++c, column += n) {
-    for (Eigen::Index r = 0; r < n; ++r) y[r] += column[r] * x[c];
-  }
-}
-
-/// y += a' x
-template <int B>
-void add_transposed_product(const Matrix& a, const double* x, double* y) {
-  const Eigen::Index n = B == Eigen::Dynamic ? a.rows() : B;
-  const double* column = a.data();
-  for (Eigen::Index c = 0; c < n; ++c, column += n) {
-    double sum = 0.0;
-    for (Eigen::Index r = 0; r < n; ++r) sum += column[r] * x[r];
-    y[c] += sum;
-  }
-}
-
-/// y += K x
-template <int B>
-void add_product(const BlockTridiagonal& K, const double* x, double* y) {
+void multiply(const BlockTridiagonal& K, const Vector& x, Vector& y) {
+  using Block = Eigen::Map<const Eigen::Matrix<double, B, B>>;
   const int n = K.block_size();
-  for (std::size_t b = 0; b < K.diagonal.size(); ++b, x += n, y += n) {
-    add_product<B>(K.diagonal[b], x, y);
-    if (b + 1 < K.diagonal.size()) add_product<B>(K.upper[b], x + n, y);
-    if (b > 0) add_transposed_product<B>(K.upper[b - 1], x - n, y);
+  const auto block = [n](const Matrix& matrix) { return Block(matrix.data(), n, n); };
+  const auto part = [&](std::size_t b) { return x.segment<B>(static_cast<Eigen::Index>(b) * n, n); };
+  for (std::size_t b = 0; b < K.diagonal.size(); ++b) {
+    auto row = y.segment<B>(static_cast<Eigen::Index>(b) * n, n);
+    row.noalias() = block(K.diagonal[b]) * part(b);
+    if (b + 1 < K.diagonal.size()) row.noalias() += block(K.upper[b]) * part(b + 1);
+    if (b > 0) row.noalias() += block(K.upper[b - 1]).transpose() * part(b - 1);
   }
 }
 
@@ -66,16 +45,19 @@ void BlockTridiagonal::add(int block_i, int i, int block_j, int j, double value)
 
 Vector BlockTridiagonal::multiply(const Vector& x) const {
   BUMPFOIL_ASSERT(x.size() == rows());
-  Vector y = Vector::Zero(rows());
+  Vector y(rows());
   switch (block_size()) {
+    case 4:
+      bumpfoil::multiply<4>(*this, x, y);
+      break;
     case 6:
-      add_product<6>(*this, x.data(), y.data());
+      bumpfoil::multiply<6>(*this, x, y);
       break;
     case 11:
-      add_product<11>(*this, x.data(), y.data());
+      bumpfoil::multiply<11>(*this, x, y);
       break;
     default:
-      add_product<Eigen::Dynamic>(*this, x.data(), y.data());
+      bumpfoil::multiply<Eigen::Dynamic>(*this, x, y);
   }
   return y;
 }

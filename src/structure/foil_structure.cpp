@@ -54,12 +54,19 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   const Eigen::Index size = structure.dofs.size;
   const auto moments = Eigen::seqN(m, Eigen::Index{structure.bumps()}, size);
   x(moments).setZero();
-  const Vector kinks = structure.K.multiply(x)(moments);
+  Vector kinks(structure.bumps());
   Vector diagonal(structure.bumps());
   Vector off(structure.bumps() - 1);
   for (Eigen::Index b = 0; b < diagonal.size(); ++b) {
-    diagonal[b] = -structure.K.diagonal[static_cast<std::size_t>(b)](m, m);
-    if (b < off.size()) off[b] = -structure.K.upper[static_cast<std::size_t>(b)](m, m);
+    const Matrix& own = structure.K.diagonal[static_cast<std::size_t>(b)];
+    kinks[b] = own.col(m).dot(x.segment(b * size, size));
+    if (b > 0)
+      kinks[b] += structure.K.upper[static_cast<std::size_t>(b - 1)].col(m).dot(x.segment((b - 1) * size, size));
+    diagonal[b] = -own(m, m);
+    if (b == off.size()) continue;
+    const Matrix& upper = structure.K.upper[static_cast<std::size_t>(b)];
+    kinks[b] += upper.row(m).dot(x.segment((b + 1) * size, size));
+    off[b] = -upper(m, m);
   }
   x(moments) = solve_tridiagonal(diagonal, off, kinks);
   return x;

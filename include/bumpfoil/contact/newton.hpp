@@ -15,8 +15,8 @@ struct NewtonOptions {
   double force_tolerance{1e-11};
   /// Rounds of changing contacts that contradict their mode before the next method is tried.
   int max_mode_updates{2};
-  /// Penalty of the proximal augmented Lagrangian in units of the largest diagonal entry of K. It sets its pace, not its
-  /// result: a stiffer one needs fewer updates of the multipliers, each with more Newton steps.
+  /// Penalty of the proximal augmented Lagrangian in units of the largest diagonal entry of K. It sets its pace, not
+  /// its result: a stiffer one needs fewer updates of the multipliers, each with more Newton steps.
   double penalty{1.0};
   /// Multiplier updates of the augmented Lagrangian before the increment is given up.
   int max_outer_iterations{200};
