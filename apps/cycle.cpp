@@ -65,6 +65,7 @@ ExitCode run_cycle(const CycleOptions& options, const Session& session) {
     print_output(cycle_table(result));
     print_output(fmt::format("\nsolver {}; results in {} (summary.json, cycle.csv, result.nc)\n",
                              name_of(result.solver), options.folder));
+    for (const std::string& warning : stress_warnings(input, result)) fmt::print(stderr, "warning: {}\n", warning);
   }
   if (status != RunStatus::complete) {
     fmt::print(stderr, "bumpfoil: {}: the results in {} are partial, and flagged so\n",

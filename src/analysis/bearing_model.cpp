@@ -25,6 +25,7 @@ BearingModel make_bearing_model(const Case& input) {
   BearingModel model;
   model.bearing = input.bearing;
   model.structure = make_foil_structure(input);
+  model.stress = make_stress_model(input);
   model.phi = polar_angles(input.bearing, crest_angles(input));
 
   const BumpDofs& dofs = model.structure.dofs;

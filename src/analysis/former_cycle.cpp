@@ -41,7 +41,7 @@ class FormerRunner {
     }
     cycle_.increments.push_back(std::move(next));
     if (index == cycle_.steps) {
-      const double tangent = solver_.tangent_stiffness(solution.state, normal_);
+      const std::optional<double> tangent = solver_.tangent_stiffness(solution.state, normal_);
       tangents_ = TangentStiffnesses{.loading = tangent, .unloading = tangent};
     }
     return solution.report.converged;

@@ -96,6 +96,7 @@ Increment record_increment(const BearingModel& model, const Eigen::Vector2d& pos
   next.journal_top = fields(BearingModel::journal_top, 1);
   next.top_bump = fields(BearingModel::top_bump, 1);
   next.bump_sleeve = fields(BearingModel::first_foot, dofs.feet());
+  next.stress = foil_stress(model.stress, state.x);
   return next;
 }
 

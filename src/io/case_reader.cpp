@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/identification.hpp"
 #include "io/case_names.hpp"
 #include "io/height_errors_csv.hpp"
 #include "io/table_reader.hpp"
@@ -80,7 +81,9 @@ void read_bump_foil(ReadingLog& log, TableReader table, BumpFoil& foil) {
   table.quantity("thickness", foil.thickness, Dimension::length, required);
   table.quantity("youngs_modulus", foil.youngs_modulus, Dimension::pressure, required);
   table.number("poisson_ratio", foil.poisson_ratio, required);
+  table.quantity("yield_stress", foil.yield_stress, Dimension::pressure);
   read_height_errors_of(log, table, foil);
+  table.flag("stiffness_follows_height", foil.stiffness_follows_height);
   table.quantities("sleeve_gaps", foil.sleeve_gaps, Dimension::length, optional);
   table.choice("weld_at", foil.weld_at, weld_position_names);
   read_truss(table.table("truss"), foil.truss);
@@ -93,12 +96,14 @@ void read_top_foil(ReadingLog& log, TableReader table, const BumpFoil& bump_foil
   if (!open_required(log, table, "top_foil")) return;
   foil.youngs_modulus = bump_foil.youngs_modulus;
   foil.poisson_ratio = bump_foil.poisson_ratio;
-  for (const std::string key : {"youngs_modulus", "poisson_ratio"}) {
+  foil.yield_stress = bump_foil.yield_stress;
+  for (const std::string key : {"youngs_modulus", "poisson_ratio", "yield_stress"}) {
     if (!table.has(key)) log.taken_from("top_foil." + key, "bump_foil." + key);
   }
   table.quantity("thickness", foil.thickness, Dimension::length, required);
   table.quantity("youngs_modulus", foil.youngs_modulus, Dimension::pressure, optional);
   table.number("poisson_ratio", foil.poisson_ratio, optional);
+  table.quantity("yield_stress", foil.yield_stress, Dimension::pressure);
   table.finish();
 }
 
@@ -171,7 +176,9 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
     if (!root.has(table))
       log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
   }
-  for (const Fault& fault : find_faults(input)) log.later_fault(fault);
+  std::vector<Fault> faults = find_faults(input);
+  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) faults = find_truss_faults(input);
+  for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;
 }

@@ -25,6 +25,7 @@ const std::map<std::string, std::string_view, std::less<>> units{
     {"thickness", "m"},
     {"height_errors", "m"},
     {"youngs_modulus", "Pa"},
+    {"yield_stress", "Pa"},
     {"sleeve_gaps", "m"},
     {"k1", "N/m"},
     {"k2", "N/m"},
@@ -71,8 +72,10 @@ Json bump_foil_json(const BumpFoil& foil) {
             {"thickness", foil.thickness},
             {"youngs_modulus", foil.youngs_modulus},
             {"poisson_ratio", foil.poisson_ratio}};
+  if (foil.yield_stress) json["yield_stress"] = *foil.yield_stress;
   if (!foil.height_errors.empty()) json["height_errors"] = foil.height_errors;
   if (!foil.sleeve_gaps.empty()) json["sleeve_gaps"] = foil.sleeve_gaps;
+  json["stiffness_follows_height"] = foil.stiffness_follows_height;
   json["weld_at"] = name_in(weld_position_names, foil.weld_at);
   Json truss;
   const auto add = [&truss](const char* key, const std::optional<double>& value) {
@@ -102,6 +105,7 @@ nlohmann::ordered_json case_json(const Case& input) {
     json["top_foil"] = {{"thickness", input.top_foil.thickness},
                         {"youngs_modulus", input.top_foil.youngs_modulus},
                         {"poisson_ratio", input.top_foil.poisson_ratio}};
+    if (input.top_foil.yield_stress) json["top_foil"]["yield_stress"] = *input.top_foil.yield_stress;
   }
   json["friction"] = {{"top_bump", input.friction.top_bump}, {"bump_sleeve", input.friction.bump_sleeve}};
   const UzawaParameters& uzawa = input.solver.uzawa;

@@ -13,6 +13,7 @@
 
 #include "bumpfoil/io/summary.hpp"
 #include "io/number_text.hpp"
+#include "io/result_columns.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -30,6 +31,16 @@ std::string direction_name(double direction) {
     if (turns == 90.0 * static_cast<double>(i)) return axes[i];
   }
   return fmt::format("{:.6g} deg", degrees);
+}
+
+std::optional<double> tangent(const Cycle& cycle, std::optional<double> TangentStiffnesses::*member) {
+  if (!cycle.turning_point) return std::nullopt;
+  return cycle.turning_point->tangent.*member;
+}
+
+/// "crest 3", "weld".
+std::string place_text(const StressPeak& peak) {
+  return peak.bump < 0 ? std::string(name_of(peak.place)) : fmt::format("{} {}", name_of(peak.place), peak.bump + 1);
 }
 
 std::optional<double> turning(const Cycle& cycle, double TurningPoint::*member) {
@@ -58,6 +69,16 @@ std::vector<Row> rows() {
                               double unit) {
     return Row{name, unit_name, [=](const Cycle& cycle) { return number_text(turning(cycle, member), unit); }};
   };
+  const auto tangent_row = [](std::string_view name, std::optional<double> TangentStiffnesses::*member) {
+    return Row{name, "MN/m", [=](const Cycle& cycle) { return number_text(tangent(cycle, member), 1e6); }};
+  };
+  const auto stress_row = [](std::string_view name, std::optional<StressPeak> Cycle::*peak) {
+    return Row{name, "MPa",
+               [=](const Cycle& cycle) { return cycle.*peak ? number_text((*(cycle.*peak)).stress, 1e6) : "-"; }};
+  };
+  const auto place_row = [](std::optional<StressPeak> Cycle::*peak) {
+    return Row{"  at", "", [=](const Cycle& cycle) { return cycle.*peak ? place_text(*(cycle.*peak)) : "-"; }};
+  };
   const auto row = [](std::string_view name, std::string_view unit_name, std::optional<double> Cycle::*member,
                       double unit) {
     return Row{name, unit_name, [=](const Cycle& cycle) { return number_text(cycle.*member, unit); }};
@@ -70,8 +91,8 @@ std::vector<Row> rows() {
          return cycle.increments.empty() ? "-" : number_text(cycle.increments.front().force_direct, 1.0);
        }},
       turning_row("secant stiffness", "MN/m", &TurningPoint::secant_stiffness, 1e6),
-      turning_row("tangent stiffness, loading", "MN/m", &TurningPoint::tangent_stiffness_loading, 1e6),
-      turning_row("tangent stiffness, unloading", "MN/m", &TurningPoint::tangent_stiffness_unloading, 1e6),
+      tangent_row("tangent stiffness, loading", &TangentStiffnesses::loading),
+      tangent_row("tangent stiffness, unloading", &TangentStiffnesses::unloading),
       row("loop energy", "mJ", &Cycle::loop_energy, 1e-3),
       row("loss factor", "", &Cycle::loss_factor, 1.0),
       row("first contact", "um", &Cycle::first_contact, 1e-6),
@@ -87,6 +108,10 @@ std::vector<Row> rows() {
          const auto highest = highest_bump(cycle);
          return highest && highest->second > 0.0 ? std::to_string(highest->first) : "-";
        }},
+      stress_row("highest stress, top foil", &Cycle::top_foil_stress),
+      place_row(&Cycle::top_foil_stress),
+      stress_row("highest stress, bump foil", &Cycle::bump_foil_stress),
+      place_row(&Cycle::bump_foil_stress),
       {"linear solves", "", [](const Cycle& cycle) { return std::to_string(cycle.total().iterations); }},
       {"factorisations", "", [](const Cycle& cycle) { return std::to_string(cycle.total().factorisations); }},
       {"halved increments", "", [](const Cycle& cycle) { return std::to_string(cycle.substeps()); }},
@@ -97,6 +122,21 @@ std::vector<Row> rows() {
 }
 
 }  // namespace
+
+std::vector<std::string> stress_warnings(const Case& input, const CycleResult& result) {
+  std::vector<std::string> warnings;
+  for (const Cycle& cycle : result.cycles) {
+    for (const StressedFoil& foil : stressed_foils()) {
+      if (!above_yield(foil, input, cycle).value_or(false)) continue;
+      const StressPeak& peak = *(cycle.*foil.peak);
+      warnings.push_back(fmt::format(
+          "{}: the {} yields: its bending stress reaches {:.4g} MPa ({}, increment {}), its yield stress is {:.4g} MPa",
+          direction_name(cycle.direction), foil.long_name, 1e-6 * peak.stress, place_text(peak), peak.increment,
+          1e-6 * *foil.yield_stress(input)));
+    }
+  }
+  return warnings;
+}
 
 std::string cycle_table(const CycleResult& result) {
   std::string out;

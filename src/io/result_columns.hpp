@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
@@ -30,6 +31,20 @@ struct CycleColumn {
 
 /// Real quantities of a cycle, in the order of the keys of summary.json.
 std::span<const CycleColumn> cycle_columns();
+
+/// A foil whose stress is compared with its yield stress.
+struct StressedFoil {
+  std::string_view name;
+  std::string_view long_name;
+  std::optional<StressPeak> Cycle::*peak;
+  std::optional<double> (*yield_stress)(const Case&);
+};
+std::span<const StressedFoil> stressed_foils();
+
+/// Whether the stress of a foil exceeds its yield stress in a cycle; absent where one of them is not known.
+std::optional<bool> above_yield(const StressedFoil& foil, const Case& input, const Cycle& cycle);
+
+std::string_view name_of(StressPlace place);
 
 /// Name of a column or key that carries its unit at the end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
 std::string name_with_unit(std::string_view name, std::string_view unit);

@@ -84,6 +84,29 @@ constexpr std::array<NodalField, 5> nodal_fields{{
     {"foot_v", "radial displacement of the foot, positive outward", &Increment::foot_v, true},
 }};
 
+struct StressField {
+  std::string_view name;
+  std::string_view long_name;
+  Vector FoilStress::*values;
+  bool at_feet;
+};
+constexpr std::array<StressField, 4> stress_fields{{
+    {"stress_top_foil", "bending stress of the top foil over the crest", &FoilStress::top_crest, false},
+    {"stress_bump_foil_crest", "bending stress of the bump foil at the crest", &FoilStress::bump_crest, false},
+    {"stress_bump_foil_foot", "bending stress of the bump foil at the foot", &FoilStress::bump_foot, true},
+    {"stress_bump_foil", "largest bending stress along the arc of the bump", &FoilStress::bump_largest, false},
+}};
+
+struct WeldStress {
+  std::string_view name;
+  std::string_view long_name;
+  std::optional<double> FoilStress::*value;
+};
+constexpr std::array<WeldStress, 2> weld_stresses{{
+    {"stress_top_foil_weld", "bending stress of the top foil at the weld", &FoilStress::top_weld},
+    {"stress_bump_foil_weld", "bending stress of the bump foil at the weld", &FoilStress::bump_weld},
+}};
+
 struct InterfaceName {
   std::string_view name;
   std::string_view between;
@@ -192,6 +215,16 @@ class ResultWriter {
                     [](const Cycle& cycle) { return cycle.total().factorisations; });
     put_cycles<int>({"total_substeps", "1", "extra solves of all increments because they had to be halved"},
                     [](const Cycle& cycle) { return cycle.substeps(); });
+    for (const StressedFoil& foil : stressed_foils()) {
+      put_cycles<Flag>(
+          {fmt::format("above_yield_{}", foil.name), "",
+           fmt::format("whether the stress of the {} exceeds its yield stress", foil.long_name)},
+          [&](const Cycle& cycle) {
+            const std::optional<bool> above = above_yield(foil, input_, cycle);
+            return above ? static_cast<Flag>(*above) : Storage<Flag>::absent;
+          },
+          truth_meanings);
+    }
     // A direction that was never begun did not converge.
     std::vector<Flag> converged(direction_.getSize());
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) converged[i] = result_.cycles[i].converged ? 1 : 0;
@@ -240,6 +273,18 @@ class ResultWriter {
           },
           mode_meanings, &node(interface.at_feet));
       put_loads(interface);
+    }
+  }
+
+  void write_stress() {
+    for (const StressField& field : stress_fields) {
+      put_vectors({std::string(field.name), "Pa", std::string(field.long_name)}, field.at_feet,
+                  [&](const Increment& increment) -> const Vector& { return increment.stress.*field.values; });
+    }
+    for (const WeldStress& weld : weld_stresses) {
+      put_increments<double>(
+          {std::string(weld.name), "Pa", std::string(weld.long_name)},
+          [&](const Increment& increment, double* to) { *to = finite_or_absent(increment.stress.*weld.value); });
     }
   }
 
@@ -316,10 +361,10 @@ class ResultWriter {
 
   /// A variable with one value per direction, absent for those that were not begun.
   template <typename Number, typename ValueOf>
-  void put_cycles(const Meaning& meaning, const ValueOf& value_of) {
+  void put_cycles(const Meaning& meaning, const ValueOf& value_of, std::string_view flag_meanings = {}) {
     std::vector<Number> values(direction_.getSize(), Storage<Number>::absent);
     std::transform(result_.cycles.begin(), result_.cycles.end(), values.begin(), value_of);
-    const NcVar variable = define<Number>(meaning, {direction_}, {});
+    const NcVar variable = define<Number>(meaning, {direction_}, flag_meanings);
     variable.setFill(true, Storage<Number>::absent);
     variable.putVar(values.data());
   }
@@ -439,6 +484,7 @@ void write_result_netcdf(const std::filesystem::path& path, const Case& input, c
     writer.write_cycles();
     writer.write_increments();
     writer.write_fields();
+    writer.write_stress();
     writer.write_events();
     file.close();
   } catch (const netCDF::exceptions::NcException& error) {

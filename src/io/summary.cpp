@@ -1,5 +1,7 @@
 #include "bumpfoil/io/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -24,7 +26,16 @@ Json value(const Vector& numbers) {
   return std::vector<double>(numbers.begin(), numbers.end());
 }
 
-Json cycle_json(const Cycle& cycle) {
+/// Where and when the largest stress acts.
+Json peak_json(const std::optional<StressPeak>& peak) {
+  if (!peak) return {};
+  return {{"place", name_of(peak->place)},
+          {"bump", peak->bump >= 0 ? Json(peak->bump + 1) : Json()},
+          {"increment", peak->increment},
+          {"displacement_m", peak->displacement}};
+}
+
+Json cycle_json(const Case& input, const Cycle& cycle) {
   const auto loads = [&cycle](InterfaceFields Increment::*interface) {
     return cycle.turning_point ? value((cycle.at_turning_point().*interface).normal_force) : Json();
   };
@@ -35,6 +46,11 @@ Json cycle_json(const Cycle& cycle) {
   json["converged"] = cycle.converged;
   for (const CycleColumn& column : cycle_columns()) {
     json[name_with_unit(column.name, column.unit)] = value(column.value(cycle));
+  }
+  for (const StressedFoil& foil : stressed_foils()) {
+    const std::optional<bool> above = above_yield(foil, input, cycle);
+    json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(cycle.*foil.peak);
+    json[fmt::format("above_yield_{}", foil.name)] = above ? Json(*above) : Json();
   }
   json["bump_loads_N"] = loads(&Increment::top_bump);
   json["foot_loads_N"] = loads(&Increment::bump_sleeve);
@@ -74,7 +90,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   json["solver"] = name_of(result.solver);
   json["status"] = name_of(status);
   json["cycles"] = Json::array();
-  for (const Cycle& cycle : result.cycles) json["cycles"].push_back(cycle_json(cycle));
+  for (const Cycle& cycle : result.cycles) json["cycles"].push_back(cycle_json(input, cycle));
   return dump_json(json, 2) + '\n';
 }
 

@@ -208,6 +208,16 @@ void TableReader::integer(std::string_view key, int& value, Presence presence) {
   }
 }
 
+void TableReader::flag(std::string_view key, bool& value) {
+  const toml::node* node = find(key, Presence::optional);
+  if (node == nullptr) return;
+  if (const auto* flag = node->as_boolean()) {
+    value = flag->get();
+  } else {
+    log_.fault(path_of(key), is_where(*node, "true or false"), "write true or false without quotes");
+  }
+}
+
 void TableReader::text(std::string_view key, std::string& value) {
   const toml::node* node = find(key, Presence::optional);
   if (node == nullptr) return;

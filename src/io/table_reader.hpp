@@ -84,6 +84,7 @@ class TableReader {
   void quantity(std::string_view key, std::optional<double>& value, Dimension dimension);
   void number(std::string_view key, double& value, Presence presence);
   void integer(std::string_view key, int& value, Presence presence);
+  void flag(std::string_view key, bool& value);
   void text(std::string_view key, std::string& value);
   /// List of dimensioned values. Entries found in `names` stand for theirs. Entries that are faulty are zero.
   void quantities(std::string_view key, std::vector<double>& values, Dimension dimension, Presence presence,

@@ -8,16 +8,6 @@
 namespace bumpfoil {
 namespace {
 
-BumpDofs truss_dofs(bool with_top_foil) {
-  BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
-  if (with_top_foil) {
-    dofs.size = 6;
-    dofs.top_u = 4;
-    dofs.top_moment = 5;
-  }
-  return dofs;
-}
-
 /// Adds the top foil in its moment form, the unknown moments being M / moment_scale.
 void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const BumpDofs& dofs, BlockTridiagonal& K) {
   const int u = dofs.top_u;
@@ -77,16 +67,26 @@ Vector linear_forces(const FoilStructure& structure, const Vector& x) {
 
 }  // namespace
 
+BumpDofs make_bump_dofs(BumpFoilModel model) {
+  if (model == BumpFoilModel::frame) return frame_dofs();
+  BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
+  if (model == BumpFoilModel::truss) {
+    dofs.size = 6;
+    dofs.top_u = 4;
+    dofs.top_moment = 5;
+  }
+  return dofs;
+}
+
 FoilStructure make_foil_structure(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
   const bool is_frame = foil.model == BumpFoilModel::frame;
   FoilStructure structure;
-  structure.dofs = is_frame ? frame_dofs() : truss_dofs(foil.model != BumpFoilModel::former);
+  structure.dofs = make_bump_dofs(foil.model);
   structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
   if (structure.dofs.top_u >= 0) {
-    const TopFoilBeam beam = make_top_foil_beam(input);
-    const double moment_scale = beam.bending_stiffness / (foil.pitch * foil.pitch);
-    assemble_top_foil(make_top_foil_moments(beam), moment_scale, structure.dofs, structure.K);
+    assemble_top_foil(make_top_foil_moments(make_top_foil_beam(input)), top_moment_scale(input), structure.dofs,
+                      structure.K);
   }
   if (is_frame) {
     const FrameModel frame = make_frame_model(input);

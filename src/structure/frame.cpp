@@ -16,7 +16,9 @@ constexpr Eigen::Index clamped = -1;
 FrameModel make_frame_model(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
   return {.section = make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness),
-          .arcs = std::vector<BumpArc>(static_cast<std::size_t>(foil.bumps), make_bump_arc(foil)),
+          .arcs = foil.stiffness_follows_height
+                      ? make_own_arcs(foil)
+                      : std::vector<BumpArc>(static_cast<std::size_t>(foil.bumps), make_bump_arc(foil)),
           .pitch = foil.pitch,
           .weld_at = foil.weld_at,
           .geometry = foil.geometry};

@@ -5,16 +5,21 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "bumpfoil/structure/section.hpp"
 #include "structure/series.hpp"
 
 namespace bumpfoil {
 
-TopFoilBeam make_top_foil_beam(const Case& input) {
+Section make_top_foil_section(const Case& input) {
   const TopFoil& foil = input.top_foil;
-  const Section section =
-      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
-  return {input.bearing.radius, section.bending_stiffness, crest_angles(input)};
+  return make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+}
+
+TopFoilBeam make_top_foil_beam(const Case& input) {
+  return {input.bearing.radius, make_top_foil_section(input).bending_stiffness, crest_angles(input)};
+}
+
+double top_moment_scale(const Case& input) {
+  return make_top_foil_section(input).bending_stiffness / (input.bump_foil.pitch * input.bump_foil.pitch);
 }
 
 Matrix top_foil_compliance(const TopFoilBeam& beam) {

@@ -24,7 +24,7 @@ OCTAVE = sys.argv[3]
 CASE = ROOT / "examples/gen1.toml"
 STEPS = 10
 # Ends of the names in summary.json and cycle.csv, and the units they stand for.
-UNITS = {"_N_per_m": "N/m", "_deg": "degree", "_N": "N", "_J": "J", "_m": "m", "_s": "s"}
+UNITS = {"_N_per_m": "N/m", "_Pa": "Pa", "_deg": "degree", "_N": "N", "_J": "J", "_m": "m", "_s": "s"}
 MODES = "open stick slip_forward slip_backward"
 
 
@@ -91,6 +91,8 @@ class Read(unittest.TestCase):
     def test_every_quantity_of_the_summary(self):
         names = {"iterations": "total_iterations", "factorisations": "total_factorisations", "substeps": "total_substeps"}
         for key in self.summary["cycles"][0]:
+            if key.endswith("_at"):  # places are found in the stresses of result.nc
+                continue
             name, unit = split_unit(key)
             expected = np.array([cycle[key] for cycle in self.summary["cycles"]], dtype=float)
             variable = self.result[names.get(name, name)]

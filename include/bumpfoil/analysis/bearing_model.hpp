@@ -6,6 +6,7 @@
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
+#include "bumpfoil/structure/stress.hpp"
 
 namespace bumpfoil {
 
@@ -15,6 +16,7 @@ namespace bumpfoil {
 struct BearingModel {
   Bearing bearing;
   FoilStructure structure;
+  StressModel stress;
   ContactProblem problem;
   Vector phi;            ///< polar angles of the crests, rad
   Vector assembled_gap;  ///< g0 of each contact without the journal's part, m: height errors and sleeve gaps

@@ -21,14 +21,38 @@ struct CycleEvent {
   ContactMode to{};
 };
 
+/// Tangent stiffnesses d(F.n)/ds at a state, N/m; absent where the closed contacts leave the foils loose.
+struct TangentStiffnesses {
+  std::optional<double> loading;    ///< slipping contacts go on slipping
+  std::optional<double> unloading;  ///< all closed contacts stick
+};
+
 /// Response at the turning point: present once the run got that far.
 struct TurningPoint {
-  double max_force{};                    ///< direct force at full displacement, N
-  double cross_force{};                  ///< N
-  double elastic_energy{};               ///< J
-  double tangent_stiffness_loading{};    ///< slipping contacts go on slipping, N/m
-  double tangent_stiffness_unloading{};  ///< all closed contacts stick, N/m
-  double secant_stiffness{};             ///< max_force / amplitude, N/m
+  double max_force{};       ///< direct force at full displacement, N
+  double cross_force{};     ///< N
+  double elastic_energy{};  ///< J
+  TangentStiffnesses tangent;
+  double secant_stiffness{};  ///< max_force / amplitude, N/m
+};
+
+/// Where a foil is bent most.
+enum class StressPlace {
+  weld,   ///< where it is clamped
+  crest,  ///< at a crest; of the top foil, over it
+  foot,   ///< at an end of an arc
+  arc,    ///< between crest and foot
+};
+
+/// The largest bending stress of a foil during a cycle, and where and when it acts first.
+struct StressPeak {
+  double stress{};  ///< Pa
+  StressPlace place{};
+  int bump{-1};           ///< from 0; -1 at the weld
+  int increment{};        ///< of the cycle
+  double displacement{};  ///< at that increment, m
+
+  bool operator==(const StressPeak&) const = default;
 };
 
 /// Push and pull in one direction: increments 0..2*steps and what is derived from them. Increment 0 is the assembly at
@@ -44,12 +68,14 @@ struct Cycle {
 
   double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
   std::optional<TurningPoint> turning_point;
-  std::optional<double> loop_energy;    ///< closed integral of F.dx by the trapezoidal rule, J
-  std::optional<double> loss_factor;    ///< loop energy / (2 pi (E_max - E0)); absent where nothing was deformed
-  std::optional<double> first_contact;  ///< m; absent if no bump faces the direction
-  std::optional<double> clearance_5N;   ///< displacement of the first upward crossing of 5 N, m; absent if never
-  std::optional<double> clearance_10N;  ///< m
-  double wall_time{};                   ///< s
+  std::optional<double> loop_energy;           ///< closed integral of F.dx by the trapezoidal rule, J
+  std::optional<double> loss_factor;           ///< loop energy / (2 pi (E_max - E0)); absent where nothing was deformed
+  std::optional<double> first_contact;         ///< m; absent if no bump faces the direction
+  std::optional<double> clearance_5N;          ///< displacement of the first upward crossing of 5 N, m; absent if never
+  std::optional<double> clearance_10N;         ///< m
+  std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
+  std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
+  double wall_time{};                          ///< s
 
   /// Increment at full displacement; only where turning_point is present.
   [[nodiscard]] const Increment& at_turning_point() const { return increments[static_cast<std::size_t>(steps)]; }

@@ -40,10 +40,12 @@ struct Increment {
   InterfaceFields journal_top;  ///< per bump
   InterfaceFields top_bump;     ///< per bump
   InterfaceFields bump_sleeve;  ///< per foot
+
+  FoilStress stress;
 };
 
-/// Fields, forces, elastic energy and residuals of a state; index, branch, displacement, work and dissipation are left
-/// to the caller.
+/// Fields, forces, stress, elastic energy and residuals of a state; index, branch, displacement, work and dissipation
+/// are left to the caller.
 /// @param position    of the journal centre, m
 /// @param direction   unit vector n that direct and cross force refer to
 /// @param previous_x  unknowns at the begin of the last part of the increment, which its slip is measured from

@@ -67,11 +67,13 @@ struct BumpFoil {
   double length{};  ///< chord of the arc 2 l0, m
   double height{};  ///< h_b, m, read as `height_reference` says
   HeightReference height_reference{HeightReference::overall};
-  double thickness{};                 ///< e_f, m
-  double youngs_modulus{};            ///< E, Pa
-  double poisson_ratio{};             ///< nu
-  std::vector<double> height_errors;  ///< m, positive = taller; empty or one per bump
-  std::vector<double> sleeve_gaps;    ///< g0_b, m; empty or one per bump
+  double thickness{};                    ///< e_f, m
+  double youngs_modulus{};               ///< E, Pa
+  double poisson_ratio{};                ///< nu
+  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
+  std::vector<double> height_errors;     ///< m, positive = taller; empty or one per bump
+  bool stiffness_follows_height{};       ///< a bump's height error changes its own stiffness too (frame model only)
+  std::vector<double> sleeve_gaps;       ///< g0_b, m; empty or one per bump
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;
 
@@ -82,6 +84,7 @@ struct TopFoil {
   double thickness{};       ///< m
   double youngs_modulus{};  ///< Pa
   double poisson_ratio{};
+  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
 
   bool operator==(const TopFoil&) const = default;
 };

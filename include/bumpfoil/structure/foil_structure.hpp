@@ -22,6 +22,9 @@ struct BumpDofs {
   [[nodiscard]] int feet() const { return static_cast<int>(foot_u.size()); }
 };
 
+/// Unknowns of a bump in each model, see make_foil_structure().
+BumpDofs make_bump_dofs(BumpFoilModel model);
+
 /// Foils whose displacements are large: the elements of the bump foil are carried along, the rest stays linear.
 struct LargeDisplacements {
   ElementChain bump_foil;

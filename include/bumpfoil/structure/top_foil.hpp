@@ -2,6 +2,7 @@
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
 
@@ -13,8 +14,13 @@ struct TopFoilBeam {
   Vector theta;                ///< angles of the loads, 0 < theta_1 < theta_2 < ..., rad
 };
 
+Section make_top_foil_section(const Case& input);
+
 /// Top foil of a bearing, loaded over its crests.
 TopFoilBeam make_top_foil_beam(const Case& input);
+
+/// Unit of the moments among the unknowns of a foil structure, EI' / p^2 of the top foil, N.
+double top_moment_scale(const Case& input);
 
 /// Radial compliance at the crests, N x N, m/N, symmetric positive definite; for theta_j <= theta_i
 ///

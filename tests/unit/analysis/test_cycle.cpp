@@ -125,7 +125,7 @@ TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   const Cycle cycle = run_single_cycle(input, 0.0);
   EXPECT_TRUE(cycle.converged);
   EXPECT_EQ(cycle.turning_point->max_force, 0.0);
-  EXPECT_EQ(cycle.turning_point->tangent_stiffness_loading, 0.0);
+  EXPECT_EQ(cycle.turning_point->tangent.loading, 0.0);
   EXPECT_EQ(cycle.loop_energy, 0.0);
   EXPECT_EQ(cycle.loss_factor, std::nullopt);
   EXPECT_EQ(cycle.clearance_5N, std::nullopt);

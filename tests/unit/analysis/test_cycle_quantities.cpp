@@ -113,10 +113,10 @@ class Pushed : public testing::TestWithParam<double> {
 TEST_P(Pushed, TangentsAreTheSlopesOfSmallSteps) {
   const TangentStiffnesses tangent = tangent_stiffnesses(model, state, n);
   constexpr double step = 1e-11;  // short of the next event
-  EXPECT_NEAR(slope(step), tangent.loading, 1e-4 * tangent.loading);
+  EXPECT_NEAR(slope(step), tangent.loading.value(), 1e-4 * *tangent.loading);
   // A few lightly loaded contacts lose their grip at once as the journal turns back; by definition they are stuck.
-  EXPECT_NEAR(slope(-step), tangent.unloading, 0.01 * tangent.unloading);
-  EXPECT_GT(tangent.unloading, 1.5 * tangent.loading);
+  EXPECT_NEAR(slope(-step), tangent.unloading.value(), 0.01 * *tangent.unloading);
+  EXPECT_GT(*tangent.unloading, 1.5 * *tangent.loading);
 }
 
 TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
@@ -124,7 +124,7 @@ TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
   for (ContactMode& m : mode) m = m == ContactMode::open ? m : ContactMode::stick;
   const DenseState rate = solve_dense(make_dense(model.problem), loading_rate(model, n), 0.0 * state.x, mode);
   const double expected = force(rate.normal_force);
-  EXPECT_NEAR(tangent_stiffnesses(model, state, n).unloading, expected, 1e-9 * expected);
+  EXPECT_NEAR(tangent_stiffnesses(model, state, n).unloading.value(), expected, 1e-9 * expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.0, 4.0));
@@ -137,6 +137,63 @@ TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
   const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
   EXPECT_EQ(tangent.loading, 0.0);
   EXPECT_EQ(tangent.unloading, 0.0);
+}
+
+TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
+  BearingModel model = make_bearing_model(case_with_given_constants());
+  // No spring holds crest 8 along the foil any more.
+  model.problem.K.diagonal[7].row(0).setZero();
+  model.problem.K.diagonal[7].col(0).setZero();
+  model.problem.K.upper[6].col(0).setZero();
+  model.problem.K.upper[7].row(0).setZero();
+  model.structure.K = model.problem.K;
+  ContactState state = ContactState::unstressed(model.problem);
+  state.mode.assign(78, ContactMode::open);
+  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
+  EXPECT_EQ(tangent.loading, std::nullopt);
+  EXPECT_EQ(tangent.unloading, std::nullopt);
+}
+
+/// An increment with these stresses and no others.
+Increment stressed(int index, const FoilStress& stress) {
+  Increment increment;
+  increment.index = index;
+  increment.displacement = 1e-6 * index;
+  increment.stress = stress;
+  return increment;
+}
+
+TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
+  FoilStress low;
+  low.top_weld = 3.0;
+  low.top_crest = Vector{{1.0, 2.0}};
+  low.bump_weld = 4.0;
+  low.bump_crest = Vector{{5.0, 6.0}};
+  low.bump_foot = Vector{{6.0, 1.0, 2.0, 5.5}};
+  low.bump_largest = Vector{{6.0, 6.0}};
+  FoilStress high = low;
+  high.top_crest[1] = 9.0;
+  high.bump_foot[3] = 7.0;
+  FoilStress higher = high;
+  higher.bump_largest[1] = 8.0;
+
+  const StressPeak top = top_foil_peak({stressed(0, low), stressed(1, high), stressed(2, high)}).value();
+  EXPECT_EQ(top.stress, 9.0);
+  EXPECT_EQ(top.place, StressPlace::crest);
+  EXPECT_EQ(top.bump, 1);
+  EXPECT_EQ(top.increment, 1);  // where it acts first
+  EXPECT_EQ(top.displacement, 1e-6);
+  EXPECT_EQ(top_foil_peak({stressed(0, low)})->place, StressPlace::weld);
+  EXPECT_EQ(top_foil_peak({stressed(0, low)})->bump, -1);
+
+  const StressPeak crest = bump_foil_peak({stressed(0, low)}).value();
+  EXPECT_EQ(crest.place, StressPlace::crest);  // not the arc, which is no larger
+  EXPECT_EQ(crest.bump, 1);
+  const StressPeak foot = bump_foil_peak({stressed(0, low), stressed(1, high)}).value();
+  EXPECT_EQ(foot.place, StressPlace::foot);
+  EXPECT_EQ(foot.bump, 1);
+  EXPECT_EQ(bump_foil_peak({stressed(0, higher)})->place, StressPlace::arc);
+  EXPECT_EQ(bump_foil_peak({stressed(0, FoilStress{})}), std::nullopt);
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ Case arbitrary_case() {
                                                     : WeldPosition::mid_flat;
   foil.geometry =
       foil.model == BumpFoilModel::frame ? *rc::gen::element(Geometry::linear, Geometry::nonlinear) : Geometry::linear;
+  foil.stiffness_follows_height = foil.model == BumpFoilModel::frame && *rc::gen::arbitrary<bool>();
+  foil.yield_stress = maybe(1e8, 2e9);
   foil.bumps = *rc::gen::inRange(1, 27);
   foil.height = between(0.4e-3, 0.6e-3);
   foil.height_reference = *rc::gen::element(HeightReference::overall, HeightReference::midsurface);
@@ -62,6 +64,7 @@ Case arbitrary_case() {
                 .k4 = maybe(1e6, 1e9),
                 .theta_d = maybe(0.1, 1.5)};
   input.top_foil.thickness = between(0.01e-3, 1e-3);
+  input.top_foil.yield_stress = foil.yield_stress ? between(1e8, 2e9) : maybe(1e8, 2e9);
   input.friction = {.top_bump = between(0.0, 1.0), .bump_sleeve = between(0.0, 1.0)};
   input.solver.uzawa.tau_f = between(1e-12, 1e-6);
   if (*rc::gen::arbitrary<bool>()) {

@@ -33,6 +33,24 @@ TEST(FindFaults, FindsNoneInTheReferenceCase) {
   EXPECT_TRUE(find_faults(reference_case()).empty());
 }
 
+TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
+  const auto change = [](BumpFoilModel model, std::vector<double> errors) {
+    return [=](Case& input) {
+      input.bump_foil.model = model;
+      input.bump_foil.stiffness_follows_height = true;
+      input.bump_foil.bumps = 3;
+      input.bump_foil.height_errors = errors;
+      // Just below a half circle whose neighbours are 0.072 mm away.
+      input.bump_foil.length = 4.5e-3;
+      input.bump_foil.height = 2.3e-3;
+    };
+  };
+  EXPECT_EQ(faulty_keys(change(BumpFoilModel::frame, {0.0, 0.1e-3, -0.1e-3})), Keys{});
+  EXPECT_EQ(faulty_keys(change(BumpFoilModel::frame, {0.0, 0.9e-3, -0.1e-3})), Keys{"bump_foil.height_errors[2]"});
+  EXPECT_EQ(faulty_keys(change(BumpFoilModel::truss, {0.0, 0.1e-3, -0.1e-3})),
+            Keys{"bump_foil.stiffness_follows_height"});
+}
+
 TEST(FindFaults, WantsFinitePositiveSizes) {
   const std::vector<std::pair<std::string, double& (*)(Case&)>> sizes{
       {"bearing.radius", [](Case& c) -> double& { return c.bearing.radius; }},
