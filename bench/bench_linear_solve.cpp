@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/linear_systems.hpp"
 
 namespace bumpfoil {
 namespace {
 
 /// The reference bearing with more bumps on a radius that grows with them, so that the foils still go round once.
-BearingModel long_bearing(int bumps) {
+FoilModel long_bearing(int bumps) {
   Case input = reference_case();
   input.bearing.radius *= bumps / 26.0;
   input.bump_foil.bumps = bumps;
@@ -17,7 +17,7 @@ BearingModel long_bearing(int bumps) {
 }
 
 /// Bumps 1, 2, 3 of every four carry: two stick, one slips.
-std::vector<ContactMode> mixed_modes(const BearingModel& model) {
+std::vector<ContactMode> mixed_modes(const FoilModel& model) {
   std::vector<ContactMode> mode;
   for (int bump = 0; bump < model.bumps(); ++bump) {
     const ContactMode m = bump % 4 == 0   ? ContactMode::open
@@ -38,7 +38,7 @@ void report_per_bump(benchmark::State& bench) {
 
 /// Assembly and factorisation from the first block on, and one solve.
 void factor_and_solve(benchmark::State& bench) {
-  const BearingModel model = long_bearing(static_cast<int>(bench.range(0)));
+  const FoilModel model = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
   const ContactLoading loading = loading_at(model, {4e-5, 0.0});
   ContactState state = ContactState::unstressed(model.problem);
@@ -63,7 +63,7 @@ BENCHMARK(factor_and_solve)
 
 /// One solve with factors that are there.
 void solve(benchmark::State& bench) {
-  const BearingModel model = long_bearing(static_cast<int>(bench.range(0)));
+  const FoilModel model = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
   const ContactLoading loading = loading_at(model, {4e-5, 0.0});
   ContactState state = ContactState::unstressed(model.problem);

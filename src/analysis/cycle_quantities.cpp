@@ -42,14 +42,14 @@ std::optional<double> clearance_at(const std::vector<Increment>& increments, dou
   return std::nullopt;
 }
 
-std::optional<double> first_contact_displacement(const Bearing& bearing, const Vector& phi,
-                                                 const Vector& top_displacement, const Eigen::Vector2d& direction) {
+std::optional<double> first_contact_displacement(double clearance, const Vector& phi, const Vector& top_displacement,
+                                                 const Eigen::Vector2d& direction) {
   constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
   std::optional<double> first;
   for (Eigen::Index i = 0; i < phi.size(); ++i) {
     const double cosine = unit_vector(phi[i]).dot(direction);
     if (cosine <= facing) continue;
-    const double displacement = std::max(0.0, (bearing.radial_clearance + top_displacement[i]) / cosine);
+    const double displacement = std::max(0.0, (clearance + top_displacement[i]) / cosine);
     first = std::min(first.value_or(displacement), displacement);
   }
   return first;
@@ -60,7 +60,7 @@ std::optional<double> loss_factor(double loop_energy, double elastic_energy_stor
   return loop_energy / (2.0 * std::numbers::pi * elastic_energy_stored);
 }
 
-TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactState& state,
+TangentStiffnesses tangent_stiffnesses(const FoilModel& model, const ContactState& state,
                                        const Eigen::Vector2d& direction) {
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
   system->set_elasticity(tangent_stiffness(model.structure, state.x));
@@ -70,7 +70,7 @@ TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactS
   const auto stiffness = [&](const std::vector<ContactMode>& modes) -> std::optional<double> {
     if (!system->set_modes(modes)) return std::nullopt;
     system->solve(motion, at_rest, rate);
-    return journal_force(model.phi, journal_loads(model, rate.normal_force)).dot(direction);
+    return holding_force(model, rate.normal_force).dot(direction);
   };
 
   std::vector<ContactMode> sticking = state.mode;
@@ -103,7 +103,7 @@ std::optional<StressPeak> bump_foil_peak(const std::vector<Increment>& increment
 
 void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents) {
   const std::vector<Increment>& increments = cycle.increments;
-  const auto all = static_cast<std::size_t>(2 * cycle.steps + 1);
+  const auto all = static_cast<std::size_t>(cycle.due);
   const auto good = static_cast<std::size_t>(std::count_if(
       increments.begin(), increments.end(), [](const Increment& increment) { return increment.solve.converged; }));
   cycle.converged = good == all;

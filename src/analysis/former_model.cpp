@@ -65,7 +65,7 @@ FormerModel make_former_model(const Case& input) {
 }
 
 Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& position) {
-  return journal_gaps(model.bearing, model.phi, position) - model.height_errors;
+  return journal_gaps(model.bearing.radial_clearance, model.phi, position) - model.height_errors;
 }
 
 Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactState& state) {

@@ -156,6 +156,39 @@ void read_cycle(ReadingLog& log, TableReader table, CycleSettings& cycle) {
   }
 }
 
+/// A key that holds a length or a force; plain numbers are as `target` was.
+void read_target(TableReader& table, std::string_view key, PlateTarget& target) {
+  Dimension dimension = target.control == PlateControl::load ? Dimension::force : Dimension::length;
+  table.quantity(key, target.value, dimension, Dimension::length, Dimension::force);
+  target.control = dimension == Dimension::force ? PlateControl::load : PlateControl::displacement;
+}
+
+void read_strip(ReadingLog& log, TableReader table, int bumps, std::optional<StripSettings>& settings) {
+  if (!table.present()) return;
+  StripSettings strip;
+  strip.bumps = bumps;
+  table.integer("bumps", strip.bumps, optional);
+  if (!table.has("bumps")) log.taken_from("strip.bumps", "bump_foil.bumps");
+  table.choice("weld", strip.weld, strip_weld_names);
+  table.flag("top_foil", strip.top_foil);
+  const bool by_load = table.has("load");
+  double displacement = 0.0;
+  double load = 0.0;
+  table.quantity("displacement", displacement, Dimension::length, by_load ? optional : required);
+  table.quantity("load", load, Dimension::force, optional);
+  if (by_load && table.has("displacement")) {
+    log.fault("strip.displacement", "contradicts load, which is given too", "give one of the two");
+  }
+  strip.amplitude = {by_load ? PlateControl::load : PlateControl::displacement, by_load ? load : displacement};
+  PlateTarget preload{strip.amplitude.control, 0.0};
+  read_target(table, "preload", preload);
+  if (table.has("preload")) strip.preload = preload;
+  table.integer("cycles", strip.cycles, optional);
+  table.integer("steps", strip.steps, optional);
+  table.finish();
+  settings = strip;
+}
+
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request) {
@@ -171,6 +204,7 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
   read_friction(log, root.table("friction"), input.friction);
   read_solver(root.table("solver"), input.solver);
   read_cycle(log, root.table("cycle"), input.cycle);
+  read_strip(log, root.table("strip"), input.bump_foil.bumps, input.strip);
   root.finish();
   for (const std::string& table : request.required_tables) {
     if (!root.has(table))

@@ -38,6 +38,8 @@ const std::map<std::string, std::string_view, std::less<>> units{
     {"tau_f", "m"},
     {"directions", "rad"},
     {"amplitude", "m"},
+    {"displacement", "m"},
+    {"load", "N"},
 };
 
 /// JSON texts are TOML texts, except that TOML wants the delete character escaped.
@@ -90,6 +92,24 @@ Json bump_foil_json(const BumpFoil& foil) {
   return json;
 }
 
+/// A preload that is not of the kind of a plain number there carries its unit.
+Json target_json(const PlateTarget& target, PlateControl plain) {
+  if (target.control == plain) return target.value;
+  return fmt::format("{:.17g} {}", target.value, target.control == PlateControl::load ? "N" : "m");
+}
+
+Json strip_json(const StripSettings& strip) {
+  const bool by_load = strip.amplitude.control == PlateControl::load;
+  Json json{{"bumps", strip.bumps},
+            {"weld", name_in(strip_weld_names, strip.weld)},
+            {"top_foil", strip.top_foil},
+            {by_load ? "load" : "displacement", strip.amplitude.value}};
+  if (strip.preload) json["preload"] = target_json(*strip.preload, strip.amplitude.control);
+  json["cycles"] = strip.cycles;
+  json["steps"] = strip.steps;
+  return json;
+}
+
 }  // namespace
 
 nlohmann::ordered_json case_json(const Case& input) {
@@ -118,6 +138,7 @@ nlohmann::ordered_json case_json(const Case& input) {
     json["cycle"] = {
         {"directions", input.cycle.directions}, {"amplitude", input.cycle.amplitude}, {"steps", input.cycle.steps}};
   }
+  if (input.strip) json["strip"] = strip_json(*input.strip);
   return json;
 }
 

@@ -10,7 +10,7 @@
 
 namespace bumpfoil {
 
-/// A quantity of every increment: a column of cycle.csv, a variable of result.nc.
+/// A quantity of every increment: a column of cycle.csv or strip.csv, a variable of result.nc.
 struct IncrementColumn {
   std::string_view name;
   std::string_view unit;  ///< as UDUNITS spells it; "1" where there is none
@@ -18,8 +18,8 @@ struct IncrementColumn {
   double (*value)(const Increment&);
 };
 
-/// Real quantities of an increment, in the order of the columns of cycle.csv.
-std::span<const IncrementColumn> increment_columns();
+/// Real quantities of an increment, in the order of the columns of cycle.csv or strip.csv.
+std::span<const IncrementColumn> increment_columns(Experiment experiment = Experiment::cycle);
 
 /// A quantity of a whole cycle: a key of summary.json, a variable of result.nc.
 struct CycleColumn {
@@ -30,7 +30,10 @@ struct CycleColumn {
 };
 
 /// Real quantities of a cycle, in the order of the keys of summary.json.
-std::span<const CycleColumn> cycle_columns();
+std::span<const CycleColumn> cycle_columns(Experiment experiment = Experiment::cycle);
+
+/// "cycle" or "strip": the command that an experiment is run by.
+std::string_view name_of(Experiment experiment);
 
 /// A foil whose stress is compared with its yield stress.
 struct StressedFoil {

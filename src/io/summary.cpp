@@ -35,16 +35,22 @@ Json peak_json(const std::optional<StressPeak>& peak) {
           {"displacement_m", peak->displacement}};
 }
 
-Json cycle_json(const Case& input, const Cycle& cycle) {
+Json cycle_json(const Case& input, Experiment experiment, std::size_t number, const Cycle& cycle) {
   const auto loads = [&cycle](InterfaceFields Increment::*interface) {
-    return cycle.turning_point ? value((cycle.at_turning_point().*interface).normal_force) : Json();
+    if (!cycle.turning_point) return Json();
+    const Vector& normal_force = (cycle.at_turning_point().*interface).normal_force;
+    return normal_force.size() > 0 ? value(normal_force) : Json();
   };
   Json json;
-  json["direction_deg"] = to_degrees(cycle.direction);
+  if (experiment == Experiment::strip) {
+    json["cycle"] = number;
+  } else {
+    json["direction_deg"] = to_degrees(cycle.direction);
+  }
   json["amplitude_m"] = cycle.amplitude;
   json["steps"] = cycle.steps;
   json["converged"] = cycle.converged;
-  for (const CycleColumn& column : cycle_columns()) {
+  for (const CycleColumn& column : cycle_columns(experiment)) {
     json[name_with_unit(column.name, column.unit)] = value(column.value(cycle));
   }
   for (const StressedFoil& foil : stressed_foils()) {
@@ -84,13 +90,16 @@ double to_degrees(double angle) {
 std::string summary_json(const Case& input, const CycleResult& result, RunStatus status) {
   Json json;
   json["schema"] = "bumpfoil-summary/1";
+  json["command"] = name_of(result.experiment);
   json["case"] = case_json(input);
   json["version"] = version();
   json["commit"] = commit();
   json["solver"] = name_of(result.solver);
   json["status"] = name_of(status);
   json["cycles"] = Json::array();
-  for (const Cycle& cycle : result.cycles) json["cycles"].push_back(cycle_json(input, cycle));
+  for (const Cycle& cycle : result.cycles) {
+    json["cycles"].push_back(cycle_json(input, result.experiment, json["cycles"].size() + 1, cycle));
+  }
   return dump_json(json, 2) + '\n';
 }
 

@@ -185,6 +185,18 @@ void TableReader::quantity(std::string_view key, std::optional<double>& value, D
   if (double number = 0.0; read_quantity(path_of(key), *node, number, dimension)) value = number;
 }
 
+void TableReader::quantity(std::string_view key, double& value, Dimension& dimension, Dimension one, Dimension other) {
+  const toml::node* node = find(key, Presence::optional);
+  if (node == nullptr) return;
+  if (const auto* text = node->as_string()) {
+    for (const Dimension tried : {one, other}) {
+      if (std::holds_alternative<double>(parse_quantity(text->get(), tried))) dimension = tried;
+    }
+  }
+  read_quantity(path_of(key), *node, value, dimension,
+                fmt::format(", or {}", example_quantity(dimension == one ? other : one)));
+}
+
 void TableReader::number(std::string_view key, double& value, Presence presence) {
   const toml::node* node = find(key, presence);
   if (node == nullptr) return;

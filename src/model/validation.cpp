@@ -25,6 +25,7 @@ struct Range {
 constexpr Range length_range{1e-9, 1e3, "m"};
 constexpr Range modulus_range{1e6, 1e13, "Pa"};
 constexpr Range stiffness_range{1.0, 1e15, "N/m"};
+constexpr Range load_range{1e-6, 1e9, "N"};
 constexpr Range strength_range{1e5, 1e11, "Pa"};
 constexpr Range coefficient_range{0.0, 1.0, ""};
 constexpr Range poisson_range{0.0, 0.5, ""};
@@ -219,6 +220,13 @@ void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
   judge.within("solver.tau_f", uzawa.tau_f, {1e-18, 1e-3, "m"});
 }
 
+/// Whether a run of so many increments and bumps can be kept in memory.
+void judge_memory(Judge& judge, const std::string& key, int steps, std::int64_t increments, int bumps) {
+  judge.require(increments <= most_bump_increments / bumps, key, std::to_string(steps),
+                fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                "give fewer steps or fewer loops");
+}
+
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   const CycleSettings& cycle = input.cycle;
   if (cycle.directions.empty() && cycle.amplitude == 0.0) return;
@@ -239,9 +247,57 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
   if (!bumps || !steps) return;
   const auto increments = std::int64_t{2} * cycle.steps * std::ssize(cycle.directions);
-  judge.require(increments <= most_bump_increments / input.bump_foil.bumps, "cycle.steps", std::to_string(cycle.steps),
-                fmt::format("{} increments of {} bumps would not fit in memory", increments, input.bump_foil.bumps),
-                "give fewer steps or fewer directions");
+  judge_memory(judge, "cycle.steps", cycle.steps, increments, input.bump_foil.bumps);
+}
+
+/// A target of the plate, called by the key that holds it.
+void judge_target(Judge& judge, const std::string& key, const PlateTarget& target, double rise) {
+  if (target.control == PlateControl::load) {
+    judge.within(key, target.value, load_range);
+  } else if (judge.within(key, target.value, length_range) && rise > 0.0) {
+    judge.require(target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
+                  fmt::format("give less than their rise, {:.6g} m", rise));
+  }
+}
+
+void judge_strip_lists(Judge& judge, const BumpFoil& foil, int bumps) {
+  for (const auto& [key, list] : {std::pair{"bump_foil.height_errors", &foil.height_errors},
+                                  std::pair{"bump_foil.sleeve_gaps", &foil.sleeve_gaps}}) {
+    judge.require(list->empty() || std::ssize(*list) >= bumps, "strip.bumps", std::to_string(bumps),
+                  fmt::format("is more than the {} values of {}", list->size(), key),
+                  "give fewer bumps or more values");
+  }
+}
+
+void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil, double rise) {
+  const bool by_load = strip.amplitude.control == PlateControl::load;
+  const std::string amplitude_key = by_load ? "strip.load" : "strip.displacement";
+  const bool bumps =
+      judge.require(strip.bumps >= 1 && strip.bumps <= most_bumps, "strip.bumps", std::to_string(strip.bumps),
+                    "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
+  if (bumps) judge_strip_lists(judge, foil, strip.bumps);
+  judge_target(judge, amplitude_key, strip.amplitude, rise);
+  if (strip.preload) {
+    judge_target(judge, "strip.preload", *strip.preload, rise);
+    if (by_load) {
+      judge.require(strip.preload->control == PlateControl::load, "strip.preload", quantity(strip.preload->value, "m"),
+                    "is a displacement where the strip is controlled by load",
+                    "give a load, or a displacement in place of strip.load");
+      judge.require(strip.preload->control != PlateControl::load || strip.preload->value >= strip.amplitude.value,
+                    "strip.preload", quantity(strip.preload->value, "N"),
+                    fmt::format("is less than the amplitude, {:.6g} N: a plate cannot pull", strip.amplitude.value),
+                    "give a larger preload or a smaller load");
+    }
+  }
+  const bool cycles =
+      judge.require(strip.cycles >= 1 && strip.cycles <= most_steps, "strip.cycles", std::to_string(strip.cycles),
+                    "is no possible number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
+  const bool steps =
+      judge.require(strip.steps >= 1 && strip.steps <= most_steps, "strip.steps", std::to_string(strip.steps),
+                    "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+  if (!bumps || !cycles || !steps) return;
+  const std::int64_t branches = strip.preload ? 4 : 2;
+  judge_memory(judge, "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
 }
 
 void judge_combination(Judge& judge, const Case& input) {
@@ -294,6 +350,7 @@ std::vector<Fault> find_faults(const Case& input) {
   judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);
   judge_solver(judge, input.solver.uzawa);
   judge_cycle(judge, input, bumps, rise);
+  if (input.strip) judge_strip(judge, *input.strip, foil, rise);
   judge_combination(judge, input);
   return judge.take();
 }

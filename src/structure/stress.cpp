@@ -13,12 +13,17 @@ double weld_moment(const TopFoilMoments& form, double first_displacement, double
 
 }  // namespace
 
-StressModel make_stress_model(const Case& input) {
+StressModel make_stress_model(const Case& input, const FoilLayout& layout) {
   StressModel model;
-  if (input.bump_foil.model == BumpFoilModel::frame) model.bump_foil = make_frame_model(input);
-  model.dofs = make_bump_dofs(input.bump_foil.model);
+  model.dofs = make_bump_dofs(input.bump_foil.model, layout.top_foil);
+  if (input.bump_foil.model == BumpFoilModel::frame) {
+    model.bump_foil = make_frame_model(input);
+    model.bump_foil->welded = layout.welded;
+  } else {
+    model.first_bump = layout.welded ? 0 : 1;
+  }
   if (model.dofs.top_u >= 0) {
-    model.top_foil = make_top_foil_moments(make_top_foil_beam(input));
+    model.top_foil = make_top_foil_moments(input, layout);
     model.moment_scale = top_moment_scale(input);
     model.top_section_modulus = make_top_foil_section(input).modulus;
   }
@@ -28,13 +33,16 @@ StressModel make_stress_model(const Case& input) {
 FoilStress foil_stress(const StressModel& model, const Vector& x) {
   FoilStress stress;
   const Eigen::Index size = model.dofs.size;
-  const Eigen::Index bumps = x.size() / size;
+  const Eigen::Index first = model.first_bump * size;
+  const Eigen::Index bumps = (x.size() - first) / size;
   if (model.top_foil) {
     const double factor = model.moment_scale / model.top_section_modulus;
-    const Vector moments = x(Eigen::seqN(model.dofs.top_moment, bumps, size));
+    const Vector moments = x(Eigen::seqN(first + model.dofs.top_moment, bumps, size));
     stress.top_crest = factor * moments.cwiseAbs();
-    const double weld = weld_moment(*model.top_foil, x[model.dofs.top_u], model.moment_scale * moments[0]);
-    stress.top_weld = std::abs(weld) / model.top_section_modulus;
+    if (model.top_foil->welded) {
+      const double weld = weld_moment(*model.top_foil, x[model.dofs.top_u], model.moment_scale * moments[0]);
+      stress.top_weld = std::abs(weld) / model.top_section_modulus;
+    }
   }
   if (model.bump_foil) {
     const FrameStress frame = frame_stress(*model.bump_foil, x);
@@ -43,7 +51,7 @@ FoilStress foil_stress(const StressModel& model, const Vector& x) {
     stress.bump_foot(Eigen::seqN(0, bumps, 2)) = frame.arc_start;
     stress.bump_foot(Eigen::seqN(1, bumps, 2)) = frame.arc_end;
     stress.bump_largest = frame.largest;
-    stress.bump_weld = frame.weld;
+    if (model.bump_foil->welded) stress.bump_weld = frame.weld;
   }
   return stress;
 }

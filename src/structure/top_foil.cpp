@@ -70,6 +70,19 @@ TopFoilMoments make_top_foil_moments(const TopFoilBeam& beam) {
   return form;
 }
 
+TopFoilMoments make_flat_top_foil_moments(double bending_stiffness, const Vector& spans, bool welded) {
+  const Eigen::Index n = spans.size();
+  BUMPFOIL_ASSERT(n > 0);
+  TopFoilMoments form;
+  form.welded = welded;
+  form.inverse_sine = spans.cwiseInverse();
+  form.half_tangent = Vector::Zero(n);
+  form.compliance_diagonal = spans / (3.0 * bending_stiffness);
+  form.compliance_diagonal.tail(n - 1) += spans.head(n - 1) / (3.0 * bending_stiffness);
+  form.compliance_off = spans.head(n - 1) / (6.0 * bending_stiffness);
+  return form;
+}
+
 Vector solve_tridiagonal(Vector diagonal, const Vector& off, Vector right) {
   const Eigen::Index n = diagonal.size();
   for (Eigen::Index k = 1; k < n; ++k) {

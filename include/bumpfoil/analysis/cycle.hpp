@@ -55,14 +55,16 @@ struct StressPeak {
   bool operator==(const StressPeak&) const = default;
 };
 
-/// Push and pull in one direction: increments 0..2*steps and what is derived from them. Increment 0 is the assembly at
-/// the centred journal, solved in one step from the unstressed foils. Quantities that could not be computed are absent.
+/// A loop and what is derived from it: push and pull of the journal in one direction, or one cycle of a strip between
+/// plates, along the direction 0. Of a bearing, increment 0 is the assembly at the centred journal, solved in one step
+/// from the unstressed foils. Quantities that could not be computed are absent.
 struct Cycle {
   double direction{};                 ///< rad
-  double amplitude{};                 ///< m
-  int steps{};                        ///< per branch
+  double amplitude{};                 ///< displacement from the start to the turning point, m
+  int steps{};                        ///< from the start to the turning point
+  int due{};                          ///< increments of the whole loop, the first included
   bool converged{};                   ///< all increments are there, and each meets the bound of its solver
-  std::vector<Increment> increments;  ///< fewer than 2*steps+1 after a numerical failure or an interruption
+  std::vector<Increment> increments;  ///< fewer than are due after a numerical failure or an interruption
 
   std::vector<CycleEvent> events;  ///< only from the event-driven solver
 
@@ -85,9 +87,13 @@ struct Cycle {
   [[nodiscard]] int substeps() const;                 ///< sum over increments
 };
 
+/// What was done to the foils.
+enum class Experiment { cycle, strip };
+
 struct CycleResult {
-  SolverName solver{};        ///< that was used
-  std::vector<Cycle> cycles;  ///< one per direction, in the order of the case
+  SolverName solver{};  ///< that was used
+  Experiment experiment{Experiment::cycle};
+  std::vector<Cycle> cycles;  ///< one per direction, in the order of the case; of a strip, one after the other
 
   [[nodiscard]] bool converged() const;
 };

@@ -17,6 +17,7 @@ struct FrameModel {
   double pitch{};             ///< p, m
   WeldPosition weld_at{WeldPosition::mid_flat};
   Geometry geometry{Geometry::linear};
+  bool welded{true};  ///< false: free at both ends, the first arc begins where nothing holds it
 };
 
 /// Frame of the bump foil of a case. Every arc is the nominal one, and height errors act through the gaps alone, unless

@@ -21,6 +21,7 @@ struct FoilStress {
 /// What it takes to tell the stress from the unknowns of a foil structure. A plain value.
 struct StressModel {
   BumpDofs dofs;
+  int first_bump{};  ///< block of bump 1
   std::optional<FrameModel> bump_foil;
   std::optional<TopFoilMoments> top_foil;
   double moment_scale{};         ///< EI' / p^2 of the top foil, N: its moments are the unknowns times this
@@ -28,11 +29,11 @@ struct StressModel {
 };
 
 /// @throws Error (input) if the case cannot be built.
-StressModel make_stress_model(const Case& input);
+StressModel make_stress_model(const Case& input, const FoilLayout& layout = {});
 
 /// Moments of the top foil as the unknowns hold them; over the crests, where they are largest in magnitude but for a
 /// part of 1 / cos(d/2) - 1 between two crests that are d apart.
-/// @param x  unknowns of the foil structure of the same case
+/// @param x  unknowns of the foil structure of the same case and layout
 FoilStress foil_stress(const StressModel& model, const Vector& x);
 
 }  // namespace bumpfoil

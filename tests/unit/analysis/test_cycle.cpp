@@ -50,7 +50,7 @@ TEST(Cycle, FieldsOfAnIncrementBelongTogether) {
     EXPECT_NEAR(increment.force_y, force.y(), size);
     EXPECT_NEAR(increment.force_direct, force.x() * std::cos(1.0) + force.y() * std::sin(1.0), size);
     EXPECT_NEAR(increment.force_cross, -force.x() * std::sin(1.0) + force.y() * std::cos(1.0), size);
-    const Vector r = journal_gaps(input.bearing, phi, {increment.x, increment.y});
+    const Vector r = journal_gaps(input.bearing.radial_clearance, phi, {increment.x, increment.y});
     for (Eigen::Index i = 0; i < 26; ++i) {
       const auto entry = static_cast<std::size_t>(i);
       const double g_r = r[i] + increment.top_displacement[i];

@@ -48,32 +48,32 @@ TEST(ClearanceAt, IsZeroAboveFromTheStartAndAbsentIfNeverReached) {
 
 TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   Case input = case_with_given_constants();
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   const Vector at_rest = Vector::Zero(26);
   // Towards crest 5 exactly: the clearance; half-way between two crests: a little more.
   const double pitch_angle = input.bump_foil.pitch / input.bearing.radius;
-  EXPECT_NEAR(*first_contact_displacement(model.bearing, model.phi, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
               31.8e-6, 1e-18);
-  EXPECT_NEAR(*first_contact_displacement(model.bearing, model.phi, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
               31.8e-6 / std::cos(0.5 * pitch_angle), 1e-18);
 }
 
 TEST(FirstContact, SeesTheTopFoilWhereItStands) {
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   Vector displaced = Vector::Zero(26);
   displaced[12] = -10e-6;  // inward
   const Eigen::Vector2d towards = unit_vector(model.phi[12]);
-  EXPECT_NEAR(*first_contact_displacement(model.bearing, model.phi, displaced, towards), 21.8e-6, 1e-18);
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, displaced, towards), 21.8e-6, 1e-18);
   displaced[12] = -31.8e-6;
-  EXPECT_EQ(first_contact_displacement(model.bearing, model.phi, displaced, towards), 0.0);
+  EXPECT_EQ(first_contact_displacement(model.clearance, model.phi, displaced, towards), 0.0);
 }
 
 TEST(FirstContact, IsAbsentWhereNoCrestFacesTheDirection) {
   Case input = case_with_given_constants();
   input.bump_foil.bumps = 6;  // 82 degrees from the weld on
-  const BearingModel model = make_bearing_model(input);
-  EXPECT_EQ(first_contact_displacement(model.bearing, model.phi, Vector::Zero(6), unit_vector(0.0)), std::nullopt);
-  EXPECT_TRUE(first_contact_displacement(model.bearing, model.phi, Vector::Zero(6), unit_vector(pi)).has_value());
+  const FoilModel model = make_bearing_model(input);
+  EXPECT_EQ(first_contact_displacement(model.clearance, model.phi, Vector::Zero(6), unit_vector(0.0)), std::nullopt);
+  EXPECT_TRUE(first_contact_displacement(model.clearance, model.phi, Vector::Zero(6), unit_vector(pi)).has_value());
 }
 
 TEST(LossFactor, ComparesTheLoopWithTheEnergyStored) {
@@ -93,9 +93,7 @@ class Pushed : public testing::TestWithParam<double> {
     }
   }
 
-  [[nodiscard]] double force(const Vector& normal_force) const {
-    return journal_force(model.phi, journal_loads(model, normal_force)).dot(n);
-  }
+  [[nodiscard]] double force(const Vector& normal_force) const { return holding_force(model, normal_force).dot(n); }
 
   /// Slope of the force when the journal moves by `step` from where it is.
   double slope(double step) {
@@ -104,7 +102,7 @@ class Pushed : public testing::TestWithParam<double> {
     return (force(moved.normal_force) - force(state.normal_force)) / step;
   }
 
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   const Eigen::Vector2d n = unit_vector(GetParam());
   NewtonSolver solver{model.problem};
   ContactState state = ContactState::unstressed(model.problem);
@@ -130,7 +128,7 @@ TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
 INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.0, 4.0));
 
 TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   ContactState state = ContactState::unstressed(model.problem);
   state.mode.assign(78, ContactMode::stick);
   for (std::size_t i = 0; i < 26; ++i) state.mode[3 * i] = ContactMode::open;
@@ -140,7 +138,7 @@ TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
 }
 
 TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
-  BearingModel model = make_bearing_model(case_with_given_constants());
+  FoilModel model = make_bearing_model(case_with_given_constants());
   // No spring holds crest 8 along the foil any more.
   model.problem.K.diagonal[7].row(0).setZero();
   model.problem.K.diagonal[7].col(0).setZero();

@@ -88,6 +88,33 @@ TEST(ParseCase, TopFoilTakesTheYieldStressOfTheBumpFoil) {
   EXPECT_EQ(refusal({"bump_foil.yield_stress=1 Pa"}).find("top_foil"), std::string::npos);  // said once
 }
 
+TEST(ParseCase, ReadsStrips) {
+  EXPECT_FALSE(with({}).strip);
+  const StripSettings by_displacement = with({"strip.displacement=20 um"}).strip.value();
+  EXPECT_EQ(by_displacement, (StripSettings{.bumps = 26, .amplitude = {PlateControl::displacement, 20e-6}}));
+  const StripSettings by_load = with({"strip.load=100 N", "strip.bumps=10", "strip.weld=none", "strip.top_foil=false",
+                                      "strip.preload=120", "strip.cycles=3", "strip.steps=20"})
+                                    .strip.value();
+  EXPECT_EQ(by_load, (StripSettings{.bumps = 10,
+                                    .weld = StripWeld::none,
+                                    .top_foil = false,
+                                    .amplitude = {PlateControl::load, 100.0},
+                                    .preload = PlateTarget{PlateControl::load, 120.0},  // a plain number is of its kind
+                                    .cycles = 3,
+                                    .steps = 20}));
+  const auto preload = [](const std::string& text) {
+    return with({"strip.displacement=20 um", "strip.preload=" + text}).strip->preload.value();
+  };
+  EXPECT_EQ(preload("50 N"), (PlateTarget{PlateControl::load, 50.0}));
+  EXPECT_EQ(preload("30 um"), (PlateTarget{PlateControl::displacement, 30e-6}));
+  EXPECT_EQ(preload("3e-5"), (PlateTarget{PlateControl::displacement, 3e-5}));
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.preload=5 MPa"}).find("strip.preload = 5 MPa"),
+            std::string::npos);
+  EXPECT_NE(refusal({"strip.bumps=10"}).find("strip.displacement: is missing"), std::string::npos);
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.load=10 N"}).find("contradicts load"), std::string::npos);
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.welt=none"}).find("did you mean \"weld\"?"), std::string::npos);
+}
+
 TEST(ParseCase, ReadsFlags) {
   EXPECT_TRUE(
       with({"bump_foil.model=frame", "bump_foil.stiffness_follows_height=true"}).bump_foil.stiffness_follows_height);

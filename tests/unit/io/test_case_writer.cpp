@@ -33,6 +33,24 @@ std::optional<double> maybe(double least, double most) {
   return between(least, most);
 }
 
+StripSettings arbitrary_strip(int bumps) {
+  StripSettings strip;
+  strip.bumps = *rc::gen::inRange(1, bumps + 1);
+  strip.weld = *rc::gen::element(StripWeld::one_end, StripWeld::none);
+  strip.top_foil = *rc::gen::arbitrary<bool>();
+  const bool by_load = *rc::gen::arbitrary<bool>();
+  strip.amplitude = by_load ? PlateTarget{PlateControl::load, between(1.0, 100.0)}
+                            : PlateTarget{PlateControl::displacement, between(1e-6, 100e-6)};
+  if (*rc::gen::arbitrary<bool>()) {
+    strip.preload = by_load || *rc::gen::arbitrary<bool>()
+                        ? PlateTarget{PlateControl::load, between(100.0, 200.0)}
+                        : PlateTarget{PlateControl::displacement, between(1e-6, 100e-6)};
+  }
+  strip.cycles = *rc::gen::inRange(1, 10);
+  strip.steps = *rc::gen::inRange(1, 1000);
+  return strip;
+}
+
 Case arbitrary_case() {
   Case input = reference_case();
   input.title = *rc::gen::string<std::string>();
@@ -74,6 +92,7 @@ Case arbitrary_case() {
     input.cycle.amplitude = between(1e-9, 100e-6);
     input.cycle.steps = *rc::gen::inRange(1, 1000);
   }
+  if (*rc::gen::arbitrary<bool>()) input.strip = arbitrary_strip(foil.bumps);
   return input;
 }
 
@@ -126,6 +145,9 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   EXPECT_EQ(input.bump_foil.truss.k4, 11.25e6);
   EXPECT_TRUE(input.bump_foil.truss.theta_d);
   EXPECT_EQ(input.solver, SolverSettings{});  // the defaults that are shown are the defaults
+  ASSERT_TRUE(input.strip);
+  EXPECT_EQ(input.strip->amplitude, (PlateTarget{PlateControl::displacement, 20e-6}));
+  EXPECT_EQ(input.strip->preload, (PlateTarget{PlateControl::load, 50.0}));
 }
 
 TEST(CaseTemplate, IsTheExample) {

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "bumpfoil/analysis/strip.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -87,6 +90,19 @@ TEST(CycleTable, NamesThePlaceOfTheHighestStress) {
   EXPECT_EQ(last_cell(text, "highest stress, top foil"), "421.43");
   EXPECT_EQ(last_cell(text, "  at"), "weld");
   EXPECT_NE(text.find("foot 3"), std::string::npos);
+}
+
+TEST(CycleTable, OfAStripShowsTheFirstAndTheLastCycles) {
+  Case input = reference_case();
+  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::displacement, 20e-6}, .cycles = 9, .steps = 2};
+  const CycleResult result = run_strip(input);
+  const std::string text = cycle_table(result);
+  std::istringstream heads(lines_of(text).at(0));
+  EXPECT_EQ((std::vector<std::string>{std::istream_iterator<std::string>(heads), {}}),
+            (std::vector<std::string>{"cycle", "1", "2", "3", "7", "8", "9"}));
+  EXPECT_EQ(last_cell(text, "displacement there"), "20.000");
+  EXPECT_EQ(text.find("clearance"), std::string::npos);
+  EXPECT_EQ(text.find("cross force"), std::string::npos);
 }
 
 TEST(StressWarnings, NameEveryFoilThatYields) {
