@@ -61,6 +61,7 @@ ExitCode run(int argc, char** argv) {
   add_check_command(program, session);
   add_properties_command(program, session);
   add_cycle_command(program, session);
+  add_strip_command(program, session);
   add_reproduce_command(program, session);
   add_report_command(program, session);
   try {

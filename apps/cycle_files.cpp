@@ -7,7 +7,7 @@ namespace bumpfoil {
 void stage_cycle_files(ResultFolder& folder, const Case& input, const CycleResult& result, RunStatus status,
                        const Provenance& provenance) {
   folder.stage("summary.json", summary_json(input, result, status));
-  folder.stage("cycle.csv", cycle_csv(result));
+  folder.stage(result.experiment == Experiment::strip ? "strip.csv" : "cycle.csv", cycle_csv(result));
   write_result_netcdf(folder.stage("result.nc"), input, result, status, provenance);
 }
 

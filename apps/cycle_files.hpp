@@ -8,7 +8,7 @@
 
 namespace bumpfoil {
 
-/// Stages summary.json, cycle.csv and result.nc of a cycle run. @throws Error (file)
+/// Stages summary.json, cycle.csv or strip.csv, and result.nc of a run. @throws Error (file)
 void stage_cycle_files(ResultFolder& folder, const Case& input, const CycleResult& result, RunStatus status,
                        const Provenance& provenance);
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "long_bearing.hpp"
 
@@ -20,7 +20,7 @@ Case reference_push() {
 /// One increment of the default solver, taken in turn from all of the reference cycle, results not recorded.
 void increment(benchmark::State& bench) {
   const Case input = reference_push();
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   NewtonSolver solver(model.problem);
   std::vector<ContactLoading> loadings;
   for (int k = 0; k <= 2 * input.cycle.steps; ++k) {

@@ -2,19 +2,19 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/linear_systems.hpp"
 #include "long_bearing.hpp"
 
 namespace bumpfoil {
 namespace {
 
-BearingModel long_bearing(int bumps) {
+FoilModel long_bearing(int bumps) {
   return make_bearing_model(with_bumps(reference_case(), bumps));
 }
 
 /// Bumps 1, 2, 3 of every four carry: two stick, one slips.
-std::vector<ContactMode> mixed_modes(const BearingModel& model) {
+std::vector<ContactMode> mixed_modes(const FoilModel& model) {
   std::vector<ContactMode> mode;
   for (int bump = 0; bump < model.bumps(); ++bump) {
     const ContactMode m = bump % 4 == 0   ? ContactMode::open
@@ -35,7 +35,7 @@ void report_per_bump(benchmark::State& bench) {
 
 /// Assembly and factorisation from the first block on, and one solve.
 void factor_and_solve(benchmark::State& bench) {
-  const BearingModel model = long_bearing(static_cast<int>(bench.range(0)));
+  const FoilModel model = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
   const ContactLoading loading = loading_at(model, {4e-5, 0.0});
   ContactState state = ContactState::unstressed(model.problem);
@@ -60,7 +60,7 @@ BENCHMARK(factor_and_solve)
 
 /// One solve with factors that are there.
 void solve(benchmark::State& bench) {
-  const BearingModel model = long_bearing(static_cast<int>(bench.range(0)));
+  const FoilModel model = long_bearing(static_cast<int>(bench.range(0)));
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
   const ContactLoading loading = loading_at(model, {4e-5, 0.0});
   ContactState state = ContactState::unstressed(model.problem);

@@ -7,6 +7,27 @@
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
+namespace {
+
+/// Takes the stress for the peak if it is higher.
+void raise(std::optional<StressPeak>& peak, const Increment& increment, double stress, StressPlace place, int bump) {
+  if (peak && !(stress > peak->stress)) return;
+  peak = StressPeak{.stress = stress,
+                    .place = place,
+                    .bump = bump,
+                    .increment = increment.index,
+                    .displacement = increment.displacement};
+}
+
+/// The same for a list of stresses, `per_bump` for each bump.
+void raise(std::optional<StressPeak>& peak, const Increment& increment, const Vector& stress, StressPlace place,
+           int per_bump) {
+  for (Eigen::Index i = 0; i < stress.size(); ++i) {
+    raise(peak, increment, stress[i], place, static_cast<int>(i) / per_bump);
+  }
+}
+
+}  // namespace
 
 std::optional<double> clearance_at(const std::vector<Increment>& increments, double threshold) {
   if (increments.empty()) return std::nullopt;
@@ -21,14 +42,14 @@ std::optional<double> clearance_at(const std::vector<Increment>& increments, dou
   return std::nullopt;
 }
 
-std::optional<double> first_contact_displacement(const Bearing& bearing, const Vector& phi,
-                                                 const Vector& top_displacement, const Eigen::Vector2d& direction) {
+std::optional<double> first_contact_displacement(double clearance, const Vector& phi, const Vector& top_displacement,
+                                                 const Eigen::Vector2d& direction) {
   constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
   std::optional<double> first;
   for (Eigen::Index i = 0; i < phi.size(); ++i) {
     const double cosine = unit_vector(phi[i]).dot(direction);
     if (cosine <= facing) continue;
-    const double displacement = std::max(0.0, (bearing.radial_clearance + top_displacement[i]) / cosine);
+    const double displacement = std::max(0.0, (clearance + top_displacement[i]) / cosine);
     first = std::min(first.value_or(displacement), displacement);
   }
   return first;
@@ -39,17 +60,17 @@ std::optional<double> loss_factor(double loop_energy, double elastic_energy_stor
   return loop_energy / (2.0 * std::numbers::pi * elastic_energy_stored);
 }
 
-TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactState& state,
+TangentStiffnesses tangent_stiffnesses(const FoilModel& model, const ContactState& state,
                                        const Eigen::Vector2d& direction) {
   const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
   system->set_elasticity(tangent_stiffness(model.structure, state.x));
   const ContactLoading motion = loading_rate(model, direction);
   ContactState rate = ContactState::unstressed(model.problem);
   const Vector at_rest = rate.x;
-  const auto stiffness = [&](const std::vector<ContactMode>& modes) {
-    if (!system->set_modes(modes)) return 0.0;
+  const auto stiffness = [&](const std::vector<ContactMode>& modes) -> std::optional<double> {
+    if (!system->set_modes(modes)) return std::nullopt;
     system->solve(motion, at_rest, rate);
-    return journal_force(model.phi, journal_loads(model, rate.normal_force)).dot(direction);
+    return holding_force(model, rate.normal_force).dot(direction);
   };
 
   std::vector<ContactMode> sticking = state.mode;
@@ -59,12 +80,35 @@ TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactS
   return {.loading = stiffness(state.mode), .unloading = stiffness(sticking)};
 }
 
+std::optional<StressPeak> top_foil_peak(const std::vector<Increment>& increments) {
+  std::optional<StressPeak> peak;
+  for (const Increment& increment : increments) {
+    if (increment.stress.top_weld) raise(peak, increment, *increment.stress.top_weld, StressPlace::weld, -1);
+    raise(peak, increment, increment.stress.top_crest, StressPlace::crest, 1);
+  }
+  return peak;
+}
+
+std::optional<StressPeak> bump_foil_peak(const std::vector<Increment>& increments) {
+  std::optional<StressPeak> peak;
+  for (const Increment& increment : increments) {
+    const FoilStress& stress = increment.stress;
+    if (stress.bump_weld) raise(peak, increment, *stress.bump_weld, StressPlace::weld, -1);
+    raise(peak, increment, stress.bump_crest, StressPlace::crest, 1);
+    raise(peak, increment, stress.bump_foot, StressPlace::foot, 2);
+    raise(peak, increment, stress.bump_largest, StressPlace::arc, 1);
+  }
+  return peak;
+}
+
 void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents) {
   const std::vector<Increment>& increments = cycle.increments;
-  const auto all = static_cast<std::size_t>(2 * cycle.steps + 1);
+  const auto all = static_cast<std::size_t>(cycle.due);
   const auto good = static_cast<std::size_t>(std::count_if(
       increments.begin(), increments.end(), [](const Increment& increment) { return increment.solve.converged; }));
   cycle.converged = good == all;
+  cycle.top_foil_stress = top_foil_peak(increments);
+  cycle.bump_foil_stress = bump_foil_peak(increments);
   if (good > 0) {
     cycle.clearance_5N = clearance_at(increments, 5.0);
     cycle.clearance_10N = clearance_at(increments, 10.0);
@@ -74,8 +118,7 @@ void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& ta
     cycle.turning_point = TurningPoint{.max_force = turning.force_direct,
                                        .cross_force = turning.force_cross,
                                        .elastic_energy = turning.elastic_energy,
-                                       .tangent_stiffness_loading = tangents->loading,
-                                       .tangent_stiffness_unloading = tangents->unloading,
+                                       .tangent = *tangents,
                                        .secant_stiffness = turning.force_direct / cycle.amplitude};
   }
   if (good == all) {

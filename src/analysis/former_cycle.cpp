@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/each_direction.hpp"
+#include "analysis/run_loops.hpp"
 #include "bumpfoil/analysis/cycle_quantities.hpp"
 #include "bumpfoil/analysis/former_model.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -19,7 +19,9 @@ class FormerRunner {
     cycle_.direction = direction;
     cycle_.amplitude = settings.amplitude;
     cycle_.steps = settings.steps;
-    cycle_.first_contact = first_contact_displacement(model.bearing, model.phi, -model.height_errors, normal_);
+    cycle_.due = 2 * settings.steps + 1;
+    cycle_.first_contact =
+        first_contact_displacement(model.bearing.radial_clearance, model.phi, -model.height_errors, normal_);
   }
 
   bool take_increment() {
@@ -41,11 +43,13 @@ class FormerRunner {
     }
     cycle_.increments.push_back(std::move(next));
     if (index == cycle_.steps) {
-      const double tangent = solver_.tangent_stiffness(solution.state, normal_);
+      const std::optional<double> tangent = solver_.tangent_stiffness(solution.state, normal_);
       tangents_ = TangentStiffnesses{.loading = tangent, .unloading = tangent};
     }
     return solution.report.converged;
   }
+
+  [[nodiscard]] int due() const { return cycle_.due; }
 
   Cycle finish() {
     derive_quantities(cycle_, tangents_);
@@ -109,8 +113,8 @@ class FormerRunner {
 CycleResult run_former_cycles(const Case& input, const ProgressCallback& progress) {
   const FormerModel model = make_former_model(input);
   FormerSolver solver(model);
-  return run_each_direction(input, progress,
-                            [&](double direction) { return FormerRunner(model, solver, direction, input.cycle); });
+  return run_loops(Experiment::cycle, input, std::ssize(input.cycle.directions), progress,
+                   [&](std::size_t i) { return FormerRunner(model, solver, input.cycle.directions[i], input.cycle); });
 }
 
 }  // namespace bumpfoil

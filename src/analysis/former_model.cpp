@@ -65,7 +65,7 @@ FormerModel make_former_model(const Case& input) {
 }
 
 Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& position) {
-  return journal_gaps(model.bearing, model.phi, position) - model.height_errors;
+  return journal_gaps(model.bearing.radial_clearance, model.phi, position) - model.height_errors;
 }
 
 Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactState& state) {
@@ -230,7 +230,7 @@ void FormerSolver::evaluate(const ContactLoading& loading, TrescaState& s) {
   });
 }
 
-double FormerSolver::tangent_stiffness(const ContactState& state, const Eigen::Vector2d& direction) {
+std::optional<double> FormerSolver::tangent_stiffness(const ContactState& state, const Eigen::Vector2d& direction) {
   std::vector<ContactMode> mode = state.mode;
   ContactLoading rate{.initial_gap = Vector::Zero(model_.problem.contacts()),
                       .load = Vector::Zero(model_.problem.K.rows())};
@@ -240,7 +240,7 @@ double FormerSolver::tangent_stiffness(const ContactState& state, const Eigen::V
   });
   rate.initial_gap(Eigen::seqN(FormerModel::crest, model_.bumps(), 2)) =
       former_crest_gaps(model_, direction) - former_crest_gaps(model_, Eigen::Vector2d::Zero());
-  if (!modes_->set_modes(mode)) return 0.0;
+  if (!modes_->set_modes(mode)) return std::nullopt;
   ContactState response = ContactState::unstressed(model_.problem);
   const Vector at_rest = response.x;
   modes_->solve(rate, at_rest, response);

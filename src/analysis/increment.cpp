@@ -10,11 +10,10 @@ namespace {
 /// A contact is reported open where its load is below this part of the largest.
 constexpr double open_load = 1e-9;
 
-/// Copies the entries of one unknown of every block.
-Vector pick(const Vector& x, int block_size, int unknown) {
-  const Eigen::Index blocks = x.size() / block_size;
-  return Eigen::Map<const Vector, 0, Eigen::InnerStride<Eigen::Dynamic>>(
-      x.data() + unknown, blocks, Eigen::InnerStride<Eigen::Dynamic>(block_size));
+/// Copies the entries of one unknown of every bump.
+Vector pick(const FoilStructure& structure, const Vector& x, int unknown) {
+  const Eigen::Index size = structure.dofs.size;
+  return x(Eigen::seqN(structure.first_bump * size + unknown, Eigen::Index{structure.bumps()}, size));
 }
 
 /// Copies the entries of the unknowns of the feet, foot by foot.
@@ -45,15 +44,15 @@ std::vector<ContactMode> reported_modes(const ContactProblem& problem, const Con
   return mode;
 }
 
-/// Contacts `first` .. `first + count - 1` of every block.
+/// Contacts `first` .. `first + count - 1` of every block from `first_block` on.
 InterfaceFields interface_fields(const ContactProblem& problem, const ContactState& state,
-                                 const std::vector<ContactMode>& mode, int first, int count) {
+                                 const std::vector<ContactMode>& mode, int first_block, int first, int count) {
   const auto pairs = static_cast<int>(problem.pairs.size());
-  const Eigen::Index size = Eigen::Index{problem.K.blocks()} * count;
+  const Eigen::Index size = Eigen::Index{problem.K.blocks() - first_block} * count;
   InterfaceFields fields{.gap = Vector(size), .normal_force = Vector(size), .friction_force = Vector(size), .mode = {}};
   fields.mode.reserve(static_cast<std::size_t>(size));
   for (Eigen::Index i = 0; i < size; ++i) {
-    const Eigen::Index contact = i / count * pairs + first + i % count;
+    const Eigen::Index contact = (first_block + i / count) * pairs + first + i % count;
     const ContactMode m = mode[static_cast<std::size_t>(contact)];
     const bool open = m == ContactMode::open;
     fields.gap[i] = open ? std::max(0.0, state.gap[contact]) : 0.0;
@@ -66,12 +65,12 @@ InterfaceFields interface_fields(const ContactProblem& problem, const ContactSta
 
 }  // namespace
 
-Increment record_increment(const BearingModel& model, const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+Increment record_increment(const FoilModel& model, const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
                            const ContactLoading& loading, const Vector& previous_x, const ContactState& state) {
   Increment next;
   next.x = position.x();
   next.y = position.y();
-  const Eigen::Vector2d force = journal_force(model.phi, journal_loads(model, state.normal_force));
+  const Eigen::Vector2d force = holding_force(model, state.normal_force);
   next.force_x = force.x();
   next.force_y = force.y();
   next.force_direct = force.dot(direction);
@@ -83,19 +82,23 @@ Increment record_increment(const BearingModel& model, const Eigen::Vector2d& pos
 
   const int block = model.problem.K.block_size();
   const BumpDofs& dofs = model.structure.dofs;
-  next.top_displacement = pick(state.x, block, dofs.top_u);
-  next.crest_u = pick(state.x, block, dofs.crest_u);
-  next.crest_v = pick(state.x, block, dofs.crest_v);
+  if (model.has_top_foil()) next.top_displacement = pick(model.structure, state.x, dofs.top_u);
+  next.crest_u = pick(model.structure, state.x, dofs.crest_u);
+  next.crest_v = pick(model.structure, state.x, dofs.crest_v);
   next.foot_u = pick_feet(state.x, block, dofs.foot_u);
   next.foot_v = pick_feet(state.x, block, dofs.foot_v);
 
   const Vector slip =
       tangential_displacements(model.problem, state.x) - tangential_displacements(model.problem, previous_x);
   const std::vector<ContactMode> mode = reported_modes(model.problem, state, slip);
-  const auto fields = [&](int first, int count) { return interface_fields(model.problem, state, mode, first, count); };
-  next.journal_top = fields(BearingModel::journal_top, 1);
-  next.top_bump = fields(BearingModel::top_bump, 1);
-  next.bump_sleeve = fields(BearingModel::first_foot, dofs.feet());
+  const auto fields = [&](int first_block, int first, int count) {
+    return interface_fields(model.problem, state, mode, first_block, first, count);
+  };
+  const int first_bump = model.structure.first_bump;
+  if (model.has_top_foil()) next.journal_top = fields(first_bump, 0, 1);
+  next.top_bump = fields(first_bump, model.top_bump(), 1);
+  next.bump_sleeve = fields(0, model.first_foot(), dofs.feet());
+  next.stress = foil_stress(model.stress, state.x);
   return next;
 }
 

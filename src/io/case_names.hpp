@@ -22,6 +22,7 @@ inline constexpr Names<HeightReference, 2> height_reference_names{
     {{"overall", HeightReference::overall}, {"midsurface", HeightReference::midsurface}}};
 inline constexpr Names<WeldPosition, 2> weld_position_names{
     {{"mid_flat", WeldPosition::mid_flat}, {"arc_start", WeldPosition::arc_start}}};
+inline constexpr Names<StripWeld, 2> strip_weld_names{{{"one_end", StripWeld::one_end}, {"none", StripWeld::none}}};
 inline constexpr Names<SolverName, 3> solver_names{
     {{"newton", SolverName::newton}, {"uzawa", SolverName::uzawa}, {"events", SolverName::events}}};
 

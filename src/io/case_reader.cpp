@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/identification.hpp"
 #include "io/case_names.hpp"
 #include "io/height_errors_csv.hpp"
 #include "io/table_reader.hpp"
@@ -80,7 +81,9 @@ void read_bump_foil(ReadingLog& log, TableReader table, BumpFoil& foil) {
   table.quantity("thickness", foil.thickness, Dimension::length, required);
   table.quantity("youngs_modulus", foil.youngs_modulus, Dimension::pressure, required);
   table.number("poisson_ratio", foil.poisson_ratio, required);
+  table.quantity("yield_stress", foil.yield_stress, Dimension::pressure);
   read_height_errors_of(log, table, foil);
+  table.flag("stiffness_follows_height", foil.stiffness_follows_height);
   table.quantities("sleeve_gaps", foil.sleeve_gaps, Dimension::length, optional);
   table.choice("weld_at", foil.weld_at, weld_position_names);
   read_truss(table.table("truss"), foil.truss);
@@ -93,12 +96,14 @@ void read_top_foil(ReadingLog& log, TableReader table, const BumpFoil& bump_foil
   if (!open_required(log, table, "top_foil")) return;
   foil.youngs_modulus = bump_foil.youngs_modulus;
   foil.poisson_ratio = bump_foil.poisson_ratio;
-  for (const std::string key : {"youngs_modulus", "poisson_ratio"}) {
+  foil.yield_stress = bump_foil.yield_stress;
+  for (const std::string key : {"youngs_modulus", "poisson_ratio", "yield_stress"}) {
     if (!table.has(key)) log.taken_from("top_foil." + key, "bump_foil." + key);
   }
   table.quantity("thickness", foil.thickness, Dimension::length, required);
   table.quantity("youngs_modulus", foil.youngs_modulus, Dimension::pressure, optional);
   table.number("poisson_ratio", foil.poisson_ratio, optional);
+  table.quantity("yield_stress", foil.yield_stress, Dimension::pressure);
   table.finish();
 }
 
@@ -151,6 +156,39 @@ void read_cycle(ReadingLog& log, TableReader table, CycleSettings& cycle) {
   }
 }
 
+/// A key that holds a length or a force; plain numbers are as `target` was.
+void read_target(TableReader& table, std::string_view key, PlateTarget& target) {
+  Dimension dimension = target.control == PlateControl::load ? Dimension::force : Dimension::length;
+  table.quantity(key, target.value, dimension, Dimension::length, Dimension::force);
+  target.control = dimension == Dimension::force ? PlateControl::load : PlateControl::displacement;
+}
+
+void read_strip(ReadingLog& log, TableReader table, int bumps, std::optional<StripSettings>& settings) {
+  if (!table.present()) return;
+  StripSettings strip;
+  strip.bumps = bumps;
+  table.integer("bumps", strip.bumps, optional);
+  if (!table.has("bumps")) log.taken_from("strip.bumps", "bump_foil.bumps");
+  table.choice("weld", strip.weld, strip_weld_names);
+  table.flag("top_foil", strip.top_foil);
+  const bool by_load = table.has("load");
+  double displacement = 0.0;
+  double load = 0.0;
+  table.quantity("displacement", displacement, Dimension::length, by_load ? optional : required);
+  table.quantity("load", load, Dimension::force, optional);
+  if (by_load && table.has("displacement")) {
+    log.fault("strip.displacement", "contradicts load, which is given too", "give one of the two");
+  }
+  strip.amplitude = {by_load ? PlateControl::load : PlateControl::displacement, by_load ? load : displacement};
+  PlateTarget preload{strip.amplitude.control, 0.0};
+  read_target(table, "preload", preload);
+  if (table.has("preload")) strip.preload = preload;
+  table.integer("cycles", strip.cycles, optional);
+  table.integer("steps", strip.steps, optional);
+  table.finish();
+  settings = strip;
+}
+
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request) {
@@ -166,12 +204,15 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
   read_friction(log, root.table("friction"), input.friction);
   read_solver(root.table("solver"), input.solver);
   read_cycle(log, root.table("cycle"), input.cycle);
+  read_strip(log, root.table("strip"), input.bump_foil.bumps, input.strip);
   root.finish();
   for (const std::string& table : request.required_tables) {
     if (!root.has(table))
       log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
   }
-  for (const Fault& fault : find_faults(input)) log.later_fault(fault);
+  std::vector<Fault> faults = find_faults(input);
+  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) faults = find_truss_faults(input);
+  for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;
 }

@@ -25,6 +25,7 @@ const std::map<std::string, std::string_view, std::less<>> units{
     {"thickness", "m"},
     {"height_errors", "m"},
     {"youngs_modulus", "Pa"},
+    {"yield_stress", "Pa"},
     {"sleeve_gaps", "m"},
     {"k1", "N/m"},
     {"k2", "N/m"},
@@ -37,6 +38,8 @@ const std::map<std::string, std::string_view, std::less<>> units{
     {"tau_f", "m"},
     {"directions", "rad"},
     {"amplitude", "m"},
+    {"displacement", "m"},
+    {"load", "N"},
 };
 
 /// JSON texts are TOML texts, except that TOML wants the delete character escaped.
@@ -71,8 +74,10 @@ Json bump_foil_json(const BumpFoil& foil) {
             {"thickness", foil.thickness},
             {"youngs_modulus", foil.youngs_modulus},
             {"poisson_ratio", foil.poisson_ratio}};
+  if (foil.yield_stress) json["yield_stress"] = *foil.yield_stress;
   if (!foil.height_errors.empty()) json["height_errors"] = foil.height_errors;
   if (!foil.sleeve_gaps.empty()) json["sleeve_gaps"] = foil.sleeve_gaps;
+  json["stiffness_follows_height"] = foil.stiffness_follows_height;
   json["weld_at"] = name_in(weld_position_names, foil.weld_at);
   Json truss;
   const auto add = [&truss](const char* key, const std::optional<double>& value) {
@@ -84,6 +89,24 @@ Json bump_foil_json(const BumpFoil& foil) {
   add("k4", foil.truss.k4);
   add("theta_d", foil.truss.theta_d);
   if (!truss.empty()) json["truss"] = truss;
+  return json;
+}
+
+/// A preload that is not of the kind of a plain number there carries its unit.
+Json target_json(const PlateTarget& target, PlateControl plain) {
+  if (target.control == plain) return target.value;
+  return fmt::format("{:.17g} {}", target.value, target.control == PlateControl::load ? "N" : "m");
+}
+
+Json strip_json(const StripSettings& strip) {
+  const bool by_load = strip.amplitude.control == PlateControl::load;
+  Json json{{"bumps", strip.bumps},
+            {"weld", name_in(strip_weld_names, strip.weld)},
+            {"top_foil", strip.top_foil},
+            {by_load ? "load" : "displacement", strip.amplitude.value}};
+  if (strip.preload) json["preload"] = target_json(*strip.preload, strip.amplitude.control);
+  json["cycles"] = strip.cycles;
+  json["steps"] = strip.steps;
   return json;
 }
 
@@ -102,6 +125,7 @@ nlohmann::ordered_json case_json(const Case& input) {
     json["top_foil"] = {{"thickness", input.top_foil.thickness},
                         {"youngs_modulus", input.top_foil.youngs_modulus},
                         {"poisson_ratio", input.top_foil.poisson_ratio}};
+    if (input.top_foil.yield_stress) json["top_foil"]["yield_stress"] = *input.top_foil.yield_stress;
   }
   json["friction"] = {{"top_bump", input.friction.top_bump}, {"bump_sleeve", input.friction.bump_sleeve}};
   const UzawaParameters& uzawa = input.solver.uzawa;
@@ -114,6 +138,7 @@ nlohmann::ordered_json case_json(const Case& input) {
     json["cycle"] = {
         {"directions", input.cycle.directions}, {"amplitude", input.cycle.amplitude}, {"steps", input.cycle.steps}};
   }
+  if (input.strip) json["strip"] = strip_json(*input.strip);
   return json;
 }
 

@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files whose presence makes a folder one that holds results.
-constexpr std::array<std::string_view, 7> result_names{"summary.json", "cycle.csv",   "result.nc",  "ensemble.nc",
-                                                       "study.json",   "picture.svg", "report.html"};
+constexpr std::array<std::string_view, 8> result_names{"summary.json", "cycle.csv",  "strip.csv",   "result.nc",
+                                                       "ensemble.nc",  "study.json", "picture.svg", "report.html"};
 
 [[noreturn]] void throw_unwritable(const fs::path& path, int code) {
   throw Error(ErrorKind::file,

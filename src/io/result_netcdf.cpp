@@ -18,8 +18,8 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/model/geometry.hpp"
 #include "io/result_columns.hpp"
+#include "io/result_layout.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -52,10 +52,6 @@ double finite_or_absent(const std::optional<double>& number) {
   return number && std::isfinite(*number) ? *number : Storage<double>::absent;
 }
 
-std::vector<double> to_vector(const Vector& numbers) {
-  return {numbers.begin(), numbers.end()};
-}
-
 /// What readers are told about a variable.
 struct Meaning {
   std::string name;
@@ -84,17 +80,40 @@ constexpr std::array<NodalField, 5> nodal_fields{{
     {"foot_v", "radial displacement of the foot, positive outward", &Increment::foot_v, true},
 }};
 
+struct StressField {
+  std::string_view name;
+  std::string_view long_name;
+  Vector FoilStress::*values;
+  bool at_feet;
+};
+constexpr std::array<StressField, 4> stress_fields{{
+    {"stress_top_foil", "bending stress of the top foil over the crest", &FoilStress::top_crest, false},
+    {"stress_bump_foil_crest", "bending stress of the bump foil at the crest", &FoilStress::bump_crest, false},
+    {"stress_bump_foil_foot", "bending stress of the bump foil at the foot", &FoilStress::bump_foot, true},
+    {"stress_bump_foil", "largest bending stress along the arc of the bump", &FoilStress::bump_largest, false},
+}};
+
+struct WeldStress {
+  std::string_view name;
+  std::string_view long_name;
+  std::optional<double> FoilStress::*value;
+};
+constexpr std::array<WeldStress, 2> weld_stresses{{
+    {"stress_top_foil_weld", "bending stress of the top foil at the weld", &FoilStress::top_weld},
+    {"stress_bump_foil_weld", "bending stress of the bump foil at the weld", &FoilStress::bump_weld},
+}};
+
 struct InterfaceName {
   std::string_view name;
-  std::string_view between;
+  std::string_view between;  ///< of what presses, what touches the crests, what carries
   InterfaceFields Increment::*fields;
   bool at_feet;
   std::string_view loads;  ///< what its normal forces at full displacement are called
 };
 constexpr std::array<InterfaceName, 3> interfaces{{
-    {"journal_top", "between journal and top foil", &Increment::journal_top, false, "journal_loads"},
-    {"top_bump", "between top foil and crest", &Increment::top_bump, false, "bump_loads"},
-    {"bump_sleeve", "between foot and sleeve", &Increment::bump_sleeve, true, "foot_loads"},
+    {"journal_top", "between {0} and top foil", &Increment::journal_top, false, "journal_loads"},
+    {"top_bump", "between {1} and crest", &Increment::top_bump, false, "bump_loads"},
+    {"bump_sleeve", "between foot and {2}", &Increment::bump_sleeve, true, "foot_loads"},
 }};
 
 struct InterfaceQuantity {
@@ -140,48 +159,30 @@ class ResultWriter {
       : file_(file),
         input_(input),
         result_(result),
-        theta_(crest_angles(input)),
-        foot_theta_(foot_angles(input)),
-        direction_(file.addDim("direction", input.cycle.directions.size())),
-        increment_(file.addDim("increment", static_cast<std::size_t>(2 * input.cycle.steps + 1))),
-        bump_(file.addDim("bump", static_cast<std::size_t>(theta_.size()))),
-        foot_(file.addDim("foot", static_cast<std::size_t>(foot_theta_.size()))) {
-    BUMPFOIL_ASSERT(result.cycles.size() <= input.cycle.directions.size());
+        layout_(make_result_layout(input, result.experiment)),
+        loop_(file.addDim(layout_.loop.name, layout_.loop.values.size())),
+        increment_(file.addDim("increment", layout_.increments)),
+        bump_(file.addDim("bump", layout_.bumps)),
+        foot_(file.addDim("foot", layout_.feet)) {
+    BUMPFOIL_ASSERT(result.cycles.size() <= layout_.loop.values.size());
   }
 
   void write_coordinates() {
-    std::vector<double> degrees;
-    for (const double direction : input_.cycle.directions) degrees.push_back(to_degrees(direction));
-    put({"direction", "degree", "direction of the push, from X towards Y"}, {direction_}, degrees);
-    put({"increment", "1", "increment; 0 is the assembly at the centred journal"}, {increment_},
-        numbers_from(0, increment_));
+    put(meaning(layout_.loop), {loop_}, layout_.loop.values);
+    put({"increment", "1", "increment; 0 is the start of the loop"}, {increment_}, numbers_from(0, increment_));
     put({"bump", "1", "bump, counted from the weld"}, {bump_}, numbers_from(1, bump_));
-    put({"foot", "1", "foot of the bump foil on the sleeve, counted from the weld"}, {foot_}, numbers_from(1, foot_));
+    put({"foot", "1", fmt::format("foot of the bump foil on the {}, counted from the weld", layout_.carrying)}, {foot_},
+        numbers_from(1, foot_));
   }
 
   void write_geometry() {
-    const BumpFoil& foil = input_.bump_foil;
-    const BumpArc arc = make_bump_arc(foil);
-    put_scalar({"bearing_radius", "m", "radius of the bearing"}, input_.bearing.radius);
-    put_scalar({"axial_length", "m", "axial length of the foils"}, input_.bearing.axial_length);
-    put_scalar({"radial_clearance", "m", "radial clearance; negative means interference"},
-               input_.bearing.radial_clearance);
-    put_scalar({"bump_pitch", "m", "distance from crest to crest along the foil"}, foil.pitch);
-    put_scalar({"bump_half_length", "m", "half the chord of the arc of a bump"}, arc.half_length);
-    put_scalar({"bump_rise", "m", "rise of the mid-surface of a nominal bump"}, arc.rise);
-    put({"theta", "rad", "angle of the crest from the weld along the foil"}, {bump_}, to_vector(theta_));
-    put({"phi", "rad", "polar angle of the crest from X towards Y"}, {bump_},
-        to_vector(polar_angles(input_.bearing, theta_)));
-    put({"foot_theta", "rad", "angle of the foot from the weld along the foil"}, {foot_}, to_vector(foot_theta_));
-    put({"foot_phi", "rad", "polar angle of the foot from X towards Y"}, {foot_},
-        to_vector(polar_angles(input_.bearing, foot_theta_)));
-    put({"height_error", "m", "height of the bump over the nominal one"}, {bump_}, one_per_bump(foil.height_errors));
-    put({"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly"}, {bump_},
-        one_per_bump(foil.sleeve_gaps));
+    for (const NamedNumbers& scalar : layout_.scalars) put(meaning(scalar), {}, scalar.values);
+    for (const NamedNumbers& numbers : layout_.at_bumps) put(meaning(numbers), {bump_}, numbers.values);
+    for (const NamedNumbers& numbers : layout_.at_feet) put(meaning(numbers), {foot_}, numbers.values);
   }
 
   void write_cycles() {
-    for (const CycleColumn& column : cycle_columns()) {
+    for (const CycleColumn& column : cycle_columns(result_.experiment)) {
       put_cycles<double>(meaning(column), [&](const Cycle& cycle) { return finite_or_absent(column.value(cycle)); });
     }
     put_cycles<double>({"amplitude", "m", "full displacement"}, [](const Cycle& cycle) { return cycle.amplitude; });
@@ -192,15 +193,25 @@ class ResultWriter {
                     [](const Cycle& cycle) { return cycle.total().factorisations; });
     put_cycles<int>({"total_substeps", "1", "extra solves of all increments because they had to be halved"},
                     [](const Cycle& cycle) { return cycle.substeps(); });
-    // A direction that was never begun did not converge.
-    std::vector<Flag> converged(direction_.getSize());
+    for (const StressedFoil& foil : stressed_foils()) {
+      put_cycles<Flag>(
+          {fmt::format("above_yield_{}", foil.name), "",
+           fmt::format("whether the stress of the {} exceeds its yield stress", foil.long_name)},
+          [&](const Cycle& cycle) {
+            const std::optional<bool> above = above_yield(foil, input_, cycle);
+            return above ? static_cast<Flag>(*above) : Storage<Flag>::absent;
+          },
+          truth_meanings);
+    }
+    // A loop that was never begun did not converge.
+    std::vector<Flag> converged(loop_.getSize());
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) converged[i] = result_.cycles[i].converged ? 1 : 0;
-    put({"converged", "", "whether every increment of the cycle is there and converged"}, {direction_}, converged,
+    put({"converged", "", "whether every increment of the cycle is there and converged"}, {loop_}, converged,
         truth_meanings);
   }
 
   void write_increments() {
-    for (const IncrementColumn& column : increment_columns()) {
+    for (const IncrementColumn& column : increment_columns(result_.experiment)) {
       put_increments<double>(meaning(column), [&](const Increment& increment, double* to) {
         *to = finite_or_absent(column.value(increment));
       });
@@ -225,15 +236,16 @@ class ResultWriter {
                   [&](const Increment& increment) -> const Vector& { return increment.*field.values; });
     }
     for (const InterfaceName& interface : interfaces) {
+      const std::string between = between_bodies(interface);
       for (const InterfaceQuantity& quantity : interface_quantities) {
-        std::string long_name = fmt::format("{} {}", quantity.name, interface.between);
+        std::string long_name = fmt::format("{} {}", quantity.name, between);
         std::replace(long_name.begin(), long_name.end(), '_', ' ');
         put_vectors(
             {fmt::format("{}_{}", quantity.name, interface.name), quantity.unit, long_name}, interface.at_feet,
             [&](const Increment& increment) -> const Vector& { return increment.*interface.fields.*quantity.values; });
       }
       put_increments<Flag>(
-          {fmt::format("state_{}", interface.name), "", fmt::format("state of the contact {}", interface.between)},
+          {fmt::format("state_{}", interface.name), "", fmt::format("state of the contact {}", between)},
           [&](const Increment& increment, Flag* to) {
             const std::vector<ContactMode>& mode = (increment.*interface.fields).mode;
             std::transform(mode.begin(), mode.end(), to, [](ContactMode m) { return static_cast<Flag>(m); });
@@ -243,14 +255,26 @@ class ResultWriter {
     }
   }
 
+  void write_stress() {
+    for (const StressField& field : stress_fields) {
+      put_vectors({std::string(field.name), "Pa", std::string(field.long_name)}, field.at_feet,
+                  [&](const Increment& increment) -> const Vector& { return increment.stress.*field.values; });
+    }
+    for (const WeldStress& weld : weld_stresses) {
+      put_increments<double>(
+          {std::string(weld.name), "Pa", std::string(weld.long_name)},
+          [&](const Increment& increment, double* to) { *to = finite_or_absent(increment.stress.*weld.value); });
+    }
+  }
+
   /// Changes of mode, where the solver followed them.
   void write_events() {
-    std::vector<double> direction, displacement;
+    std::vector<double> loop, displacement;
     std::vector<Flag> branch, interface, from, to;
     std::vector<int> index;
-    for (const Cycle& cycle : result_.cycles) {
-      for (const CycleEvent& event : cycle.events) {
-        direction.push_back(to_degrees(cycle.direction));
+    for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
+      for (const CycleEvent& event : result_.cycles[i].events) {
+        loop.push_back(layout_.loop.values[i]);
         displacement.push_back(event.displacement);
         branch.push_back(static_cast<Flag>(event.branch));
         interface.push_back(static_cast<Flag>(event.interface));
@@ -259,11 +283,12 @@ class ResultWriter {
         to.push_back(static_cast<Flag>(event.to));
       }
     }
-    if (direction.empty()) return;
-    const std::vector<NcDim> dims{file_.addDim("event", direction.size())};
-    put({"event_direction", "degree", "direction of the push"}, dims, direction);
-    put({"event_displacement", "m", "displacement of the journal along the direction"}, dims, displacement);
-    put({"event_index", "1", "bump or, at the sleeve, foot, counted from the weld"}, dims, index);
+    if (loop.empty()) return;
+    const std::vector<NcDim> dims{file_.addDim("event", loop.size())};
+    put({"event_" + layout_.loop.name, layout_.loop.unit, layout_.loop.long_name}, dims, loop);
+    put({"event_displacement", "m", fmt::format("displacement of the {}", layout_.pressing)}, dims, displacement);
+    put({"event_index", "1", fmt::format("bump or, at the {}, foot, counted from the weld", layout_.carrying)}, dims,
+        index);
     put({"event_branch", "", "branch of the cycle"}, dims, branch, branch_meanings);
     put({"event_interface", "", "interface of the contact"}, dims, interface, interface_meanings);
     put({"event_from", "", "state of the contact before"}, dims, from, mode_meanings);
@@ -276,14 +301,13 @@ class ResultWriter {
     return {std::string(column.name), column.unit, std::string(column.long_name)};
   }
 
+  [[nodiscard]] std::string between_bodies(const InterfaceName& interface) const {
+    return fmt::format(fmt::runtime(interface.between), layout_.pressing, layout_.over_crest, layout_.carrying);
+  }
+
   static std::vector<int> numbers_from(int first, const NcDim& dim) {
     std::vector<int> numbers(dim.getSize());
     std::iota(numbers.begin(), numbers.end(), first);
-    return numbers;
-  }
-
-  std::vector<double> one_per_bump(std::vector<double> numbers) const {
-    numbers.resize(bump_.getSize());
     return numbers;
   }
 
@@ -312,32 +336,30 @@ class ResultWriter {
     define<Number>(meaning, dims, flag_meanings).putVar(values.data());
   }
 
-  void put_scalar(const Meaning& meaning, double value) { put(meaning, {}, std::vector{value}); }
-
-  /// A variable with one value per direction, absent for those that were not begun.
+  /// A variable with one value per loop, absent for those that were not begun.
   template <typename Number, typename ValueOf>
-  void put_cycles(const Meaning& meaning, const ValueOf& value_of) {
-    std::vector<Number> values(direction_.getSize(), Storage<Number>::absent);
+  void put_cycles(const Meaning& meaning, const ValueOf& value_of, std::string_view flag_meanings = {}) {
+    std::vector<Number> values(loop_.getSize(), Storage<Number>::absent);
     std::transform(result_.cycles.begin(), result_.cycles.end(), values.begin(), value_of);
-    const NcVar variable = define<Number>(meaning, {direction_}, {});
+    const NcVar variable = define<Number>(meaning, {loop_}, flag_meanings);
     variable.setFill(true, Storage<Number>::absent);
     variable.putVar(values.data());
   }
 
-  /// A variable with one value per direction and increment or, where `node` is not null, per bump or foot besides.
+  /// A variable with one value per loop and increment or, where `node` is not null, per bump or foot besides.
   /// @param values_of  (increment, to): puts the values of an increment from `to` on; what it leaves out is absent
   template <typename Number, typename ValuesOf>
   void put_increments(const Meaning& meaning, const ValuesOf& values_of, std::string_view flag_meanings = {},
                       const NcDim* node = nullptr) {
-    std::vector<NcDim> dims{direction_, increment_};
+    std::vector<NcDim> dims{loop_, increment_};
     if (node != nullptr) dims.push_back(*node);
     const NcVar variable = define<Number>(meaning, dims, flag_meanings);
     variable.setFill(true, Storage<Number>::absent);
     if (node != nullptr) {
-      variable.putAtt("coordinates", node->getName() == "foot" ? "foot_theta foot_phi" : "theta phi");
+      variable.putAtt("coordinates", node->getName() == "foot" ? layout_.foot_coordinates : layout_.bump_coordinates);
     }
     const std::size_t width = node != nullptr ? node->getSize() : 1;
-    // One chunk per direction, unless it passes a megabyte.
+    // One chunk per loop, unless it passes a megabyte.
     std::vector<std::size_t> chunk{1, std::clamp<std::size_t>(131072 / width, 1, increment_.getSize()), width};
     chunk.resize(dims.size());
     variable.setChunking(NcVar::nc_CHUNKED, chunk);
@@ -347,12 +369,12 @@ class ResultWriter {
     std::vector<std::size_t> count{1, 0, width};
     start.resize(dims.size());
     count.resize(dims.size());
-    for (std::size_t direction = 0; direction < result_.cycles.size(); ++direction) {
-      const std::vector<Increment>& increments = result_.cycles[direction].increments;
+    for (std::size_t loop = 0; loop < result_.cycles.size(); ++loop) {
+      const std::vector<Increment>& increments = result_.cycles[loop].increments;
       if (increments.empty()) continue;
       std::vector<Number> values(increments.size() * width, Storage<Number>::absent);
       for (std::size_t i = 0; i < increments.size(); ++i) values_of(increments[i], values.data() + i * width);
-      start[0] = direction;
+      start[0] = loop;
       count[1] = increments.size();
       variable.putVar(start, count, values.data());
     }
@@ -372,16 +394,17 @@ class ResultWriter {
   /// Normal forces at full displacement.
   void put_loads(const InterfaceName& interface) {
     const NcDim& dim = node(interface.at_feet);
-    std::vector<double> values(direction_.getSize() * dim.getSize(), Storage<double>::absent);
+    std::vector<double> values(loop_.getSize() * dim.getSize(), Storage<double>::absent);
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
       if (!result_.cycles[i].turning_point) continue;
       const Vector& loads = (result_.cycles[i].at_turning_point().*interface.fields).normal_force;
       std::transform(loads.begin(), loads.end(), values.data() + i * dim.getSize(),
                      [](double load) { return finite_or_absent(load); });
     }
-    const NcVar variable = define<double>(
-        {std::string(interface.loads), "N", fmt::format("normal force {} at full displacement", interface.between)},
-        {direction_, dim}, {});
+    const NcVar variable =
+        define<double>({std::string(interface.loads), "N",
+                        fmt::format("normal force {} at full displacement", between_bodies(interface))},
+                       {loop_, dim}, {});
     variable.setFill(true, Storage<double>::absent);
     variable.putVar(values.data());
   }
@@ -389,8 +412,8 @@ class ResultWriter {
   NcGroup file_;
   const Case& input_;
   const CycleResult& result_;
-  Vector theta_, foot_theta_;
-  NcDim direction_, increment_, bump_, foot_;
+  ResultLayout layout_;
+  NcDim loop_, increment_, bump_, foot_;
 };
 
 std::string_view message_of(RunStatus status) {
@@ -419,6 +442,7 @@ void write_provenance(const NcGroup& file, const Case& input, const CycleResult&
   put("history", fmt::format("{}: {}", date, provenance.command_line));
   put("date_created", date);
   put("command_line", provenance.command_line);
+  put("bumpfoil_command", name_of(result.experiment));
   put("solver", name_of(result.solver));
   put("status", status == RunStatus::complete ? "complete" : "partial");
   put("status_message", message_of(status));
@@ -439,6 +463,7 @@ void write_result_netcdf(const std::filesystem::path& path, const Case& input, c
     writer.write_cycles();
     writer.write_increments();
     writer.write_fields();
+    writer.write_stress();
     writer.write_events();
     file.close();
   } catch (const netCDF::exceptions::NcException& error) {

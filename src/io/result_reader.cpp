@@ -23,9 +23,10 @@ using Flag = signed char;
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
+/// Fields that the page does not show.
 bool is_left_out(const NcVar& variable) {
   const std::string name = variable.getName();
-  return name.starts_with("gap_") || name == "friction_force_journal_top";
+  return name.starts_with("gap_") || name.starts_with("stress_") || name == "friction_force_journal_top";
 }
 
 bool has_dims(const NcVar& variable, const std::vector<std::string_view>& names) {

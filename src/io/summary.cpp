@@ -1,5 +1,7 @@
 #include "bumpfoil/io/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -24,17 +26,37 @@ Json value(const Vector& numbers) {
   return std::vector<double>(numbers.begin(), numbers.end());
 }
 
-Json cycle_json(const Cycle& cycle) {
+/// Where and when the largest stress acts.
+Json peak_json(const std::optional<StressPeak>& peak) {
+  if (!peak) return {};
+  return {{"place", name_of(peak->place)},
+          {"bump", peak->bump >= 0 ? Json(peak->bump + 1) : Json()},
+          {"increment", peak->increment},
+          {"displacement_m", peak->displacement}};
+}
+
+Json cycle_json(const Case& input, Experiment experiment, std::size_t number, const Cycle& cycle) {
   const auto loads = [&cycle](InterfaceFields Increment::*interface) {
-    return cycle.turning_point ? value((cycle.at_turning_point().*interface).normal_force) : Json();
+    if (!cycle.turning_point) return Json();
+    const Vector& normal_force = (cycle.at_turning_point().*interface).normal_force;
+    return normal_force.size() > 0 ? value(normal_force) : Json();
   };
   Json json;
-  json["direction_deg"] = to_degrees(cycle.direction);
+  if (experiment == Experiment::strip) {
+    json["cycle"] = number;
+  } else {
+    json["direction_deg"] = to_degrees(cycle.direction);
+  }
   json["amplitude_m"] = cycle.amplitude;
   json["steps"] = cycle.steps;
   json["converged"] = cycle.converged;
-  for (const CycleColumn& column : cycle_columns()) {
+  for (const CycleColumn& column : cycle_columns(experiment)) {
     json[name_with_unit(column.name, column.unit)] = value(column.value(cycle));
+  }
+  for (const StressedFoil& foil : stressed_foils()) {
+    const std::optional<bool> above = above_yield(foil, input, cycle);
+    json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(cycle.*foil.peak);
+    json[fmt::format("above_yield_{}", foil.name)] = above ? Json(*above) : Json();
   }
   json["bump_loads_N"] = loads(&Increment::top_bump);
   json["foot_loads_N"] = loads(&Increment::bump_sleeve);
@@ -68,13 +90,16 @@ double to_degrees(double angle) {
 std::string summary_json(const Case& input, const CycleResult& result, RunStatus status) {
   Json json;
   json["schema"] = "bumpfoil-summary/1";
+  json["command"] = name_of(result.experiment);
   json["case"] = case_json(input);
   json["version"] = version();
   json["commit"] = commit();
   json["solver"] = name_of(result.solver);
   json["status"] = name_of(status);
   json["cycles"] = Json::array();
-  for (const Cycle& cycle : result.cycles) json["cycles"].push_back(cycle_json(cycle));
+  for (const Cycle& cycle : result.cycles) {
+    json["cycles"].push_back(cycle_json(input, result.experiment, json["cycles"].size() + 1, cycle));
+  }
   return dump_json(json, 2) + '\n';
 }
 

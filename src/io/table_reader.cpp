@@ -185,6 +185,18 @@ void TableReader::quantity(std::string_view key, std::optional<double>& value, D
   if (double number = 0.0; read_quantity(path_of(key), *node, number, dimension)) value = number;
 }
 
+void TableReader::quantity(std::string_view key, double& value, Dimension& dimension, Dimension one, Dimension other) {
+  const toml::node* node = find(key, Presence::optional);
+  if (node == nullptr) return;
+  if (const auto* text = node->as_string()) {
+    for (const Dimension tried : {one, other}) {
+      if (std::holds_alternative<double>(parse_quantity(text->get(), tried))) dimension = tried;
+    }
+  }
+  read_quantity(path_of(key), *node, value, dimension,
+                fmt::format(", or {}", example_quantity(dimension == one ? other : one)));
+}
+
 void TableReader::number(std::string_view key, double& value, Presence presence) {
   const toml::node* node = find(key, presence);
   if (node == nullptr) return;
@@ -205,6 +217,16 @@ void TableReader::integer(std::string_view key, int& value, Presence presence) {
     log_.fault(path_of(key), "is out of range", "give a smaller number");
   } else {
     value = static_cast<int>(number->get());
+  }
+}
+
+void TableReader::flag(std::string_view key, bool& value) {
+  const toml::node* node = find(key, Presence::optional);
+  if (node == nullptr) return;
+  if (const auto* flag = node->as_boolean()) {
+    value = flag->get();
+  } else {
+    log_.fault(path_of(key), is_where(*node, "true or false"), "write true or false without quotes");
   }
 }
 

@@ -82,8 +82,12 @@ class TableReader {
   /// Dimensioned value: a string with a unit, or a number in SI.
   void quantity(std::string_view key, double& value, Dimension dimension, Presence presence);
   void quantity(std::string_view key, std::optional<double>& value, Dimension dimension);
+  /// Optional dimensioned value that may measure one of two things; a plain number means what `dimension` says. On
+  /// return `dimension` is that of the value.
+  void quantity(std::string_view key, double& value, Dimension& dimension, Dimension one, Dimension other);
   void number(std::string_view key, double& value, Presence presence);
   void integer(std::string_view key, int& value, Presence presence);
+  void flag(std::string_view key, bool& value);
   void text(std::string_view key, std::string& value);
   /// List of dimensioned values. Entries found in `names` stand for theirs. Entries that are faulty are zero.
   void quantities(std::string_view key, std::vector<double>& values, Dimension dimension, Presence presence,

@@ -23,4 +23,13 @@ Case reference_case() {
   return reference;
 }
 
+Case cut_to_strip(const Case& input) {
+  Case cut = input;
+  cut.bump_foil.bumps = input.strip->bumps;
+  for (std::vector<double>* list : {&cut.bump_foil.height_errors, &cut.bump_foil.sleeve_gaps}) {
+    if (!list->empty()) list->resize(static_cast<std::size_t>(cut.bump_foil.bumps));
+  }
+  return cut;
+}
+
 }  // namespace bumpfoil

@@ -15,22 +15,28 @@ BumpArc make_bump_arc(const BumpFoil& foil) {
   return arc;
 }
 
+Vector crest_positions(const BumpFoil& foil) {
+  return foil.pitch * (Vector::LinSpaced(foil.bumps, 0.0, foil.bumps - 1.0).array() + 0.5);
+}
+
+Vector foot_positions(const BumpFoil& foil, bool welded) {
+  const Vector crests = crest_positions(foil);
+  if (foil.model != BumpFoilModel::frame) {
+    const int before = welded ? 0 : 1;
+    return foil.pitch * Vector::LinSpaced(foil.bumps + before, 1.0 - before, foil.bumps);
+  }
+  Vector feet(2 * crests.size());
+  feet(Eigen::seqN(0, crests.size(), 2)) = crests.array() - 0.5 * foil.length;
+  feet(Eigen::seqN(1, crests.size(), 2)) = crests.array() + 0.5 * foil.length;
+  return feet;
+}
+
 Vector crest_angles(const Case& input) {
-  const double pitch_angle = input.bump_foil.pitch / input.bearing.radius;
-  return (Vector::LinSpaced(input.bump_foil.bumps, 0.0, input.bump_foil.bumps - 1.0).array() + 0.5) * pitch_angle;
+  return crest_positions(input.bump_foil) / input.bearing.radius;
 }
 
 Vector foot_angles(const Case& input) {
-  const Vector crests = crest_angles(input);
-  const double half_pitch_angle = 0.5 * input.bump_foil.pitch / input.bearing.radius;
-  if (input.bump_foil.model != BumpFoilModel::frame) return crests.array() + half_pitch_angle;
-  const double half_arc_angle = 0.5 * input.bump_foil.length / input.bearing.radius;
-  Vector feet(2 * crests.size());
-  for (Eigen::Index i = 0; i < crests.size(); ++i) {
-    feet[2 * i] = crests[i] - half_arc_angle;
-    feet[2 * i + 1] = crests[i] + half_arc_angle;
-  }
-  return feet;
+  return foot_positions(input.bump_foil) / input.bearing.radius;
 }
 
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {
@@ -38,8 +44,8 @@ Vector polar_angles(const Bearing& bearing, const Vector& theta) {
   return bearing.weld_angle + sigma * theta.array();
 }
 
-Vector journal_gaps(const Bearing& bearing, const Vector& phi, const Eigen::Vector2d& position) {
-  return bearing.radial_clearance - (position.x() * phi.array().cos() + position.y() * phi.array().sin());
+Vector journal_gaps(double clearance, const Vector& phi, const Eigen::Vector2d& position) {
+  return clearance - (position.x() * phi.array().cos() + position.y() * phi.array().sin());
 }
 
 Eigen::Vector2d journal_force(const Vector& phi, const Vector& journal_loads) {

@@ -25,13 +25,15 @@ struct Range {
 constexpr Range length_range{1e-9, 1e3, "m"};
 constexpr Range modulus_range{1e6, 1e13, "Pa"};
 constexpr Range stiffness_range{1.0, 1e15, "N/m"};
+constexpr Range load_range{1e-6, 1e9, "N"};
+constexpr Range strength_range{1e5, 1e11, "Pa"};
 constexpr Range coefficient_range{0.0, 1.0, ""};
 constexpr Range poisson_range{0.0, 0.5, ""};
 
 /// Foils thicker than this fraction of the bearing's radius, and clearances beyond it, are no bearing's.
 constexpr double thin = 0.1;
 
-/// What a run may keep in memory: some 120 bytes per bump and increment.
+/// What a run may keep in memory: some 200 bytes per bump and increment.
 constexpr std::int64_t most_bump_increments = 20'000'000;
 constexpr int most_steps = 1'000'000;
 
@@ -93,11 +95,13 @@ bool judge_bearing(Judge& judge, const Bearing& bearing) {
   return radius;
 }
 
-/// Thickness, modulus and Poisson's ratio of a foil; true if the thickness is usable.
-bool judge_material(Judge& judge, const std::string& table, double thickness, double modulus, double ratio) {
-  judge.within(table + ".youngs_modulus", modulus, modulus_range);
-  judge.within(table + ".poisson_ratio", ratio, poisson_range);
-  return judge.within(table + ".thickness", thickness, length_range);
+/// Thickness and material of a foil; true if the thickness is usable.
+template <typename Foil>
+bool judge_material(Judge& judge, const std::string& table, const Foil& foil) {
+  judge.within(table + ".youngs_modulus", foil.youngs_modulus, modulus_range);
+  judge.within(table + ".poisson_ratio", foil.poisson_ratio, poisson_range);
+  if (foil.yield_stress) judge.within(table + ".yield_stress", *foil.yield_stress, strength_range);
+  return judge.within(table + ".thickness", foil.thickness, length_range);
 }
 
 void judge_thinness(Judge& judge, const std::string& table, double thickness, double radius) {
@@ -129,7 +133,22 @@ bool judge_bumps(Judge& judge, const BumpFoil& foil, bool pitch, double radius) 
   return bumps;
 }
 
-/// Shape of one bump; returns the rise of its mid-surface, or zero if it has none.
+/// Arcs that neither overlap nor are thicker than they are round; `height` is the key that shapes them.
+void judge_shape(Judge& judge, const BumpFoil& foil, const BumpArc& arc, const std::string& key, double height,
+                 bool pitch) {
+  const bool bulges = arc.rise > arc.half_length;
+  judge.require(!bulges || !pitch || foil.length >= foil.pitch || 2.0 * arc.radius < foil.pitch, key,
+                quantity(height, "m"),
+                fmt::format("bumps would overlap: arcs of more than a half circle are {:.6g} m wide, the pitch is "
+                            "{:.6g} m",
+                            2.0 * arc.radius, foil.pitch),
+                "give a smaller height or a larger pitch");
+  judge.require(foil.thickness < arc.radius, "bump_foil.thickness", quantity(foil.thickness, "m"),
+                fmt::format("is more than the radius of the bump's arc, {:.6g} m", arc.radius),
+                "give a thinner foil or a flatter bump");
+}
+
+/// Shape of the nominal bump; returns the rise of its mid-surface, or zero if it has none.
 double judge_arc(Judge& judge, const BumpFoil& foil, bool pitch, bool thickness) {
   const bool length = judge.within("bump_foil.length", foil.length, length_range);
   const bool height = judge.within("bump_foil.height", foil.height, length_range);
@@ -147,16 +166,7 @@ double judge_arc(Judge& judge, const BumpFoil& foil, bool pitch, bool thickness)
   }
   if (!length) return 0.0;
   const BumpArc arc = make_bump_arc(foil);
-  const bool bulges = arc.rise > arc.half_length;
-  judge.require(!bulges || !pitch || foil.length >= foil.pitch || 2.0 * arc.radius < foil.pitch, "bump_foil.height",
-                quantity(foil.height, "m"),
-                fmt::format("bumps would overlap: arcs of more than a half circle are {:.6g} m wide, the pitch is "
-                            "{:.6g} m",
-                            2.0 * arc.radius, foil.pitch),
-                "give a smaller height or a larger pitch");
-  judge.require(foil.thickness < arc.radius, "bump_foil.thickness", quantity(foil.thickness, "m"),
-                fmt::format("is more than the radius of the bump's arc, {:.6g} m", arc.radius),
-                "give a thinner foil or a flatter bump");
+  judge_shape(judge, foil, arc, "bump_foil.height", foil.height, pitch);
   return arc.rise;
 }
 
@@ -179,6 +189,17 @@ void judge_list(Judge& judge, const std::string& key, const std::vector<double>&
   }
 }
 
+/// Shape of the tallest bump, where bumps have shapes of their own.
+void judge_tallest(Judge& judge, const BumpFoil& foil, bool pitch, double rise) {
+  if (!foil.stiffness_follows_height || foil.height_errors.empty() || rise <= 0.0) return;
+  const auto tallest = std::max_element(foil.height_errors.begin(), foil.height_errors.end());
+  if (!(std::abs(*tallest) < rise)) return;  // judged already
+  BumpFoil own = foil;
+  own.height += *tallest;
+  judge_shape(judge, own, make_bump_arc(own),
+              fmt::format("bump_foil.height_errors[{}]", tallest - foil.height_errors.begin() + 1), *tallest, pitch);
+}
+
 void judge_truss(Judge& judge, const TrussOverrides& truss) {
   const std::array constants{std::pair{"k1", truss.k1}, std::pair{"k2", truss.k2}, std::pair{"k3", truss.k3},
                              std::pair{"k4", truss.k4}};
@@ -197,6 +218,13 @@ void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
   judge.within("solver.eps_f", uzawa.eps_f, stiffness_range);
   judge.within("solver.eps_r", uzawa.eps_r, stiffness_range);
   judge.within("solver.tau_f", uzawa.tau_f, {1e-18, 1e-3, "m"});
+}
+
+/// Whether a run of so many increments and bumps can be kept in memory.
+void judge_memory(Judge& judge, const std::string& key, int steps, std::int64_t increments, int bumps) {
+  judge.require(increments <= most_bump_increments / bumps, key, std::to_string(steps),
+                fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                "give fewer steps or fewer loops");
 }
 
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
@@ -219,9 +247,57 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
   if (!bumps || !steps) return;
   const auto increments = std::int64_t{2} * cycle.steps * std::ssize(cycle.directions);
-  judge.require(increments <= most_bump_increments / input.bump_foil.bumps, "cycle.steps", std::to_string(cycle.steps),
-                fmt::format("{} increments of {} bumps would not fit in memory", increments, input.bump_foil.bumps),
-                "give fewer steps or fewer directions");
+  judge_memory(judge, "cycle.steps", cycle.steps, increments, input.bump_foil.bumps);
+}
+
+/// A target of the plate, called by the key that holds it.
+void judge_target(Judge& judge, const std::string& key, const PlateTarget& target, double rise) {
+  if (target.control == PlateControl::load) {
+    judge.within(key, target.value, load_range);
+  } else if (judge.within(key, target.value, length_range) && rise > 0.0) {
+    judge.require(target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
+                  fmt::format("give less than their rise, {:.6g} m", rise));
+  }
+}
+
+void judge_strip_lists(Judge& judge, const BumpFoil& foil, int bumps) {
+  for (const auto& [key, list] : {std::pair{"bump_foil.height_errors", &foil.height_errors},
+                                  std::pair{"bump_foil.sleeve_gaps", &foil.sleeve_gaps}}) {
+    judge.require(list->empty() || std::ssize(*list) >= bumps, "strip.bumps", std::to_string(bumps),
+                  fmt::format("is more than the {} values of {}", list->size(), key),
+                  "give fewer bumps or more values");
+  }
+}
+
+void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil, double rise) {
+  const bool by_load = strip.amplitude.control == PlateControl::load;
+  const std::string amplitude_key = by_load ? "strip.load" : "strip.displacement";
+  const bool bumps =
+      judge.require(strip.bumps >= 1 && strip.bumps <= most_bumps, "strip.bumps", std::to_string(strip.bumps),
+                    "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
+  if (bumps) judge_strip_lists(judge, foil, strip.bumps);
+  judge_target(judge, amplitude_key, strip.amplitude, rise);
+  if (strip.preload) {
+    judge_target(judge, "strip.preload", *strip.preload, rise);
+    if (by_load) {
+      judge.require(strip.preload->control == PlateControl::load, "strip.preload", quantity(strip.preload->value, "m"),
+                    "is a displacement where the strip is controlled by load",
+                    "give a load, or a displacement in place of strip.load");
+      judge.require(strip.preload->control != PlateControl::load || strip.preload->value >= strip.amplitude.value,
+                    "strip.preload", quantity(strip.preload->value, "N"),
+                    fmt::format("is less than the amplitude, {:.6g} N: a plate cannot pull", strip.amplitude.value),
+                    "give a larger preload or a smaller load");
+    }
+  }
+  const bool cycles =
+      judge.require(strip.cycles >= 1 && strip.cycles <= most_steps, "strip.cycles", std::to_string(strip.cycles),
+                    "is no possible number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
+  const bool steps =
+      judge.require(strip.steps >= 1 && strip.steps <= most_steps, "strip.steps", std::to_string(strip.steps),
+                    "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+  if (!bumps || !cycles || !steps) return;
+  const std::int64_t branches = strip.preload ? 4 : 2;
+  judge_memory(judge, "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
 }
 
 void judge_combination(Judge& judge, const Case& input) {
@@ -231,6 +307,9 @@ void judge_combination(Judge& judge, const Case& input) {
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", "arc_start", "only the frame model can be welded at the start of the first arc",
                 "set weld_at = \"mid_flat\" or model = \"frame\"");
+  judge.require(!input.bump_foil.stiffness_follows_height || input.bump_foil.model == BumpFoilModel::frame,
+                "bump_foil.stiffness_follows_height", "true", "only the frame model has bumps of different stiffness",
+                "set it to false or model = \"frame\"");
   if (input.bump_foil.geometry == Geometry::linear) return;
   judge.require(input.bump_foil.model == BumpFoilModel::frame, "bump_foil.geometry", "nonlinear",
                 "only the frame model can follow large displacements",
@@ -252,24 +331,26 @@ std::vector<Fault> find_faults(const Case& input) {
   const bool radius = judge_bearing(judge, input.bearing);
   const double usable_radius = radius ? input.bearing.radius : 0.0;
 
-  const bool thickness = judge_material(judge, "bump_foil", foil.thickness, foil.youngs_modulus, foil.poisson_ratio);
+  const bool thickness = judge_material(judge, "bump_foil", foil);
   if (thickness && radius) judge_thinness(judge, "bump_foil", foil.thickness, input.bearing.radius);
   const bool pitch = judge.within("bump_foil.pitch", foil.pitch, length_range);
   const bool bumps = judge_bumps(judge, foil, pitch, usable_radius);
   const double rise = judge_arc(judge, foil, pitch, thickness);
   judge_list(judge, "bump_foil.height_errors", foil.height_errors, bumps ? foil.bumps : 0, rise);
+  judge_tallest(judge, foil, pitch, rise);
   judge_list(judge, "bump_foil.sleeve_gaps", foil.sleeve_gaps, bumps ? foil.bumps : 0, rise);
   judge_truss(judge, foil.truss);
 
   if (foil.model != BumpFoilModel::former) {
     const TopFoil& top = input.top_foil;
-    const bool top_thickness = judge_material(judge, "top_foil", top.thickness, top.youngs_modulus, top.poisson_ratio);
+    const bool top_thickness = judge_material(judge, "top_foil", top);
     if (top_thickness && radius) judge_thinness(judge, "top_foil", top.thickness, input.bearing.radius);
   }
   judge.within("friction.top_bump", input.friction.top_bump, coefficient_range);
   judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);
   judge_solver(judge, input.solver.uzawa);
   judge_cycle(judge, input, bumps, rise);
+  if (input.strip) judge_strip(judge, *input.strip, foil, rise);
   judge_combination(judge, input);
   return judge.take();
 }

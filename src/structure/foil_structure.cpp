@@ -1,5 +1,7 @@
 #include "bumpfoil/structure/foil_structure.hpp"
 
+#include <algorithm>
+
 #include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
@@ -8,42 +10,59 @@
 namespace bumpfoil {
 namespace {
 
-BumpDofs truss_dofs(bool with_top_foil) {
-  BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
-  if (with_top_foil) {
-    dofs.size = 6;
-    dofs.top_u = 4;
-    dofs.top_moment = 5;
-  }
-  return dofs;
-}
-
 /// Adds the top foil in its moment form, the unknown moments being M / moment_scale.
-void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const BumpDofs& dofs, BlockTridiagonal& K) {
+/// @param first  block of the first crest
+void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const BumpDofs& dofs, int first,
+                       BlockTridiagonal& K) {
   const int u = dofs.top_u;
   const int m = dofs.top_moment;
   const double compliance_scale = moment_scale * moment_scale;
-  const int n = K.blocks();
-  // Crest j = 1..n is block j - 1.
-  for (int j = 1; j < n; ++j) {
-    K.add(j - 1, u, j - 1, m, moment_scale * form.load_diagonal(j));
-    K.add(j - 1, m, j, u, moment_scale * form.inverse_sine[j]);
-    K.add(j - 1, m, j - 1, m, -compliance_scale * form.compliance_diagonal[j]);
-    if (j + 1 < n) {
-      K.add(j - 1, u, j, m, moment_scale * form.inverse_sine[j]);
-      K.add(j - 1, m, j, m, -compliance_scale * form.compliance_off[j]);
-    }
+  const int n = K.blocks() - first;
+  const auto block = [first](int crest) { return first + crest - 1; };
+  // The moment over a free end is zero: its place is kept, coupled to nothing.
+  for (int j = 1; j <= n; ++j) {
+    K.add(block(j), m, block(j), m, -compliance_scale * form.compliance_diagonal[std::min(j, n - 1)]);
   }
-  K.add(n - 1, m, n - 1, m, -compliance_scale * form.compliance_diagonal[n - 1]);
+  const int first_moment = form.welded ? 1 : 2;
+  for (int j = first_moment; j < n; ++j) {
+    if (j > 1) K.add(block(j - 1), u, block(j), m, moment_scale * form.inverse_sine[j - 1]);
+    K.add(block(j), u, block(j), m, moment_scale * form.load_diagonal(j));
+    K.add(block(j), m, block(j + 1), u, moment_scale * form.inverse_sine[j]);
+    if (j + 1 < n) K.add(block(j), m, block(j + 1), m, -compliance_scale * form.compliance_off[j]);
+  }
+  if (!form.welded) {
+    for (int j = 1; j <= n; ++j) K.add(block(j), u, block(j), u, loose_hold);
+    return;
+  }
 
   // Weld: M_0 = (u_1 / (R sin d_0) - T_01 M_1) / T_00.
   const double weld = form.inverse_sine[0];
   const double pivot = form.compliance_diagonal[0];
-  K.add(0, u, 0, u, weld * weld / pivot);
+  K.add(first, u, first, u, weld * weld / pivot);
   if (n > 1) {
     const double off = form.compliance_off[0];
-    K.add(0, u, 0, m, -moment_scale * weld * off / pivot);
-    K.add(0, m, 0, m, compliance_scale * off * off / pivot);
+    K.add(first, u, first, m, -moment_scale * weld * off / pivot);
+    K.add(first, m, first, m, compliance_scale * off * off / pivot);
+  }
+}
+
+/// Holds unknowns that the layout leaves without meaning: nothing has been coupled to them.
+void hold_unused(const FoilStructure& structure, double stiffness, BlockTridiagonal& K) {
+  const BumpDofs& dofs = structure.dofs;
+  for (int b = 0; b < K.blocks(); ++b) {
+    for (int i = 0; i < dofs.size; ++i) {
+      const bool is_foot = i == dofs.foot_u.back() || i == dofs.foot_v.back();
+      const bool before_bump_1 = b < structure.first_bump && !is_foot;
+      if (before_bump_1 || i >= dofs.size - dofs.unused) K.add(b, i, b, i, stiffness);
+    }
+  }
+}
+
+/// Keeps a bump foil without a weld from drifting.
+void hold_feet(const BumpDofs& dofs, BlockTridiagonal& K) {
+  for (int b = 0; b < K.blocks(); ++b) {
+    for (const int u : dofs.foot_u) K.add(b, u, b, u, loose_hold);
+    for (const int v : dofs.foot_v) K.add(b, v, b, v, loose_hold);
   }
 }
 
@@ -52,18 +71,20 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   const Eigen::Index m = structure.dofs.top_moment;
   if (m < 0) return x;
   const Eigen::Index size = structure.dofs.size;
-  const auto moments = Eigen::seqN(m, Eigen::Index{structure.bumps()}, size);
+  const Eigen::Index blocks = structure.K.blocks();
+  const auto moments = Eigen::seqN(m, blocks, size);
   x(moments).setZero();
-  Vector kinks(structure.bumps());
-  Vector diagonal(structure.bumps());
-  Vector off(structure.bumps() - 1);
-  for (Eigen::Index b = 0; b < diagonal.size(); ++b) {
+  Vector kinks(blocks);
+  Vector diagonal(blocks);
+  Vector off(blocks - 1);
+  for (Eigen::Index b = 0; b < blocks; ++b) {
     const Matrix& own = structure.K.diagonal[static_cast<std::size_t>(b)];
     kinks[b] = own.col(m).dot(x.segment(b * size, size));
-    if (b > 0)
+    if (b > 0) {
       kinks[b] += structure.K.upper[static_cast<std::size_t>(b - 1)].col(m).dot(x.segment((b - 1) * size, size));
+    }
     diagonal[b] = -own(m, m);
-    if (b == off.size()) continue;
+    if (b + 1 == blocks) continue;
     const Matrix& upper = structure.K.upper[static_cast<std::size_t>(b)];
     kinks[b] += upper.row(m).dot(x.segment((b + 1) * size, size));
     off[b] = -upper(m, m);
@@ -77,33 +98,61 @@ Vector linear_forces(const FoilStructure& structure, const Vector& x) {
   const BlockTridiagonal& K = structure.large_displacements ? structure.large_displacements->rest : structure.K;
   Vector forces = K.multiply(with_compatible_moments(structure, x));
   if (const Eigen::Index m = structure.dofs.top_moment; m >= 0) {
-    forces(Eigen::seqN(m, Eigen::Index{structure.bumps()}, Eigen::Index{structure.dofs.size})).setZero();
+    forces(Eigen::seqN(m, Eigen::Index{structure.K.blocks()}, Eigen::Index{structure.dofs.size})).setZero();
   }
   return forces;
 }
 
 }  // namespace
 
-FoilStructure make_foil_structure(const Case& input) {
+BumpDofs make_bump_dofs(BumpFoilModel model, bool with_top_foil) {
+  BumpDofs dofs = frame_dofs();
+  if (model == BumpFoilModel::truss) {
+    dofs = {.size = 6, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}, .top_u = 4, .top_moment = 5};
+  } else if (model == BumpFoilModel::former) {
+    dofs = {.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
+  }
+  if (!with_top_foil && dofs.top_u >= 0) {
+    dofs.top_u = dofs.top_moment = -1;
+    dofs.unused = 2;
+  }
+  return dofs;
+}
+
+TopFoilMoments make_top_foil_moments(const Case& input, const FoilLayout& layout) {
+  const TopFoilBeam beam = make_top_foil_beam(input);
+  if (!layout.flat) return make_top_foil_moments(beam);
+  Vector spans = Vector::Constant(input.bump_foil.bumps, input.bump_foil.pitch);
+  spans[0] *= 0.5;
+  return make_flat_top_foil_moments(beam.bending_stiffness, spans, layout.welded);
+}
+
+FoilStructure make_foil_structure(const Case& input, const FoilLayout& layout) {
   const BumpFoil& foil = input.bump_foil;
   const bool is_frame = foil.model == BumpFoilModel::frame;
   FoilStructure structure;
-  structure.dofs = is_frame ? frame_dofs() : truss_dofs(foil.model != BumpFoilModel::former);
-  structure.K = BlockTridiagonal(foil.bumps, structure.dofs.size);
+  structure.dofs = make_bump_dofs(foil.model, layout.top_foil);
+  structure.first_bump = is_frame || layout.welded ? 0 : 1;
+  structure.K = BlockTridiagonal(structure.first_bump + foil.bumps, structure.dofs.size);
   if (structure.dofs.top_u >= 0) {
-    const TopFoilBeam beam = make_top_foil_beam(input);
-    const double moment_scale = beam.bending_stiffness / (foil.pitch * foil.pitch);
-    assemble_top_foil(make_top_foil_moments(beam), moment_scale, structure.dofs, structure.K);
+    assemble_top_foil(make_top_foil_moments(input, layout), top_moment_scale(input), structure.dofs,
+                      structure.first_bump, structure.K);
   }
+  if (!layout.welded) hold_feet(structure.dofs, structure.K);
+  const Section section =
+      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+  hold_unused(structure, section.axial_stiffness / foil.pitch, structure.K);
   if (is_frame) {
-    const FrameModel frame = make_frame_model(input);
+    FrameModel frame = make_frame_model(input);
+    frame.welded = layout.welded;
     if (foil.geometry == Geometry::nonlinear) {
       structure.large_displacements = {.bump_foil = place_elements(frame, structure.dofs.size), .rest = structure.K};
       hold_covered_node(frame, structure.large_displacements->rest);
     }
     assemble_frame(frame, structure.K);
   } else {
-    assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps), structure.K);
+    assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps, layout.welded),
+                     structure.K);
   }
   return structure;
 }

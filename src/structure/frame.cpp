@@ -16,7 +16,9 @@ constexpr Eigen::Index clamped = -1;
 FrameModel make_frame_model(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
   return {.section = make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness),
-          .arcs = std::vector<BumpArc>(static_cast<std::size_t>(foil.bumps), make_bump_arc(foil)),
+          .arcs = foil.stiffness_follows_height
+                      ? make_own_arcs(foil)
+                      : std::vector<BumpArc>(static_cast<std::size_t>(foil.bumps), make_bump_arc(foil)),
           .pitch = foil.pitch,
           .weld_at = foil.weld_at,
           .geometry = foil.geometry};
@@ -48,6 +50,8 @@ ElementChain place_elements(const FrameModel& model, int block_size) {
     if (n > 0) {
       chain.elements.push_back({flat_element(arc.flat), node, start});
       node = start;
+    } else if (!model.welded) {
+      node = start;
     } else if (model.weld_at == WeldPosition::mid_flat) {
       chain.elements.push_back({flat_element(0.5 * arc.flat), clamped, start});
       node = start;
@@ -60,7 +64,7 @@ ElementChain place_elements(const FrameModel& model, int block_size) {
 }
 
 void hold_covered_node(const FrameModel& model, BlockTridiagonal& K) {
-  if (model.weld_at != WeldPosition::arc_start) return;
+  if (!model.welded || model.weld_at != WeldPosition::arc_start) return;
   for (int k = 0; k < unknowns_per_node; ++k) K.add(0, k, 0, k, model.section.axial_stiffness / model.pitch);
 }
 

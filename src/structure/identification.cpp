@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 #include "bumpfoil/core/error.hpp"
 #include "structure/planar_frame.hpp"
@@ -66,6 +67,23 @@ double weld_stiffness(const TrussConstants& constants, double target) {
   return excess / (S(0, 2) * S(0, 2) - excess * S(0, 0));
 }
 
+/// What the case gives, and the identified constants in its place where it gives none.
+TrussConstants given_or_identified(const Case& input) {
+  const BumpFoil& foil = input.bump_foil;
+  const TrussOverrides& given = foil.truss;
+  if (given.k1 && given.k2 && given.k3 && given.k4 && given.theta_d) {
+    return {*given.k1, *given.k2, *given.k3, *given.k4, *given.theta_d};
+  }
+  const Section section =
+      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+  const TrussConstants identified = identify_truss_constants(make_bump_arc(foil), section);
+  return {.k1 = given.k1.value_or(identified.k1),
+          .k2 = given.k2.value_or(identified.k2),
+          .k3 = given.k3.value_or(identified.k3),
+          .k4 = given.k4.value_or(identified.k4),
+          .theta_d = given.theta_d.value_or(identified.theta_d)};
+}
+
 }  // namespace
 
 BumpCell make_bump_cell(const BumpArc& arc, const Section& section) {
@@ -90,34 +108,24 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
   return constants;
 }
 
-TrussConstants make_truss_constants(const Case& input) {
-  const BumpFoil& foil = input.bump_foil;
-  const TrussOverrides& given = foil.truss;
-  if (given.k1 && given.k2 && given.k3 && given.k4 && given.theta_d) {
-    return {*given.k1, *given.k2, *given.k3, *given.k4, *given.theta_d};
-  }
-  const Section section =
-      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
-  const TrussConstants identified = identify_truss_constants(make_bump_arc(foil), section);
+std::vector<Fault> find_truss_faults(const Case& input) {
+  const TrussConstants constants = given_or_identified(input);
   std::vector<Fault> faults;
-  const auto choose = [&](const char* name, const std::optional<double>& override_value, double value) {
-    if (override_value) return *override_value;
-    if (!(value >= 0.0)) {
-      Fault fault;
-      fault.key = fmt::format("bump_foil.truss.{}", name);
-      fault.what = fmt::format("comes out as {:.4g} N/m for this shape of bump: the truss would be unstable", value);
-      fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
-      faults.push_back(fault);
-    }
-    return value;
-  };
-  const TrussConstants constants{.k1 = choose("k1", given.k1, identified.k1),
-                                 .k2 = choose("k2", given.k2, identified.k2),
-                                 .k3 = choose("k3", given.k3, identified.k3),
-                                 .k4 = choose("k4", given.k4, identified.k4),
-                                 .theta_d = given.theta_d.value_or(identified.theta_d)};
-  if (!faults.empty()) throw Error(ErrorKind::input, faults);
-  return constants;
+  for (const auto& [name, value] : {std::pair{"k1", constants.k1}, std::pair{"k2", constants.k2},
+                                    std::pair{"k3", constants.k3}, std::pair{"k4", constants.k4}}) {
+    if (value >= 0.0) continue;
+    Fault fault;
+    fault.key = fmt::format("bump_foil.truss.{}", name);
+    fault.what = fmt::format("comes out as {:.4g} N/m for this shape of bump: the truss would be unstable", value);
+    fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
+    faults.push_back(fault);
+  }
+  return faults;
+}
+
+TrussConstants make_truss_constants(const Case& input) {
+  if (std::vector<Fault> faults = find_truss_faults(input); !faults.empty()) throw Error(ErrorKind::input, faults);
+  return given_or_identified(input);
 }
 
 }  // namespace bumpfoil

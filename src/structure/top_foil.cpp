@@ -5,16 +5,21 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "bumpfoil/structure/section.hpp"
 #include "structure/series.hpp"
 
 namespace bumpfoil {
 
-TopFoilBeam make_top_foil_beam(const Case& input) {
+Section make_top_foil_section(const Case& input) {
   const TopFoil& foil = input.top_foil;
-  const Section section =
-      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
-  return {input.bearing.radius, section.bending_stiffness, crest_angles(input)};
+  return make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+}
+
+TopFoilBeam make_top_foil_beam(const Case& input) {
+  return {input.bearing.radius, make_top_foil_section(input).bending_stiffness, crest_angles(input)};
+}
+
+double top_moment_scale(const Case& input) {
+  return make_top_foil_section(input).bending_stiffness / (input.bump_foil.pitch * input.bump_foil.pitch);
 }
 
 Matrix top_foil_compliance(const TopFoilBeam& beam) {
@@ -62,6 +67,19 @@ TopFoilMoments make_top_foil_moments(const TopFoilBeam& beam) {
       form.compliance_off[k] = flexibility * 0.5 * sine_moment(d);
     }
   }
+  return form;
+}
+
+TopFoilMoments make_flat_top_foil_moments(double bending_stiffness, const Vector& spans, bool welded) {
+  const Eigen::Index n = spans.size();
+  BUMPFOIL_ASSERT(n > 0);
+  TopFoilMoments form;
+  form.welded = welded;
+  form.inverse_sine = spans.cwiseInverse();
+  form.half_tangent = Vector::Zero(n);
+  form.compliance_diagonal = spans / (3.0 * bending_stiffness);
+  form.compliance_diagonal.tail(n - 1) += spans.head(n - 1) / (3.0 * bending_stiffness);
+  form.compliance_off = spans.head(n - 1) / (6.0 * bending_stiffness);
   return form;
 }
 

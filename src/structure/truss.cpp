@@ -6,25 +6,27 @@
 
 namespace bumpfoil {
 
-std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps) {
+std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps, bool welded) {
   BUMPFOIL_ASSERT(dofs.feet() == 1);
   const double c = std::cos(constants.theta_d);
   const double s = std::sin(constants.theta_d);
   const int foot_u = dofs.foot_u.front();
   const int foot_v = dofs.foot_v.front();
   std::vector<Spring> springs;
-  for (int n = 0; n < bumps; ++n) {
+  const int first = welded ? 0 : 1;
+  for (int n = first; n < first + bumps; ++n) {
     Spring front{constants.k1, {{n, dofs.crest_u, c}, {n, dofs.crest_v, -s}}};
     const Spring back{constants.k1, {{n, foot_u, c}, {n, dofs.crest_u, -c}, {n, dofs.crest_v, -s}, {n, foot_v, s}}};
     Spring feet{constants.k2, {{n, foot_u, 1.0}}};
-    Spring crests{n > 0 ? constants.k3 : constants.k4, {{n, dofs.crest_u, 1.0}}};
+    Spring crests{n > first ? constants.k3 : constants.k4, {{n, dofs.crest_u, 1.0}}};
     if (n > 0) {
       front.terms.push_back({n - 1, foot_u, -c});
       front.terms.push_back({n - 1, foot_v, s});
       feet.terms.push_back({n - 1, foot_u, -1.0});
       crests.terms.push_back({n - 1, dofs.crest_u, -1.0});
     }
-    springs.insert(springs.end(), {front, back, feet, crests});
+    springs.insert(springs.end(), {front, back, feet});
+    if (n > first || welded) springs.push_back(crests);
   }
   return springs;
 }

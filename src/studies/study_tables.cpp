@@ -108,7 +108,8 @@ void write_heights(const Study& /*study*/, const StudyRun& run, const StudyRunRe
   const Vector theta = crest_angles(input);
   const Vector phi = polar_angles(input.bearing, theta);
   for (const Cycle& cycle : result.result.cycles) {
-    const Vector pushed = journal_gaps(input.bearing, phi, cycle.amplitude * unit_vector(cycle.direction));
+    const Vector pushed =
+        journal_gaps(input.bearing.radial_clearance, phi, cycle.amplitude * unit_vector(cycle.direction));
     for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
       const double nominal = nominal_height(input);
       Row& row = table.rows.emplace_back(row_of(run, cycle));
@@ -127,7 +128,7 @@ void write_foils(const Study& study, const StudyRun& run, const StudyRunResult& 
     for (const int index : study.increments) {
       if (index >= static_cast<int>(cycle.increments.size())) continue;
       const Increment& at = cycle.increments[static_cast<std::size_t>(index)];
-      const Vector journal = journal_gaps(input.bearing, phi, {at.x, at.y});
+      const Vector journal = journal_gaps(input.bearing.radial_clearance, phi, {at.x, at.y});
       const Eigen::Index feet = at.foot_v.size() / theta.size();
       for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
         const Eigen::Index foot = feet * (bump + 1) - 1;

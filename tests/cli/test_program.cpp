@@ -125,6 +125,32 @@ TEST_F(Program, GoesFromInitOverCheckToCycle) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 9);
 }
 
+TEST_F(Program, CompressesAStrip) {
+  const std::vector<std::string> strip{"strip", case_path_,      "-o",    results_,
+                                       "--set", "strip.bumps=3", "--set", "strip.steps=4"};
+  const Outcome missing = run({"strip", case_path_, "-o", results_});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_NE(missing.errors.find("add [strip]"), std::string::npos);
+  EXPECT_FALSE(wrote_results());
+
+  const Outcome done =
+      run(strip + std::vector<std::string>{"--set", "strip.load=50 N", "--set", "bump_foil.yield_stress=1 MPa"});
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.output.find(results_ + " (summary.json, strip.csv, result.nc)"), std::string::npos);
+  EXPECT_NE(done.errors.find("warning: cycle 1: the top foil yields"), std::string::npos);
+  EXPECT_EQ(summary().at("command"), "strip");
+  EXPECT_NEAR(summary().at("cycles").at(0).at("max_force_N"), 50.0, 1e-6);
+  EXPECT_EQ(summary().at("cycles").at(0).at("above_yield_top_foil"), true);
+  const std::string csv = folder_.read("results/strip.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 9);
+
+  EXPECT_EQ(run(strip + std::vector<std::string>{"--set", "strip.load=50 N"}).exit_code, 4);  // holds results
+  // More than bumps that are flat carry: partial results.
+  const Outcome beyond = run(strip + std::vector<std::string>{"--set", "strip.load=1 MN", "--force"});
+  EXPECT_EQ(beyond.exit_code, 3);
+  EXPECT_EQ(summary().at("status"), "failed");
+}
+
 TEST_F(Program, InitPrintsOrWrites) {
   EXPECT_EQ(run({"init"}).output, folder_.read("case.toml"));
   EXPECT_EQ(run({"init", "--preset", "gen1"}).output, folder_.read("case.toml"));

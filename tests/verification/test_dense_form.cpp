@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 #include "bumpfoil/structure/truss.hpp"
@@ -74,7 +74,7 @@ TEST_P(DenseForm, SolvesTheSameModesToTheSameState) {
   const Case& input = reference_cycles().at(GetParam()).input;
   const Cycle cycle = run_cycles(input).cycles.front();
   ASSERT_TRUE(cycle.converged);
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   const DenseContacts dense = dense_bearing(input);
   const double largest_force = cycle.at_turning_point().journal_top.normal_force.maxCoeff();
   const double largest_displacement = displacements(cycle.at_turning_point()).cwiseAbs().maxCoeff();

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
@@ -99,7 +99,7 @@ TEST(Symmetry, TenTimesStifferFoilsAnswerWithTenTimesTheForce) {
 
 TEST(Symmetry, HeldJournalDoesNotCreep) {
   const Case input = rough_bearing();
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   NewtonSolver solver(model.problem);
   ContactState state = ContactState::unstressed(model.problem);
   for (int k = 0; k <= 20; ++k) {

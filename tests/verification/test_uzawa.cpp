@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/uzawa_comparison.hpp"
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Entries, UzawaStudy,
                                          Entry{{.tau_f = 1e-8}, true, 1, &UzawaDeviation::loop_energy, 1.001e-2}));
 
 TEST(UzawaHold, NothingCreepsInABearingThatIsHeld) {
-  const BearingModel model = make_bearing_model(uzawa_study_case());
+  const FoilModel model = make_bearing_model(uzawa_study_case());
   const UzawaParameters given;
   UzawaSolver solver(model.problem,
                      {.eps_alm = given.eps_alm, .eps_f = given.eps_f, .eps_r = given.eps_r, .tau_f = given.tau_f});

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 
 namespace bumpfoil {
 
@@ -13,26 +13,28 @@ std::optional<double> clearance_at(const std::vector<Increment>& increments, dou
 
 /// Displacement (m) along the unit vector `direction` at which the journal first touches the top foil,
 /// (C_r + u_t,i) / cos(phi_i - beta) smallest over the bumps that face the direction, with the displacements u_t of the
-/// top foil at the centred journal; 0 if it touches already, absent if no bump faces the direction.
-std::optional<double> first_contact_displacement(const Bearing& bearing, const Vector& phi,
-                                                 const Vector& top_displacement, const Eigen::Vector2d& direction);
+/// top foil at the centred journal and C_r the `clearance`; 0 if it touches already, absent if no bump faces the
+/// direction.
+std::optional<double> first_contact_displacement(double clearance, const Vector& phi, const Vector& top_displacement,
+                                                 const Eigen::Vector2d& direction);
 
 /// Loop energy over 2 pi times the elastic energy stored between start and turning point; absent if none was stored.
 std::optional<double> loss_factor(double loop_energy, double elastic_energy_stored);
 
-/// Tangent stiffnesses d(F.n)/ds at a state, N/m, from the modes of its contacts and the tangent of the foils.
-struct TangentStiffnesses {
-  double loading{};    ///< slipping contacts go on slipping
-  double unloading{};  ///< all closed contacts stick
-};
-
+/// Tangent stiffnesses at a state, from the modes of its contacts and the tangent of the foils.
 /// @param state      converged; its modes count, and under large displacements its unknowns
 /// @param direction  unit vector n of the journal's motion
-TangentStiffnesses tangent_stiffnesses(const BearingModel& model, const ContactState& state,
+TangentStiffnesses tangent_stiffnesses(const FoilModel& model, const ContactState& state,
                                        const Eigen::Vector2d& direction);
 
+/// Largest stress of the top foil over all increments; absent where none is known.
+std::optional<StressPeak> top_foil_peak(const std::vector<Increment>& increments);
+
+/// The same of the bump foil.
+std::optional<StressPeak> bump_foil_peak(const std::vector<Increment>& increments);
+
 /// Fills in what follows from the increments of a cycle, as far as they got: whether it converged, clearances, turning
-/// point, loop energy and loss factor.
+/// point, loop energy, loss factor and largest stresses.
 /// @param tangents  at the turning point; absent if it was not reached
 void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "bumpfoil/contact/linear_systems.hpp"
 #include "bumpfoil/contact/residual.hpp"
@@ -67,7 +68,8 @@ class FormerSolver {
   [[nodiscard]] FormerSolution solve(const Eigen::Vector2d& position);
 
   /// d(F.n)/ds along the unit vector n for the contact modes of `state`, N/m: the same for loading and unloading.
-  [[nodiscard]] double tangent_stiffness(const ContactState& state, const Eigen::Vector2d& direction);
+  /// @return absent where the contacts leave the foil loose
+  [[nodiscard]] std::optional<double> tangent_stiffness(const ContactState& state, const Eigen::Vector2d& direction);
 
  private:
   struct TrescaState;

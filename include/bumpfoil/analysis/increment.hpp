@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/contact/solver.hpp"
 
@@ -10,7 +10,7 @@ namespace bumpfoil {
 
 enum class Branch { loading, unloading };
 
-/// One interface at one increment: entry i belongs to bump i or, at the sleeve, to foot i.
+/// One interface at one increment: entry i belongs to bump i or, at the sleeve, to foot i. Empty where there is none.
 struct InterfaceFields {
   Vector gap;             ///< m, 0 where closed
   Vector normal_force;    ///< N, compression >= 0
@@ -34,20 +34,22 @@ struct Increment {
   SolveReport solve;  ///< what it cost and whether it converged
   int substeps{};     ///< extra solves because the increment had to be halved
 
-  Vector top_displacement;      ///< u_t, m, one per bump
+  Vector top_displacement;      ///< u_t, m, one per bump; empty without a top foil
   Vector crest_u, crest_v;      ///< m, one per bump
   Vector foot_u, foot_v;        ///< m, one per foot
   InterfaceFields journal_top;  ///< per bump
   InterfaceFields top_bump;     ///< per bump
   InterfaceFields bump_sleeve;  ///< per foot
+
+  FoilStress stress;
 };
 
-/// Fields, forces, elastic energy and residuals of a state; index, branch, displacement, work and dissipation are left
-/// to the caller.
+/// Fields, forces, stress, elastic energy and residuals of a state; index, branch, displacement, work and dissipation
+/// are left to the caller.
 /// @param position    of the journal centre, m
 /// @param direction   unit vector n that direct and cross force refer to
 /// @param previous_x  unknowns at the begin of the last part of the increment, which its slip is measured from
-Increment record_increment(const BearingModel& model, const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+Increment record_increment(const FoilModel& model, const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
                            const ContactLoading& loading, const Vector& previous_x, const ContactState& state);
 
 }  // namespace bumpfoil

@@ -6,8 +6,8 @@
 
 namespace bumpfoil {
 
-/// Contents of cycle.csv: a header with the units in its names, and one line per direction and increment. Numbers have
-/// 17 significant digits; those that are not finite are left out.
+/// Contents of cycle.csv or strip.csv: a header with the units in its names, and one line per loop and increment.
+/// Numbers have 17 significant digits; those that are not finite are left out.
 std::string cycle_csv(const CycleResult& result);
 
 }  // namespace bumpfoil

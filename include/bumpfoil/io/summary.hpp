@@ -18,7 +18,8 @@ enum class RunStatus {
 /// "complete", "failed" or "interrupted".
 std::string_view name_of(RunStatus status);
 
-/// Contents of summary.json: the case as understood, version, solver, and the derived quantities of every cycle.
+/// Contents of summary.json: the command, the case as understood, version, solver, and the derived quantities of every
+/// cycle.
 /// Quantities that are not known, and none but these, are null.
 std::string summary_json(const Case& input, const CycleResult& result, RunStatus status);
 

@@ -67,11 +67,13 @@ struct BumpFoil {
   double length{};  ///< chord of the arc 2 l0, m
   double height{};  ///< h_b, m, read as `height_reference` says
   HeightReference height_reference{HeightReference::overall};
-  double thickness{};                 ///< e_f, m
-  double youngs_modulus{};            ///< E, Pa
-  double poisson_ratio{};             ///< nu
-  std::vector<double> height_errors;  ///< m, positive = taller; empty or one per bump
-  std::vector<double> sleeve_gaps;    ///< g0_b, m; empty or one per bump
+  double thickness{};                    ///< e_f, m
+  double youngs_modulus{};               ///< E, Pa
+  double poisson_ratio{};                ///< nu
+  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
+  std::vector<double> height_errors;     ///< m, positive = taller; empty or one per bump
+  bool stiffness_follows_height{};       ///< a bump's height error changes its own stiffness too (frame model only)
+  std::vector<double> sleeve_gaps;       ///< g0_b, m; empty or one per bump
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;
 
@@ -82,6 +84,7 @@ struct TopFoil {
   double thickness{};       ///< m
   double youngs_modulus{};  ///< Pa
   double poisson_ratio{};
+  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
 
   bool operator==(const TopFoil&) const = default;
 };
@@ -121,6 +124,37 @@ struct CycleSettings {
   bool operator==(const CycleSettings&) const = default;
 };
 
+/// How the foils of a strip are held.
+enum class StripWeld {
+  one_end,  ///< both are clamped before bump 1, as in the bearing
+  none,     ///< both are free at both ends
+};
+
+/// What is prescribed to the plate of a strip.
+enum class PlateControl { displacement, load };
+
+/// A displacement (m) of the plate from where it touches nominal foils, towards the base, or a load (N) on it.
+struct PlateTarget {
+  PlateControl control{PlateControl::displacement};
+  double value{};
+
+  bool operator==(const PlateTarget&) const = default;
+};
+
+/// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from nothing
+/// to `amplitude` and back; with one, from the preload up by `amplitude`, down by twice as much, and back.
+struct StripSettings {
+  int bumps{};  ///< the first ones of the foil
+  StripWeld weld{StripWeld::one_end};
+  bool top_foil{true};  ///< there is one between plate and bumps
+  PlateTarget amplitude;
+  std::optional<PlateTarget> preload{};
+  int cycles{1};   ///< one after the other, with the friction of the last
+  int steps{100};  ///< equal increments from the start of a cycle to its full amplitude
+
+  bool operator==(const StripSettings&) const = default;
+};
+
 /// A case as the program understands it: SI units, defaults filled in.
 struct Case {
   std::string title;
@@ -130,6 +164,7 @@ struct Case {
   Friction friction;
   SolverSettings solver;
   CycleSettings cycle;
+  std::optional<StripSettings> strip{};
 
   bool operator==(const Case&) const = default;
 };
@@ -137,5 +172,8 @@ struct Case {
 /// The first-generation bearing of [Arghir2019, Table 1] with friction coefficient 0.1, pushed to 2.5 clearances along
 /// +X, -X, +Y and -Y.
 Case reference_case();
+
+/// The case with its foils cut to the bumps of its strip. The case must have one.
+Case cut_to_strip(const Case& input);
 
 }  // namespace bumpfoil

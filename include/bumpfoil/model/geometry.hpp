@@ -23,20 +23,26 @@ struct BumpArc {
 /// Arc of the nominal bump; the rise is height - thickness or height, as `height_reference` says.
 BumpArc make_bump_arc(const BumpFoil& foil);
 
+/// Places of the crests from the weld along the foil, (i - 1/2) p for i = 1..N, m.
+Vector crest_positions(const BumpFoil& foil);
+
+/// Places of the feet from the weld along the foil, in the order of the results, m: middle of the flat after each bump
+/// in the truss, which without a weld has one more at 0; both ends of each arc in the frame.
+Vector foot_positions(const BumpFoil& foil, bool welded = true);
+
 /// Angles of the crests from the weld along the foil, theta_i = (i - 1/2) p / R for i = 1..N, rad.
 Vector crest_angles(const Case& input);
 
-/// Angles of the feet from the weld along the foil, in the order of the results, rad: middle of the flat after each
-/// bump in the truss, both ends of each arc in the frame.
+/// Angles of the feet from the weld along the foil, in the order of the results, rad.
 Vector foot_angles(const Case& input);
 
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);
 
-/// Gaps between journal and undeformed top foil, r_i = C_r - (x cos(phi_i) + y sin(phi_i)), m. `phi` are polar angles;
-/// the journal centre stands at `position` (x, y). [Arghir2019, Eq. 3] prints the other sign before y, which its own
-/// results contradict.
-Vector journal_gaps(const Bearing& bearing, const Vector& phi, const Eigen::Vector2d& position);
+/// Gaps between journal and undeformed top foil, r_i = C_r - (x cos(phi_i) + y sin(phi_i)), m. `clearance` is C_r,
+/// `phi` are polar angles; the journal centre stands at `position` (x, y). [Arghir2019, Eq. 3] prints the other sign
+/// before y, which its own results contradict.
+Vector journal_gaps(double clearance, const Vector& phi, const Eigen::Vector2d& position);
 
 /// Force that must be applied to the journal to hold it against the loads `journal_loads` (>= 0, N, one per entry of
 /// `phi`) of the top foil: sum of p_i (cos(phi_i), sin(phi_i)), N.

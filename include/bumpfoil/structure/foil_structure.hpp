@@ -6,6 +6,7 @@
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/structure/corotational.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
 
 namespace bumpfoil {
 
@@ -18,9 +19,22 @@ struct BumpDofs {
   std::vector<int> foot_v;
   int top_u{-1};       ///< radial displacement of the top foil over the crest, positive outward
   int top_moment{-1};  ///< scaled bending moment of the top foil at the crest; not a displacement
+  int unused{};        ///< places at the end of the block that mean nothing
 
   [[nodiscard]] int feet() const { return static_cast<int>(foot_u.size()); }
 };
+
+/// How foils are laid and held: in a bearing, the default, or flat in a strip.
+struct FoilLayout {
+  bool flat{};          ///< the top foil is straight
+  bool welded{true};    ///< both foils are clamped at the weld; else they are free at both ends
+  bool top_foil{true};  ///< there is one
+
+  bool operator==(const FoilLayout&) const = default;
+};
+
+/// Unknowns of a bump in each model, see make_foil_structure().
+BumpDofs make_bump_dofs(BumpFoilModel model, bool with_top_foil = true);
 
 /// Foils whose displacements are large: the elements of the bump foil are carried along, the rest stays linear.
 struct LargeDisplacements {
@@ -45,17 +59,30 @@ struct LargeDisplacements {
 struct FoilStructure {
   BlockTridiagonal K;
   BumpDofs dofs;
+  int first_bump{};  ///< block of bump 1; a block before it stands for the foot where a truss without a weld begins
   std::optional<LargeDisplacements> large_displacements{};
 
-  [[nodiscard]] int bumps() const { return K.blocks(); }
+  [[nodiscard]] int bumps() const { return K.blocks() - first_bump; }
 };
 
-/// Foils of a bearing: the truss or the frame model of the bump foil, as the case says, and the top foil over it.
+/// Foils of a case: the truss or the frame model of the bump foil, as the case says, and the top foil over it.
 ///
 /// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The former model
 /// has the first four alone. Frame, 11 unknowns per bump: see frame_dofs().
+///
+/// Unknowns that a layout leaves without meaning (the top foil where there is none, all but the foot of the block
+/// before bump 1) are kept, so that all blocks have one size: held by springs that nothing else is coupled to, they
+/// stay zero. Foils that are free at both ends are held by springs of `loose_hold` at every foot and, the top foil, at
+/// every crest: what nothing else decides stays where it was.
 /// @throws Error (input) if the case cannot be built.
-FoilStructure make_foil_structure(const Case& input);
+FoilStructure make_foil_structure(const Case& input, const FoilLayout& layout = {});
+
+/// Stiffness of the springs that keep loose foils from drifting, N/m: the force of a micrometre is a hundred millionth
+/// of a newton, below every tolerance of contact forces, and still a thousand times the roundings of balanced forces.
+inline constexpr double loose_hold = 1e-2;
+
+/// The top foil of a case in its moment form, as the layout has it.
+TopFoilMoments make_top_foil_moments(const Case& input, const FoilLayout& layout);
 
 /// Left-hand side of the balance, N: K x, or under large displacements the forces of the carried elements beside the
 /// linear rest. Rows of moments hold their compatibility.

@@ -17,13 +17,15 @@ struct FrameModel {
   double pitch{};             ///< p, m
   WeldPosition weld_at{WeldPosition::mid_flat};
   Geometry geometry{Geometry::linear};
+  bool welded{true};  ///< false: free at both ends, the first arc begins where nothing holds it
 };
 
-/// Frame of the bump foil of a case: every arc is the nominal one, height errors act through the gaps alone.
+/// Frame of the bump foil of a case. Every arc is the nominal one, and height errors act through the gaps alone, unless
+/// `stiffness_follows_height` gives each bump its own arc, see make_own_arcs().
 FrameModel make_frame_model(const Case& input);
 
-/// Arcs of bumps that are as tall as their height errors say, one per bump: put them in FrameModel::arcs for bumps
-/// whose stiffness follows their own height. The case must be valid: each error smaller than the rise.
+/// Arcs of bumps that are as tall as their height errors say, on the same chord, one per bump. The case must be valid:
+/// each error smaller than the rise.
 std::vector<BumpArc> make_own_arcs(const BumpFoil& foil);
 
 /// Unknowns of a bump: u, v and rotation of arc start, crest and arc end; displacement and moment of the top foil.

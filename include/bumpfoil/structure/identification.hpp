@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/truss.hpp"
@@ -35,8 +38,12 @@ BumpCell make_bump_cell(const BumpArc& arc, const Section& section);
 /// make_truss_constants.
 TrussConstants identify_truss_constants(const BumpArc& arc, const Section& section);
 
+/// What keeps a valid case from being built as a truss: constants that it does not give and that come out negative, so
+/// that the truss would be unstable. Empty for cases whose truss can be built.
+std::vector<Fault> find_truss_faults(const Case& input);
+
 /// Constants of the truss of a case: what the case gives, and the identified ones in its place where it gives none.
-/// @throws Error (input) if a constant that the case does not give comes out negative: the truss would be unstable.
+/// @throws Error (input) listing find_truss_faults(input) if there are any.
 TrussConstants make_truss_constants(const Case& input);
 
 }  // namespace bumpfoil

@@ -2,6 +2,7 @@
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
 
@@ -13,8 +14,13 @@ struct TopFoilBeam {
   Vector theta;                ///< angles of the loads, 0 < theta_1 < theta_2 < ..., rad
 };
 
+Section make_top_foil_section(const Case& input);
+
 /// Top foil of a bearing, loaded over its crests.
 TopFoilBeam make_top_foil_beam(const Case& input);
+
+/// Unit of the moments among the unknowns of a foil structure, EI' / p^2 of the top foil, N.
+double top_moment_scale(const Case& input);
 
 /// Radial compliance at the crests, N x N, m/N, symmetric positive definite; for theta_j <= theta_i
 ///
@@ -40,6 +46,7 @@ struct TopFoilMoments {
   Vector compliance_off;       ///< T_k,k+1, N - 1 entries, 1/(N m)
   Vector inverse_sine;         ///< 1 / (R sin d_k), N entries, 1/m
   Vector half_tangent;         ///< tan(d_k/2) / R, N entries, 1/m
+  bool welded{true};           ///< false: free at its start too, M_0 = M_1 = 0; what stands for the weld has no meaning
 
   [[nodiscard]] Eigen::Index size() const { return compliance_diagonal.size(); }
   /// Coefficient of M_j in P_j, j = 1..N-1, 1/m. The other two of the row are inverse_sine[j-1] and inverse_sine[j].
@@ -48,10 +55,19 @@ struct TopFoilMoments {
 
 TopFoilMoments make_top_foil_moments(const TopFoilBeam& beam);
 
-/// Moments M_0..M_{N-1} (N m) of the foil whose crests are displaced by `u` (N entries, m, outward): T M = D' u.
+/// The same for a flat foil, the limit R -> infinity: with spans l_k = R d_k
+///
+///     T_kk = sum over both spans of l / (3 EI'),   T_k,k+1 = l_k / (6 EI'),   P_j = (M_{j-1} - M_j) / l_{j-1} + ...
+///
+/// @param bending_stiffness  EI', N m^2
+/// @param spans              from the weld to the first crest, then from crest to crest, m
+/// @param welded             clamped before the first crest; else free at both ends
+TopFoilMoments make_flat_top_foil_moments(double bending_stiffness, const Vector& spans, bool welded);
+
+/// Moments M_0..M_{N-1} (N m) of the welded foil whose crests are displaced by `u` (N entries, m, outward): T M = D' u.
 Vector top_foil_moments(const TopFoilMoments& form, const Vector& u);
 
-/// Loads K_t u on the crests (N entries, N, outward) that hold the displacements `u` (m).
+/// Loads K_t u on the crests of the welded foil (N entries, N, outward) that hold the displacements `u` (m).
 Vector top_foil_loads(const TopFoilMoments& form, const Vector& u);
 
 /// Solves the symmetric positive definite tridiagonal system with main and side diagonal in O(n), without pivoting.

@@ -34,7 +34,10 @@ struct Spring {
 ///     k2: u_f - u_p     k3: u_c - u_q (n > 1)     k4: u_c (n = 1)
 ///
 /// [Arghir2019, Eq. 7]. `dofs` has one foot.
-std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps);
+/// @param welded  false: free at both ends. The foot before bump 1 is then the foot of block 0, bump n is block n, and
+///                there is no k4.
+std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps,
+                                       bool welded = true);
 
 /// Half the sum of stiffness * elongation^2, J; `x` holds blocks of `block_size` unknowns.
 double spring_energy(const std::vector<Spring>& springs, int block_size, const Vector& x);

@@ -50,7 +50,7 @@ TEST(Cycle, FieldsOfAnIncrementBelongTogether) {
     EXPECT_NEAR(increment.force_y, force.y(), size);
     EXPECT_NEAR(increment.force_direct, force.x() * std::cos(1.0) + force.y() * std::sin(1.0), size);
     EXPECT_NEAR(increment.force_cross, -force.x() * std::sin(1.0) + force.y() * std::cos(1.0), size);
-    const Vector r = journal_gaps(input.bearing, phi, {increment.x, increment.y});
+    const Vector r = journal_gaps(input.bearing.radial_clearance, phi, {increment.x, increment.y});
     for (Eigen::Index i = 0; i < 26; ++i) {
       const auto entry = static_cast<std::size_t>(i);
       const double g_r = r[i] + increment.top_displacement[i];
@@ -125,7 +125,7 @@ TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   const Cycle cycle = run_single_cycle(input, 0.0);
   EXPECT_TRUE(cycle.converged);
   EXPECT_EQ(cycle.turning_point->max_force, 0.0);
-  EXPECT_EQ(cycle.turning_point->tangent_stiffness_loading, 0.0);
+  EXPECT_EQ(cycle.turning_point->tangent.loading, 0.0);
   EXPECT_EQ(cycle.loop_energy, 0.0);
   EXPECT_EQ(cycle.loss_factor, std::nullopt);
   EXPECT_EQ(cycle.clearance_5N, std::nullopt);

@@ -48,32 +48,32 @@ TEST(ClearanceAt, IsZeroAboveFromTheStartAndAbsentIfNeverReached) {
 
 TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   Case input = case_with_given_constants();
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   const Vector at_rest = Vector::Zero(26);
   // Towards crest 5 exactly: the clearance; half-way between two crests: a little more.
   const double pitch_angle = input.bump_foil.pitch / input.bearing.radius;
-  EXPECT_NEAR(*first_contact_displacement(model.bearing, model.phi, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
               31.8e-6, 1e-18);
-  EXPECT_NEAR(*first_contact_displacement(model.bearing, model.phi, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
               31.8e-6 / std::cos(0.5 * pitch_angle), 1e-18);
 }
 
 TEST(FirstContact, SeesTheTopFoilWhereItStands) {
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   Vector displaced = Vector::Zero(26);
   displaced[12] = -10e-6;  // inward
   const Eigen::Vector2d towards = unit_vector(model.phi[12]);
-  EXPECT_NEAR(*first_contact_displacement(model.bearing, model.phi, displaced, towards), 21.8e-6, 1e-18);
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, displaced, towards), 21.8e-6, 1e-18);
   displaced[12] = -31.8e-6;
-  EXPECT_EQ(first_contact_displacement(model.bearing, model.phi, displaced, towards), 0.0);
+  EXPECT_EQ(first_contact_displacement(model.clearance, model.phi, displaced, towards), 0.0);
 }
 
 TEST(FirstContact, IsAbsentWhereNoCrestFacesTheDirection) {
   Case input = case_with_given_constants();
   input.bump_foil.bumps = 6;  // 82 degrees from the weld on
-  const BearingModel model = make_bearing_model(input);
-  EXPECT_EQ(first_contact_displacement(model.bearing, model.phi, Vector::Zero(6), unit_vector(0.0)), std::nullopt);
-  EXPECT_TRUE(first_contact_displacement(model.bearing, model.phi, Vector::Zero(6), unit_vector(pi)).has_value());
+  const FoilModel model = make_bearing_model(input);
+  EXPECT_EQ(first_contact_displacement(model.clearance, model.phi, Vector::Zero(6), unit_vector(0.0)), std::nullopt);
+  EXPECT_TRUE(first_contact_displacement(model.clearance, model.phi, Vector::Zero(6), unit_vector(pi)).has_value());
 }
 
 TEST(LossFactor, ComparesTheLoopWithTheEnergyStored) {
@@ -93,9 +93,7 @@ class Pushed : public testing::TestWithParam<double> {
     }
   }
 
-  [[nodiscard]] double force(const Vector& normal_force) const {
-    return journal_force(model.phi, journal_loads(model, normal_force)).dot(n);
-  }
+  [[nodiscard]] double force(const Vector& normal_force) const { return holding_force(model, normal_force).dot(n); }
 
   /// Slope of the force when the journal moves by `step` from where it is.
   double slope(double step) {
@@ -104,7 +102,7 @@ class Pushed : public testing::TestWithParam<double> {
     return (force(moved.normal_force) - force(state.normal_force)) / step;
   }
 
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   const Eigen::Vector2d n = unit_vector(GetParam());
   NewtonSolver solver{model.problem};
   ContactState state = ContactState::unstressed(model.problem);
@@ -113,10 +111,10 @@ class Pushed : public testing::TestWithParam<double> {
 TEST_P(Pushed, TangentsAreTheSlopesOfSmallSteps) {
   const TangentStiffnesses tangent = tangent_stiffnesses(model, state, n);
   constexpr double step = 1e-11;  // short of the next event
-  EXPECT_NEAR(slope(step), tangent.loading, 1e-4 * tangent.loading);
+  EXPECT_NEAR(slope(step), tangent.loading.value(), 1e-4 * *tangent.loading);
   // A few lightly loaded contacts lose their grip at once as the journal turns back; by definition they are stuck.
-  EXPECT_NEAR(slope(-step), tangent.unloading, 0.01 * tangent.unloading);
-  EXPECT_GT(tangent.unloading, 1.5 * tangent.loading);
+  EXPECT_NEAR(slope(-step), tangent.unloading.value(), 0.01 * *tangent.unloading);
+  EXPECT_GT(*tangent.unloading, 1.5 * *tangent.loading);
 }
 
 TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
@@ -124,19 +122,76 @@ TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
   for (ContactMode& m : mode) m = m == ContactMode::open ? m : ContactMode::stick;
   const DenseState rate = solve_dense(make_dense(model.problem), loading_rate(model, n), 0.0 * state.x, mode);
   const double expected = force(rate.normal_force);
-  EXPECT_NEAR(tangent_stiffnesses(model, state, n).unloading, expected, 1e-9 * expected);
+  EXPECT_NEAR(tangent_stiffnesses(model, state, n).unloading.value(), expected, 1e-9 * expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.0, 4.0));
 
 TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   ContactState state = ContactState::unstressed(model.problem);
   state.mode.assign(78, ContactMode::stick);
   for (std::size_t i = 0; i < 26; ++i) state.mode[3 * i] = ContactMode::open;
   const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
   EXPECT_EQ(tangent.loading, 0.0);
   EXPECT_EQ(tangent.unloading, 0.0);
+}
+
+TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
+  FoilModel model = make_bearing_model(case_with_given_constants());
+  // No spring holds crest 8 along the foil any more.
+  model.problem.K.diagonal[7].row(0).setZero();
+  model.problem.K.diagonal[7].col(0).setZero();
+  model.problem.K.upper[6].col(0).setZero();
+  model.problem.K.upper[7].row(0).setZero();
+  model.structure.K = model.problem.K;
+  ContactState state = ContactState::unstressed(model.problem);
+  state.mode.assign(78, ContactMode::open);
+  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
+  EXPECT_EQ(tangent.loading, std::nullopt);
+  EXPECT_EQ(tangent.unloading, std::nullopt);
+}
+
+/// An increment with these stresses and no others.
+Increment stressed(int index, const FoilStress& stress) {
+  Increment increment;
+  increment.index = index;
+  increment.displacement = 1e-6 * index;
+  increment.stress = stress;
+  return increment;
+}
+
+TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
+  FoilStress low;
+  low.top_weld = 3.0;
+  low.top_crest = Vector{{1.0, 2.0}};
+  low.bump_weld = 4.0;
+  low.bump_crest = Vector{{5.0, 6.0}};
+  low.bump_foot = Vector{{6.0, 1.0, 2.0, 5.5}};
+  low.bump_largest = Vector{{6.0, 6.0}};
+  FoilStress high = low;
+  high.top_crest[1] = 9.0;
+  high.bump_foot[3] = 7.0;
+  FoilStress higher = high;
+  higher.bump_largest[1] = 8.0;
+
+  const StressPeak top = top_foil_peak({stressed(0, low), stressed(1, high), stressed(2, high)}).value();
+  EXPECT_EQ(top.stress, 9.0);
+  EXPECT_EQ(top.place, StressPlace::crest);
+  EXPECT_EQ(top.bump, 1);
+  EXPECT_EQ(top.increment, 1);  // where it acts first
+  EXPECT_EQ(top.displacement, 1e-6);
+  EXPECT_EQ(top_foil_peak({stressed(0, low)})->place, StressPlace::weld);
+  EXPECT_EQ(top_foil_peak({stressed(0, low)})->bump, -1);
+
+  const StressPeak crest = bump_foil_peak({stressed(0, low)}).value();
+  EXPECT_EQ(crest.place, StressPlace::crest);  // not the arc, which is no larger
+  EXPECT_EQ(crest.bump, 1);
+  const StressPeak foot = bump_foil_peak({stressed(0, low), stressed(1, high)}).value();
+  EXPECT_EQ(foot.place, StressPlace::foot);
+  EXPECT_EQ(foot.bump, 1);
+  EXPECT_EQ(bump_foil_peak({stressed(0, higher)})->place, StressPlace::arc);
+  EXPECT_EQ(bump_foil_peak({stressed(0, FoilStress{})}), std::nullopt);
 }
 
 }  // namespace

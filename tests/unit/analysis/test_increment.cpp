@@ -10,7 +10,7 @@ namespace {
 
 /// A made-up state of the reference bearing: bump 3 pressed, everything else open.
 struct Example {
-  BearingModel model = make_bearing_model(case_with_given_constants());
+  FoilModel model = make_bearing_model(case_with_given_constants());
   ContactState state = ContactState::unstressed(model.problem);
   Eigen::Vector2d position{1e-6, 0.0};
   ContactLoading loading = loading_at(model, position);

@@ -77,6 +77,60 @@ TEST(ParseCase, DisplacementsAreSmallUnlessSaidOtherwise) {
             Geometry::nonlinear);
 }
 
+TEST(ParseCase, TopFoilTakesTheYieldStressOfTheBumpFoil) {
+  const Case input = with({"bump_foil.yield_stress=900 MPa"});
+  EXPECT_EQ(input.bump_foil.yield_stress, 900e6);
+  EXPECT_EQ(input.top_foil.yield_stress, 900e6);
+  EXPECT_EQ(with({"bump_foil.yield_stress=900 MPa", "top_foil.yield_stress=1 GPa"}).top_foil.yield_stress, 1e9);
+  EXPECT_EQ(with({}).top_foil.yield_stress, std::nullopt);
+  EXPECT_NE(refusal({"bump_foil.yield_stress=1 Pa"}).find("bump_foil.yield_stress = 1 Pa: is unphysical"),
+            std::string::npos);
+  EXPECT_EQ(refusal({"bump_foil.yield_stress=1 Pa"}).find("top_foil"), std::string::npos);  // said once
+}
+
+TEST(ParseCase, ReadsStrips) {
+  EXPECT_FALSE(with({}).strip);
+  const StripSettings by_displacement = with({"strip.displacement=20 um"}).strip.value();
+  EXPECT_EQ(by_displacement, (StripSettings{.bumps = 26, .amplitude = {PlateControl::displacement, 20e-6}}));
+  const StripSettings by_load = with({"strip.load=100 N", "strip.bumps=10", "strip.weld=none", "strip.top_foil=false",
+                                      "strip.preload=120", "strip.cycles=3", "strip.steps=20"})
+                                    .strip.value();
+  EXPECT_EQ(by_load, (StripSettings{.bumps = 10,
+                                    .weld = StripWeld::none,
+                                    .top_foil = false,
+                                    .amplitude = {PlateControl::load, 100.0},
+                                    .preload = PlateTarget{PlateControl::load, 120.0},  // a plain number is of its kind
+                                    .cycles = 3,
+                                    .steps = 20}));
+  const auto preload = [](const std::string& text) {
+    return with({"strip.displacement=20 um", "strip.preload=" + text}).strip->preload.value();
+  };
+  EXPECT_EQ(preload("50 N"), (PlateTarget{PlateControl::load, 50.0}));
+  EXPECT_EQ(preload("30 um"), (PlateTarget{PlateControl::displacement, 30e-6}));
+  EXPECT_EQ(preload("3e-5"), (PlateTarget{PlateControl::displacement, 3e-5}));
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.preload=5 MPa"}).find("strip.preload = 5 MPa"),
+            std::string::npos);
+  EXPECT_NE(refusal({"strip.bumps=10"}).find("strip.displacement: is missing"), std::string::npos);
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.load=10 N"}).find("contradicts load"), std::string::npos);
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.welt=none"}).find("did you mean \"weld\"?"), std::string::npos);
+}
+
+TEST(ParseCase, ReadsFlags) {
+  EXPECT_TRUE(
+      with({"bump_foil.model=frame", "bump_foil.stiffness_follows_height=true"}).bump_foil.stiffness_follows_height);
+  EXPECT_NE(refusal({"bump_foil.stiffness_follows_height=1"}).find("is a whole number where true or false is due"),
+            std::string::npos);
+  EXPECT_NE(refusal({"bump_foil.stiffness_follows_height=true"}).find("only the frame model"), std::string::npos);
+}
+
+TEST(ParseCase, ReportsATrussThatCannotBeIdentified) {
+  // Flats longer than the bumps; refused where the case is read.
+  const std::vector<std::string> odd{"bump_foil.pitch=7.6 mm", "bump_foil.bumps=10"};
+  EXPECT_NE(refusal(odd).find("bump_foil.truss.k2: comes out as -"), std::string::npos);
+  EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.truss.k2=1 MN/m"}));
+  EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.model=frame"}));
+}
+
 TEST(ParseCase, TablesThatMayBeMissingAre) {
   const std::string text =
       cut(whole_case(), "[cycle]\ndirections = [\"+X\", \"37.5 deg\"]\namplitude = \"79.5 um\"\nsteps = 100\n");

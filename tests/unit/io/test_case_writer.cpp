@@ -33,6 +33,24 @@ std::optional<double> maybe(double least, double most) {
   return between(least, most);
 }
 
+StripSettings arbitrary_strip(int bumps) {
+  StripSettings strip;
+  strip.bumps = *rc::gen::inRange(1, bumps + 1);
+  strip.weld = *rc::gen::element(StripWeld::one_end, StripWeld::none);
+  strip.top_foil = *rc::gen::arbitrary<bool>();
+  const bool by_load = *rc::gen::arbitrary<bool>();
+  strip.amplitude = by_load ? PlateTarget{PlateControl::load, between(1.0, 100.0)}
+                            : PlateTarget{PlateControl::displacement, between(1e-6, 100e-6)};
+  if (*rc::gen::arbitrary<bool>()) {
+    strip.preload = by_load || *rc::gen::arbitrary<bool>()
+                        ? PlateTarget{PlateControl::load, between(100.0, 200.0)}
+                        : PlateTarget{PlateControl::displacement, between(1e-6, 100e-6)};
+  }
+  strip.cycles = *rc::gen::inRange(1, 10);
+  strip.steps = *rc::gen::inRange(1, 1000);
+  return strip;
+}
+
 Case arbitrary_case() {
   Case input = reference_case();
   input.title = *rc::gen::string<std::string>();
@@ -48,6 +66,8 @@ Case arbitrary_case() {
                                                     : WeldPosition::mid_flat;
   foil.geometry =
       foil.model == BumpFoilModel::frame ? *rc::gen::element(Geometry::linear, Geometry::nonlinear) : Geometry::linear;
+  foil.stiffness_follows_height = foil.model == BumpFoilModel::frame && *rc::gen::arbitrary<bool>();
+  foil.yield_stress = maybe(1e8, 2e9);
   foil.bumps = *rc::gen::inRange(1, 27);
   foil.height = between(0.4e-3, 0.6e-3);
   foil.height_reference = *rc::gen::element(HeightReference::overall, HeightReference::midsurface);
@@ -62,6 +82,7 @@ Case arbitrary_case() {
                 .k4 = maybe(1e6, 1e9),
                 .theta_d = maybe(0.1, 1.5)};
   input.top_foil.thickness = between(0.01e-3, 1e-3);
+  input.top_foil.yield_stress = foil.yield_stress ? between(1e8, 2e9) : maybe(1e8, 2e9);
   input.friction = {.top_bump = between(0.0, 1.0), .bump_sleeve = between(0.0, 1.0)};
   input.solver.uzawa.tau_f = between(1e-12, 1e-6);
   if (*rc::gen::arbitrary<bool>()) {
@@ -71,6 +92,7 @@ Case arbitrary_case() {
     input.cycle.amplitude = between(1e-9, 100e-6);
     input.cycle.steps = *rc::gen::inRange(1, 1000);
   }
+  if (*rc::gen::arbitrary<bool>()) input.strip = arbitrary_strip(foil.bumps);
   return input;
 }
 
@@ -123,6 +145,9 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   EXPECT_EQ(input.bump_foil.truss.k4, 11.25e6);
   EXPECT_TRUE(input.bump_foil.truss.theta_d);
   EXPECT_EQ(input.solver, SolverSettings{});  // the defaults that are shown are the defaults
+  ASSERT_TRUE(input.strip);
+  EXPECT_EQ(input.strip->amplitude, (PlateTarget{PlateControl::displacement, 20e-6}));
+  EXPECT_EQ(input.strip->preload, (PlateTarget{PlateControl::load, 50.0}));
 }
 
 TEST(CaseTemplate, IsTheExample) {

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "bumpfoil/analysis/strip.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -75,6 +78,48 @@ TEST(CycleTable, ShowsNumbersInTheUnitsItNames) {
   EXPECT_EQ(last_cell(text, "highest bump load"), "138.62");
   EXPECT_EQ(last_cell(text, "on bump"), "13");
   EXPECT_EQ(last_cell(text, "converged"), "yes");
+}
+
+TEST(CycleTable, NamesThePlaceOfTheHighestStress) {
+  CycleResult result = short_run(1);
+  result.cycles[0].top_foil_stress =
+      StressPeak{.stress = 421.4321e6, .place = StressPlace::weld, .bump = -1, .increment = 2, .displacement = 1e-6};
+  result.cycles[0].bump_foil_stress =
+      StressPeak{.stress = 1004.3e6, .place = StressPlace::foot, .bump = 2, .increment = 1, .displacement = 1e-6};
+  const std::string text = cycle_table(result);
+  EXPECT_EQ(last_cell(text, "highest stress, top foil"), "421.43");
+  EXPECT_EQ(last_cell(text, "  at"), "weld");
+  EXPECT_NE(text.find("foot 3"), std::string::npos);
+}
+
+TEST(CycleTable, OfAStripShowsTheFirstAndTheLastCycles) {
+  Case input = reference_case();
+  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::displacement, 20e-6}, .cycles = 9, .steps = 2};
+  const CycleResult result = run_strip(input);
+  const std::string text = cycle_table(result);
+  std::istringstream heads(lines_of(text).at(0));
+  EXPECT_EQ((std::vector<std::string>{std::istream_iterator<std::string>(heads), {}}),
+            (std::vector<std::string>{"cycle", "1", "2", "3", "7", "8", "9"}));
+  EXPECT_EQ(last_cell(text, "displacement there"), "20.000");
+  EXPECT_EQ(text.find("clearance"), std::string::npos);
+  EXPECT_EQ(text.find("cross force"), std::string::npos);
+}
+
+TEST(StressWarnings, NameEveryFoilThatYields) {
+  CycleResult result = short_run(1);
+  result.cycles[0].top_foil_stress =
+      StressPeak{.stress = 421e6, .place = StressPlace::crest, .bump = 4, .increment = 2, .displacement = 1e-6};
+  Case input = reference_case();
+  EXPECT_TRUE(stress_warnings(input, result).empty());
+  input.top_foil.yield_stress = 421e6;
+  EXPECT_TRUE(stress_warnings(input, result).empty());
+  input.top_foil.yield_stress = 400e6;
+  input.bump_foil.yield_stress = 1.0;  // the truss does not know its stress
+  const std::vector<std::string> warnings = stress_warnings(input, result);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0],
+            "+X: the top foil yields: its bending stress reaches 421 MPa (crest 5, increment 2), its yield stress is "
+            "400 MPa");
 }
 
 TEST(CycleTable, DashesStandForWhatIsNotKnown) {

@@ -79,6 +79,12 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
                                    "bump_loads_N",
                                    "foot_loads_N",
                                    "journal_loads_N",
+                                   "max_stress_top_foil_Pa",
+                                   "max_stress_top_foil_at",
+                                   "above_yield_top_foil",
+                                   "max_stress_bump_foil_Pa",
+                                   "max_stress_bump_foil_at",
+                                   "above_yield_bump_foil",
                                    "max_residual",
                                    "iterations",
                                    "factorisations",
@@ -92,8 +98,8 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("direction_deg"), 90.0);
   EXPECT_EQ(cycle.at("max_force_N"), expected.turning_point->max_force);
   EXPECT_EQ(cycle.at("cross_force_at_max_N"), expected.turning_point->cross_force);
-  EXPECT_EQ(cycle.at("tangent_stiffness_loading_N_per_m"), expected.turning_point->tangent_stiffness_loading);
-  EXPECT_EQ(cycle.at("tangent_stiffness_unloading_N_per_m"), expected.turning_point->tangent_stiffness_unloading);
+  EXPECT_EQ(cycle.at("tangent_stiffness_loading_N_per_m"), expected.turning_point->tangent.loading.value());
+  EXPECT_EQ(cycle.at("tangent_stiffness_unloading_N_per_m"), expected.turning_point->tangent.unloading.value());
   EXPECT_EQ(cycle.at("secant_stiffness_N_per_m"), expected.turning_point->max_force / input.cycle.amplitude);
   EXPECT_EQ(cycle.at("elastic_energy_at_max_J"), expected.turning_point->elastic_energy);
   EXPECT_EQ(cycle.at("loop_energy_J"), *expected.loop_energy);
@@ -107,6 +113,29 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(sum(cycle.at("journal_loads_N")),
             sum(json(std::vector<double>(expected.increments[5].journal_top.normal_force.begin(),
                                          expected.increments[5].journal_top.normal_force.end()))));
+}
+
+TEST(SummaryJson, SaysWhereAFoilIsBentMost) {
+  Case input = short_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.bump_foil.yield_stress = 100e6;  // a ninth of what the bumps will bear
+  const CycleResult result = run_cycles(input);
+  const json cycle = json::parse(summary_json(input, result, RunStatus::complete)).at("cycles").at(0);
+  const StressPeak& peak = result.cycles[0].bump_foil_stress.value();
+  EXPECT_EQ(cycle.at("max_stress_bump_foil_Pa"), peak.stress);
+  const json& at = cycle.at("max_stress_bump_foil_at");
+  EXPECT_EQ(at.at("place"), "crest");
+  EXPECT_EQ(at.at("bump"), peak.bump + 1);
+  EXPECT_EQ(at.at("increment"), 5);
+  EXPECT_EQ(at.at("displacement_m"), input.cycle.amplitude);
+  EXPECT_EQ(cycle.at("above_yield_bump_foil"), true);
+  EXPECT_EQ(cycle.at("max_stress_top_foil_at").at("place"), "weld");
+  EXPECT_TRUE(cycle.at("max_stress_top_foil_at").at("bump").is_null());
+  EXPECT_TRUE(cycle.at("above_yield_top_foil").is_null());  // its yield stress is not given
+
+  const json truss = json::parse(summary_json(short_case(), run_cycles(short_case()), RunStatus::complete));
+  EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_Pa").is_null());
+  EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_at").is_null());
 }
 
 TEST(SummaryJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {

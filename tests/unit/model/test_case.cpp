@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <vector>
 
 #include "bumpfoil/model/geometry.hpp"
 
@@ -34,6 +35,18 @@ TEST(ReferenceCase, IsFreeOfManufacturingErrors) {
   const Case reference = reference_case();
   EXPECT_TRUE(reference.bump_foil.height_errors.empty());
   EXPECT_TRUE(reference.bump_foil.sleeve_gaps.empty());
+}
+
+TEST(CutToStrip, KeepsTheFirstBumps) {
+  using namespace bumpfoil;
+  Case input = reference_case();
+  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::displacement, 1e-6}};
+  input.bump_foil.height_errors.assign(26, 1e-6);
+  input.bump_foil.height_errors[2] = 3e-6;
+  const Case cut = cut_to_strip(input);
+  EXPECT_EQ(cut.bump_foil.bumps, 3);
+  EXPECT_EQ(cut.bump_foil.height_errors, (std::vector<double>{1e-6, 1e-6, 3e-6}));
+  EXPECT_TRUE(cut.bump_foil.sleeve_gaps.empty());
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(JournalGaps, DefaultsGiveTheTextbookForm) {
   const Vector theta = crest_angles(input);
   const Vector phi = polar_angles(input.bearing, theta);
   const Eigen::Vector2d position(12e-6, -7e-6);
-  const Vector r = journal_gaps(input.bearing, phi, position);
+  const Vector r = journal_gaps(input.bearing.radial_clearance, phi, position);
   for (Eigen::Index i = 0; i < theta.size(); ++i) {
     EXPECT_NEAR(r[i], 31.8e-6 + 12e-6 * std::cos(theta[i]) + 7e-6 * std::sin(theta[i]), 1e-19);
   }
@@ -85,6 +85,18 @@ TEST(UnitVector, IsExactAlongTheAxes) {
   EXPECT_EQ(unit_vector(-pi / 2), Eigen::Vector2d(0, -1));
   EXPECT_EQ(unit_vector(4.0 * pi), Eigen::Vector2d(1, 0));
   EXPECT_DOUBLE_EQ(unit_vector(pi / 6).x(), std::cos(pi / 6));
+}
+
+TEST(FootPositions, OfATrussWithoutAWeldBeginBeforeTheFirstBump) {
+  BumpFoil foil = reference_case().bump_foil;
+  foil.bumps = 3;
+  const double p = foil.pitch;
+  EXPECT_LT((crest_positions(foil) - Vector{{0.5 * p, 1.5 * p, 2.5 * p}}).norm(), 1e-17);
+  EXPECT_LT((foot_positions(foil) - Vector{{p, 2.0 * p, 3.0 * p}}).norm(), 1e-17);
+  EXPECT_LT((foot_positions(foil, false) - Vector{{0.0, p, 2.0 * p, 3.0 * p}}).norm(), 1e-17);
+  foil.model = BumpFoilModel::frame;
+  EXPECT_EQ(foot_positions(foil, false), foot_positions(foil, true));
+  EXPECT_NEAR(foot_positions(foil)[3], 1.5 * p + 0.5 * foil.length, 1e-17);
 }
 
 }  // namespace

@@ -33,6 +33,58 @@ TEST(FindFaults, FindsNoneInTheReferenceCase) {
   EXPECT_TRUE(find_faults(reference_case()).empty());
 }
 
+TEST(FindFaults, JudgesStrips) {
+  const auto strip = [](const std::function<void(StripSettings&)>& change) {
+    return faulty_keys([&](Case& input) {
+      input.strip = StripSettings{.bumps = 10, .amplitude = {PlateControl::displacement, 20e-6}};
+      input.bump_foil.height_errors.assign(26, 0.0);
+      change(*input.strip);
+    });
+  };
+  const PlateTarget load{PlateControl::load, 60.0};
+  const PlateTarget light{PlateControl::load, 50.0};
+  EXPECT_EQ(strip([](StripSettings&) {}), Keys{});
+  EXPECT_EQ(strip([](StripSettings& s) { s.bumps = 0; }), Keys{"strip.bumps"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.bumps = 27; }), Keys{"strip.bumps"});  // beyond the height errors
+  EXPECT_EQ(strip([](StripSettings& s) { s.amplitude.value = 0.0; }), Keys{"strip.displacement"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.amplitude.value = 0.41e-3; }), Keys{"strip.displacement"});  // the rise
+  EXPECT_EQ(strip([](StripSettings& s) { s.amplitude = {PlateControl::load, -1.0}; }), Keys{"strip.load"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.preload = {PlateControl::load, nan}; }), Keys{"strip.preload"});
+  EXPECT_EQ(strip([&](StripSettings& s) { s.preload = light; }), Keys{});
+  EXPECT_EQ(strip([&](StripSettings& s) { s.amplitude = s.preload.emplace(load); }), Keys{});
+  const auto too_light = [&](StripSettings& s) {
+    s.amplitude = load;
+    s.preload = light;  // a plate cannot pull
+  };
+  EXPECT_EQ(strip(too_light), Keys{"strip.preload"});
+  const auto mixed = [&](StripSettings& s) {
+    s.amplitude = load;
+    s.preload = {PlateControl::displacement, 1e-6};
+  };
+  EXPECT_EQ(strip(mixed), Keys{"strip.preload"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.cycles = 0; }), Keys{"strip.cycles"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.steps = 0; }), Keys{"strip.steps"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.steps = s.cycles = 2000; }), Keys{"strip.steps"});  // memory
+}
+
+TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
+  const auto change = [](BumpFoilModel model, std::vector<double> errors) {
+    return [=](Case& input) {
+      input.bump_foil.model = model;
+      input.bump_foil.stiffness_follows_height = true;
+      input.bump_foil.bumps = 3;
+      input.bump_foil.height_errors = errors;
+      // Just below a half circle whose neighbours are 0.072 mm away.
+      input.bump_foil.length = 4.5e-3;
+      input.bump_foil.height = 2.3e-3;
+    };
+  };
+  EXPECT_EQ(faulty_keys(change(BumpFoilModel::frame, {0.0, 0.1e-3, -0.1e-3})), Keys{});
+  EXPECT_EQ(faulty_keys(change(BumpFoilModel::frame, {0.0, 0.9e-3, -0.1e-3})), Keys{"bump_foil.height_errors[2]"});
+  EXPECT_EQ(faulty_keys(change(BumpFoilModel::truss, {0.0, 0.1e-3, -0.1e-3})),
+            Keys{"bump_foil.stiffness_follows_height"});
+}
+
 TEST(FindFaults, WantsFinitePositiveSizes) {
   const std::vector<std::pair<std::string, double& (*)(Case&)>> sizes{
       {"bearing.radius", [](Case& c) -> double& { return c.bearing.radius; }},

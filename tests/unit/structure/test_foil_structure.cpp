@@ -198,5 +198,49 @@ TEST(FoilStructure, FormerModelHasNoTopFoil) {
   EXPECT_EQ(elastic_forces(structure, x), structure.K.multiply(x));
 }
 
+TEST(FoilStructure, KeepsUnusedPlacesApart) {
+  for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
+    Case input = given_constants(3);
+    input.bump_foil.model = model;
+    const FoilStructure with = make_foil_structure(input);
+    const FoilStructure without = make_foil_structure(input, {.flat = true, .welded = true, .top_foil = false});
+    EXPECT_EQ(without.dofs.top_u, -1);
+    EXPECT_EQ(without.dofs.size, with.dofs.size);
+    const Matrix a = with.K.dense();
+    const Matrix b = without.K.dense();
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+      const auto place = static_cast<int>(i % with.dofs.size);
+      if (place == with.dofs.top_u || place == with.dofs.top_moment) {
+        EXPECT_GT(b(i, i), 1e6);
+        EXPECT_EQ(b.row(i).cwiseAbs().sum(), b(i, i));
+      } else {
+        EXPECT_EQ(a.row(i), b.row(i));
+      }
+    }
+  }
+}
+
+TEST(FoilStructure, WithoutAWeldIsHeldLooselyAndNotAtAllInside) {
+  for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
+    Case input = given_constants(4);
+    input.bump_foil.model = model;
+    const FoilStructure structure = make_foil_structure(input, {.flat = true, .welded = false, .top_foil = true});
+    EXPECT_EQ(structure.bumps(), 4);
+    EXPECT_EQ(structure.first_bump, model == BumpFoilModel::truss ? 1 : 0);
+    // A shift of everything along the foil, and of the top foil across with a tilt, strains nothing but loose springs.
+    Vector x = Vector::Zero(structure.K.rows());
+    const Eigen::Index size = structure.dofs.size;
+    for (Eigen::Index b = 0; b < structure.K.blocks(); ++b) {
+      for (const int u : structure.dofs.foot_u) x[b * size + u] = 1e-6;
+      if (b < structure.first_bump) continue;
+      x[b * size + structure.dofs.crest_u] = 1e-6;
+      x[b * size + structure.dofs.top_u] = 1e-6 * static_cast<double>(b);
+    }
+    // Roundings of 1e8 N/m times a micrometre stay far below.
+    EXPECT_LT(elastic_forces(structure, x).cwiseAbs().maxCoeff(), 4e-6 * loose_hold + 1e-13 * 1e2);
+    EXPECT_GT(elastic_energy(structure, x), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace bumpfoil

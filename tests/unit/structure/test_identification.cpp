@@ -140,6 +140,8 @@ TEST(TrussConstants, ShapesThatATrussCannotFollowAreRefusedWithAdvice) {
     EXPECT_EQ(error.faults()[0].key, "bump_foil.truss.k2");
     EXPECT_NE(error.faults()[0].advice.find("frame"), std::string::npos);
   }
+  EXPECT_EQ(find_truss_faults(input).size(), 1U);
+  EXPECT_TRUE(find_truss_faults(reference_case()).empty());
   input.bump_foil.truss.k2 = 1e6;
   EXPECT_EQ(make_truss_constants(input).k2, 1e6);
 }

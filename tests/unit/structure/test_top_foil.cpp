@@ -74,6 +74,21 @@ TEST(TopFoilMoments, AgreeWithTheInverseOfTheCompliance) {
   }
 }
 
+TEST(FlatTopFoilMoments, AreTheLimitOfALargeRadius) {
+  TopFoilBeam beam = reference_beam(6);
+  const Vector spans{{2e-3, 4e-3, 5e-3, 4e-3, 3e-3, 4e-3}};
+  beam.radius = 1e3;
+  double place = 0.0;
+  for (Eigen::Index k = 0; k < 6; ++k) beam.theta[k] = (place += spans[k]) / beam.radius;
+  const TopFoilMoments flat = make_flat_top_foil_moments(beam.bending_stiffness, spans, true);
+  EXPECT_TRUE(flat.welded);
+  const Matrix K = moment_stiffness(flat);
+  // Angles of 1e-5 at a radius of 1 km.
+  EXPECT_LT((K - moment_stiffness(make_top_foil_moments(beam))).norm(), 1e-9 * K.norm());
+  EXPECT_LT((K * top_foil_compliance(beam) - Matrix::Identity(6, 6)).norm(), 1e-6);
+  EXPECT_FALSE(make_flat_top_foil_moments(beam.bending_stiffness, spans, false).welded);
+}
+
 TEST(TopFoilMoments, AgreeWithTheInverseForUnevenSpans) {
   TopFoilBeam beam = reference_beam(4);
   beam.theta << 0.3, 0.31, 1.2, 2.6;

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace bumpfoil {
 namespace {
@@ -35,6 +36,36 @@ TEST(Truss, EqualsThePublishedMatrixForTwoBumps) {
   published(7, 7) = k1 * s * s;
   published.triangularView<Eigen::StrictlyLower>() = published.transpose();
   EXPECT_LT((assemble(2).dense() - published).norm(), 1e-15 * published.norm());
+}
+
+TEST(Truss, WithoutAWeldIsItsOwnMirrorImage) {
+  // Blocks: the foot before bump 1, then three bumps. Mirrored, foot k becomes foot 3 - k with the sign of u turned.
+  BlockTridiagonal K(4, dofs.size);
+  assemble_springs(make_truss_springs(constants, dofs, 3, false), K);
+  const Matrix whole = K.dense();
+  std::vector<Eigen::Index> order, mirrored;
+  Vector sign(14);
+  for (Eigen::Index foot = 0; foot < 4; ++foot) {
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      sign[std::ssize(order)] = k == 0 ? -1.0 : 1.0;
+      order.push_back(4 * foot + 2 + k);
+      mirrored.push_back(4 * (3 - foot) + 2 + k);
+    }
+  }
+  for (Eigen::Index bump = 1; bump < 4; ++bump) {
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      sign[std::ssize(order)] = k == 0 ? -1.0 : 1.0;
+      order.push_back(4 * bump + k);
+      mirrored.push_back(4 * (4 - bump) + k);
+    }
+  }
+  const Matrix image = sign.asDiagonal() * Matrix(whole(mirrored, mirrored)) * sign.asDiagonal();
+  EXPECT_LT((image - whole(order, order)).norm(), 1e-15 * whole.norm());
+  // Free to move along the foil, and the unused crest of the first block is coupled to nothing.
+  Vector shift = Vector::Zero(16);
+  for (Eigen::Index b = 0; b < 4; ++b) shift[4 * b] = shift[4 * b + 2] = 1.0;
+  EXPECT_LT((whole * shift).norm(), 1e-15 * whole.norm());
+  EXPECT_EQ(whole.topRows(2).norm(), 0.0);
 }
 
 TEST(Truss, IsTheHessianOfItsEnergy) {

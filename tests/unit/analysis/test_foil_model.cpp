@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/bearing_model.hpp"
+#include "bumpfoil/analysis/foil_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,38 +11,38 @@
 namespace bumpfoil {
 namespace {
 
-TEST(BearingModel, HasThreeContactsPerBumpOfTheTruss) {
+TEST(FoilModel, HasThreeContactsPerBumpOfTheTruss) {
   Case input = case_with_given_constants();
   input.friction = {.top_bump = 0.2, .bump_sleeve = 0.3};
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   EXPECT_EQ(model.bumps(), 26);
-  EXPECT_EQ(model.feet_per_bump(), 1);
+  EXPECT_EQ(model.feet_per_block(), 1);
   ASSERT_EQ(model.problem.pairs.size(), 3U);
   EXPECT_EQ(model.problem.contacts(), 78);
   const BumpDofs& dofs = model.structure.dofs;
-  const ContactPair& journal = model.problem.pairs[BearingModel::journal_top];
+  const ContactPair& journal = model.problem.pairs[0];
   EXPECT_EQ(journal.plus, dofs.top_u);
   EXPECT_EQ(journal.minus, -1);
   EXPECT_EQ(journal.tangential, -1);
-  const ContactPair& crest = model.problem.pairs[BearingModel::top_bump];
+  const ContactPair& crest = model.problem.pairs[1];
   EXPECT_EQ(crest.plus, dofs.crest_v);
   EXPECT_EQ(crest.minus, dofs.top_u);
   EXPECT_EQ(crest.tangential, dofs.crest_u);
   EXPECT_EQ(crest.friction_coefficient, 0.2);
-  const ContactPair& foot = model.problem.pairs[BearingModel::first_foot];
+  const ContactPair& foot = model.problem.pairs[2];
   EXPECT_EQ(foot.plus, -1);
   EXPECT_EQ(foot.minus, dofs.foot_v[0]);
   EXPECT_EQ(foot.tangential, dofs.foot_u[0]);
   EXPECT_EQ(foot.friction_coefficient, 0.3);
 }
 
-TEST(BearingModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
+TEST(FoilModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[4] = 3e-6;
   input.bump_foil.sleeve_gaps.assign(26, 0.0);
   input.bump_foil.sleeve_gaps[7] = 2e-6;
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   const ContactLoading loading = loading_at(model, {1e-5, 2e-5});
   ASSERT_EQ(loading.initial_gap.size(), 78);
   EXPECT_EQ(loading.load, Vector::Zero(model.problem.K.rows()));
@@ -56,12 +56,12 @@ TEST(BearingModel, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   }
 }
 
-TEST(BearingModel, HasALawWhereDisplacementsAreLarge) {
+TEST(FoilModel, HasALawWhereDisplacementsAreLarge) {
   Case input = case_with_given_constants();
   input.bump_foil.model = BumpFoilModel::frame;
   EXPECT_FALSE(make_bearing_model(input).problem.law);
   input.bump_foil.geometry = Geometry::nonlinear;
-  const BearingModel model = make_bearing_model(input);
+  const FoilModel model = make_bearing_model(input);
   ASSERT_TRUE(model.problem.law);
   const Vector x = 1e-5 * Vector::LinSpaced(model.problem.K.rows(), 0.3, 40.0).array().sin();
   EXPECT_EQ(model.problem.law->forces(x), internal_forces(model.structure, x));
@@ -69,8 +69,8 @@ TEST(BearingModel, HasALawWhereDisplacementsAreLarge) {
   EXPECT_EQ(model.problem.law->stable_tangent(x).dense(), stable_tangent_stiffness(model.structure, x).dense());
 }
 
-TEST(BearingModel, LoadingRateIsTheDerivativeOfTheLoading) {
-  const BearingModel model = make_bearing_model(case_with_given_constants());
+TEST(FoilModel, LoadingRateIsTheDerivativeOfTheLoading) {
+  const FoilModel model = make_bearing_model(case_with_given_constants());
   const Eigen::Vector2d direction = unit_vector(0.7);
   const ContactLoading rate = loading_rate(model, direction);
   const ContactLoading far = loading_at(model, 8e-5 * direction);
@@ -80,14 +80,14 @@ TEST(BearingModel, LoadingRateIsTheDerivativeOfTheLoading) {
   EXPECT_EQ(rate.initial_gap[1], 0.0);
 }
 
-TEST(BearingModel, JournalLoadsAreEveryThirdContact) {
-  const BearingModel model = make_bearing_model(case_with_given_constants());
-  const Vector loads = journal_loads(model, Vector::LinSpaced(78, 0.0, 77.0));
+TEST(FoilModel, JournalLoadsAreEveryThirdContact) {
+  const FoilModel model = make_bearing_model(case_with_given_constants());
+  const Vector loads = pressing_loads(model, Vector::LinSpaced(78, 0.0, 77.0));
   ASSERT_EQ(loads.size(), 26);
   for (Eigen::Index i = 0; i < 26; ++i) EXPECT_DOUBLE_EQ(loads[i], 3.0 * static_cast<double>(i));
 }
 
-TEST(BearingModel, RefusesCasesThatCannotBeBuilt) {
+TEST(FoilModel, RefusesCasesThatCannotBeBuilt) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors = {1e-6, 2e-6};  // 26 bumps
   EXPECT_THROW((void)make_bearing_model(input), Error);

@@ -1,0 +1,96 @@
+#include "experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/cycle_table.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "cycle_files.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct ExperimentOptions {
+  std::string case_path;
+  std::string folder;
+  std::string solver;
+  std::vector<std::string> overrides;
+  bool force{};
+};
+
+ExitCode exit_code_of(RunStatus status) {
+  switch (status) {
+    case RunStatus::complete:
+      return ExitCode::done;
+    case RunStatus::failed:
+      return ExitCode::numerical_failure;
+    case RunStatus::interrupted:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::numerical_failure;
+}
+
+ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& options, const Session& session) {
+  std::vector<std::string> overrides = options.overrides;
+  if (!options.solver.empty()) overrides.push_back("solver.name=" + options.solver);
+  // Read once: what is written beside the results is what they came from.
+  const std::string case_text = read_case_text(options.case_path);
+  const Case input =
+      parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {experiment.name}});
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse);
+
+  CycleResult result;
+  RunStatus status = RunStatus::complete;
+  {
+    const InterruptionGuard guard;
+    ProgressBar bar(!session.quiet);
+    result = experiment.run(input, [&](double fraction) {
+      bar.show(fraction);
+      return !guard.interrupted();
+    });
+    if (!result.converged()) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
+  }
+
+  stage_cycle_files(folder, input, result, status, {.command_line = session.command_line, .case_text = case_text});
+  folder.publish();
+  if (!session.quiet) {
+    print_output(cycle_table(result));
+    print_output(fmt::format("\nsolver {}; results in {} (summary.json, {}.csv, result.nc)\n", name_of(result.solver),
+                             options.folder, experiment.name));
+    for (const std::string& warning : stress_warnings(input, result)) fmt::print(stderr, "warning: {}\n", warning);
+  }
+  if (status != RunStatus::complete) {
+    fmt::print(stderr, "bumpfoil: {}: the results in {} are partial, and flagged so\n",
+               status == RunStatus::failed ? "an increment did not converge" : "interrupted", options.folder);
+  }
+  return exit_code_of(status);
+}
+
+}  // namespace
+
+void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
+  const auto options = std::make_shared<ExperimentOptions>();
+  CLI::App* command = program.add_subcommand(experiment.name, experiment.summary);
+  command->add_option("CASE", options->case_path, "Case file")->required();
+  command
+      ->add_option("-o,--output", options->folder,
+                   fmt::format("Folder for summary.json, {}.csv and result.nc", experiment.name))
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--solver", options->solver, "The same as --set solver.name=...: newton, uzawa or events")
+      ->type_name("NAME");
+  add_overrides(*command, options->overrides);
+  command->add_flag("--force", options->force, "Replace results that the folder holds");
+  command->footer("Examples:\n" + experiment.examples +
+                  "Ctrl-C ends the run; what there is by then is written and flagged as partial.");
+  command->callback([options, experiment, &session] { session.exit_code = run(experiment, *options, session); });
+}
+
+}  // namespace bumpfoil

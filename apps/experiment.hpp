@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "commands.hpp"
+
+namespace bumpfoil {
+
+/// A command that runs the loops of a case and writes them to a folder.
+struct ExperimentCommand {
+  std::string name;     ///< of the command, and of the table of the case that it needs
+  std::string summary;  ///< what it does, for --help
+  std::string examples;
+  std::function<CycleResult(const Case&, const ProgressCallback&)> run;
+};
+
+/// Adds it to the program.
+void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment);
+
+}  // namespace bumpfoil

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "bumpfoil/structure/frame.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
+
+namespace bumpfoil {
+
+/// Bending stress at the surfaces of the foils, |M| / W, Pa. What a model does not know is empty or absent: the bump
+/// foil of the truss, the top foil of the former model.
+struct FoilStress {
+  Vector top_crest;                ///< top foil over each crest
+  std::optional<double> top_weld;  ///< where the top foil is clamped
+  Vector bump_crest;               ///< bump foil at each crest
+  Vector bump_foot;                ///< at each foot, in the order of the results
+  Vector bump_largest;             ///< anywhere along the two arcs of each bump
+  std::optional<double> bump_weld;
+};
+
+/// What it takes to tell the stress from the unknowns of a foil structure. A plain value.
+struct StressModel {
+  BumpDofs dofs;
+  int first_bump{};  ///< block of bump 1
+  std::optional<FrameModel> bump_foil;
+  std::optional<TopFoilMoments> top_foil;
+  double moment_scale{};         ///< EI' / p^2 of the top foil, N: its moments are the unknowns times this
+  double top_section_modulus{};  ///< W of the top foil, m^3
+};
+
+/// @throws Error (input) if the case cannot be built.
+StressModel make_stress_model(const Case& input, const FoilLayout& layout = {});
+
+/// Moments of the top foil as the unknowns hold them; over the crests, where they are largest in magnitude but for a
+/// part of 1 / cos(d/2) - 1 between two crests that are d apart.
+/// @param x  unknowns of the foil structure of the same case and layout
+FoilStress foil_stress(const StressModel& model, const Vector& x);
+
+}  // namespace bumpfoil

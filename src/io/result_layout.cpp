@@ -1,0 +1,92 @@
+#include "io/result_layout.hpp"
+
+#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+std::vector<double> to_vector(const Vector& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+/// What both have.
+ResultLayout layout_of_foil(const Case& input) {
+  const BumpFoil& foil = input.bump_foil;
+  const BumpArc arc = make_bump_arc(foil);
+  const auto bumps = static_cast<std::size_t>(foil.bumps);
+  const auto one_per_bump = [bumps](std::vector<double> numbers) {
+    numbers.resize(bumps);
+    return numbers;
+  };
+  ResultLayout layout;
+  layout.bumps = bumps;
+  layout.scalars = {
+      {"axial_length", "m", "axial length of the foils", {input.bearing.axial_length}},
+      {"bump_pitch", "m", "distance from crest to crest along the foil", {foil.pitch}},
+      {"bump_half_length", "m", "half the chord of the arc of a bump", {arc.half_length}},
+      {"bump_rise", "m", "rise of the mid-surface of a nominal bump", {arc.rise}},
+  };
+  layout.at_bumps = {
+      {"height_error", "m", "height of the bump over the nominal one", one_per_bump(foil.height_errors)},
+      {"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly",
+       one_per_bump(foil.sleeve_gaps)},
+  };
+  return layout;
+}
+
+ResultLayout layout_of_bearing(const Case& input) {
+  const Vector theta = crest_angles(input);
+  const Vector foot_theta = foot_angles(input);
+  ResultLayout layout = layout_of_foil(input);
+  layout.loop = {"direction", "degree", "direction of the push, from X towards Y", {}};
+  for (const double direction : input.cycle.directions) layout.loop.values.push_back(to_degrees(direction));
+  layout.increments = static_cast<std::size_t>(2 * input.cycle.steps + 1);
+  layout.feet = static_cast<std::size_t>(foot_theta.size());
+  layout.scalars.insert(
+      layout.scalars.end(),
+      {{"bearing_radius", "m", "radius of the bearing", {input.bearing.radius}},
+       {"radial_clearance", "m", "radial clearance; negative means interference", {input.bearing.radial_clearance}}});
+  layout.at_bumps.insert(
+      layout.at_bumps.end(),
+      {{"theta", "rad", "angle of the crest from the weld along the foil", to_vector(theta)},
+       {"phi", "rad", "polar angle of the crest from X towards Y", to_vector(polar_angles(input.bearing, theta))}});
+  layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", to_vector(foot_theta)},
+                    {"foot_phi", "rad", "polar angle of the foot from X towards Y",
+                     to_vector(polar_angles(input.bearing, foot_theta))}};
+  layout.bump_coordinates = "theta phi";
+  layout.foot_coordinates = "foot_theta foot_phi";
+  layout.pressing = "journal";
+  layout.over_crest = "top foil";
+  layout.carrying = "sleeve";
+  return layout;
+}
+
+ResultLayout layout_of_strip(const Case& input) {
+  const StripSettings& strip = *input.strip;
+  const Case cut = cut_to_strip(input);
+  const Vector feet = foot_positions(cut.bump_foil, strip.weld == StripWeld::one_end);
+  ResultLayout layout = layout_of_foil(cut);
+  layout.loop = {"cycle", "1", "cycle of the plate", {}};
+  for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.loop.values.push_back(cycle);
+  layout.increments = static_cast<std::size_t>((strip.preload ? 4 : 2) * strip.steps + 1);
+  layout.feet = static_cast<std::size_t>(feet.size());
+  layout.at_bumps.push_back({"crest_position", "m", "place of the crest along the strip, from the weld or its like",
+                             to_vector(crest_positions(cut.bump_foil))});
+  layout.at_feet = {
+      {"foot_position", "m", "place of the foot along the strip, from the weld or its like", to_vector(feet)}};
+  layout.bump_coordinates = "crest_position";
+  layout.foot_coordinates = "foot_position";
+  layout.pressing = "plate";
+  layout.over_crest = strip.top_foil ? "top foil" : "plate";
+  layout.carrying = "base";
+  return layout;
+}
+
+}  // namespace
+
+ResultLayout make_result_layout(const Case& input, Experiment experiment) {
+  return experiment == Experiment::strip ? layout_of_strip(input) : layout_of_bearing(input);
+}
+
+}  // namespace bumpfoil

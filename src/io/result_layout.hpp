@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Numbers with what readers are told about them.
+struct NamedNumbers {
+  std::string name;
+  std::string unit;
+  std::string long_name;
+  std::vector<double> values;
+};
+
+/// What result.nc of a bearing and of a strip call and place differently.
+struct ResultLayout {
+  NamedNumbers loop;         ///< coordinate of the loops: directions, or cycles of a strip, begun or not
+  std::size_t increments{};  ///< of a loop
+  std::size_t bumps{};
+  std::size_t feet{};
+  std::vector<NamedNumbers> scalars;   ///< geometry
+  std::vector<NamedNumbers> at_bumps;  ///< the same, one per bump
+  std::vector<NamedNumbers> at_feet;   ///< one per foot
+  std::string bump_coordinates;        ///< those of them that say where a bump is
+  std::string foot_coordinates;
+  std::string pressing;    ///< journal or plate
+  std::string over_crest;  ///< what touches the crests
+  std::string carrying;    ///< sleeve or base
+};
+
+ResultLayout make_result_layout(const Case& input, Experiment experiment);
+
+}  // namespace bumpfoil

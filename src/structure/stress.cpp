@@ -1,0 +1,59 @@
+#include "bumpfoil/structure/stress.hpp"
+
+#include <cmath>
+
+namespace bumpfoil {
+namespace {
+
+/// Moment at the weld from those over the first crest and its displacement: the first row of T M = D' u.
+double weld_moment(const TopFoilMoments& form, double first_displacement, double first_moment) {
+  const double coupling = form.size() > 1 ? form.compliance_off[0] * first_moment : 0.0;
+  return (form.inverse_sine[0] * first_displacement - coupling) / form.compliance_diagonal[0];
+}
+
+}  // namespace
+
+StressModel make_stress_model(const Case& input, const FoilLayout& layout) {
+  StressModel model;
+  model.dofs = make_bump_dofs(input.bump_foil.model, layout.top_foil);
+  if (input.bump_foil.model == BumpFoilModel::frame) {
+    model.bump_foil = make_frame_model(input);
+    model.bump_foil->welded = layout.welded;
+  } else {
+    model.first_bump = layout.welded ? 0 : 1;
+  }
+  if (model.dofs.top_u >= 0) {
+    model.top_foil = make_top_foil_moments(input, layout);
+    model.moment_scale = top_moment_scale(input);
+    model.top_section_modulus = make_top_foil_section(input).modulus;
+  }
+  return model;
+}
+
+FoilStress foil_stress(const StressModel& model, const Vector& x) {
+  FoilStress stress;
+  const Eigen::Index size = model.dofs.size;
+  const Eigen::Index first = model.first_bump * size;
+  const Eigen::Index bumps = (x.size() - first) / size;
+  if (model.top_foil) {
+    const double factor = model.moment_scale / model.top_section_modulus;
+    const Vector moments = x(Eigen::seqN(first + model.dofs.top_moment, bumps, size));
+    stress.top_crest = factor * moments.cwiseAbs();
+    if (model.top_foil->welded) {
+      const double weld = weld_moment(*model.top_foil, x[model.dofs.top_u], model.moment_scale * moments[0]);
+      stress.top_weld = std::abs(weld) / model.top_section_modulus;
+    }
+  }
+  if (model.bump_foil) {
+    const FrameStress frame = frame_stress(*model.bump_foil, x);
+    stress.bump_crest = frame.crest;
+    stress.bump_foot.resize(2 * bumps);
+    stress.bump_foot(Eigen::seqN(0, bumps, 2)) = frame.arc_start;
+    stress.bump_foot(Eigen::seqN(1, bumps, 2)) = frame.arc_end;
+    stress.bump_largest = frame.largest;
+    if (model.bump_foil->welded) stress.bump_weld = frame.weld;
+  }
+  return stress;
+}
+
+}  // namespace bumpfoil
