@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo paper test test-sanitized bench verify-fe verify-siconos format clean
+.PHONY: help demo paper test test-sanitized bench bench-peers verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -50,6 +50,12 @@ bench: ## build and run the benchmarks; JSON in results/bench
 	build/bench/bumpfoil_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true \
 	  --benchmark_out=results/bench/bumpfoil_bench.json --benchmark_out_format=json
 	@echo "Results: $(CURDIR)/results/bench"
+
+bench-peers: ## time other solvers on the same problems; ratios in results/bench/peers.json
+	@scripts/require_packages.sh build bench verify
+	$(call BUILD,bench)
+	mkdir -p results/bench
+	/usr/bin/python3 -B bench/peers/compare.py build/bench/bumpfoil_peers results/bench
 
 verify-fe: ## compare with finite elements of CalculiX; writes docs/verification/fe_*.md and their data
 	@scripts/require_packages.sh build verify

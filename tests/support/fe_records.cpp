@@ -34,7 +34,28 @@ std::vector<FeCycle> read_cycles() {
   return cycles;
 }
 
+std::vector<FeStrip> read_strips() {
+  std::vector<FeStrip> strips;
+  for (const nlohmann::json& row : rows_of("strips.json")) {
+    if (!row.at("converged").get<bool>()) continue;
+    strips.push_back({.bumps = row.at("bumps"),
+                      .friction_coefficient = row.at("friction"),
+                      .top_foil = row.at("top_foil"),
+                      .large_displacements = row.at("displacements") == "large",
+                      .contact_at_nodes = row.at("contact") == "nodes",
+                      .max_force = row.at("max_force_N"),
+                      .loop_energy = row.at("loop_energy_J"),
+                      .bump_loads = to_vector(row.at("bump_loads_N"))});
+  }
+  return strips;
+}
+
 }  // namespace
+
+const std::vector<FeStrip>& fe_strips() {
+  static const std::vector<FeStrip> strips = read_strips();
+  return strips;
+}
 
 const std::vector<FeCycle>& fe_cycles() {
   static const std::vector<FeCycle> cycles = read_cycles();

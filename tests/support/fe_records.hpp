@@ -21,6 +21,21 @@ struct FeCycle {
   Vector bump_loads;     ///< at the turning point, N
 };
 
+/// One strip of solid elements, pressed by 20 um in 20 steps and released: a row of tests/data/fe/strips.json.
+struct FeStrip {
+  int bumps{};
+  double friction_coefficient{};
+  bool top_foil{};
+  bool large_displacements{};
+  bool contact_at_nodes{};  ///< otherwise that of CalculiX
+  double max_force{};       ///< N
+  double loop_energy{};     ///< J
+  Vector bump_loads;        ///< of the plate above each bump at full compression, N
+};
+
+/// All strips of the file that came to their end.
+const std::vector<FeStrip>& fe_strips();
+
 /// All cycles of the file that came to their end.
 const std::vector<FeCycle>& fe_cycles();
 

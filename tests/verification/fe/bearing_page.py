@@ -22,12 +22,11 @@ def run_program(binary, folder, model, friction, steps):
     """Summaries of the four directions, by degrees, with the forces of all increments."""
     settings = {"bump_foil.model": model, "bump_foil.height_reference": "midsurface",
                 "friction.coefficient": friction, "cycle.steps": steps}
-    summary = program.run(binary, "cycle", folder, settings)
-    rows = program.cycle_rows(folder)
-    cycles = {round(cycle["direction_deg"]) % 360: cycle for cycle in summary["cycles"]}
-    for direction, cycle in cycles.items():
-        cycle["force_direct_N"] = np.array([float(row["force_direct_N"]) for row in rows[direction]])
-    return cycles
+    summary = program.run(binary, "cycle", "gen1.toml", folder, settings)
+    forces = program.column(folder / "cycle.csv", "force_direct_N", by="direction_deg")
+    for cycle in summary["cycles"]:
+        cycle["force_direct_N"] = np.array(forces[cycle["direction_deg"]])
+    return {round(cycle["direction_deg"]): cycle for cycle in summary["cycles"]}
 
 
 def write(binary, folder, data, page):

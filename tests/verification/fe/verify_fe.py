@@ -10,6 +10,8 @@ from pathlib import Path
 
 import bearing_page
 import full_bearing
+import strip_page
+import strips
 from program import ROOT
 
 DATA = ROOT / "tests/data/fe"
@@ -18,7 +20,9 @@ PAGES = ROOT / "docs/verification"
 
 def main(program, folder, pages_only):
     if not pages_only:
+        strips.measure(folder, DATA / "strips.json")
         full_bearing.measure(folder, DATA / "full_bearing.json")
+    strip_page.write(program, folder / "program", DATA / "strips.json", PAGES / "fe_strip.md")
     bearing_page.write(program, folder / "program", DATA / "full_bearing.json", PAGES / "fe_bearing.md")
 
 
