@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo paper test test-sanitized bench format clean
+.PHONY: help demo paper test test-sanitized bench bench-peers verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -50,6 +50,26 @@ bench: ## build and run the benchmarks; JSON in results/bench
 	build/bench/bumpfoil_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true \
 	  --benchmark_out=results/bench/bumpfoil_bench.json --benchmark_out_format=json
 	@echo "Results: $(CURDIR)/results/bench"
+
+bench-peers: ## time other solvers on the same problems; ratios in results/bench/peers.json
+	@scripts/require_packages.sh build bench verify
+	$(call BUILD,bench)
+	mkdir -p results/bench
+	/usr/bin/python3 -B bench/peers/compare.py build/bench/bumpfoil_peers results/bench
+
+verify-fe: ## compare with finite elements of CalculiX; writes docs/verification/fe_*.md and their data
+	@scripts/require_packages.sh build verify
+	$(call BUILD,release)
+	/usr/bin/python3 -B tests/verification/fe/verify_fe.py build/release/bumpfoil results/verify-fe
+
+verify-siconos: ## compare with the contact solvers of Siconos on random problems; writes tests/data/siconos.json
+	@scripts/require_packages.sh build plot test verify
+	cmake --log-level=WARNING --preset release-audit > /dev/null
+	cmake --build --preset release-audit --parallel $(JOBS) --target siconos_study verification_by_others
+	cd tests
+	# Threads of the linear algebra only get in each other's way in systems this small.
+	OPENBLAS_NUM_THREADS=1 ../build/release-audit/siconos_study > data/siconos.json
+	../build/release-audit/verification_by_others --gtest_filter='Siconos*'
 
 format: ## format the C++ sources in place
 	@find include src apps tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +

@@ -26,6 +26,7 @@ class Foils:
     bumps: int
     weld_flat: float = 0.0  # length of the flat between weld and first arc
     top_foil: bool = True
+    top_lead: float = 0.0  # by how much the weld of the top foil stands before that of the bump foil
     radius: float = None  # of the top foil; flat without
     top_moves: bool = False  # tangentially; otherwise friction finds it held
     wide_journal: bool = False  # touches all nodes near a crest, not only the one above it
@@ -75,15 +76,18 @@ class ContactRows:
         return np.array([record[which] for record in self.records])
 
 
-def top_foil_stations(along, crests, length, arc_elements):
-    """Corners of the top foil: opposite those of the bump foil near crests, six more between two crests."""
+def top_foil_stations(along, crests, arc_elements):
+    """Corners of the top foil: opposite those of the bump foil near crests, six more between two crests.
+
+    @param along  places of the sections of the bump foil, from the weld of the top foil
+    """
     reach = (CREST_ELEMENTS + 0.5) * SHAPE.chord / (2 * arc_elements)
     corners = along[::2]
     stations = [0.0]
     for crest in crests:
         near = corners[np.abs(corners - crest) < reach]
         stations += [*np.linspace(stations[-1], near[0], 8)[1:-1], *near]
-    return np.array([*stations, *np.linspace(stations[-1], length, 8)[1:]])
+    return np.array([*stations, *np.linspace(stations[-1], crests[-1] + SHAPE.pitch / 2, 8)[1:]])
 
 
 def build(folder, foils):
@@ -95,7 +99,7 @@ def build(folder, foils):
     K = plane_stiffness(folder, "bump_foil", bump_foil)
     clamped = bump_foil.clamped
     if foils.top_foil:
-        stations = top_foil_stations(along, crests, crests[-1] + SHAPE.pitch / 2, foils.arc_elements)
+        stations = top_foil_stations(along + foils.top_lead, crests + foils.top_lead, foils.arc_elements)
         top_foil = mesh_top_foil(stations, SHAPE.thickness, foils.radius)
         K = sparse.block_diag([K, plane_stiffness(folder, "top_foil", top_foil)]).tocsc()
         clamped = np.concatenate([clamped, top_foil.clamped + len(bump_foil.nodes)])
@@ -112,7 +116,7 @@ def build(folder, foils):
             if not foils.top_foil:
                 rows.add("journal", bump, along[centre + step], sag, ([v], [-1.0]), ([u], [1.0]))
                 continue
-            section = np.argmin(np.abs(top_foil.position - crest)) + step
+            section = np.argmin(np.abs(top_foil.position - foils.top_lead - crest)) + step
             place = top_foil.position[section]
             angle = place / foils.radius if foils.radius else 0.0
             sin, cos = np.sin(angle), np.cos(angle)

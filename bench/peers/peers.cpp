@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/path_solver.hpp"
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/residual.hpp"
+#ifdef BUMPFOIL_PEERS_SICONOS
+#include <Eigen/Eigenvalues>
+
+#include "support/siconos_contacts.hpp"
+#endif
+
+/// Times solvers on the same problems and prints JSON: the reference bearing (friction 0.1, +X, 100 steps per branch,
+/// set-up excluded) with the solvers of the program, with `newton` on one dense block, with Siconos; and a strip of ten
+/// bumps, to stand beside finite elements. Times are processor times of one thread.
+namespace bumpfoil {
+namespace {
+
+using Loadings = std::vector<ContactLoading>;
+
+/// Median of so many runs, s.
+double processor_time(int runs, const std::function<void()>& work) {
+  std::vector<double> times;
+  for (int run = 0; run < runs; ++run) {
+    const std::clock_t begin = std::clock();
+    work();
+    times.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
+}
+
+/// Along X to the amplitude and back.
+Loadings loadings_of(const FoilModel& model, double amplitude, int steps) {
+  Loadings loadings;
+  for (int k = 0; k <= 2 * steps; ++k) {
+    const int from_start = k <= steps ? k : 2 * steps - k;
+    loadings.push_back(loading_at(model, {amplitude * from_start / steps, 0.0}));
+  }
+  return loadings;
+}
+
+/// The same problem as one block: nothing of its structure is used.
+ContactProblem as_one_block(const ContactProblem& problem) {
+  ContactProblem dense;
+  dense.K = BlockTridiagonal(1, static_cast<int>(problem.K.rows()));
+  dense.K.diagonal.front() = problem.K.dense();
+  for (int block = 0; block < problem.K.blocks(); ++block) {
+    const int first = block * problem.K.block_size();
+    const auto moved = [&](int place) { return place < 0 ? place : first + place; };
+    for (const ContactPair& pair : problem.pairs) {
+      dense.pairs.push_back({.plus = moved(pair.plus),
+                             .minus = moved(pair.minus),
+                             .tangential = moved(pair.tangential),
+                             .friction_coefficient = pair.friction_coefficient});
+    }
+  }
+  return dense;
+}
+
+std::string row(const std::string& name, double seconds, const std::string& more) {
+  return fmt::format(R"({{"name": "{}", "seconds": {:.6g}{}}})", name, seconds, more);
+}
+
+/// One pass along the loadings; the last state of each increment goes into `states` if it is given.
+std::string time_solver(const std::string& name, const SolverSettings& settings, const ContactProblem& problem,
+                        const Loadings& loadings, int runs) {
+  PathSolver solver(settings, problem);
+  const ContactState unstressed = ContactState::unstressed(problem);
+  ContactState state = unstressed;
+  std::vector<ContactEvent> events;
+  SolveReport total;
+  int failures = 0;
+  const double seconds = processor_time(runs, [&] {
+    total = SolveReport();
+    failures = 0;
+    const SolveReport assembled = solver.assemble(loadings.front(), unstressed, state);
+    failures += assembled.converged ? 0 : 1;
+    total += assembled;
+    for (std::size_t k = 1; k < loadings.size(); ++k) {
+      events.clear();
+      const IncrementReport report = solver.advance(loadings[k - 1], loadings[k], state, {}, events);
+      failures += report.solve.converged ? 0 : 1;
+      total += report.solve;
+    }
+  });
+  return row(
+      name, seconds,
+      fmt::format(R"(, "increments": {}, "solved": {}, "linear_solves": {}, "factorisations": {})", loadings.size(),
+                  static_cast<int>(loadings.size()) - failures, total.iterations, total.factorisations));
+}
+
+#ifdef BUMPFOIL_PEERS_SICONOS
+/// Sweeps of the iterative methods for one increment; more would take minutes.
+constexpr SiconosOptions siconos_options{.max_iterations = 1000};
+
+/// Every increment from the exact state before it, so that one failure does not spoil the others.
+std::string time_siconos(SiconosMethod method, const ContactProblem& problem, const Loadings& loadings) {
+  SiconosContacts siconos(problem);
+  NewtonSolver exact(problem);
+  ContactState state = ContactState::unstressed(problem);
+  ContactState answer = state;
+  int claimed = 0;
+  int solved = 0;
+  int first_failure = -1;
+  double worst_penetration = 0.0;
+  double seconds = 0.0;
+  for (std::size_t k = 0; k < loadings.size(); ++k) {
+    const ContactState previous = state;
+    bool converged = false;
+    seconds +=
+        processor_time(1, [&] { converged = siconos.solve(method, loadings[k], previous.x, answer, siconos_options); });
+    const ContactResiduals residuals =
+        contact_residuals(problem, problem.K.multiply(answer.x), loadings[k], previous.x, answer);
+    const bool right = residuals.within(1e-6, 1e-9);
+    claimed += converged ? 1 : 0;
+    solved += right ? 1 : 0;
+    if (!right && first_failure < 0) first_failure = static_cast<int>(k);
+    if (converged) worst_penetration = std::max(worst_penetration, residuals.penetration);
+    if (!exact.solve(loadings[k], previous, state).converged) return "";
+  }
+  const Vector stretches = Eigen::SelfAdjointEigenSolver<Matrix>(siconos.compliance()).eigenvalues();
+  return row("siconos " + name_of(method), seconds,
+             fmt::format(R"(, "increments": {}, "claimed": {}, "solved": {}, "first_failure": {}, )"
+                         R"("worst_penetration_m": {:.3g}, "condition_of_compliance": {:.2g})",
+                         loadings.size(), claimed, solved, first_failure, worst_penetration,
+                         stretches.maxCoeff() / stretches.cwiseAbs().minCoeff()));
+}
+#endif
+
+std::string bearing_rows() {
+  const Case input = reference_case();
+  const FoilModel model = make_bearing_model(input);
+  const Loadings loadings = loadings_of(model, input.cycle.amplitude, input.cycle.steps);
+  const auto named = [](SolverName name) {
+    SolverSettings settings;
+    settings.name = name;
+    return settings;
+  };
+  std::string rows = time_solver("newton", named(SolverName::newton), model.problem, loadings, 21);
+  rows += ",\n" + time_solver("events", named(SolverName::events), model.problem, loadings, 21);
+  rows += ",\n" + time_solver("uzawa", named(SolverName::uzawa), model.problem, loadings, 3);
+  const ContactProblem dense = as_one_block(model.problem);
+  rows += ",\n" + time_solver("newton, one dense block", named(SolverName::newton), dense, loadings, 3);
+#ifdef BUMPFOIL_PEERS_SICONOS
+  for (const SiconosMethod method :
+       {SiconosMethod::lemke, SiconosMethod::gauss_seidel, SiconosMethod::conjugate_gradients}) {
+    rows += ",\n" + time_siconos(method, model.problem, loadings);
+  }
+#endif
+  return rows;
+}
+
+/// The strip of docs/verification/fe_strip.md: frame, ten bumps, no top foil, pressed by 20 um in 20 steps and
+/// released.
+std::string strip_rows() {
+  constexpr double compression = 20e-6;
+  constexpr int steps = 20;
+  Case input = reference_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.bump_foil.height_reference = HeightReference::midsurface;
+  input.bump_foil.weld_at = WeldPosition::arc_start;
+  input.strip = StripSettings{.bumps = 10, .top_foil = false, .amplitude = {.value = compression}, .steps = steps};
+  const FoilModel model = make_strip_model(input);
+  return time_solver("newton", SolverSettings(), model.problem, loadings_of(model, compression, steps), 21);
+}
+
+}  // namespace
+}  // namespace bumpfoil
+
+int main() {
+  std::cout << "{\"bearing\": [\n"
+            << bumpfoil::bearing_rows() << "\n],\n\"strip\": [\n"
+            << bumpfoil::strip_rows() << "\n]}\n";
+}

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/residual.hpp"
+#include "support/random_problem.hpp"
+
+/// The exact solver against the solvers of Siconos on small random problems: docs/verification/siconos.md. What Siconos
+/// found is data, which `make verify-siconos` writes.
+namespace bumpfoil {
+namespace {
+
+nlohmann::json siconos() {
+  return nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/siconos.json"));
+}
+
+Vector to_vector(const nlohmann::json& list) {
+  const auto values = list.get<std::vector<double>>();
+  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// What a contact does, told from forces alone.
+ContactMode mode_of(double normal, double friction, double coefficient) {
+  constexpr double nothing = 1e-6;  // N
+  if (normal < nothing) return ContactMode::open;
+  if (std::abs(friction) < coefficient * normal - nothing) return ContactMode::stick;
+  return friction < 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
+}
+
+/// Whether the forces that Siconos found solve the problem.
+bool solve_it(const ContactProblem& problem, const ContactLoading& loading, const Vector& previous_x,
+              const Vector& normal, const Vector& friction) {
+  ContactState state = ContactState::unstressed(problem);
+  state.normal_force = normal;
+  state.friction_force = friction;
+  state.x = problem.K.dense().partialPivLu().solve(loading.load + contact_forces(problem, normal, friction));
+  state.gap = contact_gaps(problem, loading.initial_gap, state.x);
+  // Where they are those of an iterative method they end at 1e-7 N, which is some picometres.
+  return contact_residuals(problem, problem.K.multiply(state.x), loading, previous_x, state).within(1e-7, 1e-11);
+}
+
+TEST(Siconos, FindsTheSameForcesAndModes) {
+  const nlohmann::json document = siconos();
+  ASSERT_EQ(document.at("rows").size(), 200U);
+  std::map<ContactMode, int> seen;
+  for (const nlohmann::json& row : document.at("rows")) {
+    const RandomProblem random =
+        make_random_problem(row.at("seed"), row.at("blocks"), row.at("block_size"), row.at("friction"));
+    const ContactProblem& problem = random.problem;
+    NewtonSolver solver(problem);
+    ContactState state = ContactState::unstressed(problem);
+    for (const std::size_t increment : {0U, 1U}) {
+      const ContactState previous = state;
+      const ContactLoading& loading = increment == 0 ? random.first : random.second;
+      ASSERT_TRUE(solver.solve(loading, previous, state).converged);
+      const Vector normal = to_vector(row.at("normal_N").at(increment));
+      const Vector friction = to_vector(row.at("friction_N").at(increment));
+      EXPECT_TRUE(solve_it(problem, loading, previous.x, normal, friction)) << row;
+      // Forces reach 300 N; Gauss-Seidel, taken where Lemke's pivots failed, ends at 1e-7 N.
+      ASSERT_LT((state.normal_force - normal).cwiseAbs().maxCoeff(), 1e-6) << row;
+      ASSERT_LT((state.friction_force - friction).cwiseAbs().maxCoeff(), 1e-6) << row;
+      for (Eigen::Index c = 0; c < normal.size(); ++c) {
+        const ContactPair& pair = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()];
+        if (pair.tangential < 0) continue;
+        const ContactMode mode = mode_of(normal[c], friction[c], pair.friction_coefficient);
+        EXPECT_EQ(state.mode[static_cast<std::size_t>(c)], mode) << row << ", contact " << c;
+        ++seen[mode];
+      }
+    }
+  }
+  // All modes are there to be found.
+  for (const ContactMode mode :
+       {ContactMode::open, ContactMode::stick, ContactMode::slip_forward, ContactMode::slip_backward}) {
+    EXPECT_GT(seen[mode], 200);
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil
