@@ -35,13 +35,22 @@ bool has_dims(const NcVar& variable, const std::vector<std::string_view>& names)
                     [](const netCDF::NcDim& dim, std::string_view name) { return dim.getName() == name; });
 }
 
+/// Of the loops: directions of a bearing, cycles of a strip.
+std::string loop_dimension(const NcFile& file) {
+  return file.getDim("direction").isNull() ? "cycle" : "direction";
+}
+
 bool is_series(const NcVar& variable) {
-  return has_dims(variable, {"direction", "increment"});
+  return has_dims(variable, {"direction", "increment"}) || has_dims(variable, {"cycle", "increment"});
 }
 
 bool is_field(const NcVar& variable) {
-  return has_dims(variable, {"direction", "increment", "bump"}) ||
-         has_dims(variable, {"direction", "increment", "foot"});
+  for (const std::string_view loop : {"direction", "cycle"}) {
+    for (const std::string_view node : {"bump", "foot"}) {
+      if (has_dims(variable, {loop, "increment", node})) return true;
+    }
+  }
+  return false;
 }
 
 /// Part of a variable; NaN where the file has its fill value.
@@ -75,54 +84,61 @@ Json global_texts(const NcFile& file) {
   return texts;
 }
 
-/// Reads one direction after the other.
-class DirectionReader {
+/// Reads one loop after the other.
+class LoopReader {
  public:
-  DirectionReader(const NcFile& file, std::size_t stride)
+  LoopReader(const NcFile& file, std::size_t stride)
       : variables_(file.getVars()),
         increments_(file.getDim("increment").getSize()),
         stride_(std::max<std::size_t>(stride, 1)),
-        degrees_(read_numbers(file.getVar("direction"), {0}, {file.getDim("direction").getSize()})) {}
+        loops_(read_all(loop_dimension(file))),
+        steps_(read_all("steps")) {}
 
-  [[nodiscard]] std::size_t size() const { return degrees_.size(); }
+  [[nodiscard]] std::size_t size() const { return loops_.size(); }
 
-  [[nodiscard]] Json read(std::size_t direction) const {
-    const std::vector<double> displacement =
-        read_numbers(variables_.find("displacement")->second, {direction, 0}, {1, increments_});
+  [[nodiscard]] Json read(std::size_t loop) const {
+    const std::vector<double> displacement = read_numbers(find("displacement"), {loop, 0}, {1, increments_});
     const auto end = std::find_if(displacement.begin(), displacement.end(), [](double d) { return std::isnan(d); });
-    const std::vector<std::size_t> kept = kept_of(static_cast<std::size_t>(end - displacement.begin()));
-    Json json{{"direction_deg", degrees_[direction]},
-              {"increments", kept},
-              {"series", Json::object()},
-              {"fields", Json::object()}};
+    const std::vector<std::size_t> kept = kept_of(static_cast<std::size_t>(end - displacement.begin()), steps_[loop]);
+    Json json{{"at", loops_[loop]}, {"increments", kept}, {"series", Json::object()}, {"fields", Json::object()}};
     for (const auto& [name, variable] : variables_) {
       if (is_series(variable)) {
-        json["series"][name] = encoded(variable, direction, kept, 1);
+        json["series"][name] = encoded(variable, loop, kept, 1);
       } else if (is_field(variable) && !is_left_out(variable)) {
         const netCDF::NcDim nodes = variable.getDim(2);
-        json["fields"][name] = {{"at", nodes.getName()},
-                                {"values", encoded(variable, direction, kept, nodes.getSize())}};
+        json["fields"][name] = {{"at", nodes.getName()}, {"values", encoded(variable, loop, kept, nodes.getSize())}};
       }
     }
     return json;
   }
 
  private:
-  /// Every n-th increment before and after the turning point, which is kept itself, and so is the last one.
-  [[nodiscard]] std::vector<std::size_t> kept_of(std::size_t reached) const {
-    const std::size_t turning = (increments_ - 1) / 2;
+  /// The values of a variable with one for each loop.
+  [[nodiscard]] std::vector<double> read_all(const std::string& name) const {
+    const NcVar variable = find(name);
+    return read_numbers(variable, {0}, {variable.getDim(0).getSize()});
+  }
+
+  [[nodiscard]] NcVar find(const std::string& name) const {
+    const auto found = variables_.find(name);
+    if (found == variables_.end()) throw NotAResult("is damaged: there is no " + name);
+    return found->second;
+  }
+
+  /// Every n-th increment of each branch; those at which branches end are kept themselves, and so is the last one.
+  [[nodiscard]] std::vector<std::size_t> kept_of(std::size_t reached, double steps) const {
+    const auto branch = steps >= 1.0 ? static_cast<std::size_t>(steps) : increments_;
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < reached; ++i) {
-      const std::size_t since = i < turning ? i : i - turning;
-      if (since % stride_ == 0 || i + 1 == reached) kept.push_back(i);
+      if (i % branch % stride_ == 0 || i + 1 == reached) kept.push_back(i);
     }
     return kept;
   }
 
-  [[nodiscard]] std::string encoded(const NcVar& variable, std::size_t direction, const std::vector<std::size_t>& kept,
+  [[nodiscard]] std::string encoded(const NcVar& variable, std::size_t loop, const std::vector<std::size_t>& kept,
                                     std::size_t width) const {
     if (kept.empty()) return "";
-    std::vector<std::size_t> start{direction, 0, 0};
+    std::vector<std::size_t> start{loop, 0, 0};
     std::vector<std::size_t> count{1, kept.back() + 1, width};
     start.resize(static_cast<std::size_t>(variable.getDimCount()));
     count.resize(start.size());
@@ -143,7 +159,8 @@ class DirectionReader {
   std::multimap<std::string, NcVar> variables_;
   std::size_t increments_;
   std::size_t stride_;
-  std::vector<double> degrees_;
+  std::vector<double> loops_;
+  std::vector<double> steps_;
 };
 
 Json geometry_of(const NcFile& file) {
@@ -177,18 +194,20 @@ Json read_result(const std::filesystem::path& path, std::size_t most_values) {
   if (attributes.value("schema", "") != "bumpfoil-result/1") throw NotAResult("is no result of this program");
   // Results that were written before there were others do not say what they are.
   const std::string kind = attributes.value("bumpfoil_command", "cycle");
-  if (kind != "cycle") throw NotAResult("is a result of `bumpfoil " + kind + "`, which reports cannot show");
+  if (kind != "cycle" && kind != "strip")
+    throw NotAResult("is a result of `bumpfoil " + kind + "`, which reports cannot show");
   const std::size_t stride = (node_values(file) + most_values - 1) / most_values;
   Json nodes = Json::object();
   for (const char* name : {"bump", "foot"}) nodes[name] = file.getDim(name).getSize();
-  Json directions = Json::array();
-  const DirectionReader reader(file, stride);
-  for (std::size_t i = 0; i < reader.size(); ++i) directions.push_back(reader.read(i));
+  Json loops = Json::array();
+  const LoopReader reader(file, stride);
+  for (std::size_t i = 0; i < reader.size(); ++i) loops.push_back(reader.read(i));
   return {{"kind", kind},
           {"attributes", attributes},
           {"geometry", geometry_of(file)},
           {"nodes", nodes},
-          {"directions", directions}};
+          {"last_increment", file.getDim("increment").getSize() - 1},
+          {"loops", loops}};
 }
 
 }  // namespace bumpfoil

@@ -155,7 +155,7 @@ test('every chart is drawn', () =>
       assert.ok((await charts.nth(i).locator('svg path').count()) > 5, await charts.nth(i).getAttribute('aria-label'));
     }
     for (const drawing of ['.round', '.unwrapped']) assert.ok((await page.locator(`${drawing} path`).count()) > 5);
-    const label = await page.locator('#loops .chart').getAttribute('aria-label');
+    const label = await page.locator('#cycle-loops .chart').getAttribute('aria-label');
     for (const [i, name] of ['+X', '−X', '+Y', '−Y'].entries()) {
       const shown = label.split(`${name} `)[1].split(/[,]/)[0];
       near(quantity(shown, 'N'), summaryOf('truss').cycles[i].max_force_N, 1e-3, name);
@@ -208,7 +208,7 @@ test('play runs along the cycle until it is stopped', () =>
 
 test('a click on the loop moves the bearing there, and the mark on the loop follows the bearing', () =>
   withReport('one.html', async (page) => {
-    const mark = page.locator('#loops .cursor.point');
+    const mark = page.locator('#cycle-loops .cursor.point');
     await moveTo(page, 75);
     const wanted = await state(page);
     const there = await mark.boundingBox();
@@ -220,7 +220,7 @@ test('a click on the loop moves the bearing there, and the mark on the loop foll
     assert.deepEqual(reached, wanted);
     assert.deepEqual(await mark.boundingBox(), there);
     // Values with units stand beside the pointer.
-    const tip = await page.locator('#loops .tip').textContent();
+    const tip = await page.locator('#cycle-loops .tip').textContent();
     const cycle = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8')).find(
       (one) => Number(one.direction_deg) === 0 && Number(one.increment) === 75,
     );
@@ -244,7 +244,7 @@ test('data and drawings can be saved', () =>
       assert.equal(row.branch, expected[i].branch);
     });
     const results = rowsOf((await saved(page, 'Results by direction', /CSV/)).bytes.toString());
-    near(Number(results.find((row) => row.quantity === 'loop_energy_J')['90 deg']), summaryOf('truss').cycles[2].loop_energy_J, 1e-6, 'loop energy');
+    near(Number(results.find((row) => row.quantity === 'loop_energy_J')['+Y']), summaryOf('truss').cycles[2].loop_energy_J, 1e-6, 'loop energy');
     for (const name of ['Loops', 'The foils, laid flat', 'The bearing', 'Contact states along the path']) {
       const drawing = (await saved(page, name, /SVG/)).bytes.toString();
       assert.match(drawing, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
@@ -257,7 +257,7 @@ test('data and drawings can be saved', () =>
 
 test('loads and states are those of the results', () =>
   withReport('one.html', async (page) => {
-    const loads = await page.locator('#loads .panel').nth(2).getByRole('button', { name: /CSV/ });
+    const loads = await page.locator('#cycle-loads .panel').nth(2).getByRole('button', { name: /CSV/ });
     const download = page.waitForEvent('download');
     await loads.click();
     const rows = rowsOf(readFileSync(await (await download).path(), 'utf8'));
@@ -302,7 +302,7 @@ test('a partial run is shown as far as it got, and called partial', async () => 
     assert.match(warnings, /−Y was not begun/);
     assert.ok((await page.locator('.unwrapped path').count()) > 5);
     await page.locator('.player select').selectOption('−Y');
-    assert.equal(await page.locator('.player output').textContent(), 'this direction was not begun');
+    assert.equal(await page.locator('.player output').textContent(), '−Y was not begun');
   });
 });
 

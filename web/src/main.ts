@@ -3,12 +3,13 @@ import { readRuns, type Run } from './data/run';
 import { warningsOf } from './tables/results';
 import { el } from './ui/dom';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
-import { cycleView } from './views/cycle';
+import { loopView } from './views/loops';
 import './style.css';
 
 /** One view per kind of result; runs of one kind are compared in it. */
-const views: Record<string, { title: string; show: (runs: Run[]) => HTMLElement[] }> = {
-  cycle: { title: 'Push and pull', show: cycleView },
+const views: Record<string, (runs: Run[]) => HTMLElement[]> = {
+  cycle: loopView,
+  strip: loopView,
 };
 
 function themeButton(): HTMLElement {
@@ -66,15 +67,15 @@ function start(): void {
   const report = JSON.parse(document.getElementById('bumpfoil-data')?.textContent ?? '') as ReportData;
   const runs = readRuns(report);
   startTheme();
-  const sections: HTMLElement[] = [];
-  for (const [kind, { show }] of Object.entries(views)) {
+  const parts: HTMLElement[][] = [];
+  for (const [kind, show] of Object.entries(views)) {
     const members = runs.filter((run) => run.data.kind === kind);
-    if (members.length > 0) sections.push(...show(members));
+    if (members.length > 0) parts.push(show(members));
   }
   document.getElementById('report')?.append(
-    masthead(report, runs, sections),
+    masthead(report, runs, parts.flat()),
     ...warnings(runs),
-    ...sections,
+    ...parts.map((sections) => el('div', { class: 'view' }, ...sections)),
     el('footer', {}, 'Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
   );
 }

@@ -3,22 +3,26 @@ import { stretchesOf } from '../src/charts/stretches';
 import { labelOffsets } from '../src/charts/label_offsets';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
-import type { DirectionData } from '../src/data/format';
-import { Direction, directionName, largest, shortNames } from '../src/data/run';
+import type { LoopData } from '../src/data/format';
+import { directionName } from '../src/data/kinds';
+import { Loop, largest, shortNames } from '../src/data/run';
 
 function base64(bytes: ArrayBuffer): string {
   return btoa(String.fromCharCode(...new Uint8Array(bytes)));
 }
 
 /** Two bumps, `states` increment by increment. */
-function direction(displacement: number[], steps: number, states: number[][]): Direction {
-  const data: DirectionData = {
-    direction_deg: 90,
+function loop(displacement: number[], steps: number, states: number[][]): Loop {
+  const data: LoopData = {
+    at: 90,
     increments: displacement.map((_, i) => i),
-    series: { displacement: base64(new Float32Array(displacement).buffer) },
+    series: {
+      displacement: base64(new Float32Array(displacement).buffer),
+      branch: base64(new Int8Array(displacement.map((_, i) => (i <= steps ? 0 : 1))).buffer),
+    },
     fields: { state_top_bump: { at: 'bump', values: base64(new Int8Array(states.flat()).buffer) } },
   };
-  return new Direction(data, { bump: 2, foot: 2 }, undefined, steps, Math.max(...displacement));
+  return new Loop(data, { bump: 2, foot: 2 }, 2 * steps, '+Y', undefined, steps, Math.max(...displacement));
 }
 
 describe('base64', () => {
@@ -36,13 +40,17 @@ describe('directions', () => {
   });
 
   it('know their turning point and their way', () => {
-    const whole = direction([0, 1, 2, 1, 0], 2, []);
+    const whole = loop([0, 1, 2, 1, 0], 2, []);
     expect(whole.turning).toBe(2);
     expect([0, 1, 2, 3, 4].map((i) => whole.path(i))).toEqual([0, 1, 2, 3, 4]);
+    expect(whole.branches()).toEqual([
+      { loading: true, indices: [0, 1, 2] },
+      { loading: false, indices: [2, 3, 4] },
+    ]);
   });
 
   it('end where the run ended', () => {
-    const broken = direction([0, 1], 2, []);
+    const broken = loop([0, 1], 2, []);
     expect(broken.turning).toBe(1);
     expect(broken.size).toBe(2);
     expect(broken.value('work', 0)).toBeNaN();
@@ -59,7 +67,7 @@ describe('contact states', () => {
       [0, 3],
       [2, 3],
     ];
-    expect(stretchesOf(direction([0, 1, 2, 1, 0], 2, states), 'top_bump')).toEqual([
+    expect(stretchesOf(loop([0, 1, 2, 1, 0], 2, states), 'top_bump')).toEqual([
       { node: 0, state: 'slip forward', first: 1, last: 2 },
       { node: 0, state: 'slip forward', first: 4, last: 4 },
       { node: 1, state: 'stick', first: 0, last: 1 },

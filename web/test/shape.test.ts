@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BearingGeometry, shapeAt, undeformedGap } from '../src/bearing/shape';
-import type { DirectionData, RunData } from '../src/data/format';
+import type { LoopData, RunData } from '../src/data/format';
 import { Run } from '../src/data/run';
 
 function base64(numbers: number[]): string {
@@ -9,7 +9,7 @@ function base64(numbers: number[]): string {
 
 /** Two bumps of pitch 4 mm on a radius of 10 mm, clearance 30 um; the journal is 50 um below the centre. */
 function run(feet: number): Run {
-  const field = (at: 'bump' | 'foot', numbers: number[]): DirectionData['fields'][string] => ({ at, values: base64(numbers) });
+  const field = (at: 'bump' | 'foot', numbers: number[]): LoopData['fields'][string] => ({ at, values: base64(numbers) });
   const footPlaces = feet === 2 ? [4e-3, 8e-3] : [0.5e-3, 3.5e-3, 4.5e-3, 7.5e-3];
   const data: RunData = {
     name: '/results',
@@ -35,9 +35,10 @@ function run(feet: number): Run {
       sleeve_gap: [0, 0],
     },
     nodes: { bump: 2, foot: feet },
-    directions: [
+    last_increment: 2,
+    loops: [
       {
-        direction_deg: 270,
+        at: 270,
         increments: [0],
         series: { displacement: base64([50e-6]), x: base64([0]), y: base64([-50e-6]) },
         fields: {
@@ -46,6 +47,7 @@ function run(feet: number): Run {
           foot_u: field('foot', footPlaces.map((_, i) => i * 1e-6)),
           foot_v: field('foot', footPlaces.map(() => 0)),
           top_displacement: field('bump', [20e-6, 5e-6]),
+          state_journal_top: field('bump', [0, 0]),
         },
       },
     ],
@@ -55,7 +57,7 @@ function run(feet: number): Run {
 
 function shapeOf(feet: number): ReturnType<typeof shapeAt> {
   const one = run(feet);
-  return shapeAt(new BearingGeometry(one), one.directions[0]!, 0);
+  return shapeAt(new BearingGeometry(one), one.loops[0]!, 0);
 }
 
 describe('shape', () => {
@@ -84,9 +86,10 @@ describe('shape', () => {
   });
 
   it('has the gap of the journal that the conventions say', () => {
-    const geometry = new BearingGeometry(run(2));
+    const one = run(2);
+    const geometry = new BearingGeometry(one);
     // With the defaults C_r + x cos(theta) - y sin(theta).
-    expect(undeformedGap(geometry, 2e-3, 0, -50e-6)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
-    expect(shapeOf(2).journal[0]!.moveIn).toBeCloseTo(30e-6, 10);
+    expect(undeformedGap(geometry, 2e-3, one.loops[0]!, 0)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
+    expect(shapeOf(2).mover[0]!.moveIn).toBeCloseTo(30e-6, 10);
   });
 });

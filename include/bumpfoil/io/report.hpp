@@ -16,14 +16,15 @@ inline constexpr std::size_t most_report_values = 2'000'000;
 
 /// Everything that a report shows of the results in some folders, as JSON.
 ///
-/// `{"schema": "bumpfoil-report/1", "version", "commit", "date", "runs": [...]}` with one object per folder:
+/// `{"schema": "bumpfoil-report/1", "version", "commit", "runs": [...]}` with one object per folder:
 /// `name`, `kind`, `attributes` (global texts of result.nc), `summary` (summary.json as it is), `geometry` (variables
-/// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes) and `directions`.
-/// A direction has `direction_deg`, `increments` (numbers of those that are kept: all, or every n-th one, always with
-/// the first, the turning point and the last), `series` (variables per increment) and `fields` (per increment and
-/// node: `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes;
-/// NaN and -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here; gaps
-/// are left out, since the displacements give them.
+/// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes), `last_increment`
+/// (that was asked for) and `loops`: the directions of a bearing or the cycles of a strip. A loop has `at` (the
+/// direction in degrees, or the number of the cycle), `increments` (numbers of those that are kept: all, or every n-th
+/// one of each branch, always with its ends), `series` (variables per increment) and `fields` (per increment and node:
+/// `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes; NaN and
+/// -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here; gaps are left
+/// out, since the displacements give them.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///

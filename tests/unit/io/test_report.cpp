@@ -113,11 +113,11 @@ TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
   EXPECT_EQ(run.at("nodes"), (json{{"bump", 26}, {"foot", 26}}));
   EXPECT_EQ(run.at("geometry").at("bearing_radius"), 19.05e-3);
   EXPECT_EQ(run.at("geometry").at("height_error").at(2), 10e-6);
-  ASSERT_EQ(run.at("directions").size(), 2U);
+  ASSERT_EQ(run.at("loops").size(), 2U);
   for (std::size_t d = 0; d < 2; ++d) {
-    const json& direction = run.at("directions").at(d);
+    const json& direction = run.at("loops").at(d);
     const std::vector<Increment>& increments = result.cycles[d].increments;
-    EXPECT_EQ(direction.at("direction_deg"), 90.0 * static_cast<double>(d));
+    EXPECT_EQ(direction.at("at"), 90.0 * static_cast<double>(d));
     EXPECT_EQ(direction.at("increments").size(), 11U);
     const std::vector<float> force = numbers_of(direction.at("series").at("force_direct"));
     const json& loads = direction.at("fields").at("normal_force_top_bump");
@@ -145,10 +145,10 @@ TEST(Report, EndsWhereAPartialRunEnded) {
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const json run = json::parse(text).at("runs").at(0);
   EXPECT_EQ(run.at("attributes").at("status"), "partial");
-  EXPECT_EQ(run.at("directions").at(0).at("increments"), (json{0, 1, 2, 3}));
-  EXPECT_EQ(numbers_of(run.at("directions").at(0).at("series").at("work")).size(), 4U);
-  EXPECT_EQ(run.at("directions").at(1).at("increments"), json::array());
-  EXPECT_EQ(run.at("directions").at(1).at("series").at("work"), "");
+  EXPECT_EQ(run.at("loops").at(0).at("increments"), (json{0, 1, 2, 3}));
+  EXPECT_EQ(numbers_of(run.at("loops").at(0).at("series").at("work")).size(), 4U);
+  EXPECT_EQ(run.at("loops").at(1).at("increments"), json::array());
+  EXPECT_EQ(run.at("loops").at(1).at("series").at("work"), "");
 }
 
 TEST(Report, ThinsWhatIsTooMuchButKeepsTheTurningPoint) {
@@ -156,10 +156,10 @@ TEST(Report, ThinsWhatIsTooMuchButKeepsTheTurningPoint) {
   const json whole = json::parse(report_json({results.path()}));
   // 2 directions, 11 increments, 26 bumps, 13 fields are 7436 numbers: every third increment fits.
   const json thinned = json::parse(report_json({results.path()}, 7436 / 3 + 1));
-  const json& direction = thinned.at("runs").at(0).at("directions").at(1);
+  const json& direction = thinned.at("runs").at(0).at("loops").at(1);
   EXPECT_EQ(direction.at("increments"), (json{0, 3, 5, 8, 10}));
   const std::vector<float> all =
-      numbers_of(whole.at("runs").at(0).at("directions").at(1).at("fields").at("crest_v").at("values"));
+      numbers_of(whole.at("runs").at(0).at("loops").at(1).at("fields").at("crest_v").at("values"));
   const std::vector<float> some = numbers_of(direction.at("fields").at("crest_v").at("values"));
   ASSERT_EQ(some.size(), 5U * 26U);
   for (std::size_t i = 0; i < 5; ++i) {

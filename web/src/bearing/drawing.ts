@@ -1,5 +1,5 @@
 /** Pieces that both views of the bearing are drawn with. */
-import { contactStates, type Direction, type Interface } from '../data/run';
+import { contactStates, type Loop, type Interface } from '../data/run';
 import { svg } from '../ui/dom';
 import { fontFamily, type Look } from '../ui/theme';
 
@@ -50,15 +50,15 @@ export function text(place: Place, content: string, current: Look, more: Record<
 /** State of a contact as a mark: ring, square, or a triangle that points where it slips to. */
 export function stateMark(
   place: Place,
-  direction: Direction,
-  kind: Interface,
+  loop: Loop,
+  interfaceName: Interface['name'],
   index: number,
   node: number,
   current: Look,
   /** Way of increasing place along the foil on the drawing. */
   forward: Place,
 ): SVGElement {
-  const state = contactStates[direction.states(kind.name).at(index, node)] ?? 'open';
+  const state = contactStates[loop.states(interfaceName).at(index, node)] ?? 'open';
   const { x, y } = place;
   if (state === 'open') {
     return svg('circle', { cx: x, cy: y, r: 2.2, fill: current.background, stroke: current.muted });

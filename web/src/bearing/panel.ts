@@ -1,4 +1,4 @@
-import { contactStates, interfaces, largest, type Direction } from '../data/run';
+import { contactStates, largest, type Loop } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { dropDown, el, svg } from '../ui/dom';
@@ -53,11 +53,10 @@ export class BearingPanels {
         ...common,
       },
       this.roundDrawing,
-      this.caption,
     );
     this.unwrapped = panel(
       {
-        title: 'The foils, laid flat',
+        title: selection.run.kind.flat ? 'The foils' : 'The foils, laid flat',
         controls: [
           el('label', { class: 'control' }, 'Displacements and gaps', factors),
           el('label', { class: 'control' }, forces, 'Forces'),
@@ -67,6 +66,7 @@ export class BearingPanels {
         ...common,
       },
       this.flatPlace,
+      this.caption,
       this.bumpText,
       this.legend(),
     );
@@ -86,23 +86,23 @@ export class BearingPanels {
     return (fittingAlong(this.geometry) * this.inwards) / fittingInwards(this.geometry);
   }
 
-  private get direction(): Direction {
-    return this.selection.direction;
+  private get loop(): Loop {
+    return this.selection.loop;
   }
 
   private draw(): void {
-    if (this.direction.size === 0 || this.flatPlace.clientWidth === 0) return;
+    if (this.loop.size === 0 || this.flatPlace.clientWidth === 0) return;
     const { index, run } = this.selection;
     const current = look();
     const scene: Scene = {
       geometry: this.geometry,
-      direction: this.direction,
+      loop: this.loop,
       index,
-      shape: shapeAt(this.geometry, this.direction, index),
+      shape: shapeAt(this.geometry, this.loop, index),
       inwards: this.inwards,
       along: this.along,
       largestForce: largest(
-        ...run.directions.flatMap((one) => interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
+        ...run.loops.flatMap((one) => run.interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
       ) || 1,
       forces: this.forces,
       bump: this.bump,
@@ -110,14 +110,14 @@ export class BearingPanels {
     // Bumps narrower than some pixels are no use: small screens scroll.
     this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.flatPlace.clientWidth, 24 * run.bumps + 28));
     this.flatDrawing.style.width = `${this.layout.width}px`;
-    drawRound(this.roundDrawing, scene, current);
+    if (!run.kind.flat) drawRound(this.roundDrawing, scene, current);
     this.describe();
   }
 
   private describe(): void {
-    const { direction, index } = this.selection;
-    const branch = index === direction.turning ? 'full displacement' : direction.isLoading(index) ? 'loading' : 'unloading';
-    const where = `${direction.name}, ${branch}: ${formatQuantity(direction.value('displacement', index), 'm')}, ${formatQuantity(direction.value('force_direct', index), 'N')}`;
+    const { loop, index } = this.selection;
+    const branch = index === loop.turning ? 'full displacement' : loop.isLoading(index) ? 'loading' : 'unloading';
+    const where = `${loop.name}, ${branch}: ${formatQuantity(loop.value('displacement', index), 'm')}, ${formatQuantity(loop.value('force_direct', index), 'N')}`;
     const stretch = this.layout ? `, heights ×${this.layout.stretch.toPrecision(2)} against lengths` : '';
     this.caption.textContent = `${where}. Displacements and gaps ×${this.inwards} against the height of the bumps, slip ×${Number(this.along.toPrecision(2))} against their pitch.`;
     this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${where}${stretch}. Arrow keys choose a bump.`);
@@ -126,15 +126,15 @@ export class BearingPanels {
   }
 
   private bumpValues(bump: number): string {
-    const { direction, index } = this.selection;
-    const force = (name: string, node: number): string => formatQuantity(direction.field(name).at(index, node), 'N', 3);
-    const length = (name: string): string => formatQuantity(direction.field(name).at(index, bump), 'm', 3);
-    const state = (name: string, node: number): string => contactStates[direction.states(name).at(index, node)] ?? 'unknown';
+    const { loop, index, run } = this.selection;
+    const force = (name: string, node: number): string => formatQuantity(loop.field(name).at(index, node), 'N', 3);
+    const length = (name: string): string => formatQuantity(loop.field(name).at(index, bump), 'm', 3);
+    const state = (name: string, node: number): string => contactStates[loop.states(name).at(index, node)] ?? 'unknown';
     const feet = this.geometry.feetOf(bump).filter((foot): foot is number => foot !== undefined);
     const own = this.geometry.twoFeet ? feet : [bump];
     return [
       `Bump ${bump + 1}: load ${force('normal_force_top_bump', bump)}, friction ${force('friction_force_top_bump', bump)}, ${state('top_bump', bump)}`,
-      `journal ${force('normal_force_journal_top', bump)}`,
+      ...(this.geometry.topFoil ? [`${run.kind.mover} ${force('normal_force_journal_top', bump)}`] : []),
       `crest ${length('crest_v')} outwards, ${length('crest_u')} along`,
       ...own.map((foot) => `foot ${foot + 1} ${force('normal_force_bump_sleeve', foot)}, ${state('bump_sleeve', foot)}`),
     ].join(' · ');
@@ -181,25 +181,26 @@ export class BearingPanels {
   }
 
   private file(what: string): string {
-    return fileName(what, this.direction.name, String(this.direction.increments[this.selection.index]));
+    return fileName(what, this.loop.name, String(this.loop.increments[this.selection.index]));
   }
 
   /** All that is known of bumps and feet at the increment. */
   private csv(): string {
-    const { direction, index, run } = this.selection;
-    const atBumps = ['top_displacement', 'crest_u', 'crest_v', 'normal_force_journal_top', 'normal_force_top_bump', 'friction_force_top_bump'];
+    const { loop, index, run } = this.selection;
+    const atBumps = ['crest_u', 'crest_v', 'normal_force_top_bump', 'friction_force_top_bump'];
+    if (this.geometry.topFoil) atBumps.push('top_displacement', 'normal_force_journal_top');
     const atFeet = ['foot_u', 'foot_v', 'normal_force_bump_sleeve', 'friction_force_bump_sleeve'];
-    const header = ['run', 'direction_deg', 'increment', 'node', 'number', 'quantity', 'value_SI'];
+    const header = ['run', run.kind.loops.column, 'increment', 'node', 'number', 'quantity', 'value_SI'];
     const rows = (names: string[], node: string, count: number): (string | number)[][] =>
       names.flatMap((name) =>
         Array.from({ length: count }, (_, i) => [
           run.label,
-          direction.degrees,
-          direction.increments[index] ?? 0,
+          loop.key,
+          loop.increments[index] ?? 0,
           node,
           i + 1,
           name,
-          direction.field(name).at(index, i),
+          loop.field(name).at(index, i),
         ]),
       );
     return toCsv(header, [...rows(atBumps, 'bump', run.bumps), ...rows(atFeet, 'foot', run.feet)]);

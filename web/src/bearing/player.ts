@@ -1,4 +1,4 @@
-import { at, directionName, type Run } from '../data/run';
+import { at, type Run } from '../data/run';
 import { formatQuantity } from '../data/units';
 import { dropDown, el } from '../ui/dom';
 import type { Selection } from '../ui/selection';
@@ -16,9 +16,9 @@ export function player(selection: Selection): HTMLElement {
     selection.runs.map((run) => ({ value: run, text: run.label })),
     (run) => selection.show({ run }),
   );
-  const directions = el('select', { 'aria-label': 'Direction' });
-  directions.addEventListener('change', () => {
-    selection.show({ degrees: at(selection.run.directions, directions.selectedIndex).degrees });
+  const loops = el('select', { 'aria-label': at(selection.runs, 0).kind.loops.title });
+  loops.addEventListener('change', () => {
+    selection.show({ key: at(selection.run.loops, loops.selectedIndex).key });
   });
 
   let frame = 0;
@@ -28,15 +28,15 @@ export function player(selection: Selection): HTMLElement {
     refresh();
   };
   const start = (): void => {
-    const { direction } = selection;
-    const first = selection.index >= direction.size - 1 ? 0 : selection.index;
-    const began = performance.now() - (duration * first) / Math.max(1, direction.size - 1);
+    const { loop } = selection;
+    const first = selection.index >= loop.size - 1 ? 0 : selection.index;
+    const began = performance.now() - (duration * first) / Math.max(1, loop.size - 1);
     const step = (now: number): void => {
-      if (selection.direction !== direction) return stop();
-      const index = Math.floor((Math.max(0, now - began) / duration) * (direction.size - 1));
+      if (selection.loop !== loop) return stop();
+      const index = Math.floor((Math.max(0, now - began) / duration) * (loop.size - 1));
       frame = requestAnimationFrame(step);
       if (index !== selection.index) selection.show({ index });
-      if (index >= direction.size - 1) stop();
+      if (index >= loop.size - 1) stop();
     };
     frame = requestAnimationFrame(step);
     refresh();
@@ -49,25 +49,25 @@ export function player(selection: Selection): HTMLElement {
 
   let listed: Run | undefined;
   const refresh = (): void => {
-    const { run, direction, index } = selection;
+    const { run, loop, index } = selection;
     if (run !== listed) {
       listed = run;
       runs.selectedIndex = selection.runs.indexOf(run);
-      directions.replaceChildren(...run.directions.map(({ degrees }) => el('option', {}, directionName(degrees))));
+      loops.replaceChildren(...run.loops.map(({ name }) => el('option', {}, name)));
     }
-    directions.selectedIndex = run.directions.indexOf(direction);
-    slider.max = String(Math.max(0, direction.size - 1));
+    loops.selectedIndex = run.loops.indexOf(loop);
+    slider.max = String(Math.max(0, loop.size - 1));
     slider.value = String(index);
-    slider.disabled = direction.size === 0;
-    play.disabled = direction.size === 0;
+    slider.disabled = loop.size === 0;
+    play.disabled = loop.size === 0;
     play.textContent = frame === 0 ? '▶' : '❚❚';
     play.setAttribute('aria-label', frame === 0 ? 'Play the cycle' : 'Pause');
-    if (direction.size === 0) {
-      readout.textContent = 'this direction was not begun';
+    if (loop.size === 0) {
+      readout.textContent = `${loop.name} was not begun`;
       return;
     }
-    const branch = direction.isLoading(index) ? 'loading' : 'unloading';
-    const text = `${formatQuantity(direction.value('displacement', index), 'm')} · ${formatQuantity(direction.value('force_direct', index), 'N')} · ${branch} ${at(direction.increments, index)} / ${2 * direction.steps}`;
+    const branch = loop.isLoading(index) ? 'loading' : 'unloading';
+    const text = `${formatQuantity(loop.value('displacement', index), 'm')} · ${formatQuantity(loop.value('force_direct', index), 'N')} · ${branch} ${at(loop.increments, index)} / ${loop.lastIncrement}`;
     readout.textContent = text;
     slider.setAttribute('aria-valuetext', text);
   };
@@ -78,7 +78,7 @@ export function player(selection: Selection): HTMLElement {
     { class: 'player', role: 'region', 'aria-label': 'Position along the cycle' },
     play,
     ...(selection.runs.length > 1 ? [runs] : []),
-    directions,
+    loops,
     slider,
     readout,
   );

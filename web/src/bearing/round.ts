@@ -1,4 +1,4 @@
-import { at, interfaces } from '../data/run';
+import { at } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
@@ -45,13 +45,13 @@ function onCircle(angle: number, radius: number): Place {
 }
 
 export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): void {
-  const { geometry, shape, direction, index } = scene;
+  const { geometry, shape, loop, index } = scene;
   const layout = new RoundLayout(scene);
   const line = (points: ShapePoint[], lift: number): string => pathOf(points.map((point) => layout.place(point, lift)));
   const scale = scene.inwards * layout.perHeight;
   const journal = {
-    x: centre + scale * direction.value('x', index),
-    y: centre - scale * direction.value('y', index),
+    x: centre + scale * loop.value('x', index),
+    y: centre - scale * loop.value('y', index),
   };
   const journalRadius = sleeveRadius - bumpHeight - scale * geometry.clearance - 2 * foilGap;
   const weld = [onCircle(geometry.weldAngle, sleeveRadius + 5), layout.place(at(shape.topFoil, 0), foilGap)];
@@ -65,7 +65,7 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): voi
     svg('path', { d: line(shape.bumpFoil, 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     svg('path', { d: line(shape.topFoil, foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
-    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), direction, interfaces[2], index, i, current, layout.forward(foot))),
+    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), loop, 'bump_sleeve', index, i, current, layout.forward(foot))),
     ...numbers(scene, layout, current),
   );
 }
@@ -83,7 +83,7 @@ function axes(current: Look): SVGElement[] {
 
 /** Loads of the journal on the top foil, of the sleeve on the feet, and the force that holds the journal. */
 function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current: Look): SVGElement[] {
-  const { shape, direction, index } = scene;
+  const { shape, loop, index } = scene;
   const scale = longestArrow / scene.largestForce;
   let normals = '';
   const radial = (point: ShapePoint, lift: number, load: number): void => {
@@ -91,11 +91,11 @@ function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current:
     normals += arrowPath(onCircle(angle, radius - load * scale), onCircle(angle, radius));
   };
   shape.topNodes.forEach((node, bump) => {
-    radial(node, 2 * foilGap, direction.field('normal_force_journal_top').at(index, bump));
+    radial(node, 2 * foilGap, loop.field('normal_force_journal_top').at(index, bump));
   });
-  shape.feet.forEach((foot, i) => radial(foot, -3, -direction.field('normal_force_bump_sleeve').at(index, i)));
-  const force = { x: direction.value('force_x', index), y: direction.value('force_y', index) };
-  const most = Math.max(...['force_x', 'force_y'].flatMap((name) => [...direction.values(name)].map(Math.abs)), 1e-30);
+  shape.feet.forEach((foot, i) => radial(foot, -3, -loop.field('normal_force_bump_sleeve').at(index, i)));
+  const force = { x: loop.value('force_x', index), y: loop.value('force_y', index) };
+  const most = Math.max(...['force_x', 'force_y'].flatMap((name) => [...loop.values(name)].map(Math.abs)), 1e-30);
   const reach = (0.5 * sleeveRadius) / most;
   const tip = { x: journal.x + force.x * reach, y: journal.y - force.y * reach };
   return [

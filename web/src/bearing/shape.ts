@@ -1,5 +1,5 @@
 /** Shapes of the parts of a deformed bearing. Nothing is drawn here: the two views lay these points out. */
-import { at, largest, type Direction, type Run } from '../data/run';
+import { at, largest, type Loop, type Run } from '../data/run';
 
 /**
  * A point of a part: place along the foil from the weld and height over the sleeve (m, as designed), and what is to be
@@ -14,9 +14,12 @@ export interface ShapePoint {
 
 export interface Shape {
   bumpFoil: ShapePoint[];
+  /** Empty where there is none, and so is `topNodes`. */
   topFoil: ShapePoint[];
-  journal: ShapePoint[];
-  sleeve: ShapePoint[];
+  /** Of the journal, or of the plate. */
+  mover: ShapePoint[];
+  /** Of the sleeve, or of the base. */
+  ground: ShapePoint[];
   /** One per bump. */
   crests: ShapePoint[];
   /** One per bump, of the top foil over it. */
@@ -39,6 +42,9 @@ export class BearingGeometry {
   readonly heightErrors: number[];
   readonly sleeveGaps: number[];
   readonly twoFeet: boolean;
+  readonly topFoil: boolean;
+  /** A strip may be free at both ends. */
+  readonly welded: boolean;
 
   constructor(readonly run: Run) {
     const bearing = (run.data.summary.case['bearing'] ?? {}) as { weld_angle?: number; wrap?: string };
@@ -49,11 +55,15 @@ export class BearingGeometry {
     this.clearance = run.scalar('radial_clearance');
     this.weldAngle = bearing.weld_angle ?? Math.PI;
     this.sense = bearing.wrap === 'counterclockwise' ? 1 : -1;
-    this.crestPlaces = run.perNode('theta').map((theta) => theta * this.radius);
-    this.footPlaces = run.perNode('foot_theta').map((theta) => theta * this.radius);
+    const places = (flat: string, round: string): number[] =>
+      run.kind.flat ? run.perNode(flat) : run.perNode(round).map((angle) => angle * this.radius);
+    this.crestPlaces = places('crest_position', 'theta');
+    this.footPlaces = places('foot_position', 'foot_theta');
     this.heightErrors = run.perNode('height_error');
     this.sleeveGaps = run.perNode('sleeve_gap');
     this.twoFeet = run.feet === 2 * run.bumps;
+    this.topFoil = run.interfaces.some(({ name }) => name === 'journal_top');
+    this.welded = (run.data.summary.case['strip'] as { weld?: string } | undefined)?.weld !== 'none';
   }
 
   get length(): number {
@@ -70,9 +80,10 @@ export class BearingGeometry {
     return Math.sqrt(radius ** 2 - distance ** 2) - (radius - this.rise);
   }
 
-  /** Feet at the start and the end of a bump's arc; none at the start of the first one of a truss, which is the weld. */
+  /** Feet at the start and the end of a bump's arc; none at the start of the first one of a truss that is welded there. */
   feetOf(bump: number): [number | undefined, number] {
     if (this.twoFeet) return [2 * bump, 2 * bump + 1];
+    if (this.run.feet > this.run.bumps) return [bump, bump + 1];
     return [bump > 0 ? bump - 1 : undefined, bump];
   }
 }
@@ -84,12 +95,18 @@ interface Move {
   inwards: number;
 }
 
-function bumpFoil(geometry: BearingGeometry, direction: Direction, index: number): ShapePoint[] {
-  const [crestU, crestV] = [direction.field('crest_u'), direction.field('crest_v')];
-  const [footU, footV] = [direction.field('foot_u'), direction.field('foot_v')];
+function bumpFoil(geometry: BearingGeometry, loop: Loop, index: number): ShapePoint[] {
+  const [crestU, crestV] = [loop.field('crest_u'), loop.field('crest_v')];
+  const [footU, footV] = [loop.field('foot_u'), loop.field('foot_v')];
   const footMove = (foot: number | undefined): Move =>
     foot === undefined ? { along: 0, inwards: 0 } : { along: footU.at(index, foot), inwards: -footV.at(index, foot) };
-  const points: ShapePoint[] = [{ along: 0, height: 0, moveAlong: 0, moveIn: 0 }];
+  const atFoot = (foot: number): ShapePoint => {
+    const move = footMove(foot);
+    return { along: at(geometry.footPlaces, foot), height: 0, moveAlong: move.along, moveIn: move.inwards };
+  };
+  const points: ShapePoint[] = [];
+  if (geometry.welded) points.push({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
+  else if (!geometry.twoFeet) points.push(atFoot(0));
   geometry.crestPlaces.forEach((place, bump) => {
     const [start, end] = geometry.feetOf(bump);
     const crest: Move = {
@@ -111,17 +128,14 @@ function bumpFoil(geometry: BearingGeometry, direction: Direction, index: number
   });
   // After the last bump of a truss there is half a flat; a frame ends with its arc.
   const last = geometry.footPlaces.length - 1;
-  if (!geometry.twoFeet && last >= 0) {
-    const move = footMove(last);
-    points.push({ along: at(geometry.footPlaces, last), height: 0, moveAlong: move.along, moveIn: move.inwards });
-  }
+  if (!geometry.twoFeet && last >= 0) points.push(atFoot(last));
   return points;
 }
 
 /** A smooth curve through what is known at the weld and over the crests. */
 function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
-  const weld: ShapePoint = { along: 0, height: geometry.rise, moveAlong: 0, moveIn: 0 };
-  const known = [weld, ...nodes];
+  const first: ShapePoint = { along: 0, height: geometry.rise, moveAlong: 0, moveIn: geometry.welded ? 0 : at(nodes, 0).moveIn };
+  const known = [first, ...nodes];
   const slope = (i: number): number => {
     // Clamped at the weld; free at the other end.
     if (i === 0) return 0;
@@ -129,7 +143,7 @@ function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
     const after = known[i + 1] ?? at(known, i);
     return (after.moveIn - before.moveIn) / (after.along - before.along);
   };
-  const points: ShapePoint[] = [weld];
+  const points: ShapePoint[] = [first];
   const pieces = 6;
   for (let i = 1; i < known.length; i += 1) {
     const [a, b] = [at(known, i - 1), at(known, i)];
@@ -153,23 +167,24 @@ function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
   return points;
 }
 
-/** Gap between the undeformed top foil and a journal centred at (x, y). */
-export function undeformedGap(geometry: BearingGeometry, along: number, x: number, y: number): number {
+/** Gap between the undeformed top foil (or the crests) and the journal or the plate. */
+export function undeformedGap(geometry: BearingGeometry, along: number, loop: Loop, index: number): number {
+  if (geometry.run.kind.flat) return -loop.value('displacement', index);
   const phi = geometry.polarAngle(along);
-  return geometry.clearance - (x * Math.cos(phi) + y * Math.sin(phi));
+  return geometry.clearance - (loop.value('x', index) * Math.cos(phi) + loop.value('y', index) * Math.sin(phi));
 }
 
-function journal(geometry: BearingGeometry, x: number, y: number): ShapePoint[] {
+function mover(geometry: BearingGeometry, loop: Loop, index: number): ShapePoint[] {
   const pieces = 120;
   return Array.from({ length: pieces + 1 }, (_, i) => {
     const along = (geometry.length * i) / pieces;
-    return { along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, along, x, y) };
+    return { along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, along, loop, index) };
   });
 }
 
-function sleeve(geometry: BearingGeometry): ShapePoint[] {
+function ground(geometry: BearingGeometry): ShapePoint[] {
   const surface = geometry.footPlaces.map((along, foot) => {
-    const bump = geometry.twoFeet ? Math.floor(foot / 2) : foot;
+    const bump = geometry.twoFeet ? Math.floor(foot / 2) : Math.min(foot, geometry.run.bumps - 1);
     return { along, height: 0, moveAlong: 0, moveIn: -(geometry.sleeveGaps[bump] ?? 0) };
   });
   return [
@@ -180,21 +195,22 @@ function sleeve(geometry: BearingGeometry): ShapePoint[] {
 }
 
 /** The bearing at an increment. */
-export function shapeAt(geometry: BearingGeometry, direction: Direction, index: number): Shape {
-  const [crestU, crestV] = [direction.field('crest_u'), direction.field('crest_v')];
-  const [footU, footV] = [direction.field('foot_u'), direction.field('foot_v')];
-  const top = direction.field('top_displacement');
-  const topNodes = geometry.crestPlaces.map((along, bump) => ({
+export function shapeAt(geometry: BearingGeometry, loop: Loop, index: number): Shape {
+  const [crestU, crestV] = [loop.field('crest_u'), loop.field('crest_v')];
+  const [footU, footV] = [loop.field('foot_u'), loop.field('foot_v')];
+  const top = loop.field('top_displacement');
+  const places = geometry.topFoil ? geometry.crestPlaces : [];
+  const topNodes = places.map((along, bump) => ({
     along,
     height: geometry.rise,
     moveAlong: 0,
     moveIn: -top.at(index, bump),
   }));
   return {
-    bumpFoil: bumpFoil(geometry, direction, index),
-    topFoil: topFoil(geometry, topNodes),
-    journal: journal(geometry, direction.value('x', index), direction.value('y', index)),
-    sleeve: sleeve(geometry),
+    bumpFoil: bumpFoil(geometry, loop, index),
+    topFoil: geometry.topFoil ? topFoil(geometry, topNodes) : [],
+    mover: mover(geometry, loop, index),
+    ground: ground(geometry),
     topNodes,
     crests: geometry.crestPlaces.map((along, bump) => ({
       along,
@@ -222,17 +238,17 @@ function largestFactor(most: number): number {
 /** The largest factor with which no bump of a run is drawn pressed by more than half its height. */
 export function fittingInwards(geometry: BearingGeometry): number {
   const pressed = Math.max(
-    largest(...geometry.run.directions.map((direction) => direction.values('displacement'))) - geometry.clearance,
+    largest(...geometry.run.loops.map((loop) => loop.values('displacement'))) - geometry.clearance,
     Math.abs(geometry.clearance),
     largest(geometry.heightErrors),
   );
   return largestFactor((0.5 * geometry.rise) / pressed);
 }
 
-/** The largest factor with which no foot or crest is drawn half a pitch away from its place. */
+/** The largest factor with which no foot or crest is drawn 0.4 pitches away from its place. */
 export function fittingAlong(geometry: BearingGeometry): number {
-  const fields = geometry.run.directions.flatMap((direction) =>
-    ['crest_u', 'foot_u'].map((name) => direction.field(name).values),
+  const fields = geometry.run.loops.flatMap((loop) =>
+    ['crest_u', 'foot_u'].map((name) => loop.field(name).values),
   );
-  return Math.min(100, largestFactor((0.5 * geometry.pitch) / largest(...fields)));
+  return Math.min(100, largestFactor((0.4 * geometry.pitch) / largest(...fields)));
 }

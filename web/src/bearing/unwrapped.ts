@@ -1,4 +1,4 @@
-import { at, interfaces, type Direction } from '../data/run';
+import type { Loop } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
@@ -6,7 +6,7 @@ import type { BearingGeometry, Shape, ShapePoint } from './shape';
 
 export interface Scene {
   geometry: BearingGeometry;
-  direction: Direction;
+  loop: Loop;
   index: number;
   shape: Shape;
   /** Of displacements inwards and gaps, against the height of the bumps. */
@@ -66,13 +66,13 @@ export class UnwrappedLayout {
 
 export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, width: number): UnwrappedLayout {
   const { shape } = scene;
+  const { kind } = scene.geometry.run;
   const layout = new UnwrappedLayout(scene, width);
   const line = (points: ShapePoint[], lift: number): Place[] => points.map((point) => layout.place(point, lift));
-  const journal = line(shape.journal, 2 * foilGap);
-  const sleeve = line(shape.sleeve, -foilGap / 2);
+  const journal = line(shape.mover, 2 * foilGap);
+  const sleeve = line(shape.ground, -foilGap / 2);
   const journalBody = [{ x: margin, y: 0 }, ...journal, { x: width - margin, y: 0 }];
   const sleeveBody = [...sleeve, { x: width - margin, y: height - 22 }, { x: margin, y: height - 22 }];
-  const weld = [layout.place(at(shape.sleeve, 0)), layout.place(at(shape.topFoil, 0), foilGap)];
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(
     ...highlight(scene, layout, current),
@@ -80,17 +80,27 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
     svg('path', { d: pathOf(journal), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
     svg('path', { d: pathOf(sleeveBody, true), fill: current.grid }),
     svg('path', { d: pathOf(sleeve), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
-    svg('path', { d: pathOf(weld), stroke: current.topFoil, 'stroke-width': 3.4 }),
+    ...weld(scene, layout, current),
     svg('path', { d: pathOf(line(shape.bumpFoil, 0)), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
     svg('path', { d: pathOf(line(shape.topFoil, foilGap)), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, current) : []),
     ...marks(scene, layout, current),
     ...numbers(scene, layout, current),
-    text({ x: margin + 8, y: 18 }, 'journal', current),
-    text({ x: width - margin - 8, y: height - 28 }, 'sleeve', current, { 'text-anchor': 'end' }),
-    text({ x: margin + 6, y: height - 28 }, 'weld', current),
+    text({ x: margin + 8, y: 18 }, kind.mover, current),
+    text({ x: width - margin - 8, y: height - 28 }, kind.ground, current, { 'text-anchor': 'end' }),
   );
   return layout;
+}
+
+/** Line to which the foils are welded. */
+function weld({ geometry, shape }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+  if (!geometry.welded) return [];
+  const foot = layout.place({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
+  const top = layout.place(shape.topFoil[0] ?? { along: 0, height: 0.12 * geometry.rise, moveAlong: 0, moveIn: 0 }, foilGap);
+  return [
+    svg('path', { d: pathOf([foot, top]), stroke: current.topFoil, 'stroke-width': 3.4 }),
+    text({ x: margin + 6, y: height - 28 }, 'weld', current),
+  ];
 }
 
 function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
@@ -101,11 +111,11 @@ function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: 
 }
 
 function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
-  const { shape, direction, index } = scene;
+  const { shape, loop, index } = scene;
   const scale = longestArrow / scene.largestForce;
-  const normal = (name: string, node: number): number => direction.field(`normal_force_${name}`).at(index, node) * scale;
+  const normal = (name: string, node: number): number => loop.field(`normal_force_${name}`).at(index, node) * scale;
   const along = (name: string, node: number): number =>
-    direction.field(`friction_force_${name}`).at(index, node) * scale * frictionFactor;
+    loop.field(`friction_force_${name}`).at(index, node) * scale * frictionFactor;
   let normals = '';
   let frictions = '';
   shape.topNodes.forEach((node, bump) => {
@@ -113,8 +123,12 @@ function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGE
     normals += arrowPath({ x: tip.x, y: tip.y - normal('journal_top', bump) }, tip);
   });
   shape.crests.forEach((crest, bump) => {
+    const tip = layout.place(crest, foilGap);
     const tail = layout.place(crest, -4);
-    normals += arrowPath(tail, { x: tail.x, y: tail.y + normal('top_bump', bump) });
+    const load = normal('top_bump', bump);
+    // Where nothing lies between, it is the mover that presses.
+    if (shape.topFoil.length === 0) normals += arrowPath({ x: tip.x, y: tip.y - load }, tip);
+    else normals += arrowPath(tail, { x: tail.x, y: tail.y + load });
     frictions += arrowPath(tail, { x: tail.x + along('top_bump', bump), y: tail.y });
   });
   shape.feet.forEach((foot, i) => {
@@ -125,12 +139,11 @@ function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGE
   return [svg('path', { d: normals, fill: current.force }), svg('path', { d: frictions, fill: current.friction })];
 }
 
-function marks({ shape, direction, index }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+function marks({ shape, loop, index }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
   const forward = { x: 1, y: 0 };
-  const [, topBump, bumpSleeve] = interfaces;
   return [
-    ...shape.crests.map((crest, i) => stateMark(layout.place(crest), direction, topBump, index, i, current, forward)),
-    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), direction, bumpSleeve, index, i, current, forward)),
+    ...shape.crests.map((crest, i) => stateMark(layout.place(crest), loop, 'top_bump', index, i, current, forward)),
+    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), loop, 'bump_sleeve', index, i, current, forward)),
   ];
 }
 

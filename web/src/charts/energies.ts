@@ -1,4 +1,4 @@
-import { at, largest, type Direction } from '../data/run';
+import { at, largest, type Loop } from '../data/run';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { el, svg } from '../ui/dom';
@@ -11,7 +11,7 @@ import type { Curve } from './loops';
 import { PathAxis } from './path_axis';
 
 const energies = [
-  { name: 'work', text: 'work of the journal', style: 0, marker: 'circle' },
+  { name: 'work', text: 'work done on the foils', style: 0, marker: 'circle' },
   { name: 'elastic_energy', text: 'elastic energy gained', style: 2, marker: 'rect' },
   { name: 'dissipated_energy', text: 'dissipated by friction', style: 1, marker: 'triangle' },
 ] as const;
@@ -20,23 +20,23 @@ const energies = [
 const dashes: ('solid' | number[])[] = ['solid', [7, 3], [2, 2], [9, 3, 2, 3]];
 
 /** Since the centred journal, as work and dissipation are. */
-function energy(direction: Direction, name: string, index: number): number {
-  const value = direction.value(name, index);
-  return name === 'elastic_energy' ? value - direction.value(name, 0) : value;
+function energy(loop: Loop, name: string, index: number): number {
+  const value = loop.value(name, index);
+  return name === 'elastic_energy' ? value - loop.value(name, 0) : value;
 }
 
-function energiesOf(direction: Direction, name: string): number[] {
-  return direction.increments.map((_, index) => energy(direction, name, index));
+function energiesOf(loop: Loop, name: string): number[] {
+  return loop.increments.map((_, index) => energy(loop, name, index));
 }
 
 /** Increments from one marker to the next. */
-function spacing(direction: Direction): number {
-  return Math.max(1, Math.round(direction.size / 9));
+function spacing(loop: Loop): number {
+  return Math.max(1, Math.round(loop.size / 9));
 }
 
 /** Where the work of one direction goes, along the path; one curve per run and kind of energy. */
 function energyChart(curves: Curve[], most: number, scale: Scale, path: PathAxis, selection: Selection): HTMLElement {
-  const { direction } = at(curves, 0);
+  const { loop } = at(curves, 0);
   const several = curves.length > 1;
   const option = (current: Look, width: number): Option => ({
     grid: { left: 56, right: 16, top: 14, bottom: 46 },
@@ -51,12 +51,12 @@ function energyChart(curves: Curve[], most: number, scale: Scale, path: PathAxis
           const curve = at(curves, Math.floor(seriesIndex / energies.length));
           const kind = at(energies, seriesIndex % energies.length);
           const name = several ? `${curve.label}: ${kind.text}` : kind.text;
-          return [name, formatQuantity(energy(curve.direction, kind.name, dataIndex), 'J')];
+          return [name, formatQuantity(energy(curve.loop, kind.name, dataIndex), 'J')];
         });
         const curve = at(curves, Math.floor(first.seriesIndex / energies.length));
-        const branch = curve.direction.isLoading(first.dataIndex) ? 'loading' : 'unloading';
-        const displacement = formatQuantity(curve.direction.value('displacement', first.dataIndex), 'm');
-        return tooltipBox(`${curve.direction.name}, ${branch}, ${displacement}`, rows);
+        const branch = curve.loop.isLoading(first.dataIndex) ? 'loading' : 'unloading';
+        const displacement = formatQuantity(curve.loop.value('displacement', first.dataIndex), 'm');
+        return tooltipBox(`${curve.loop.name}, ${branch}, ${displacement}`, rows);
       },
     }),
     series: curves.flatMap((curve, i) =>
@@ -66,43 +66,43 @@ function energyChart(curves: Curve[], most: number, scale: Scale, path: PathAxis
         showAllSymbol: true,
         symbol: marker,
         symbolSize: (_: unknown, item: { dataIndex: number }) =>
-          item.dataIndex % spacing(curve.direction) === spacing(curve.direction) >> 1 ? 7 : 0,
+          item.dataIndex % spacing(curve.loop) === spacing(curve.loop) >> 1 ? 7 : 0,
         lineStyle: { color: at(current.series, style), width: 1.8, type: at(dashes, i % dashes.length) },
         itemStyle: { color: at(current.series, style) },
-        data: energiesOf(curve.direction, name).map((value, index) => [
-          path.position(curve.direction, index),
+        data: energiesOf(curve.loop, name).map((value, index) => [
+          path.position(curve.loop, index),
           value * scale.factor,
         ]),
       })),
     ),
   });
-  const peak = at(energiesOf(direction, 'work'), direction.turning);
+  const peak = at(energiesOf(loop, 'work'), loop.turning);
   const chart = new Chart(
-    `Energies along the path, ${direction.name}: work ${formatQuantity(peak, 'J')} at full displacement`,
+    `Energies along the path, ${loop.name}: work ${formatQuantity(peak, 'J')} at full displacement`,
     () => 240,
     option,
   );
   const follow = (): void => {
-    const shown = curves.find((curve) => curve.direction === selection.direction);
-    chart.setCursors(shown ? [{ name: 'line', grid: 0, x: path.position(shown.direction, selection.index) }] : []);
+    const shown = curves.find((curve) => curve.loop === selection.loop);
+    chart.setCursors(shown ? [{ name: 'line', grid: 0, x: path.position(shown.loop, selection.index) }] : []);
   };
   selection.onChange(follow);
   follow();
   return panel(
     {
-      title: direction.name,
-      file: () => fileName('energies', direction.name),
+      title: loop.name,
+      file: () => fileName('energies', loop.name),
       svg: () => chart.toSvg(),
       csv: () =>
         toCsv(
-          ['run', 'direction_deg', 'increment', 'displacement_m', 'work_J', 'elastic_energy_J', 'dissipated_energy_J'],
+          ['run', at(curves, 0).run.kind.loops.column, 'increment', 'displacement_m', 'work_J', 'elastic_energy_J', 'dissipated_energy_J'],
           curves.flatMap((curve) =>
-            curve.direction.increments.map((increment, index) => [
+            curve.loop.increments.map((increment, index) => [
               curve.run.label,
-              curve.direction.degrees,
+              curve.loop.key,
               increment,
-              curve.direction.value('displacement', index),
-              ...['work', 'elastic_energy', 'dissipated_energy'].map((name) => curve.direction.value(name, index)),
+              curve.loop.value('displacement', index),
+              ...['work', 'elastic_energy', 'dissipated_energy'].map((name) => curve.loop.value(name, index)),
             ]),
           ),
         ),
@@ -139,11 +139,11 @@ function lineSample(style: number, dash: 'solid' | number[], marker = ''): SVGEl
 
 /** One chart per direction, all with the same scales. */
 export function energySection(groups: Curve[][], selection: Selection): HTMLElement {
-  const begun = groups.map((curves) => curves.filter((curve) => curve.direction.size > 0)).filter((c) => c.length > 0);
-  const directions = begun.flatMap((curves) => curves.map((curve) => curve.direction));
-  const most = largest(...directions.flatMap((direction) => energies.map(({ name }) => energiesOf(direction, name))));
+  const begun = groups.map((curves) => curves.filter((curve) => curve.loop.size > 0)).filter((c) => c.length > 0);
+  const loops = begun.flatMap((curves) => curves.map((curve) => curve.loop));
+  const most = largest(...loops.flatMap((loop) => energies.map(({ name }) => energiesOf(loop, name))));
   const scale = scaleFor(most, 'J');
-  const path = new PathAxis(directions);
+  const path = new PathAxis(loops);
   const runs = begun[0]?.length ?? 0;
   return el(
     'div',

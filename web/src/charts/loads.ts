@@ -1,4 +1,4 @@
-import { at, interfaces, largest, type Direction, type Interface } from '../data/run';
+import { at, largest, type Loop, type Interface } from '../data/run';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { choice, el, svg } from '../ui/dom';
@@ -9,8 +9,8 @@ import { type Look } from '../ui/theme';
 import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option } from './chart';
 import type { Curve } from './loops';
 
-function loadsAt(direction: Direction, kind: Interface, index: number): number[] {
-  const field = direction.field(`normal_force_${kind.name}`);
+function loadsAt(loop: Loop, kind: Interface, index: number): number[] {
+  const field = loop.field(`normal_force_${kind.name}`);
   return Array.from({ length: field.width }, (_, node) => field.at(index, node));
 }
 
@@ -27,17 +27,17 @@ class LoadPanel {
     private readonly most: () => number,
     private readonly selection: Selection,
   ) {
-    const { direction } = at(curves, 0);
+    const { loop } = at(curves, 0);
     const heaviest = this.heaviest();
     this.chart = new Chart(
-      `Bump loads at full displacement, ${direction.name}: ${heaviest}`,
+      `Bump loads at full displacement, ${loop.name}: ${heaviest}`,
       () => 220,
       (current, width) => this.option(current, width),
     );
     this.root = panel(
       {
-        title: direction.name,
-        file: () => fileName('loads', this.kind.name, direction.name),
+        title: loop.name,
+        file: () => fileName('loads', this.kind.name, loop.name),
         svg: () => this.chart.toSvg(),
         csv: () => this.csv(),
       },
@@ -53,14 +53,14 @@ class LoadPanel {
   }
 
   private heaviest(): string {
-    const { direction } = at(this.curves, 0);
-    const loads = loadsAt(direction, this.kind, direction.turning);
+    const { loop } = at(this.curves, 0);
+    const loads = loadsAt(loop, this.kind, loop.turning);
     const most = largest(loads);
     return most > 0 ? `${formatQuantity(most, 'N')} on bump ${loads.indexOf(most) + 1}` : 'none';
   }
 
   private option(current: Look, width: number): Option {
-    const nodes = Math.max(...this.curves.map((curve) => curve.direction.field(`normal_force_${this.kind.name}`).width));
+    const nodes = Math.max(...this.curves.map((curve) => curve.loop.field(`normal_force_${this.kind.name}`).width));
     const node = this.kind.node === 'foot' ? 'Foot' : 'Bump';
     return {
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
@@ -85,7 +85,7 @@ class LoadPanel {
           itemStyle: { color: at(current.series, curve.style % current.series.length) },
           barCategoryGap: width > 500 ? '25%' : '12%',
           barGap: '0%',
-          data: this.scaled(curve.direction, curve.direction.turning),
+          data: this.scaled(curve.loop, curve.loop.turning),
         })),
         {
           type: 'line',
@@ -103,15 +103,15 @@ class LoadPanel {
     };
   }
 
-  private scaled(direction: Direction, index: number): number[] {
-    return loadsAt(direction, this.kind, index).map((load) => load * this.scale.factor);
+  private scaled(loop: Loop, index: number): number[] {
+    return loadsAt(loop, this.kind, index).map((load) => load * this.scale.factor);
   }
 
   private now(): (number | string)[] {
-    const { direction, index } = this.selection;
-    this.shownNow = this.curves.some((curve) => curve.direction === direction);
+    const { loop, index } = this.selection;
+    this.shownNow = this.curves.some((curve) => curve.loop === loop);
     if (!this.shownNow) return [];
-    return this.scaled(direction, index).map((load) => (load > 0 ? load : '-'));
+    return this.scaled(loop, index).map((load) => (load > 0 ? load : '-'));
   }
 
   private follow(): void {
@@ -121,14 +121,14 @@ class LoadPanel {
   }
 
   private tip(node: string, index: number): HTMLElement {
-    const rows = this.curves.map(({ label, direction }): [string, string] => [
+    const rows = this.curves.map(({ label, loop }): [string, string] => [
       `${label}, full displacement`,
-      formatQuantity(loadsAt(direction, this.kind, direction.turning)[index], 'N'),
+      formatQuantity(loadsAt(loop, this.kind, loop.turning)[index], 'N'),
     ]);
     if (this.shownNow) {
-      const { direction, index: increment } = this.selection;
-      const load = loadsAt(direction, this.kind, increment)[index];
-      rows.push([`increment ${at(direction.increments, increment)}`, formatQuantity(load, 'N')]);
+      const { loop, index: increment } = this.selection;
+      const load = loadsAt(loop, this.kind, increment)[index];
+      rows.push([`increment ${at(loop.increments, increment)}`, formatQuantity(load, 'N')]);
     }
     return tooltipBox(`${node} ${index + 1}`, rows);
   }
@@ -136,9 +136,9 @@ class LoadPanel {
   private csv(): string {
     const unit = this.kind.node;
     return toCsv(
-      ['run', 'direction_deg', unit, 'normal_force_N'],
-      this.curves.flatMap(({ run, direction }) =>
-        loadsAt(direction, this.kind, direction.turning).map((load, i) => [run.label, direction.degrees, i + 1, load]),
+      ['run', at(this.curves, 0).run.kind.loops.column, unit, 'normal_force_N'],
+      this.curves.flatMap(({ run, loop }) =>
+        loadsAt(loop, this.kind, loop.turning).map((load, i) => [run.label, loop.key, i + 1, load]),
       ),
     );
   }
@@ -146,16 +146,16 @@ class LoadPanel {
 
 /** One chart per direction, all with the same scales; the interface can be chosen. */
 export function loadSection(groups: Curve[][], selection: Selection): HTMLElement {
-  const begun = groups.map((curves) => curves.filter((curve) => curve.direction.size > 0)).filter((c) => c.length > 0);
-  const bumpLoads = at(interfaces, 1);
-  let kind: Interface = bumpLoads;
+  const begun = groups.map((curves) => curves.filter((curve) => curve.loop.size > 0)).filter((c) => c.length > 0);
+  const { interfaces } = at(selection.runs, 0);
+  let kind = interfaces.find(({ name }) => name === 'top_bump') ?? at(interfaces, 0);
   const most = (): number =>
-    largest(...begun.flat().map(({ direction }) => loadsAt(direction, kind, direction.turning)));
+    largest(...begun.flat().map(({ loop }) => loadsAt(loop, kind, loop.turning)));
   const scale = (): Scale => scaleFor(most(), 'N');
   const panels = begun.map((curves) => new LoadPanel(curves, kind, scale(), most, selection));
   const chooser = choice(
     'Loads shown',
-    interfaces.map((value) => ({ value: value as Interface, text: value.title })),
+    interfaces.map((value) => ({ value, text: value.title })),
     kind,
     (chosen) => {
       kind = chosen;

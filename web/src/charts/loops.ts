@@ -1,5 +1,5 @@
 import type { EChartsType } from 'echarts/core';
-import { at, largest, type Direction, type Run } from '../data/run';
+import { at, largest, type Branch, type Loop, type Run } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { choice, svg } from '../ui/dom';
@@ -13,16 +13,24 @@ import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option, type Point }
 /** One loop: a direction of a run. */
 export interface Curve {
   run: Run;
-  direction: Direction;
+  loop: Loop;
   label: string;
   /** Number of its colour and marker. */
   style: number;
 }
 
-const forces = [
-  { name: 'force_direct', text: 'Direct', title: 'Direct force' },
-  { name: 'force_cross', text: 'Cross', title: 'Cross force' },
-] as const;
+interface Force {
+  name: string;
+  text: string;
+  title: string;
+}
+
+/** That the results have; a plate has no cross force. */
+function forcesOf(run: Run): Force[] {
+  const direct = { name: 'force_direct', text: 'Direct', title: run.kind.force };
+  const cross = { name: 'force_cross', text: 'Cross', title: 'Cross force' };
+  return run.kind.flat ? [direct] : [direct, cross];
+}
 
 /** Line and markers of a branch: solid and filled on the way in, dashed and hollow on the way out. */
 function branchLook(current: Look, style: number, loading: boolean): object {
@@ -34,39 +42,34 @@ function branchLook(current: Look, style: number, loading: boolean): object {
   };
 }
 
-/** Indices of a branch; both have the turning point, so that the loop is closed there. */
-function branchIndices(direction: Direction, loading: boolean): number[] {
-  const turning = direction.increments.indexOf(direction.steps);
-  const indices = [...direction.increments.keys()];
-  if (turning < 0) return loading ? indices : [];
-  return loading ? indices.slice(0, turning + 1) : indices.slice(turning);
-}
-
 /** Force over displacement: the hysteresis loops of several directions or runs, linked with the bearing. */
 export class LoopPanel {
   readonly root: HTMLElement;
-  private force: (typeof forces)[number] = forces[0];
+  private readonly forces: Force[];
+  private force: Force;
   private readonly chart: Chart;
   private readonly across: Scale;
   private upwards: Scale;
-  private readonly series: { curve: Curve; indices: number[] }[];
+  private readonly series: { curve: Curve; branch: Branch; label: number | undefined }[];
 
   constructor(
     title: string,
     private readonly curves: Curve[],
     private readonly selection: Selection,
   ) {
-    this.across = scaleFor(largest(...curves.map((curve) => curve.direction.values('displacement'))), 'm');
+    this.forces = forcesOf(at(curves, 0).run);
+    this.force = at(this.forces, 0);
+    this.across = scaleFor(largest(...curves.map((curve) => curve.loop.values('displacement'))), 'm');
     this.upwards = this.scaleOfForce();
-    this.series = curves.flatMap((curve) =>
-      [true, false].map((loading) => ({ curve, indices: branchIndices(curve.direction, loading) })),
+    this.series = curves.flatMap((curve, i) =>
+      curve.loop.branches().map((branch, k) => ({ curve, branch, label: k === 0 ? i : undefined })),
     );
-    const peaks = curves.map(({ label, direction }) => {
-      const force = direction.value('force_direct', direction.turning);
+    const peaks = curves.map(({ label, loop }) => {
+      const force = loop.value('force_direct', loop.turning);
       return `${label} ${formatQuantity(force, 'N')}`;
     });
     this.chart = new Chart(
-      `${title}: direct force over displacement; at full displacement ${peaks.join(', ')}`,
+      `${title}: ${this.force.title.toLowerCase()} over displacement; at full displacement ${peaks.join(', ')}`,
       (width) => this.height(width),
       (current, width) => this.option(current, width),
       (instance) => this.listen(instance),
@@ -74,15 +77,9 @@ export class LoopPanel {
     this.root = panel(
       {
         title,
-        note: 'Click a point of a loop to see the bearing there.',
-        controls: [
-          choice('Force shown', forces.map((value) => ({ value, text: value.text })), this.force, (force) => {
-            this.force = force;
-            this.upwards = this.scaleOfForce();
-            this.chart.fit();
-          }),
-        ],
-        file: () => fileName('loops', ...new Set(curves.map((curve) => curve.direction.name))),
+        note: 'Click a point of a loop to see the foils there.',
+        controls: this.forces.length > 1 ? [this.chooser()] : [],
+        file: () => fileName('loops', ...new Set(curves.map((curve) => curve.loop.name))),
         svg: () => this.chart.toSvg(),
         csv: () => this.csv(),
       },
@@ -96,33 +93,43 @@ export class LoopPanel {
     this.follow();
   }
 
+  private chooser(): HTMLElement {
+    const options = this.forces.map((value) => ({ value, text: value.text }));
+    return choice('Force shown', options, this.force, (force) => {
+      this.force = force;
+      this.upwards = this.scaleOfForce();
+      this.chart.fit();
+    });
+  }
+
   private height(width: number): number {
     return Math.max(300, Math.min(0.82 * width, 560));
   }
 
   private scaleOfForce(): Scale {
-    return scaleFor(largest(...this.curves.map((curve) => curve.direction.values(this.force.name))), 'N');
+    return scaleFor(largest(...this.curves.map((curve) => curve.loop.values(this.force.name))), 'N');
   }
 
-  private point(direction: Direction, index: number): Point {
+  private point(loop: Loop, index: number): Point {
     return [
-      direction.value('displacement', index) * this.across.factor,
-      direction.value(this.force.name, index) * this.upwards.factor,
+      loop.value('displacement', index) * this.across.factor,
+      loop.value(this.force.name, index) * this.upwards.factor,
     ];
   }
 
   private option(current: Look, width: number): Option {
     const narrow = width < 480;
     const frame = { top: 16, bottom: 48 };
-    const forces = this.curves.flatMap(({ direction }) => [...direction.values(this.force.name)]).filter(Number.isFinite);
+    const forces = this.curves.flatMap(({ loop }) => [...loop.values(this.force.name)]).filter(Number.isFinite);
     const upper = roundAbove(this.upwards.factor * Math.max(0, ...forces));
     const lower = forces.some((force) => force < 0) ? -roundAbove(-this.upwards.factor * Math.min(...forces)) : 0;
     const perUnit = (this.height(width) - frame.top - frame.bottom) / (upper - lower);
-    const ends = this.curves.map(({ direction }) => -perUnit * this.point(direction, direction.turning)[1]);
+    const ends = this.curves.map(({ loop }) => -perUnit * this.point(loop, loop.turning)[1]);
     const offsets = labelOffsets(ends);
+    const backwards = this.curves.some(({ loop }) => loop.values('displacement').some((displacement) => displacement < 0));
     return {
       grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, ...frame },
-      xAxis: axis(current, axisTitle('Displacement', this.across), { min: 0 }),
+      xAxis: axis(current, axisTitle('Displacement', this.across), backwards ? {} : { min: 0 }),
       yAxis: axis(current, axisTitle(this.force.title, this.upwards), {
         nameGap: narrow ? 38 : 46,
         min: lower,
@@ -132,8 +139,7 @@ export class LoopPanel {
         triggerOn: 'none',
         formatter: (tip: { seriesIndex: number; dataIndex: number }) => this.tip(tip.seriesIndex, tip.dataIndex),
       }),
-      series: this.series.map(({ curve, indices }, i) => {
-        const loading = i % 2 === 0;
+      series: this.series.map(({ curve, branch: { loading, indices }, label }) => {
         const spacing = Math.max(1, Math.round(indices.length / 7));
         return {
           type: 'line',
@@ -142,9 +148,9 @@ export class LoopPanel {
           ...branchLook(current, curve.style, loading),
           symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? 7 : 0),
           showAllSymbol: true,
-          data: indices.map((index) => this.point(curve.direction, index)),
-          z: curve.direction === this.selection.direction ? 4 : 3,
-          ...(loading && indices.length > 0
+          data: indices.map((index) => this.point(curve.loop, index)),
+          z: curve.loop === this.selection.loop ? 4 : 3,
+          ...(label !== undefined
             ? {
                 endLabel: {
                   show: true,
@@ -154,7 +160,7 @@ export class LoopPanel {
                   fontSize: 12,
                   width: narrow ? 44 : 84,
                   overflow: 'truncate',
-                  offset: [0, at(offsets, i >> 1)],
+                  offset: [0, at(offsets, label)],
                 },
               }
             : {}),
@@ -165,15 +171,14 @@ export class LoopPanel {
 
   private tip(seriesIndex: number, dataIndex: number): HTMLElement | string {
     const series = this.series[seriesIndex];
-    const index = series?.indices[dataIndex];
+    const index = series?.branch.indices[dataIndex];
     if (!series || index === undefined) return '';
-    const { direction, label } = series.curve;
-    const increment = at(direction.increments, index);
+    const { loop, label } = series.curve;
+    const increment = at(loop.increments, index);
     return tooltipBox(label, [
-      ['Increment', `${increment}, ${seriesIndex % 2 === 0 ? 'loading' : 'unloading'}`],
-      ['Displacement', formatQuantity(direction.value('displacement', index), 'm')],
-      ['Direct force', formatQuantity(direction.value('force_direct', index), 'N')],
-      ['Cross force', formatQuantity(direction.value('force_cross', index), 'N')],
+      ['Increment', `${increment}, ${series.branch.loading ? 'loading' : 'unloading'}`],
+      ['Displacement', formatQuantity(loop.value('displacement', index), 'm')],
+      ...this.forces.map(({ name, title }): [string, string] => [title, formatQuantity(loop.value(name, index), 'N')]),
     ]);
   }
 
@@ -181,9 +186,9 @@ export class LoopPanel {
   private nearest(x: number, y: number, reach: number): { seriesIndex: number; dataIndex: number } | undefined {
     let found: { seriesIndex: number; dataIndex: number } | undefined;
     let least = reach ** 2;
-    this.series.forEach(({ curve, indices }, seriesIndex) => {
-      indices.forEach((index, dataIndex) => {
-        const [px, py] = this.chart.pixel(0, ...this.point(curve.direction, index));
+    this.series.forEach(({ curve, branch }, seriesIndex) => {
+      branch.indices.forEach((index, dataIndex) => {
+        const [px, py] = this.chart.pixel(0, ...this.point(curve.loop, index));
         const distance = (px - x) ** 2 + (py - y) ** 2;
         if (distance < least) {
           least = distance;
@@ -205,19 +210,19 @@ export class LoopPanel {
     area.on('click', (event) => {
       const point = this.nearest(event.offsetX, event.offsetY, 60);
       if (!point) return;
-      const { curve, indices } = at(this.series, point.seriesIndex);
+      const { curve, branch } = at(this.series, point.seriesIndex);
       this.selection.show({
         run: curve.run,
-        degrees: curve.direction.degrees,
-        index: at(indices, point.dataIndex),
+        key: curve.loop.key,
+        index: at(branch.indices, point.dataIndex),
       });
     });
   }
 
   private follow(): void {
-    const { direction, index, run } = this.selection;
-    const shown = this.curves.some((curve) => curve.run === run && curve.direction === direction);
-    const [x, y] = this.point(direction, index);
+    const { loop, index, run } = this.selection;
+    const shown = this.curves.some((curve) => curve.run === run && curve.loop === loop);
+    const [x, y] = this.point(loop, index);
     this.chart.setCursors(shown ? [{ name: 'point', grid: 0, x, y }] : []);
   }
 
@@ -232,18 +237,18 @@ export class LoopPanel {
   }
 
   private csv(): string {
-    const names = ['displacement', 'force_direct', 'force_cross'];
-    const rows: Cell[][] = this.curves.flatMap(({ run, direction }) =>
-      direction.increments.map((increment, index) => [
+    const names = this.forces.map(({ name }) => name);
+    const rows: Cell[][] = this.curves.flatMap(({ run, loop }) =>
+      loop.increments.map((increment, index) => [
         run.label,
-        direction.degrees,
+        loop.key,
         increment,
-        direction.isLoading(index) ? 'loading' : 'unloading',
-        ...names.map((name) => direction.value(name, index)),
+        loop.isLoading(index) ? 'loading' : 'unloading',
+        ...['displacement', ...names].map((name) => loop.value(name, index)),
       ]),
     );
     return toCsv(
-      ['run', 'direction_deg', 'increment', 'branch', 'displacement_m', 'force_direct_N', 'force_cross_N'],
+      ['run', at(this.curves, 0).run.kind.loops.column, 'increment', 'branch', 'displacement_m', ...names.map((name) => `${name}_N`)],
       rows,
     );
   }

@@ -1,4 +1,4 @@
-import type { Direction } from '../data/run';
+import type { Loop } from '../data/run';
 import { axisTitle, scaleFor, type Scale } from '../data/units';
 import type { Look } from '../ui/theme';
 import { axis, tickText } from './chart';
@@ -7,27 +7,34 @@ import { axis, tickText } from './chart';
 export class PathAxis {
   readonly scale: Scale;
   private readonly amplitude: number;
+  private readonly end: number;
+  /** One push from the start and the way back, the same for all. */
   private readonly same: boolean;
 
-  constructor(directions: Direction[]) {
-    this.amplitude = Math.max(0, ...directions.map((direction) => direction.amplitude));
-    this.same = directions.every((direction) => direction.amplitude === this.amplitude);
+  constructor(loops: Loop[]) {
+    this.amplitude = Math.max(0, ...loops.map((loop) => loop.amplitude));
+    this.same = loops.every(
+      (loop) =>
+        loop.amplitude === this.amplitude && loop.lastIncrement === 2 * loop.steps && loop.value('displacement', 0) === 0,
+    );
+    const ways = loops.map((loop) => loop.path(loop.size - 1)).filter(Number.isFinite);
+    this.end = this.same ? 2 * this.amplitude : Math.max(0, ...ways);
     this.scale = scaleFor(this.amplitude, 'm');
   }
 
-  position(direction: Direction, index: number): number {
-    return direction.path(index) * this.scale.factor;
+  position(loop: Loop, index: number): number {
+    return loop.path(index) * this.scale.factor;
   }
 
-  get turning(): number {
+  private get turning(): number {
     return this.amplitude * this.scale.factor;
   }
 
   /** Marked by the displacement; by the way itself where the runs turn at different ones. */
   option(current: Look, width: number, more: object = {}): object {
-    const end = 2 * this.turning;
+    const end = this.end * this.scale.factor;
     const values = this.same ? this.ticks(width) : undefined;
-    return axis(current, this.same ? axisTitle('Displacement: push, then pull back', this.scale) : axisTitle('Way of the journal', this.scale), {
+    return axis(current, this.same ? axisTitle('Displacement: push, then pull back', this.scale) : axisTitle('Way pushed and pulled', this.scale), {
       min: 0,
       max: end,
       axisLabel: {

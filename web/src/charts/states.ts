@@ -1,4 +1,4 @@
-import { at, contactStates, interfaces, type ContactState, type Direction } from '../data/run';
+import { at, contactStates, type ContactState, type Interface, type Loop } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
@@ -18,10 +18,10 @@ export const stateBand: Record<ContactState, [number, number]> = {
   'slip backward': [0, 0.5],
 };
 
-/** Nothing sticks to the journal, which has no friction: its contacts are open or closed. */
+/** Nothing sticks to the journal, which has no friction. */
 const stateText: Record<ContactState, string> = {
   open: 'open',
-  stick: 'stick (journal: closed)',
+  stick: 'stick, or closed without friction',
   'slip forward': 'slip forward, away from the weld',
   'slip backward': 'slip backward',
 };
@@ -32,20 +32,20 @@ export class StatePanel {
   private readonly chart: Chart;
   private path: PathAxis;
   private stretches: Stretch[][] = [];
-  private direction: Direction;
+  private loop: Loop;
 
   constructor(private readonly selection: Selection) {
-    this.direction = selection.direction;
-    this.path = new PathAxis([this.direction]);
+    this.loop = selection.loop;
+    this.path = new PathAxis([this.loop]);
     this.chart = new Chart(
-      'Contact states of every bump along the path, at the three interfaces',
+      'Contact states of every bump along the path, at each interface',
       () => this.layout().height,
       (current, width) => this.option(current, width),
     );
     this.root = panel(
       {
         title: 'Contact states along the path',
-        file: () => fileName('contact-states', this.direction.name),
+        file: () => fileName('contact-states', this.loop.name),
         svg: () => this.chart.toSvg(),
         csv: () => this.csv(),
       },
@@ -57,14 +57,18 @@ export class StatePanel {
     this.setCursors();
   }
 
+  private get interfaces(): Interface[] {
+    return this.selection.run.interfaces;
+  }
+
   private read(): void {
-    this.direction = this.selection.direction;
-    this.path = new PathAxis([this.direction]);
-    this.stretches = interfaces.map(({ name }) => stretchesOf(this.direction, name));
+    this.loop = this.selection.loop;
+    this.path = new PathAxis([this.loop]);
+    this.stretches = this.interfaces.map(({ name }) => stretchesOf(this.loop, name));
   }
 
   private follow(): void {
-    if (this.direction !== this.selection.direction) {
+    if (this.loop !== this.selection.loop) {
       this.read();
       this.chart.fit();
     }
@@ -72,13 +76,13 @@ export class StatePanel {
   }
 
   private setCursors(): void {
-    if (this.direction.size === 0) return;
-    const x = this.path.position(this.direction, this.selection.index);
-    this.chart.setCursors(interfaces.map((_, grid) => ({ name: 'line', grid, x })));
+    if (this.loop.size === 0) return;
+    const x = this.path.position(this.loop, this.selection.index);
+    this.chart.setCursors(this.interfaces.map((_, grid) => ({ name: 'line', grid, x })));
   }
 
   private nodes(interfaceIndex: number): number {
-    return Math.max(1, this.direction.states(at(interfaces, interfaceIndex).name).width);
+    return Math.max(1, this.loop.states(at(this.interfaces, interfaceIndex).name).width);
   }
 
   /** Places of the three maps, one above the other. */
@@ -86,7 +90,7 @@ export class StatePanel {
     const tops: number[] = [];
     const heights: number[] = [];
     let top = 28;
-    interfaces.forEach((_, i) => {
+    this.interfaces.forEach((_, i) => {
       const height = Math.min(420, Math.max(60, 9 * this.nodes(i)));
       tops.push(top);
       heights.push(height);
@@ -96,6 +100,7 @@ export class StatePanel {
   }
 
   private option(current: Look, width: number): Option {
+    const { interfaces } = this;
     const { tops, heights } = this.layout();
     // What is drawn keeps its own: a change of size may draw it again after the direction has changed.
     const { stretches } = this;
@@ -145,8 +150,8 @@ export class StatePanel {
 
   /** From half-way since the increment before to half-way to the next. */
   private extent({ first, last }: Stretch): [number, number] {
-    const position = (index: number): number => this.path.position(this.direction, index);
-    const end = this.direction.size - 1;
+    const position = (index: number): number => this.path.position(this.loop, index);
+    const end = this.loop.size - 1;
     return [
       first === 0 ? position(0) : 0.5 * (position(first - 1) + position(first)),
       last === end ? position(end) : 0.5 * (position(last) + position(last + 1)),
@@ -154,10 +159,10 @@ export class StatePanel {
   }
 
   private tip(interfaceIndex: number, dataIndex: number): HTMLElement {
-    const { node, title } = at(interfaces, interfaceIndex);
+    const { node, title } = at(this.interfaces, interfaceIndex);
     const stretch = at(at(this.stretches, interfaceIndex), dataIndex);
     const where = (index: number): string =>
-      `${formatQuantity(this.direction.value('displacement', index), 'm')}, ${this.direction.isLoading(index) ? 'loading' : 'unloading'}`;
+      `${formatQuantity(this.loop.value('displacement', index), 'm')}, ${this.loop.isLoading(index) ? 'loading' : 'unloading'}`;
     return tooltipBox(`${node === 'foot' ? 'Foot' : 'Bump'} ${stretch.node + 1}: ${stretch.state}`, [
       ['Interface', title],
       ['From', where(stretch.first)],
@@ -166,17 +171,17 @@ export class StatePanel {
   }
 
   private csv(): string {
-    const { direction } = this;
+    const { loop } = this;
     return toCsv(
-      ['run', 'direction_deg', 'increment', 'displacement_m', 'interface', 'node', 'state'],
-      interfaces.flatMap(({ name }) => {
-        const states = direction.states(name);
-        return direction.increments.flatMap((increment, index) =>
+      ['run', this.selection.run.kind.loops.column, 'increment', 'displacement_m', 'interface', 'node', 'state'],
+      this.interfaces.flatMap(({ name }) => {
+        const states = loop.states(name);
+        return loop.increments.flatMap((increment, index) =>
           Array.from({ length: states.width }, (_, node) => [
             this.selection.run.label,
-            direction.degrees,
+            loop.key,
             increment,
-            direction.value('displacement', index),
+            loop.value('displacement', index),
             name,
             node + 1,
             contactStates[states.at(index, node)],

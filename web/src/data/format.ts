@@ -14,12 +14,13 @@ export interface RunData {
   summary: Summary;
   geometry: Record<string, number | null | (number | null)[]>;
   nodes: { bump: number; foot: number };
-  directions: DirectionData[];
+  last_increment: number;
+  loops: LoopData[];
 }
 
 /** Values are base64: of binary32, of signed bytes for states and other flags. */
-export interface DirectionData {
-  direction_deg: number;
+export interface LoopData {
+  at: number;
   increments: number[];
   series: Record<string, string>;
   fields: Record<string, { at: 'bump' | 'foot'; values: string }>;
@@ -37,7 +38,7 @@ export interface Summary {
 }
 
 export interface CycleSummary {
-  direction_deg: number;
+  at: number;
   amplitude_m: number;
   steps: number;
   converged: boolean;

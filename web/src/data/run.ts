@@ -1,29 +1,23 @@
+import { kinds, type Kind } from './kinds';
 import { decodeFlags, decodeNumbers } from './decode';
-import type { CycleSummary, DirectionData, ReportData, RunData } from './format';
+import type { CycleSummary, LoopData, ReportData, RunData } from './format';
 
 /** States of a contact, in the order of their flags. */
 export const contactStates = ['open', 'stick', 'slip forward', 'slip backward'] as const;
 export type ContactState = (typeof contactStates)[number];
 
-/** Interfaces by their names in result.nc, from the journal outwards. */
-export const interfaces = [
-  { name: 'journal_top', title: 'Journal on top foil', node: 'bump', friction: false },
-  { name: 'top_bump', title: 'Top foil on bump', node: 'bump', friction: true },
-  { name: 'bump_sleeve', title: 'Feet on sleeve', node: 'foot', friction: true },
-] as const;
-export type Interface = (typeof interfaces)[number];
+/** Where two parts touch; `name` as in result.nc. */
+export interface Interface {
+  name: 'journal_top' | 'top_bump' | 'bump_sleeve';
+  title: string;
+  node: 'bump' | 'foot';
+}
 
 /** The item at an index that is known to be there. */
 export function at<T>(items: ArrayLike<T>, index: number): T {
   const item = items[index];
   if (item === undefined) throw new RangeError(`no item ${index} of ${items.length}`);
   return item;
-}
-
-/** "+X", "−Y", or the angle itself. */
-export function directionName(degrees: number): string {
-  const axes: Record<number, string> = { 0: '+X', 90: '+Y', 180: '−X', 270: '−Y' };
-  return axes[((degrees % 360) + 360) % 360] ?? `${Number(degrees.toPrecision(6))}°`;
 }
 
 /** Values per increment and node. */
@@ -38,26 +32,36 @@ export class Field<Values extends ArrayLike<number>> {
   }
 }
 
-/** One direction of a run: what was computed of it, increment by increment. Indices count the increments kept. */
-export class Direction {
-  readonly name: string;
-  readonly degrees: number;
+/** Several increments in which the mover goes one way. */
+export interface Branch {
+  loading: boolean;
+  /** With the last one of the branch before, so that curves hang together. */
+  indices: number[];
+}
+
+/** One direction of a bearing or cycle of a strip: what was computed of it, increment by increment. Indices count the increments kept. */
+export class Loop {
+  /** The direction in degrees, or the number of the cycle. */
+  readonly key: number;
   readonly increments: number[];
   private readonly series = new Map<string, Float32Array>();
   private readonly numbers = new Map<string, Field<Float32Array>>();
+  private readonly way: number[] = [];
   private readonly flags = new Map<string, Field<Int8Array>>();
 
   constructor(
-    private readonly data: DirectionData,
+    private readonly data: LoopData,
     private readonly nodes: RunData['nodes'],
-    /** Absent if the direction was never begun. */
+    /** Number of the last increment that was asked for. */
+    readonly lastIncrement: number,
+    readonly name: string,
+    /** Absent if the loop was never begun. */
     readonly summary: CycleSummary | undefined,
     /** Of the turning point. */
     readonly steps: number,
     readonly amplitude: number,
   ) {
-    this.degrees = data.direction_deg;
-    this.name = directionName(data.direction_deg);
+    this.key = data.at;
     this.increments = data.increments;
   }
 
@@ -72,7 +76,19 @@ export class Direction {
   }
 
   isLoading(index: number): boolean {
-    return at(this.increments, index) <= this.steps;
+    return this.flagsOf('branch')[index] === 0;
+  }
+
+  /** Where the mover turns. */
+  branches(): Branch[] {
+    const branches: Branch[] = [];
+    this.increments.forEach((_, index) => {
+      const loading = this.isLoading(index);
+      const last = branches[branches.length - 1];
+      if (last?.loading === loading) last.indices.push(index);
+      else branches.push({ loading, indices: last ? [index - 1, index] : [index] });
+    });
+    return branches;
   }
 
   /** Values per increment; NaN throughout where the result has no such variable. */
@@ -90,10 +106,14 @@ export class Direction {
     return this.values(name)[index] ?? NaN;
   }
 
-  /** Way of the journal up to an increment: onwards after the turning point, where the displacement goes back. */
+  /** Way of the mover up to an increment: it grows on after turning points, where the displacement goes back. */
   path(index: number): number {
-    const displacement = this.value('displacement', index);
-    return this.isLoading(index) ? displacement : 2 * this.amplitude - displacement;
+    if (this.way.length === 0) {
+      const displacement = this.values('displacement');
+      let sum = 0;
+      displacement.forEach((to, i) => this.way.push((sum += Math.abs(to - (displacement[i - 1] ?? to)))));
+    }
+    return this.way[index] ?? NaN;
   }
 
   field(name: string): Field<Float32Array> {
@@ -104,6 +124,15 @@ export class Direction {
       this.numbers.set(name, field);
     }
     return field;
+  }
+
+  private flagsOf(name: string): Int8Array {
+    let field = this.flags.get(name);
+    if (!field) {
+      field = new Field(decodeFlags(this.data.series[name] ?? ''), 1);
+      this.flags.set(name, field);
+    }
+    return field.values;
   }
 
   states(interfaceName: string): Field<Int8Array> {
@@ -117,21 +146,42 @@ export class Direction {
   }
 }
 
+export function capital(word: string): string {
+  return word.slice(0, 1).toUpperCase() + word.slice(1);
+}
+
 /** The results of one folder. */
 export class Run {
-  readonly directions: Direction[];
+  readonly kind: Kind;
+  readonly loops: Loop[];
 
   constructor(
     readonly data: RunData,
     /** Tells the run from the others of the report. */
     readonly label: string,
   ) {
-    const cycle = data.summary.case['cycle'] as { amplitude?: number; steps?: number } | undefined;
-    this.directions = data.directions.map((direction, i) => {
+    const kind = kinds[data.kind];
+    if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
+    this.kind = kind;
+    const cycle = data.summary.case[data.kind] as { amplitude?: number; steps?: number } | undefined;
+    this.loops = data.loops.map((loop, i) => {
       const summary = data.summary.cycles[i];
       const steps = summary?.steps ?? cycle?.steps ?? 0;
-      return new Direction(direction, data.nodes, summary, steps, summary?.amplitude_m ?? cycle?.amplitude ?? 0);
+      return new Loop(loop, data.nodes, data.last_increment, kind.loops.name(loop.at), summary, steps, summary?.amplitude_m ?? cycle?.amplitude ?? 0);
     });
+  }
+
+  /** From the mover outwards; where it presses on the bumps themselves, without a top foil. */
+  get interfaces(): Interface[] {
+    const { mover, ground } = this.kind;
+    const withTopFoil = this.loops.some((loop) => (loop.states('journal_top').values[0] ?? -1) >= 0);
+    const upper: Interface[] = withTopFoil
+      ? [
+          { name: 'journal_top', title: `${capital(mover)} on top foil`, node: 'bump' },
+          { name: 'top_bump', title: 'Top foil on bumps', node: 'bump' },
+        ]
+      : [{ name: 'top_bump', title: `${capital(mover)} on bumps`, node: 'bump' }];
+    return [...upper, { name: 'bump_sleeve', title: `Feet on ${ground}`, node: 'foot' }];
   }
 
   get bumps(): number {
@@ -158,8 +208,8 @@ export class Run {
     return Array.isArray(value) ? value.map((number) => number ?? 0) : [];
   }
 
-  direction(degrees: number): Direction | undefined {
-    return this.directions.find((direction) => direction.degrees === degrees);
+  loop(key: number): Loop | undefined {
+    return this.loops.find((loop) => loop.key === key);
   }
 }
 
@@ -179,9 +229,9 @@ export function readRuns(report: ReportData): Run[] {
   return report.runs.map((run, i) => new Run(run, at(names, i)));
 }
 
-/** Directions of all runs, each once, in their order. */
-export function allDirections(runs: Run[]): number[] {
-  return [...new Set(runs.flatMap((run) => run.directions.map((direction) => direction.degrees)))];
+/** Keys of the loops of all runs, each once, in their order. */
+export function allKeys(runs: Run[]): number[] {
+  return [...new Set(runs.flatMap((run) => run.loops.map((loop) => loop.key)))];
 }
 
 /** Largest size of numbers that are known; 0 if none is. */

@@ -1,4 +1,5 @@
-import { directionName, type Run } from '../data/run';
+import { directionName } from '../data/kinds';
+import type { Run } from '../data/run';
 import type { CaseValue } from '../data/format';
 import { toCsv } from '../data/csv';
 import { formatNumber, formatQuantity } from '../data/units';
@@ -22,6 +23,8 @@ const names: Record<string, [text: string, unit: string]> = {
   'bump_foil.thickness': ['Thickness', 'm'],
   'bump_foil.youngs_modulus': ['Young’s modulus', 'Pa'],
   'bump_foil.poisson_ratio': ['Poisson’s ratio', ''],
+  'bump_foil.yield_stress': ['Yield stress', 'Pa'],
+  'bump_foil.stiffness_follows_height': ['Stiffness follows height', ''],
   'bump_foil.height_errors': ['Height errors', 'm'],
   'bump_foil.sleeve_gaps': ['Sleeve gaps', 'm'],
   'bump_foil.weld_at': ['Weld at', ''],
@@ -33,6 +36,7 @@ const names: Record<string, [text: string, unit: string]> = {
   'top_foil.thickness': ['Thickness', 'm'],
   'top_foil.youngs_modulus': ['Young’s modulus', 'Pa'],
   'top_foil.poisson_ratio': ['Poisson’s ratio', ''],
+  'top_foil.yield_stress': ['Yield stress', 'Pa'],
   'friction.top_bump': ['Top foil on bumps', ''],
   'friction.bump_sleeve': ['Bumps on sleeve', ''],
   'solver.name': ['Name', ''],
@@ -43,6 +47,13 @@ const names: Record<string, [text: string, unit: string]> = {
   'cycle.directions': ['Directions', 'direction'],
   'cycle.amplitude': ['Amplitude', 'm'],
   'cycle.steps': ['Increments per branch', ''],
+  'strip.bumps': ['Bumps', ''],
+  'strip.weld': ['Weld', ''],
+  'strip.top_foil': ['Top foil', ''],
+  'strip.displacement': ['Displacement', 'm'],
+  'strip.load': ['Load', 'N'],
+  'strip.cycles': ['Cycles', ''],
+  'strip.steps': ['Increments per branch', ''],
 };
 
 const groups: Record<string, string> = {
@@ -53,6 +64,7 @@ const groups: Record<string, string> = {
   friction: 'Coefficients of friction',
   solver: 'Solver',
   cycle: 'Cycle',
+  strip: 'Strip',
 };
 
 type Entries = Map<string, CaseValue>;
@@ -75,6 +87,7 @@ export function valueText(key: string, value: CaseValue | undefined): string {
   if (value === undefined || value === null) return '–';
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(key, one)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value !== 'number') return String(value).replaceAll('_', ' ');
   if (unit === 'direction') return directionName(Number(((value * 180) / Math.PI).toPrecision(9)));
   if (unit === 'rad') return `${Number(((value * 180) / Math.PI).toPrecision(6))}°`.replace('-', '−');

@@ -1,4 +1,4 @@
-import { at, directionName, largest, type Run } from '../data/run';
+import { at, largest, type Run } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { formatNumber, scaleFor } from '../data/units';
 import { el } from '../ui/dom';
@@ -24,8 +24,11 @@ const rows: Row[] = [
   { key: 'first_contact_m', text: 'First contact', unit: 'm' },
   { key: 'clearance_5N_m', text: 'Clearance at 5 N', unit: 'm' },
   { key: 'clearance_10N_m', text: 'Clearance at 10 N', unit: 'm' },
-  { key: 'initial_force_N', text: 'Force at the centred journal', unit: 'N' },
-  { key: 'initial_journal_load_N', text: 'Sum of journal loads there', unit: 'N' },
+  { key: 'max_stress_top_foil_Pa', text: 'Largest bending stress, top foil', unit: 'Pa' },
+  { key: 'max_stress_bump_foil_Pa', text: 'Largest bending stress, bump foil', unit: 'Pa' },
+  { key: 'initial_displacement_m', text: 'Displacement at the start', unit: 'm' },
+  { key: 'initial_force_N', text: 'Force at the start', unit: 'N' },
+  { key: 'initial_journal_load_N', text: 'Sum of journal loads at the start', unit: 'N' },
   { key: 'initial_elastic_energy_J', text: 'Elastic energy of the assembly', unit: 'J' },
   { key: 'assembly_dissipation_J', text: 'Dissipated by the assembly', unit: 'J' },
 ];
@@ -42,16 +45,16 @@ const solverRows: Row[] = [
 
 interface Column {
   run: Run;
-  degrees: number;
+  key: number;
   values: Record<string, unknown>;
 }
 
 /** By direction, and in each by run, so that runs stand side by side. */
-function columnsOf(runs: Run[], degrees: number[]): Column[] {
-  return degrees.flatMap((angle) =>
+function columnsOf(runs: Run[], key: number[]): Column[] {
+  return key.flatMap((angle) =>
     runs.flatMap((run) => {
-      const direction = run.direction(angle);
-      return direction ? [{ run, degrees: angle, values: direction.summary ?? {} }] : [];
+      const loop = run.loop(angle);
+      return loop ? [{ run, key: angle, values: loop.summary ?? {} }] : [];
     }),
   );
 }
@@ -77,35 +80,37 @@ function bodyRow({ key, text, unit, digits = 4 }: Row, columns: Column[]): HTMLE
   );
 }
 
-function head(columns: Column[], several: boolean): HTMLElement {
+function head(columns: Column[], several: boolean, name: (key: number) => string): HTMLElement {
   const spans = new Map<number, number>();
-  for (const { degrees } of columns) spans.set(degrees, (spans.get(degrees) ?? 0) + 1);
+  for (const { key } of columns) spans.set(key, (spans.get(key) ?? 0) + 1);
   const first = el(
     'tr',
     {},
     el('th', { scope: 'col', rowspan: several ? 2 : 1 }, 'Quantity'),
     el('th', { scope: 'col', class: 'unit', rowspan: several ? 2 : 1 }, 'Unit'),
-    ...[...spans].map(([degrees, span]) => el('th', { scope: 'col', colspan: span }, directionName(degrees))),
+    ...[...spans].map(([key, span]) => el('th', { scope: 'col', colspan: span }, name(key))),
   );
   const second = el('tr', {}, ...columns.map(({ run }) => el('th', { scope: 'col', class: 'run' }, run.label)));
   return el('thead', {}, first, ...(several ? [second] : []));
 }
 
 /** Derived quantities of every direction and run, and how the solver fared. */
-export function resultTable(runs: Run[], degrees: number[]): HTMLElement {
-  const columns = columnsOf(runs, degrees);
+export function resultTable(runs: Run[], key: number[]): HTMLElement {
+  const columns = columnsOf(runs, key);
   const several = runs.length > 1;
+  const { kind } = at(runs, 0);
+  const known = ({ key }: Row): boolean => columns.some(({ values }) => values[key] !== undefined);
   const group = (name: string, members: Row[]): HTMLElement =>
     el(
       'tbody',
       {},
       ...(name === '' ? [] : [el('tr', { class: 'group' }, el('th', { scope: 'rowgroup', colspan: columns.length + 2 }, name))]),
-      ...members.map((row) => bodyRow(row, columns)),
+      ...members.filter(known).map((row) => bodyRow(row, columns)),
     );
   const csv = (): string =>
     toCsv(
-      ['quantity', ...columns.map(({ run, degrees: angle }) => `${several ? `${run.label} ` : ''}${angle} deg`)],
-      [...rows, ...solverRows].map(({ key }): Cell[] => [
+      ['quantity', ...columns.map(({ run, key: angle }) => `${several ? `${run.label} ` : ''}${kind.loops.name(angle)}`)],
+      [...rows, ...solverRows].filter(known).map(({ key }): Cell[] => [
         key,
         ...columns.map(({ values }) => {
           const value = values[key];
@@ -114,11 +119,11 @@ export function resultTable(runs: Run[], degrees: number[]): HTMLElement {
       ]),
     );
   return panel(
-    { title: 'Results by direction', file: () => 'results', csv },
+    { title: `Results by ${kind.loops.title.toLowerCase()}`, file: () => 'results', csv },
     el(
       'div',
       { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of results' },
-      el('table', { class: 'results' }, head(columns, several), group('', rows), group('Solver', solverRows)),
+      el('table', { class: 'results' }, head(columns, several, kind.loops.name), group('', rows), group('Solver', solverRows)),
     ),
   );
 }
@@ -130,14 +135,19 @@ export function warningsOf(run: Run): string[] {
   if (status !== 'complete') {
     warnings.push(`The results are partial: ${run.attribute('status_message') || status}.`);
   }
-  for (const direction of run.directions) {
-    const { size, steps, summary, increments } = direction;
-    if (size === 0) warnings.push(`${direction.name} was not begun.`);
+  for (const loop of run.loops) {
+    const { name, size, summary, increments } = loop;
+    if (size === 0) warnings.push(`${name} was not begun.`);
     else if (!summary?.converged) {
-      warnings.push(`${direction.name} did not converge; its last increment is ${at(increments, size - 1)} of ${2 * steps}.`);
+      warnings.push(`${name} did not converge; its last increment is ${at(increments, size - 1)} of ${loop.lastIncrement}.`);
+    }
+    for (const foil of ['top foil', 'bump foil']) {
+      if (summary?.[`above_yield_${foil.replace(' ', '_')}`] === true) {
+        warnings.push(`${name}: the bending stress of the ${foil} exceeds its yield stress.`);
+      }
     }
     const missing = size > 1 && at(increments, 1) > 1 ? at(increments, 1) : 0;
-    if (missing > 0) warnings.push(`${direction.name}: every ${missing}th increment is shown; result.nc has them all.`);
+    if (missing > 0) warnings.push(`${name}: every ${missing}th increment is shown; result.nc has them all.`);
   }
   return warnings;
 }

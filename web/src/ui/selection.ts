@@ -1,17 +1,17 @@
-import { at, type Direction, type Run } from '../data/run';
+import { at, type Loop, type Run } from '../data/run';
 
 /** What the reader looks at: a run, one of its directions, and an increment of that. All views follow it. */
 export class Selection {
   run: Run;
-  direction: Direction;
+  loop: Loop;
   /** Of the increments kept. */
   index: number;
   private readonly listeners: (() => void)[] = [];
 
   constructor(readonly runs: Run[]) {
-    this.run = runs.find((run) => run.directions.some((direction) => direction.size > 0)) ?? at(runs, 0);
-    this.direction = this.run.directions.find((direction) => direction.size > 0) ?? at(this.run.directions, 0);
-    this.index = this.direction.turning;
+    this.run = runs.find((run) => run.loops.some((loop) => loop.size > 0)) ?? at(runs, 0);
+    this.loop = this.run.loops.find((loop) => loop.size > 0) ?? at(this.run.loops, 0);
+    this.index = this.loop.turning;
   }
 
   onChange(listener: () => void): void {
@@ -19,19 +19,19 @@ export class Selection {
   }
 
   /** Shows an increment; the same part of the way when run or direction change alone. */
-  show({ run = this.run, degrees = this.direction.degrees, index }: { run?: Run; degrees?: number; index?: number }): void {
-    const direction = run.direction(degrees) ?? at(run.directions, 0);
-    const wanted = index ?? this.sameWay(direction);
+  show({ run = this.run, key = this.loop.key, index }: { run?: Run; key?: number; index?: number }): void {
+    const loop = run.loop(key) ?? at(run.loops, 0);
+    const wanted = index ?? this.sameWay(loop);
     this.run = run;
-    this.direction = direction;
-    this.index = Math.min(Math.max(0, wanted), Math.max(0, direction.size - 1));
+    this.loop = loop;
+    this.index = Math.min(Math.max(0, wanted), Math.max(0, loop.size - 1));
     for (const listener of this.listeners) listener();
   }
 
-  private sameWay(direction: Direction): number {
-    if (direction === this.direction || this.direction.size === 0) return this.index;
-    const way = at(this.direction.increments, this.index) / Math.max(1, this.direction.steps);
-    const next = direction.increments.findIndex((increment) => increment >= way * direction.steps);
-    return next >= 0 ? next : direction.size - 1;
+  private sameWay(loop: Loop): number {
+    if (loop === this.loop || this.loop.size === 0) return this.index;
+    const way = at(this.loop.increments, this.index) / Math.max(1, this.loop.steps);
+    const next = loop.increments.findIndex((increment) => increment >= way * loop.steps);
+    return next >= 0 ? next : loop.size - 1;
   }
 }

@@ -1,0 +1,39 @@
+/** What kinds of results there are, and the words for their parts. */
+
+export interface Kind {
+  title: string;
+  /** What its loops are: the title of a list of them, the column of files, the name of each. */
+  loops: { title: string; column: string; name: (key: number) => string };
+  /** What is pushed into the foils, and what they rest on. */
+  mover: string;
+  ground: string;
+  force: string;
+  /** Not round: there is no axis to look along. */
+  flat: boolean;
+}
+
+/** "+X", "−Y", or the angle itself. */
+export function directionName(degrees: number): string {
+  const axes: Record<number, string> = { 0: '+X', 90: '+Y', 180: '−X', 270: '−Y' };
+  return axes[((degrees % 360) + 360) % 360] ?? `${Number(degrees.toPrecision(6))}°`;
+}
+
+/** By the names of the commands. */
+export const kinds: Record<string, Kind> = {
+  cycle: {
+    title: 'Loops and bearing',
+    loops: { title: 'Direction', column: 'direction_deg', name: directionName },
+    mover: 'journal',
+    ground: 'sleeve',
+    force: 'Direct force',
+    flat: false,
+  },
+  strip: {
+    title: 'Loops and strip',
+    loops: { title: 'Cycle', column: 'cycle', name: (number) => `Cycle ${number}` },
+    mover: 'plate',
+    ground: 'base',
+    force: 'Load',
+    flat: true,
+  },
+};
