@@ -116,10 +116,13 @@ class StudyWriter {
     if (plotted != PlotStatus::drawn) folder_.discard("picture.svg");
     folder_.stage("study.json", study_json(study_, results_, tables));
     folder_.publish();
+    outcome_ = outcome_of(study_, results_);
+    results_.clear();  // all studies at once take hundreds of megabytes
     return plotted;
   }
 
-  [[nodiscard]] StudyOutcome outcome() const { return outcome_of(study_, results_); }
+  /// Of what was written.
+  [[nodiscard]] const StudyOutcome& outcome() const { return outcome_; }
 
  private:
   Study study_;
@@ -127,6 +130,7 @@ class StudyWriter {
   ResultFolder folder_;
   std::list<ResultFolder> run_folders_;  ///< inside folder_, and so to be removed before it where they stay empty
   std::vector<StudyRunResult> results_;
+  StudyOutcome outcome_;
   double increments_{};
 };
 

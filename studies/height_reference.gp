@@ -1,9 +1,9 @@
 
 eval panels(2, 2)
 set xrange [30:82]
-set yrange [0:1000]
+set yrange [0:1350]
 set xtics 10
-set ytics 200
+set ytics 250
 set xlabel "displacement of the journal (µm)"
 set ylabel "direct force (N)"
 set key top left
