@@ -124,7 +124,7 @@ test('a hostile title is text, and the file is small', () =>
 test('the table shows the numbers of summary.json', () =>
   withReport('one.html', async (page) => {
     const { cycles } = summaryOf('truss');
-    const units = { _N_per_m: 'N/m', _N: 'N', _J: 'J', _m: 'm', _s: 's' };
+    const units = { _N_per_m: 'N/m', _N: 'N', _J: 'J', _Pa: 'Pa', _m: 'm', _s: 's' };
     const rows = page.locator('.results tr[data-key]');
     const count = await rows.count();
     assert.ok(count > 15);
