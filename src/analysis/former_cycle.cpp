@@ -67,7 +67,7 @@ class FormerRunner {
     next.force_y = force.y();
     next.force_direct = force.dot(normal_);
     next.force_cross = force.dot(Eigen::Vector2d(-normal_.y(), normal_.x()));
-    next.elastic_energy = elastic_energy(model_.structure, state.x);
+    next.elastic_energy = elastic_response(model_.structure, state.x).energy;
     next.residuals = solution.residuals;
     next.solve = solution.report;
 

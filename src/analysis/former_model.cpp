@@ -80,7 +80,7 @@ ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2
   ContactLoading balanced = loading_at(model, position);
   balanced.load +=
       contact_forces(model.problem, state.normal_force - judged.normal_force, Vector::Zero(model.problem.contacts()));
-  return contact_residuals(model.problem, elastic_forces(model.structure, state.x), balanced,
+  return contact_residuals(model.problem, elastic_response(model.structure, state.x).forces, balanced,
                            Vector::Zero(state.x.size()), judged);
 }
 

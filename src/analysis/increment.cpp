@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
@@ -27,20 +28,21 @@ Vector pick_feet(const Vector& x, int block_size, const std::vector<int>& unknow
 }
 
 /// Modes as they are reported: contacts without load are open, frictionless ones slip where they move.
-std::vector<ContactMode> reported_modes(const ContactProblem& problem, const ContactState& state, const Vector& slip) {
+std::vector<ContactMode> reported_modes(const ContactProblem& problem, const ContactState& state,
+                                        const Vector& previous_x) {
   std::vector<ContactMode> mode = state.mode;
   const double threshold = open_load * state.normal_force.maxCoeff();
-  for (std::size_t c = 0; c < mode.size(); ++c) {
-    const auto i = static_cast<Eigen::Index>(c);
-    const ContactPair& pair = problem.pairs[c % problem.pairs.size()];
-    if (state.normal_force[i] <= threshold) {
-      mode[c] = ContactMode::open;
-    } else if (pair.tangential >= 0 && pair.friction_coefficient == 0.0) {
-      mode[c] = slip[i] > displacement_resolution    ? ContactMode::slip_forward
-                : slip[i] < -displacement_resolution ? ContactMode::slip_backward
-                                                     : ContactMode::stick;
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
+    if (state.normal_force[contact.index] <= threshold) {
+      m = ContactMode::open;
+    } else if (contact.pair.tangential >= 0 && contact.f == 0.0) {
+      const double slip = contact.tangential(state.x) - contact.tangential(previous_x);
+      m = slip > displacement_resolution    ? ContactMode::slip_forward
+          : slip < -displacement_resolution ? ContactMode::slip_backward
+                                            : ContactMode::stick;
     }
-  }
+  });
   return mode;
 }
 
@@ -76,9 +78,9 @@ Increment record_increment(const FoilModel& model, const Eigen::Vector2d& positi
   next.force_direct = force.dot(direction);
   next.force_cross = force.dot(Eigen::Vector2d(-direction.y(), direction.x()));
 
-  const Vector elastic = elastic_forces(model.structure, state.x);
-  next.elastic_energy = elastic_energy(model.structure, state.x);
-  next.residuals = contact_residuals(model.problem, elastic, loading, previous_x, state);
+  const ElasticResponse elastic = elastic_response(model.structure, state.x);
+  next.elastic_energy = elastic.energy;
+  next.residuals = contact_residuals(model.problem, elastic.forces, loading, previous_x, state);
 
   const int block = model.problem.K.block_size();
   const BumpDofs& dofs = model.structure.dofs;
@@ -88,9 +90,7 @@ Increment record_increment(const FoilModel& model, const Eigen::Vector2d& positi
   next.foot_u = pick_feet(state.x, block, dofs.foot_u);
   next.foot_v = pick_feet(state.x, block, dofs.foot_v);
 
-  const Vector slip =
-      tangential_displacements(model.problem, state.x) - tangential_displacements(model.problem, previous_x);
-  const std::vector<ContactMode> mode = reported_modes(model.problem, state, slip);
+  const std::vector<ContactMode> mode = reported_modes(model.problem, state, previous_x);
   const auto fields = [&](int first_block, int first, int count) {
     return interface_fields(model.problem, state, mode, first_block, first, count);
   };

@@ -178,16 +178,14 @@ BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const 
   return K;
 }
 
-Vector elastic_forces(const FoilStructure& structure, const Vector& x) {
-  Vector forces = linear_forces(structure, x);
-  if (structure.large_displacements) add_corotational_forces(structure.large_displacements->bump_foil, x, forces);
-  return forces;
-}
-
-double elastic_energy(const FoilStructure& structure, const Vector& x) {
-  const double linear = 0.5 * x.dot(linear_forces(structure, x));
-  if (!structure.large_displacements) return linear;
-  return linear + corotational_energy(structure.large_displacements->bump_foil, x);
+ElasticResponse elastic_response(const FoilStructure& structure, const Vector& x) {
+  ElasticResponse response{.forces = linear_forces(structure, x), .energy = 0.0};
+  response.energy = 0.5 * x.dot(response.forces);
+  if (structure.large_displacements) {
+    add_corotational_forces(structure.large_displacements->bump_foil, x, response.forces);
+    response.energy += corotational_energy(structure.large_displacements->bump_foil, x);
+  }
+  return response;
 }
 
 }  // namespace bumpfoil

@@ -94,12 +94,14 @@ BlockTridiagonal tangent_stiffness(const FoilStructure& structure, const Vector&
 /// The same with the stable tangents of the elements.
 BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const Vector& x);
 
-/// Elastic forces of the foils, N: those of the bump foil, K_t u_t on the top foil, zero in the rows of moments. The
-/// moments in `x` are not used: they are recomputed from the displacements.
-Vector elastic_forces(const FoilStructure& structure, const Vector& x);
+/// What displacements of the foils take.
+struct ElasticResponse {
+  Vector forces;    ///< of the bump foil, K_t u_t on the top foil, zero in the rows of moments, N
+  double energy{};  ///< 1/2 u_t' K_t u_t of the top foil and 1/2 u_b' K_b u_b of the bump foil, or under large
+                    ///< displacements the energy of its elements, J
+};
 
-/// Elastic energy, J: 1/2 u_t' K_t u_t of the top foil and 1/2 u_b' K_b u_b of the bump foil, or under large
-/// displacements the energy of its elements. The moments in `x` are not used.
-double elastic_energy(const FoilStructure& structure, const Vector& x);
+/// Elastic forces and energy. The moments in `x` are not used: they are recomputed from the displacements.
+ElasticResponse elastic_response(const FoilStructure& structure, const Vector& x);
 
 }  // namespace bumpfoil

@@ -66,7 +66,7 @@ TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
     const Case input = given_constants(bumps);
     const FoilStructure structure = make_foil_structure(input);
     const Vector x = any_displacements(structure);
-    const Vector forces = elastic_forces(structure, x);
+    const Vector forces = elastic_response(structure, x).forces;
 
     const Vector top =
         top_foil_loads(make_top_foil_moments(make_top_foil_beam(input)), x(every(structure, structure.dofs.top_u)));
@@ -76,7 +76,7 @@ TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
     const std::vector<Spring> springs = make_truss_springs(make_truss_constants(input), structure.dofs, bumps);
     const double truss_energy = spring_energy(springs, structure.dofs.size, x);
     const double top_energy = 0.5 * top.dot(x(every(structure, structure.dofs.top_u)));
-    EXPECT_NEAR(elastic_energy(structure, x), truss_energy + top_energy, 1e-13 * truss_energy);
+    EXPECT_NEAR(elastic_response(structure, x).energy, truss_energy + top_energy, 1e-13 * truss_energy);
     EXPECT_GT(top_energy, 1e-6 * truss_energy);  // large enough to be seen
   }
 }
@@ -84,9 +84,9 @@ TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
 TEST(FoilStructure, ForcesDoNotDependOnTheMomentsGiven) {
   const FoilStructure structure = make_foil_structure(given_constants(5));
   Vector x = any_displacements(structure);
-  const Vector forces = elastic_forces(structure, x);
+  const Vector forces = elastic_response(structure, x).forces;
   x(every(structure, structure.dofs.top_moment)).setConstant(1.0);
-  EXPECT_EQ(elastic_forces(structure, x), forces);
+  EXPECT_EQ(elastic_response(structure, x).forces, forces);
 }
 
 TEST(FoilStructure, IsWellScaledAndQuasidefinite) {
@@ -116,7 +116,7 @@ TEST(FoilStructure, FrameModelHasTheSameTopFoil) {
     EXPECT_EQ(structure.dofs.size, 11);
     EXPECT_EQ(structure.dofs.feet(), 2);
     const Vector x = any_displacements(structure);
-    const Vector forces = elastic_forces(structure, x);
+    const Vector forces = elastic_response(structure, x).forces;
 
     BlockTridiagonal bump_foil(5, structure.dofs.size);
     assemble_frame(make_frame_model(input), bump_foil);
@@ -144,14 +144,15 @@ TEST(LargeDisplacements, TangentAndEnergyBelongToTheForces) {
     const Vector x = any_displacements(structure);
     const Vector direction = Vector::LinSpaced(x.size(), -1.0, 2.0).array().cos();
     const Vector slope = tangent_stiffness(structure, x).multiply(direction);
-    const Vector forces = elastic_forces(structure, x);
+    const Vector forces = elastic_response(structure, x).forces;
     double best_slope = 1.0;
     double best_energy = 1.0;
     for (const double h : {1e-6, 1e-7, 1e-8}) {  // m; central differences, from truncation to rounding
       const Vector difference =
           (internal_forces(structure, x + h * direction) - internal_forces(structure, x - h * direction)) / (2.0 * h);
       best_slope = std::min(best_slope, (difference - slope).norm() / slope.norm());
-      const double gain = elastic_energy(structure, x + h * direction) - elastic_energy(structure, x - h * direction);
+      const double gain =
+          elastic_response(structure, x + h * direction).energy - elastic_response(structure, x - h * direction).energy;
       best_energy = std::min(best_energy, std::abs(gain / (2.0 * h) / forces.dot(direction) - 1.0));
     }
     EXPECT_LT(best_slope, 1e-8);
@@ -170,11 +171,12 @@ TEST(LargeDisplacements, AreSmallNearTheUndeformedFoils) {
     EXPECT_EQ(tangent_stiffness(linear, any_displacements(linear)).dense(), linear.K.dense());
     for (const double factor : {1e-2, 1e-3}) {
       const Vector x = factor * any_displacements(linear);
-      const Vector forces = elastic_forces(linear, x);
+      const Vector forces = elastic_response(linear, x).forces;
       // Some 1e-5 m of displacements in elements of 1e-3 m: second order.
-      EXPECT_LT((elastic_forces(large, x) - forces).norm(), 0.1 * factor * forces.norm());
-      EXPECT_NEAR(elastic_energy(large, x), elastic_energy(linear, x), 0.1 * factor * elastic_energy(linear, x));
-      EXPECT_GT((elastic_forces(large, x) - forces).norm(), 1e-4 * factor * forces.norm());
+      EXPECT_LT((elastic_response(large, x).forces - forces).norm(), 0.1 * factor * forces.norm());
+      EXPECT_NEAR(elastic_response(large, x).energy, elastic_response(linear, x).energy,
+                  0.1 * factor * elastic_response(linear, x).energy);
+      EXPECT_GT((elastic_response(large, x).forces - forces).norm(), 1e-4 * factor * forces.norm());
     }
   }
 }
@@ -184,8 +186,8 @@ TEST(LargeDisplacements, LeaveTheTopFoilLinear) {
   const FoilStructure large = frame_structure(Geometry::nonlinear, WeldPosition::mid_flat);
   const Vector x = any_displacements(linear);
   const auto top = every(linear, linear.dofs.top_u);
-  EXPECT_EQ(Vector(elastic_forces(large, x)(top)), Vector(elastic_forces(linear, x)(top)));
-  EXPECT_EQ(elastic_forces(large, x)(every(large, large.dofs.top_moment)).norm(), 0.0);
+  EXPECT_EQ(Vector(elastic_response(large, x).forces(top)), Vector(elastic_response(linear, x).forces(top)));
+  EXPECT_EQ(elastic_response(large, x).forces(every(large, large.dofs.top_moment)).norm(), 0.0);
 }
 
 TEST(FoilStructure, FormerModelHasNoTopFoil) {
@@ -195,7 +197,7 @@ TEST(FoilStructure, FormerModelHasNoTopFoil) {
   EXPECT_EQ(structure.dofs.size, 4);
   EXPECT_EQ(structure.dofs.top_u, -1);
   const Vector x = any_displacements(structure);
-  EXPECT_EQ(elastic_forces(structure, x), structure.K.multiply(x));
+  EXPECT_EQ(elastic_response(structure, x).forces, structure.K.multiply(x));
 }
 
 TEST(FoilStructure, KeepsUnusedPlacesApart) {
@@ -237,8 +239,8 @@ TEST(FoilStructure, WithoutAWeldIsHeldLooselyAndNotAtAllInside) {
       x[b * size + structure.dofs.top_u] = 1e-6 * static_cast<double>(b);
     }
     // Roundings of 1e8 N/m times a micrometre stay far below.
-    EXPECT_LT(elastic_forces(structure, x).cwiseAbs().maxCoeff(), 4e-6 * loose_hold + 1e-13 * 1e2);
-    EXPECT_GT(elastic_energy(structure, x), 0.0);
+    EXPECT_LT(elastic_response(structure, x).forces.cwiseAbs().maxCoeff(), 4e-6 * loose_hold + 1e-13 * 1e2);
+    EXPECT_GT(elastic_response(structure, x).energy, 0.0);
   }
 }
 
