@@ -1,11 +1,11 @@
 
 eval panels(3, 4)
-scatter = 10
 
 # Six bearings: force against displacement, and below it the heights of the bumps and of the journal's surface.
-bearing(i) = sprintf("scatter%d-bearing%d", scatter, i)
-force(run, branch) = is_run(run) && on_branch(branch, 100) ? column("force_direct_N") : NaN
-height(run, name) = is_run(run) ? um * column(name) : NaN
+bearing(i) = sprintf("bearing%d", i)
+is_of(run) = strstrt(strcol("run"), run) > 0
+force(run, branch) = is_of(run) && on_branch(branch, 100) ? column("force_direct_N") : NaN
+height(run, name) = is_of(run) ? um * column(name) : NaN
 
 do for [row = 0:1] {
   set xrange [0:80]

@@ -119,6 +119,14 @@ StudyTableKind table_kind(const DescriptionReader& reader, std::string_view name
   reader.fail("tables", fmt::format("there is no table \"{}\"", name));
 }
 
+const StudyText& text_of(std::string_view study) {
+  for (const StudyText& text : study_library()) {
+    if (text.name == study) return text;
+  }
+  throw Error(ErrorKind::input, {{"", 0, "study", std::string(study), "is not known",
+                                  fmt::format("use one of {}", fmt::join(study_names(), ", "))}});
+}
+
 StudyData data_called(const DescriptionReader& reader, std::string_view name) {
   for (const StudyData& data : study_data_library()) {
     if (data.name == name) return data;
@@ -168,14 +176,11 @@ std::vector<std::string> study_names() {
 }
 
 Study make_study(std::string_view name) {
-  for (const StudyText& text : study_library()) {
-    if (text.name != name) continue;
-    Study study = parse_study(text.description, name);
-    study.plot_script = std::string(study_style_script()) + std::string(text.script);
-    return study;
-  }
-  throw Error(ErrorKind::input, {{"", 0, "study", std::string(name), "is not known",
-                                  fmt::format("use one of {}", fmt::join(study_names(), ", "))}});
+  const StudyText& own = text_of(name);
+  Study study = parse_study(own.description, name);
+  const std::string_view script = study.script_of.empty() ? own.script : text_of(study.script_of).script;
+  study.plot_script = std::string(study_style_script()) + std::string(script);
+  return study;
 }
 
 Study parse_study(std::string_view text, std::string_view name) {
@@ -196,6 +201,7 @@ Study parse_study(std::string_view text, std::string_view name) {
   for (DescriptionReader& sweep : reader.tables("sweep")) add_sweep(sweep, common, study);
   for (const std::string& table : reader.list<std::string>("tables")) study.tables.push_back(table_kind(reader, table));
   for (const std::string& data : reader.list<std::string>("data")) study.data.push_back(data_called(reader, data));
+  study.script_of = reader.text_or_empty("script_of");
   study.increments = reader.list<int>("increments");
   if (study.runs.empty()) reader.fail("run", "there is no run");
   if (study.tables.empty()) reader.fail("tables", "there is no table");

@@ -11,7 +11,7 @@ namespace bumpfoil {
 struct StudyText {
   std::string_view name;
   std::string_view description;  ///< TOML
-  std::string_view script;       ///< for gnuplot
+  std::string_view script;       ///< for gnuplot; empty where it is that of another
 };
 
 const std::vector<StudyText>& study_library();

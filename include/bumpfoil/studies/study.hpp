@@ -36,6 +36,7 @@ struct Study {
   std::vector<StudyTableKind> tables;
   std::vector<StudyData> data;
   std::vector<int> increments;  ///< that the table `foils` shows
+  std::string script_of;        ///< the study whose script draws it, where that is not its own
   std::string plot_script;      ///< for gnuplot; reads the tables and writes the picture
 };
 
@@ -53,6 +54,7 @@ std::vector<std::string> study_names();
 /// | `[[sweep]]` | a run for each of `values` of `key` (in `unit`), called `name`_value, with `set` |
 /// | `runs_of`, `only` | runs of other studies come first: all, or those named by `only`; each name once |
 /// | `[[variant]]` | these are run once for each variant: `name` is added to theirs, `set` to their overrides |
+/// | `script_of` | the study whose script draws this one too |
 /// | `data` | tables from elsewhere, studies/<name>.csv |
 /// | `increments` | those that the table `foils` shows |
 ///
