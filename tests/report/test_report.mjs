@@ -105,7 +105,7 @@ before(async () => {
   run('cycle', caseFile, '-o', join(folder, 'frame'), ...set('bump_foil.model=frame', 'cycle.steps=20', 'cycle.directions=["+X", "37.5 deg"]'));
   run('report', join(folder, 'truss'), '-o', join(folder, 'one.html'));
   run('report', join(folder, 'truss'), join(folder, 'frame'), '-o', join(folder, 'two.html'));
-  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox'] });
+  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
 });
 
 after(async () => {
