@@ -40,9 +40,6 @@ std::pair<Json, std::optional<Fault>> read_run(const fs::path& folder, std::size
   try {
     Json run{{"name", fs::absolute(folder).lexically_normal().string()}};
     run["summary"] = read_summary(folder / "summary.json");
-    if (run["summary"].value("command", "cycle") != "cycle") {
-      return fault(folder, "holds the results of a strip, which the report does not show");
-    }
     run.update(read_result(folder / "result.nc", most_values));
     return {run, std::nullopt};
   } catch (const Json::exception&) {

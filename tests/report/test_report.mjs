@@ -1,6 +1,6 @@
 // Reports in a real browser: the numbers shown are those of the results, what can be moved moves, nothing is fetched.
 //
-// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
+// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_STRIP_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
 
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
@@ -105,7 +105,7 @@ before(async () => {
   run('cycle', caseFile, '-o', join(folder, 'frame'), ...set('bump_foil.model=frame', 'cycle.steps=20', 'cycle.directions=["+X", "37.5 deg"]'));
   run('report', join(folder, 'truss'), '-o', join(folder, 'one.html'));
   run('report', join(folder, 'truss'), join(folder, 'frame'), '-o', join(folder, 'two.html'));
-  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox'] });
+  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
 });
 
 after(async () => {
@@ -286,6 +286,29 @@ test('runs are compared in the same charts', () =>
     assert.notEqual(frame.drawing, truss.drawing);
     near(quantity(frame.readout.split(' · ')[1], 'N'), summaryOf('frame').cycles[0].max_force_N, 1e-3, 'frame');
   }));
+
+test('a strip is shown by its cycles, beside a bearing', async () => {
+  const strip = join(folder, 'strip');
+  run('strip', process.env.BUMPFOIL_STRIP_CASE, '-o', strip);
+  run('report', strip, join(folder, 'truss'), '-o', join(folder, 'strip.html'));
+  await withReport('strip.html', async (page) => {
+    const { cycles } = summaryOf('strip');
+    const table = page.getByRole('region', { name: 'Results by cycle' });
+    const [unit, ...cells] = await table.locator('[data-key=max_force_N] td').allTextContents();
+    cells.forEach((cell, i) => near(quantity(`${cell} ${unit}`, 'N'), cycles[i].max_force_N, 1e-3, `cycle ${i + 1}`));
+    assert.equal(cells.length, cycles.length);
+    const bar = page.locator('.view', { has: page.locator('#strip-loops') }).locator('.player');
+    near(quantity((await bar.locator('output').textContent()).split(' · ')[1], 'N'), cycles[0].max_force_N, 1e-3, 'bar');
+    const drawing = page.locator('#strip-loops .unwrapped');
+    const before = await drawing.innerHTML();
+    await bar.locator('input').focus();
+    await page.keyboard.press('Home');
+    assert.notEqual(await drawing.innerHTML(), before);
+    assert.doesNotMatch(await drawing.innerHTML(), /NaN/);
+    assert.equal(await page.locator('#cycle-loops .round').count(), 1);
+    assert.equal(await page.locator('#strip-loops .round').count(), 0);
+  });
+});
 
 test('a partial run is shown as far as it got, and called partial', async () => {
   const target = join(folder, 'partial');
