@@ -72,16 +72,11 @@ void cycle_of_steps(benchmark::State& bench, SolverName solver) {
   input.cycle.steps = static_cast<int>(bench.range(0));
   run_cycle(bench, input, solver);
 }
-BENCHMARK_CAPTURE(cycle_of_steps, newton, SolverName::newton)
-    ->RangeMultiplier(4)
-    ->Range(25, 1600)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cycle_of_steps, events, SolverName::events)
-    ->RangeMultiplier(4)
-    ->Range(25, 1600)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
+void each_number_of_steps(benchmark::internal::Benchmark* bench) {
+  bench->RangeMultiplier(4)->Range(25, 1600)->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(cycle_of_steps, newton, SolverName::newton)->Apply(each_number_of_steps);
+BENCHMARK_CAPTURE(cycle_of_steps, events, SolverName::events)->Apply(each_number_of_steps);
 
 /// 20 steps per branch: the number of events grows with the bumps, and so does the cost of each.
 void cycle_of_bumps(benchmark::State& bench, SolverName solver) {
@@ -89,20 +84,12 @@ void cycle_of_bumps(benchmark::State& bench, SolverName solver) {
   input.cycle.steps = 20;
   run_cycle(bench, input, solver);
 }
-BENCHMARK_CAPTURE(cycle_of_bumps, newton, SolverName::newton)
-    ->Arg(26)
-    ->Arg(52)
-    ->Arg(104)
-    ->Arg(208)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cycle_of_bumps, events, SolverName::events)
-    ->Arg(26)
-    ->Arg(52)
-    ->Arg(104)
-    ->Arg(208)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
+void each_number_of_bumps(benchmark::internal::Benchmark* bench) {
+  for (const int bumps : {26, 52, 104, 208}) bench->Arg(bumps);
+  bench->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(cycle_of_bumps, newton, SolverName::newton)->Apply(each_number_of_bumps);
+BENCHMARK_CAPTURE(cycle_of_bumps, events, SolverName::events)->Apply(each_number_of_bumps);
 
 }  // namespace
 }  // namespace bumpfoil
