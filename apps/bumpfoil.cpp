@@ -66,6 +66,13 @@ ExitCode run(int argc, char** argv) {
   add_report_command(program, session);
   try {
     program.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (program.get_subcommands().empty() && program.remaining_size() > 0) {
+      fmt::print(stderr, "bumpfoil: '{}' is no command; 'bumpfoil --help' lists them\n", program.remaining().front());
+    } else {
+      program.exit(error);
+    }
+    return ExitCode::wrong_input;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? ExitCode::done : ExitCode::wrong_input;
   }

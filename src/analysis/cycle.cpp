@@ -1,6 +1,7 @@
 #include "bumpfoil/analysis/cycle.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/loop_runner.hpp"
 #include "analysis/run_loops.hpp"
@@ -16,7 +17,10 @@ double Cycle::initial_journal_load() const {
 
 double Cycle::max_residual() const {
   double largest = 0.0;
-  for (const Increment& increment : increments) largest = std::max(largest, increment.residuals.equilibrium);
+  for (const Increment& increment : increments) {
+    if (std::isnan(largest)) break;  // an unknown residual is no small one
+    if (!(increment.residuals.equilibrium <= largest)) largest = increment.residuals.equilibrium;
+  }
   return largest;
 }
 

@@ -60,7 +60,7 @@ bool LoopRunner::advance(std::size_t index) {
   if (index == 0) {
     const std::optional<double> origin = plan_.begin(path_);
     if (origin) origin_ = *origin;
-    if (plan_.assembles) cycle_.assembly_dissipation = path_.assembly_dissipation();
+    if (origin && plan_.assembles) cycle_.assembly_dissipation = path_.assembly_dissipation();
     return origin.has_value();
   }
   const double value = origin_ + plan_.steps[index].value;

@@ -63,8 +63,9 @@ bool PathRunner::move_to(const Eigen::Vector2d& position) {
 
 bool PathRunner::load_to(const Eigen::Vector2d& normal, double load, double reach) {
   const auto force_of = [&](const Stage& stage) { return holding_force(model_, stage.state.normal_force).dot(normal); };
-  const double tolerance =
-      std::max(load, 1.0) * (solver_.is_exact() ? exact_load_tolerance : regularised_load_tolerance);
+  // A load as small as the tolerance must still tell a plate that carries it from one that has lifted.
+  const double tolerance = std::min(
+      0.5 * load, std::max(load, 1.0) * (solver_.is_exact() ? exact_load_tolerance : regularised_load_tolerance));
   const Eigen::Vector2d start = now_.position;
   double below = -HUGE_VAL;  // steps that end with less load, and with more
   double above = HUGE_VAL;

@@ -158,7 +158,8 @@ std::vector<Row> rows(Experiment experiment) {
       {"linear solves", "", [](const Cycle& cycle) { return std::to_string(cycle.total().iterations); }},
       {"factorisations", "", [](const Cycle& cycle) { return std::to_string(cycle.total().factorisations); }},
       {"halved increments", "", [](const Cycle& cycle) { return std::to_string(cycle.substeps()); }},
-      {"largest residual", "", [](const Cycle& cycle) { return fmt::format("{:.1e}", cycle.max_residual()); }},
+      {"largest residual", "",
+       [](const Cycle& cycle) { return cycle.increments.empty() ? "-" : fmt::format("{:.1e}", cycle.max_residual()); }},
       {"time", "ms", [](const Cycle& cycle) { return number_text(cycle.wall_time, 1e-3); }},
       {"converged", "", [](const Cycle& cycle) { return std::string(cycle.converged ? "yes" : "NO"); }},
   });

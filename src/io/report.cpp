@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <netcdf>
 #include <optional>
@@ -60,7 +61,7 @@ std::string report_json(const std::vector<fs::path>& folders, std::size_t most_v
   Json runs = Json::array();
   std::vector<Fault> faults;
   for (const fs::path& folder : folders) {
-    auto [run, fault] = read_run(folder, most_values / folders.size());
+    auto [run, fault] = read_run(folder, std::max<std::size_t>(1, most_values / folders.size()));
     if (fault) faults.push_back(*std::move(fault));
     runs.push_back(std::move(run));
   }

@@ -85,7 +85,7 @@ constexpr std::array<CycleColumn, 21> cycle_table{{
     {"max_stress_top_foil", "Pa", "largest bending stress of the top foil", peak_of<&Cycle::top_foil_stress>},
     {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil", peak_of<&Cycle::bump_foil_stress>},
     {"max_residual", "1", "largest residual of all increments",
-     [](const Cycle& cycle) -> std::optional<double> { return cycle.max_residual(); }},
+     [](const Cycle& cycle) { return cycle.increments.empty() ? std::nullopt : std::optional(cycle.max_residual()); }},
     {"wall_time", "s", "time that the cycle took", of_cycle<&Cycle::wall_time>},
 }};
 
@@ -108,7 +108,8 @@ constexpr std::array<CycleColumn, 15> strip_table{{
     {"assembly_dissipation", "J", "energy dissipated by the assembly", assembly_dissipation},
     {"loop_energy", "J", "closed integral of load over displacement", of_cycle<&Cycle::loop_energy>},
     {"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>},
-    {"loss_factor", "1", "loop energy over 2 pi times the elastic energy stored from the start to full displacement",
+    {"loss_factor", "1",
+     "loop energy over 2 pi times the elastic energy stored, about a preload 1/2 secant stiffness amplitude^2",
      of_cycle<&Cycle::loss_factor>},
     {"tangent_stiffness_loading", "N/m", "tangent stiffness at full displacement, further loading",
      tangent_at_turn<&TangentStiffnesses::loading>},
@@ -119,7 +120,7 @@ constexpr std::array<CycleColumn, 15> strip_table{{
     {"max_stress_top_foil", "Pa", "largest bending stress of the top foil", peak_of<&Cycle::top_foil_stress>},
     {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil", peak_of<&Cycle::bump_foil_stress>},
     {"max_residual", "1", "largest residual of all increments",
-     [](const Cycle& cycle) -> std::optional<double> { return cycle.max_residual(); }},
+     [](const Cycle& cycle) { return cycle.increments.empty() ? std::nullopt : std::optional(cycle.max_residual()); }},
     {"wall_time", "s", "time that the cycle took", of_cycle<&Cycle::wall_time>},
 }};
 

@@ -224,7 +224,7 @@ void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
 void judge_memory(Judge& judge, const std::string& key, int steps, std::int64_t increments, int bumps) {
   judge.require(increments <= most_bump_increments / bumps, key, std::to_string(steps),
                 fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
-                "give fewer steps or fewer loops");
+                "give fewer steps, or fewer directions or cycles");
 }
 
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
@@ -279,6 +279,11 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
   judge_target(judge, amplitude_key, strip.amplitude, rise);
   if (strip.preload) {
     judge_target(judge, "strip.preload", *strip.preload, rise);
+    if (rise > 0.0 && !by_load && strip.preload->control == PlateControl::displacement) {
+      judge.require(strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
+                    quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
+                    fmt::format("give both less than their rise together, {:.6g} m", rise));
+    }
     if (by_load) {
       judge.require(strip.preload->control == PlateControl::load, "strip.preload", quantity(strip.preload->value, "m"),
                     "is a displacement where the strip is controlled by load",

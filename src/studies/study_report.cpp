@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -38,7 +37,8 @@ StudyOutcome outcome_of(const Study& study, const std::vector<StudyRunResult>& r
     outcome.converged = outcome.converged && run.result.converged();
     for (const Cycle& cycle : run.result.cycles) {
       outcome.increments += cycle.increments.size();
-      outcome.max_residual = std::max(outcome.max_residual, cycle.max_residual());
+      const double residual = cycle.max_residual();
+      if (!std::isnan(outcome.max_residual) && !(residual <= outcome.max_residual)) outcome.max_residual = residual;
     }
   }
   return outcome;

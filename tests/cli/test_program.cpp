@@ -266,6 +266,12 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
   EXPECT_FALSE(wrote_results());
 }
 
+TEST_F(Program, NamesTheWordThatIsNoCommand) {
+  const Outcome outcome = run({"cyle", "case.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("'cyle' is no command"), std::string::npos) << outcome.errors;
+}
+
 TEST_F(Program, HelpsEverywhere) {
   for (const char* command : {"init", "check", "properties", "cycle", "reproduce"}) {
     const Outcome help = run({command, "--help"});

@@ -27,7 +27,7 @@ inline constexpr double displacement_resolution = 1e-12;
 
 /// Judges a state.
 /// @param problem          pairs and friction coefficients
-/// @param elastic_force    K x or e(x), N, without any part of the solver: see elastic_forces in structure/
+/// @param elastic_force    K x or e(x), N, without any part of the solver: see elastic_response in structure/
 /// @param loading          initial gaps and loads
 /// @param previous_x       unknowns at the last converged increment, which slip is measured from
 /// @param state            displacements and forces to be judged

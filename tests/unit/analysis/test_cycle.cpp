@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -117,6 +118,16 @@ TEST(Cycle, QuantitiesFollowFromTheIncrements) {
   EXPECT_EQ(cycle.total().iterations, iterations);
   EXPECT_TRUE(cycle.total().converged);
   EXPECT_GT(cycle.wall_time, 0.0);
+}
+
+TEST(Cycle, AnUnknownResidualIsNotTakenForASmallOne) {
+  Cycle cycle;
+  cycle.increments.resize(3);
+  cycle.increments[0].residuals.equilibrium = 1e-12;
+  cycle.increments[1].residuals.equilibrium = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(cycle.max_residual()));
+  cycle.increments[1].residuals.equilibrium = 3e-12;
+  EXPECT_EQ(cycle.max_residual(), 3e-12);
 }
 
 TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {

@@ -62,6 +62,11 @@ TEST(FindFaults, JudgesStrips) {
     s.preload = {PlateControl::displacement, 1e-6};
   };
   EXPECT_EQ(strip(mixed), Keys{"strip.preload"});
+  const auto flat = [](StripSettings& s) {
+    s.amplitude = {PlateControl::displacement, 0.21e-3};  // each less than the rise of 0.406 mm, not both together
+    s.preload = s.amplitude;
+  };
+  EXPECT_EQ(strip(flat), Keys{"strip.displacement"});
   EXPECT_EQ(strip([](StripSettings& s) { s.cycles = 0; }), Keys{"strip.cycles"});
   EXPECT_EQ(strip([](StripSettings& s) { s.steps = 0; }), Keys{"strip.steps"});
   EXPECT_EQ(strip([](StripSettings& s) { s.steps = s.cycles = 2000; }), Keys{"strip.steps"});  // memory
