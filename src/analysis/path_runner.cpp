@@ -13,7 +13,7 @@ namespace {
 /// A load is met to this part of max(load, 1 N): well above the residual of each solver.
 constexpr double exact_load_tolerance = 1e-9;
 constexpr double regularised_load_tolerance = 1e-5;
-/// Many more than a piecewise linear function with a bracket needs.
+/// Many more than a function with a bracket needs that is linear, or under large displacements smooth, in pieces.
 constexpr int most_tries = 100;
 /// The first step towards a load where nothing is touched yet, as part of the reach.
 constexpr double first_part = 1e-3;

@@ -202,6 +202,10 @@ std::string cycle_table(const CycleResult& result) {
       append(row.name, row.unit, [&](std::size_t loop) { return row.cell(result.cycles[loop]); });
     }
   }
+  if (shown.size() < result.cycles.size()) {
+    out += fmt::format("cycles {} to {} are in the files only\n", columns_per_block / 2 + 1,
+                       result.cycles.size() - columns_per_block / 2);
+  }
   return out;
 }
 

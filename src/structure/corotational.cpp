@@ -105,24 +105,19 @@ ElementVector end_displacements(const ElementChain& chain, const PlacedElement& 
   return ends.cwiseProduct(scale_of(chain));
 }
 
-double corotational_energy(const ElementChain& chain, const Vector& x) {
+double add_corotational_forces(const ElementChain& chain, const Vector& x, Vector& forces) {
   double energy = 0.0;
   for (const PlacedElement& placed : chain.elements) {
-    energy += corotational_response(chain.section, placed.element, end_displacements(chain, placed, x)).energy;
-  }
-  return energy;
-}
-
-void add_corotational_forces(const ElementChain& chain, const Vector& x, Vector& forces) {
-  for (const PlacedElement& placed : chain.elements) {
-    const ElementVector own =
-        corotational_response(chain.section, placed.element, end_displacements(chain, placed, x)).forces;
-    const ElementVector scaled = own.cwiseProduct(scale_of(chain));
+    const CorotationalResponse own =
+        corotational_response(chain.section, placed.element, end_displacements(chain, placed, x));
+    energy += own.energy;
+    const ElementVector scaled = own.forces.cwiseProduct(scale_of(chain));
     for (int i = 0; i < 6; ++i) {
       const Eigen::Index place = place_of(placed, i);
       if (place >= 0) forces[place] += scaled[i];
     }
   }
+  return energy;
 }
 
 void add_corotational_tangent(const ElementChain& chain, const Vector& x, BlockTridiagonal& K) {

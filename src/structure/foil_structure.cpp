@@ -182,8 +182,7 @@ ElasticResponse elastic_response(const FoilStructure& structure, const Vector& x
   ElasticResponse response{.forces = linear_forces(structure, x), .energy = 0.0};
   response.energy = 0.5 * x.dot(response.forces);
   if (structure.large_displacements) {
-    add_corotational_forces(structure.large_displacements->bump_foil, x, response.forces);
-    response.energy += corotational_energy(structure.large_displacements->bump_foil, x);
+    response.energy += add_corotational_forces(structure.large_displacements->bump_foil, x, response.forces);
   }
   return response;
 }

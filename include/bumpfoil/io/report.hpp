@@ -23,8 +23,8 @@ inline constexpr std::size_t most_report_values = 2'000'000;
 /// direction in degrees, or the number of the cycle), `increments` (numbers of those that are kept: all, or every n-th
 /// one of each branch, always with its ends), `series` (variables per increment) and `fields` (per increment and node:
 /// `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes; NaN and
-/// -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here; gaps are left
-/// out, since the displacements give them.
+/// -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here. Left out are
+/// gaps, which the displacements give, stresses per node, and the friction at the journal, which is zero.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///

@@ -56,11 +56,8 @@ struct ElementChain {
 /// Displacements of the ends of an element, m and rad.
 ElementVector end_displacements(const ElementChain& chain, const PlacedElement& placed, const Vector& x);
 
-/// Elastic energy of the chain, J, in O(elements).
-double corotational_energy(const ElementChain& chain, const Vector& x);
-
-/// Adds the elastic forces of the chain, the gradient of its energy, N.
-void add_corotational_forces(const ElementChain& chain, const Vector& x, Vector& forces);
+/// Adds the elastic forces of the chain, the gradient of its energy, N. @return its elastic energy, J
+double add_corotational_forces(const ElementChain& chain, const Vector& x, Vector& forces);
 
 /// Adds the tangent stiffness of the chain, the derivative of its forces, N/m.
 void add_corotational_tangent(const ElementChain& chain, const Vector& x, BlockTridiagonal& K);
