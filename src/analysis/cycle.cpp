@@ -64,7 +64,7 @@ CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   for (Cycle& cycle : result.cycles) {
     if (cycle.increments.empty()) continue;
     cycle.first_contact = first_contact_displacement(
-        model.clearance, model.phi, cycle.increments.front().top_displacement, unit_vector(cycle.direction));
+        model.clearance, model.normals, cycle.increments.front().top_displacement, unit_vector(cycle.direction));
   }
   return result;
 }

@@ -42,12 +42,12 @@ std::optional<double> clearance_at(const std::vector<Increment>& increments, dou
   return std::nullopt;
 }
 
-std::optional<double> first_contact_displacement(double clearance, const Vector& phi, const Vector& top_displacement,
-                                                 const Eigen::Vector2d& direction) {
+std::optional<double> first_contact_displacement(double clearance, const Eigen::Matrix2Xd& normals,
+                                                 const Vector& top_displacement, const Eigen::Vector2d& direction) {
   constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
   std::optional<double> first;
-  for (Eigen::Index i = 0; i < phi.size(); ++i) {
-    const double cosine = unit_vector(phi[i]).dot(direction);
+  for (Eigen::Index i = 0; i < normals.cols(); ++i) {
+    const double cosine = normals.col(i).dot(direction);
     if (cosine <= facing) continue;
     const double displacement = std::max(0.0, (clearance + top_displacement[i]) / cosine);
     first = std::min(first.value_or(displacement), displacement);

@@ -58,7 +58,7 @@ FoilModel make_bearing_model(const Case& input) {
   require_valid(input);
   FoilModel model = make_foil_model(input, {});
   model.clearance = input.bearing.radial_clearance;
-  model.phi = polar_angles(input.bearing, crest_angles(input));
+  model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   return model;
 }
 
@@ -73,13 +73,13 @@ FoilModel make_strip_model(const Case& input) {
   const bool welded = input.strip->weld == StripWeld::one_end;
   FoilModel model =
       make_foil_model(cut_to_strip(input), {.flat = true, .welded = welded, .top_foil = input.strip->top_foil});
-  model.phi = Vector::Zero(model.bumps());
+  model.normals = outward_normals(Vector::Zero(model.bumps()));
   return model;
 }
 
 ContactLoading loading_at(const FoilModel& model, const Eigen::Vector2d& position) {
   ContactLoading loading{.initial_gap = model.assembled_gap, .load = Vector::Zero(model.problem.K.rows())};
-  loading.initial_gap(model.pressed()) += journal_gaps(model.clearance, model.phi, position);
+  loading.initial_gap(model.pressed()) += journal_gaps(model.clearance, model.normals, position);
   return loading;
 }
 
@@ -94,7 +94,7 @@ Vector pressing_loads(const FoilModel& model, const Vector& normal_force) {
 }
 
 Eigen::Vector2d holding_force(const FoilModel& model, const Vector& normal_force) {
-  return journal_force(model.phi, pressing_loads(model, normal_force));
+  return journal_force(model.normals, pressing_loads(model, normal_force));
 }
 
 }  // namespace bumpfoil

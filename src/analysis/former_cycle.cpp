@@ -21,7 +21,7 @@ class FormerRunner {
     cycle_.steps = settings.steps;
     cycle_.due = 2 * settings.steps + 1;
     cycle_.first_contact =
-        first_contact_displacement(model.bearing.radial_clearance, model.phi, -model.height_errors, normal_);
+        first_contact_displacement(model.bearing.radial_clearance, model.normals, -model.height_errors, normal_);
   }
 
   bool take_increment() {

@@ -51,7 +51,7 @@ FormerModel make_former_model(const Case& input) {
   FormerModel model;
   model.bearing = input.bearing;
   model.structure = make_foil_structure(input);
-  model.phi = polar_angles(input.bearing, crest_angles(input));
+  model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   model.height_errors = list_or_zeros(input.bump_foil.height_errors, bumps);
   model.sleeve_gaps = list_or_zeros(input.bump_foil.sleeve_gaps, bumps);
   const BumpDofs& dofs = model.structure.dofs;
@@ -65,11 +65,11 @@ FormerModel make_former_model(const Case& input) {
 }
 
 Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& position) {
-  return journal_gaps(model.bearing.radial_clearance, model.phi, position) - model.height_errors;
+  return journal_gaps(model.bearing.radial_clearance, model.normals, position) - model.height_errors;
 }
 
 Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactState& state) {
-  return journal_force(model.phi, state.normal_force(Eigen::seqN(FormerModel::crest, model.bumps(), 2)));
+  return journal_force(model.normals, state.normal_force(Eigen::seqN(FormerModel::crest, model.bumps(), 2)));
 }
 
 ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position,

@@ -44,14 +44,6 @@ Vector polar_angles(const Bearing& bearing, const Vector& theta) {
   return bearing.weld_angle + sigma * theta.array();
 }
 
-Vector journal_gaps(double clearance, const Vector& phi, const Eigen::Vector2d& position) {
-  return clearance - (position.x() * phi.array().cos() + position.y() * phi.array().sin());
-}
-
-Eigen::Vector2d journal_force(const Vector& phi, const Vector& journal_loads) {
-  return {journal_loads.dot(phi.array().cos().matrix()), journal_loads.dot(phi.array().sin().matrix())};
-}
-
 Eigen::Vector2d unit_vector(double direction) {
   const double quarter_turns = direction / (0.5 * std::numbers::pi);
   const double nearest = std::round(quarter_turns);
@@ -63,6 +55,20 @@ Eigen::Vector2d unit_vector(double direction) {
     return {0.0, -1.0};
   }
   return {std::cos(direction), std::sin(direction)};
+}
+
+Eigen::Matrix2Xd outward_normals(const Vector& phi) {
+  Eigen::Matrix2Xd normals(2, phi.size());
+  for (Eigen::Index i = 0; i < phi.size(); ++i) normals.col(i) = unit_vector(phi[i]);
+  return normals;
+}
+
+Vector journal_gaps(double clearance, const Eigen::Matrix2Xd& normals, const Eigen::Vector2d& position) {
+  return clearance - (normals.transpose() * position).array();
+}
+
+Eigen::Vector2d journal_force(const Eigen::Matrix2Xd& normals, const Vector& journal_loads) {
+  return normals * journal_loads;
 }
 
 }  // namespace bumpfoil

@@ -106,10 +106,10 @@ double nominal_height(const Case& input) {
 void write_heights(const Study& /*study*/, const StudyRun& run, const StudyRunResult& result, StudyTable& table) {
   const Case& input = result.input;
   const Vector theta = crest_angles(input);
-  const Vector phi = polar_angles(input.bearing, theta);
+  const Eigen::Matrix2Xd normals = outward_normals(polar_angles(input.bearing, theta));
   for (const Cycle& cycle : result.result.cycles) {
     const Vector pushed =
-        journal_gaps(input.bearing.radial_clearance, phi, cycle.amplitude * unit_vector(cycle.direction));
+        journal_gaps(input.bearing.radial_clearance, normals, cycle.amplitude * unit_vector(cycle.direction));
     for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
       const double nominal = nominal_height(input);
       Row& row = table.rows.emplace_back(row_of(run, cycle));
@@ -123,12 +123,13 @@ void write_foils(const Study& study, const StudyRun& run, const StudyRunResult& 
   const Case& input = result.input;
   const Vector theta = crest_angles(input);
   const Vector phi = polar_angles(input.bearing, theta);
+  const Eigen::Matrix2Xd normals = outward_normals(phi);
   const double nominal = nominal_height(input);
   for (const Cycle& cycle : result.result.cycles) {
     for (const int index : study.increments) {
       if (index >= static_cast<int>(cycle.increments.size())) continue;
       const Increment& at = cycle.increments[static_cast<std::size_t>(index)];
-      const Vector journal = journal_gaps(input.bearing.radial_clearance, phi, {at.x, at.y});
+      const Vector journal = journal_gaps(input.bearing.radial_clearance, normals, {at.x, at.y});
       const Eigen::Index feet = at.foot_v.size() / theta.size();
       for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
         const Eigen::Index foot = feet * (bump + 1) - 1;

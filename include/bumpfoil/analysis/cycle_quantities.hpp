@@ -12,11 +12,11 @@ namespace bumpfoil {
 std::optional<double> clearance_at(const std::vector<Increment>& increments, double threshold);
 
 /// Displacement (m) along the unit vector `direction` at which the journal first touches the top foil,
-/// (C_r + u_t,i) / cos(phi_i - beta) smallest over the bumps that face the direction, with the displacements u_t of the
+/// (C_r + u_t,i) / (n_i . n) smallest over the bumps that face the direction n, with the displacements u_t of the
 /// top foil at the centred journal and C_r the `clearance`; 0 if it touches already, absent if no bump faces the
 /// direction.
-std::optional<double> first_contact_displacement(double clearance, const Vector& phi, const Vector& top_displacement,
-                                                 const Eigen::Vector2d& direction);
+std::optional<double> first_contact_displacement(double clearance, const Eigen::Matrix2Xd& normals,
+                                                 const Vector& top_displacement, const Eigen::Vector2d& direction);
 
 /// Loop energy over 2 pi times the elastic energy stored between start and turning point; absent if none was stored.
 std::optional<double> loss_factor(double loop_energy, double elastic_energy_stored);

@@ -13,8 +13,8 @@ namespace bumpfoil {
 /// Foils ready to be loaded: elastic foils and the contacts between what presses on them (the journal of a bearing, the
 /// plate of a strip), the foils, and what carries them (sleeve, base). A plain value.
 ///
-/// What presses stands at a position in the X-Y plane: a displacement d moves it by d.(cos(phi), sin(phi)) towards the
-/// foils over each bump. The plate of a strip moves along X, and all its phi are zero.
+/// What presses stands at a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a bump
+/// with the normal n. The plate of a strip moves along X, and all its normals are (1, 0).
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
 /// Without a top foil the first is missing, and the second is that of the plate with the crest.
@@ -22,9 +22,9 @@ struct FoilModel {
   FoilStructure structure;
   StressModel stress;
   ContactProblem problem;
-  double clearance{};    ///< gap between what presses, at the origin, and the undeformed foils, m
-  Vector phi;            ///< polar angles of the crests, rad
-  Vector assembled_gap;  ///< g0 of each contact without what presses, m: height errors and sleeve gaps
+  double clearance{};        ///< gap between what presses, at the origin, and the undeformed foils, m
+  Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
+  Vector assembled_gap;      ///< g0 of each contact without what presses, m: height errors and sleeve gaps
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {

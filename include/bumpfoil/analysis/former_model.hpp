@@ -20,9 +20,9 @@ struct FormerModel {
   Bearing bearing;
   FoilStructure structure;  ///< truss, four unknowns per bump
   ContactProblem problem;
-  Vector phi;            ///< polar angles of the crests, rad
-  Vector height_errors;  ///< m, one per bump, positive = taller
-  Vector sleeve_gaps;    ///< m, one per bump
+  Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
+  Vector height_errors;      ///< m, one per bump, positive = taller
+  Vector sleeve_gaps;        ///< m, one per bump
 
   static constexpr int crest = 0;  ///< place of the contact in the block of a bump
   static constexpr int foot = 1;

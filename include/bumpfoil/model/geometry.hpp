@@ -39,16 +39,19 @@ Vector foot_angles(const Case& input);
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);
 
-/// Gaps between journal and undeformed top foil, r_i = C_r - (x cos(phi_i) + y sin(phi_i)), m. `clearance` is C_r,
-/// `phi` are polar angles; the journal centre stands at `position` (x, y). [Arghir2019, Eq. 3] prints the other sign
-/// before y, which its own results contradict.
-Vector journal_gaps(double clearance, const Vector& phi, const Eigen::Vector2d& position);
-
-/// Force that must be applied to the journal to hold it against the loads `journal_loads` (>= 0, N, one per entry of
-/// `phi`) of the top foil: sum of p_i (cos(phi_i), sin(phi_i)), N.
-Eigen::Vector2d journal_force(const Vector& phi, const Vector& journal_loads);
-
 /// Unit vector at polar angle `direction` (rad). Exact along the axes: no 6e-17 where zero is meant.
 Eigen::Vector2d unit_vector(double direction);
+
+/// Unit vectors n_i = (cos(phi_i), sin(phi_i)) from the axis of the bearing to points at polar angles `phi` (rad).
+Eigen::Matrix2Xd outward_normals(const Vector& phi);
+
+/// Gaps between journal and undeformed top foil, r_i = C_r - n_i . (x, y), m. `clearance` is C_r, `normals` are n_i;
+/// the journal centre stands at `position` (x, y). [Arghir2019, Eq. 3] prints the other sign before y, which its own
+/// results contradict.
+Vector journal_gaps(double clearance, const Eigen::Matrix2Xd& normals, const Eigen::Vector2d& position);
+
+/// Force that must be applied to the journal to hold it against the loads `journal_loads` (>= 0, N, one per normal) of
+/// the top foil: sum of p_i n_i, N.
+Eigen::Vector2d journal_force(const Eigen::Matrix2Xd& normals, const Vector& journal_loads);
 
 }  // namespace bumpfoil

@@ -43,15 +43,15 @@ TEST(Cycle, GoesThereAndBackInEqualIncrements) {
 TEST(Cycle, FieldsOfAnIncrementBelongTogether) {
   const Cycle cycle = run_single_cycle(short_case(), 1.0);
   const Case input = short_case();
-  const Vector phi = polar_angles(input.bearing, crest_angles(input));
+  const Eigen::Matrix2Xd normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   for (const Increment& increment : cycle.increments) {
-    const Eigen::Vector2d force = journal_force(phi, increment.journal_top.normal_force);
+    const Eigen::Vector2d force = journal_force(normals, increment.journal_top.normal_force);
     const double size = 1e-12 * (1.0 + force.norm());
     EXPECT_NEAR(increment.force_x, force.x(), size);
     EXPECT_NEAR(increment.force_y, force.y(), size);
     EXPECT_NEAR(increment.force_direct, force.x() * std::cos(1.0) + force.y() * std::sin(1.0), size);
     EXPECT_NEAR(increment.force_cross, -force.x() * std::sin(1.0) + force.y() * std::cos(1.0), size);
-    const Vector r = journal_gaps(input.bearing.radial_clearance, phi, {increment.x, increment.y});
+    const Vector r = journal_gaps(input.bearing.radial_clearance, normals, {increment.x, increment.y});
     for (Eigen::Index i = 0; i < 26; ++i) {
       const auto entry = static_cast<std::size_t>(i);
       const double g_r = r[i] + increment.top_displacement[i];

@@ -52,9 +52,9 @@ TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   const Vector at_rest = Vector::Zero(26);
   // Towards crest 5 exactly: the clearance; half-way between two crests: a little more.
   const double pitch_angle = input.bump_foil.pitch / input.bearing.radius;
-  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.normals, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
               31.8e-6, 1e-18);
-  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.normals, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
               31.8e-6 / std::cos(0.5 * pitch_angle), 1e-18);
 }
 
@@ -62,18 +62,19 @@ TEST(FirstContact, SeesTheTopFoilWhereItStands) {
   const FoilModel model = make_bearing_model(case_with_given_constants());
   Vector displaced = Vector::Zero(26);
   displaced[12] = -10e-6;  // inward
-  const Eigen::Vector2d towards = unit_vector(model.phi[12]);
-  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.phi, displaced, towards), 21.8e-6, 1e-18);
+  const Eigen::Vector2d towards = model.normals.col(12);
+  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.normals, displaced, towards), 21.8e-6, 1e-18);
   displaced[12] = -31.8e-6;
-  EXPECT_EQ(first_contact_displacement(model.clearance, model.phi, displaced, towards), 0.0);
+  EXPECT_EQ(first_contact_displacement(model.clearance, model.normals, displaced, towards), 0.0);
 }
 
 TEST(FirstContact, IsAbsentWhereNoCrestFacesTheDirection) {
   Case input = case_with_given_constants();
   input.bump_foil.bumps = 6;  // 82 degrees from the weld on
   const FoilModel model = make_bearing_model(input);
-  EXPECT_EQ(first_contact_displacement(model.clearance, model.phi, Vector::Zero(6), unit_vector(0.0)), std::nullopt);
-  EXPECT_TRUE(first_contact_displacement(model.clearance, model.phi, Vector::Zero(6), unit_vector(pi)).has_value());
+  EXPECT_EQ(first_contact_displacement(model.clearance, model.normals, Vector::Zero(6), unit_vector(0.0)),
+            std::nullopt);
+  EXPECT_TRUE(first_contact_displacement(model.clearance, model.normals, Vector::Zero(6), unit_vector(pi)).has_value());
 }
 
 TEST(LossFactor, ComparesTheLoopWithTheEnergyStored) {

@@ -32,7 +32,7 @@ TEST(FormerModel, FollowsTheJournalAndTheSleeve) {
   const FormerSolution solution = FormerSolver(model).solve(position);
   ASSERT_TRUE(solution.report.converged);
   const Vector gap = former_crest_gaps(model, position);
-  EXPECT_NEAR(gap[20], journal_gaps(model.bearing.radial_clearance, model.phi, position)[20] - 60e-6, 1e-18);
+  EXPECT_NEAR(gap[20], journal_gaps(model.bearing.radial_clearance, model.normals, position)[20] - 60e-6, 1e-18);
   int reached = 0;
   for (Eigen::Index i = 0; i < gap.size(); ++i) {
     EXPECT_NEAR(solution.state.x[4 * i + 3], 0.0, 1e-18);  // prescribed
@@ -73,7 +73,7 @@ TEST(FormerModel, IsLinearElasticWithoutFriction) {
   EXPECT_LT((x - solution.state.x).norm(), 1e-12 * x.norm());
   const Vector p = (K * x)(Eigen::seqN(1, gap.size(), 4));
   const Eigen::Vector2d force = former_journal_force(model, solution.state);
-  EXPECT_LT((journal_force(model.phi, p) - force).norm(), 1e-9 * force.norm());
+  EXPECT_LT((journal_force(model.normals, p) - force).norm(), 1e-9 * force.norm());
 }
 
 /// Coulomb's law against the total displacement, tensions included, spelt out.

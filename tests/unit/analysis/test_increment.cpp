@@ -68,7 +68,8 @@ TEST(RecordIncrement, FrictionlessContactsSlipTheWayTheyMove) {
 TEST(RecordIncrement, ResolvesTheForceOnTheJournal) {
   const Example example;
   const Increment increment = example.record();
-  const double phi = example.model.phi[2];
+  const Case input = case_with_given_constants();
+  const double phi = polar_angles(input.bearing, crest_angles(input))[2];
   EXPECT_NEAR(increment.force_x, 20.0 * std::cos(phi), 1e-13);
   EXPECT_NEAR(increment.force_y, 20.0 * std::sin(phi), 1e-13);
   EXPECT_EQ(increment.force_direct, increment.force_y);  // n is +Y

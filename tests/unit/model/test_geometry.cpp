@@ -57,12 +57,20 @@ TEST(JournalGaps, DefaultsGiveTheTextbookForm) {
   // Weld at 180 deg, clockwise: r = C_r + x cos(theta) - y sin(theta).
   const Case input = reference_case();
   const Vector theta = crest_angles(input);
-  const Vector phi = polar_angles(input.bearing, theta);
+  const Eigen::Matrix2Xd normals = outward_normals(polar_angles(input.bearing, theta));
   const Eigen::Vector2d position(12e-6, -7e-6);
-  const Vector r = journal_gaps(input.bearing.radial_clearance, phi, position);
+  const Vector r = journal_gaps(input.bearing.radial_clearance, normals, position);
   for (Eigen::Index i = 0; i < theta.size(); ++i) {
     EXPECT_NEAR(r[i], 31.8e-6 + 12e-6 * std::cos(theta[i]) + 7e-6 * std::sin(theta[i]), 1e-19);
   }
+}
+
+TEST(OutwardNormals, AreExactAlongTheAxes) {
+  const Eigen::Matrix2Xd normals = outward_normals(Vector{{0.0, 0.5 * std::numbers::pi, std::numbers::pi, 0.7}});
+  EXPECT_EQ(normals.col(0), Eigen::Vector2d(1.0, 0.0));
+  EXPECT_EQ(normals.col(1), Eigen::Vector2d(0.0, 1.0));
+  EXPECT_EQ(normals.col(2), Eigen::Vector2d(-1.0, 0.0));
+  EXPECT_EQ(normals.col(3), Eigen::Vector2d(std::cos(0.7), std::sin(0.7)));
 }
 
 TEST(JournalForce, PushingTowardsABumpNeedsAForceTowardsIt) {
@@ -70,7 +78,7 @@ TEST(JournalForce, PushingTowardsABumpNeedsAForceTowardsIt) {
   const Vector phi = polar_angles(input.bearing, crest_angles(input));
   Vector loads = Vector::Zero(phi.size());
   loads[4] = 3.0;
-  const Eigen::Vector2d force = journal_force(phi, loads);
+  const Eigen::Vector2d force = journal_force(outward_normals(phi), loads);
   EXPECT_NEAR(force.norm(), 3.0, rounding);
   EXPECT_NEAR(std::atan2(force.y(), force.x()), phi[4], rounding);
   // Bump 5 lies in the half plane of +Y with the default weld and wrap.
