@@ -32,16 +32,16 @@ ContactResiduals contact_residuals(const ContactProblem& problem, const Vector& 
     const double slip = contact.tangential(state.x) - contact.tangential(previous_x);
     const double bound = contact.f * p[c];
     raise(residuals.penetration, -gap);
-    raise(residuals.complementarity, -p[c] / scale);
-    if (gap > displacement_resolution) raise(residuals.complementarity, p[c] / scale);
-    raise(residuals.cone, (std::abs(t[c]) - bound) / scale);
+    raise(residuals.complementarity, gap > displacement_resolution ? std::abs(p[c]) : -p[c]);
+    raise(residuals.cone, std::abs(t[c]) - bound);
     if (std::abs(t[c]) < bound - clear_of_the_bound || std::isnan(slip)) {
       raise(residuals.slip_in_stick, std::abs(slip));
     } else if (std::abs(slip) > displacement_resolution) {
-      raise(residuals.cone, std::abs(t[c] + std::copysign(bound, slip)) / scale);
+      raise(residuals.cone, std::abs(t[c] + std::copysign(bound, slip)));
     }
   });
-  for (const double entry : imbalance) raise(residuals.equilibrium, std::abs(entry) / scale);
+  for (const double entry : imbalance) raise(residuals.equilibrium, std::abs(entry));
+  for (double* force : {&residuals.equilibrium, &residuals.complementarity, &residuals.cone}) *force /= scale;
   return residuals;
 }
 
