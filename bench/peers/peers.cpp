@@ -86,7 +86,8 @@ std::string time_solver(const std::string& name, const SolverSettings& settings,
     total += assembled;
     for (std::size_t k = 1; k < loadings.size(); ++k) {
       events.clear();
-      const IncrementReport report = solver.advance(loadings[k - 1], loadings[k], state, {}, events);
+      solver.set_out(loadings[k - 1], loadings[k], state);
+      const IncrementReport report = solver.advance_to(1.0, state, {}, events);
       failures += report.solve.converged ? 0 : 1;
       total += report.solve;
     }

@@ -55,7 +55,7 @@ CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
     cycle.steps = settings.steps;
     return LoopRunner(path,
                       {.normal = unit_vector(cycle.direction),
-                       .steps = push_and_pull(settings.amplitude, settings.steps),
+                       .legs = push_and_pull(settings.amplitude, settings.steps),
                        .begin = assemble,
                        .assembles = true},
                       cycle);

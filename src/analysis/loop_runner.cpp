@@ -31,51 +31,60 @@ CycleEvent located(const FoilModel& model, const ContactEvent& event, Branch bra
 
 }  // namespace
 
-std::vector<LoopStep> push_and_pull(double amplitude, int steps) {
-  std::vector<LoopStep> loop;
-  for (int k = 0; k <= 2 * steps; ++k) {
-    const int from_start = k <= steps ? k : 2 * steps - k;
-    loop.push_back({k <= steps ? Branch::loading : Branch::unloading, amplitude * from_start / steps});
-  }
-  return loop;
+std::vector<Leg> push_and_pull(double amplitude, int steps) {
+  return {{Branch::loading, amplitude, steps}, {Branch::unloading, 0.0, steps}};
 }
 
-std::vector<LoopStep> swing(double amplitude, int steps) {
-  std::vector<LoopStep> loop;
-  for (int k = 0; k <= 4 * steps; ++k) {
-    const bool down = k > steps && k <= 3 * steps;
-    const int from_middle = k <= steps ? k : down ? 2 * steps - k : k - 4 * steps;
-    loop.push_back({down ? Branch::unloading : Branch::loading, amplitude * from_middle / steps});
-  }
-  return loop;
+std::vector<Leg> swing(double amplitude, int steps) {
+  return {
+      {Branch::loading, amplitude, steps}, {Branch::unloading, -amplitude, 2 * steps}, {Branch::loading, 0.0, steps}};
 }
 
 LoopRunner::LoopRunner(PathRunner& path, LoopPlan plan, Cycle cycle)
     : path_(path), plan_(std::move(plan)), cycle_(std::move(cycle)) {
-  cycle_.due = static_cast<int>(plan_.steps.size());
-  cycle_.increments.reserve(plan_.steps.size());
+  cycle_.due = 1;
+  for (const Leg& leg : plan_.legs) cycle_.due += leg.steps;
+  cycle_.increments.reserve(static_cast<std::size_t>(cycle_.due));
 }
 
-bool LoopRunner::advance(std::size_t index) {
-  if (index == 0) {
-    const std::optional<double> origin = plan_.begin(path_);
-    if (origin) origin_ = *origin;
-    if (origin && plan_.assembles) cycle_.assembly_dissipation = path_.assembly_dissipation();
-    return origin.has_value();
+bool LoopRunner::begin() {
+  const std::optional<double> origin = plan_.begin(path_);
+  if (!origin) return false;
+  origin_ = *origin;
+  if (plan_.assembles) cycle_.assembly_dissipation = path_.assembly_dissipation();
+  return true;
+}
+
+/// Goes on to the next step. @return where it leads
+double LoopRunner::next_step() {
+  if (steps_of_leg_ == plan_.legs[leg_].steps) {
+    ++leg_;
+    steps_of_leg_ = 0;
   }
-  const double value = origin_ + plan_.steps[index].value;
-  if (!plan_.by_load) return path_.move_to(value * plan_.normal);
-  const double largest = origin_ + plan_.steps[static_cast<std::size_t>(cycle_.steps)].value;
-  return path_.load_to(plan_.normal, std::max(value, least_load * largest), plan_.reach);
+  ++steps_of_leg_;
+  const Leg& leg = plan_.legs[leg_];
+  const double begin = leg_ == 0 ? 0.0 : plan_.legs[leg_ - 1].end;
+  return origin_ + (begin * (leg.steps - steps_of_leg_) + leg.end * steps_of_leg_) / leg.steps;
+}
+
+bool LoopRunner::advance(double value) {
+  if (plan_.by_load) {
+    const double largest = origin_ + plan_.legs.front().end;
+    return path_.load_to(plan_.normal, std::max(value, least_load * largest), plan_.reach);
+  }
+  const Leg& leg = plan_.legs[leg_];
+  if (steps_of_leg_ == 1) path_.set_out((origin_ + leg.end) * plan_.normal);
+  return path_.advance_to(static_cast<double>(steps_of_leg_) / leg.steps);
 }
 
 bool LoopRunner::take_increment() {
   const std::size_t index = cycle_.increments.size();
-  if (!advance(index)) return false;
+  const double value = index == 0 ? 0.0 : next_step();
+  if (!(index == 0 ? begin() : advance(value))) return false;
   Increment next = path_.record(plan_.normal);
   next.index = static_cast<int>(index);
-  next.branch = plan_.steps[index].branch;
-  if (!plan_.by_load) next.displacement = origin_ + plan_.steps[index].value;
+  next.branch = plan_.legs[leg_].branch;
+  if (!plan_.by_load) next.displacement = index == 0 ? origin_ : value;
   if (path_.is_exact() && !next.residuals.within()) return false;
   if (index > 0) note_events(cycle_.increments.back(), next);
   cycle_.increments.push_back(std::move(next));

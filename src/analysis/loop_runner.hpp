@@ -9,28 +9,29 @@
 
 namespace bumpfoil {
 
-/// Where an increment of a loop leads, counted from the origin of the loop.
-struct LoopStep {
+/// A straight part of a loop, in equal increments.
+struct Leg {
   Branch branch{};
-  double value{};  ///< displacement along the direction of the loop, m, or load along it, N
+  double end{};  ///< displacement along the direction of the loop, m, or load along it, N
+  int steps{};   ///< increments
 };
 
 /// What a loop is made of.
 struct LoopPlan {
   Eigen::Vector2d normal{1.0, 0.0};
-  std::vector<LoopStep> steps;  ///< the first is the start
-  bool by_load{};               ///< steps are loads
-  double reach{};               ///< loads are not looked for beyond this displacement, m
-  /// Brings the path to the start of the loop. @return what its steps are counted from; absent after a failure
+  std::vector<Leg> legs;  ///< the first ends at the turning point
+  bool by_load{};         ///< legs end at loads
+  double reach{};         ///< loads are not looked for beyond this displacement, m
+  /// Brings the path to the start of the loop. @return what legs are counted from; absent after a failure
   std::function<std::optional<double>(PathRunner&)> begin;
   bool assembles{};  ///< the start is the assembly of the foils
 };
 
-/// Push to `steps` and back in equal steps.
-std::vector<LoopStep> push_and_pull(double amplitude, int steps);
+/// Push in `steps` and back in as many.
+std::vector<Leg> push_and_pull(double amplitude, int steps);
 
 /// From the middle up in `steps`, down through the middle as far in twice as many, and back to the middle.
-std::vector<LoopStep> swing(double amplitude, int steps);
+std::vector<Leg> swing(double amplitude, int steps);
 
 /// One loop, increment by increment.
 class LoopRunner {
@@ -46,13 +47,17 @@ class LoopRunner {
   Cycle finish();
 
  private:
-  bool advance(std::size_t index);
+  bool begin();
+  bool advance(double value);
+  [[nodiscard]] double next_step();
   void note_events(const Increment& last, const Increment& next);
 
   PathRunner& path_;
   LoopPlan plan_;
   Cycle cycle_;
   double origin_{};
+  std::size_t leg_{};   ///< that the last increment belongs to
+  int steps_of_leg_{};  ///< taken
   std::optional<TangentStiffnesses> tangents_;
 };
 

@@ -36,29 +36,41 @@ bool PathRunner::assemble(const Eigen::Vector2d& position) {
   return true;
 }
 
-std::optional<PathRunner::Stage> PathRunner::try_increment(const Eigen::Vector2d& position) {
-  Stage next = now_;
-  next.events.clear();
-  next.position = position;
-  next.loading = loading_at(model_, position);
-  const auto visit = [&](const ContactState& begin, const ContactState& end) {
-    next.begin_of_part = begin.x;
-    next.work += gap_work(model_.problem, begin, end);
+void PathRunner::set_out(const Eigen::Vector2d& end) {
+  path_start_ = now_.position;
+  path_end_ = end;
+  path_done_ = 0.0;
+  solver_.set_out(now_.loading, loading_at(model_, end), now_.state);
+}
+
+bool PathRunner::try_increment(double fraction) {
+  next_ = now_;
+  next_.events.clear();
+  next_.position = (1.0 - fraction) * path_start_ + fraction * path_end_;
+  next_.loading = loading_at(model_, next_.position);
+  const auto visit = [this](const ContactState& begin, const ContactState& end) {
+    next_.begin_of_part = begin.x;
+    next_.work += gap_work(model_.problem, begin, end);
     // Forces vary linearly from event to event; an increment carries the friction of its end throughout.
-    const Vector p =
-        solver_.follows_events() ? Vector(0.5 * (begin.normal_force + end.normal_force)) : end.normal_force;
-    next.dissipation += friction_dissipation(model_.problem, p, begin.x, end.x);
+    const double weight = solver_.follows_events() ? 0.5 : 0.0;
+    next_.dissipation += friction_dissipation(
+        model_.problem, weight * begin.normal_force + (1.0 - weight) * end.normal_force, begin.x, end.x);
   };
-  next.report = solver_.advance(now_.loading, next.loading, next.state, visit, next.events);
-  if (!next.report.solve.converged) return std::nullopt;
-  return next;
+  next_.report = solver_.advance_to(fraction, next_.state, visit, next_.events);
+  for (ContactEvent& event : next_.events) event.fraction = (event.fraction - path_done_) / (fraction - path_done_);
+  return next_.report.solve.converged;
+}
+
+bool PathRunner::advance_to(double fraction) {
+  if (!try_increment(fraction)) return false;
+  std::swap(now_, next_);
+  path_done_ = fraction;
+  return true;
 }
 
 bool PathRunner::move_to(const Eigen::Vector2d& position) {
-  std::optional<Stage> next = try_increment(position);
-  if (!next) return false;
-  now_ = std::move(*next);
-  return true;
+  set_out(position);
+  return advance_to(1.0);
 }
 
 bool PathRunner::load_to(const Eigen::Vector2d& normal, double load, double reach) {
@@ -104,11 +116,11 @@ bool PathRunner::load_to(const Eigen::Vector2d& normal, double load, double reac
       if (below >= most) return false;
       step = most;
     }
-    std::optional<Stage> next = try_increment(start + step * normal);
-    if (!next) return false;
-    total.solve += next->report.solve;
-    total.substeps += next->report.substeps;
-    tried = std::move(*next);
+    set_out(start + step * normal);
+    if (!try_increment(1.0)) return false;
+    total.solve += next_.report.solve;
+    total.substeps += next_.report.substeps;
+    std::swap(tried, next_);
   }
   return false;
 }

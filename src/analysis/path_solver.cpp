@@ -1,5 +1,7 @@
 #include "bumpfoil/analysis/path_solver.hpp"
 
+#include <utility>
+
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
 
@@ -22,10 +24,23 @@ SolveReport PathSolver::assemble(const ContactLoading& loading, const ContactSta
   return increments_->solve(loading, unstressed, state);
 }
 
-IncrementReport PathSolver::advance(const ContactLoading& from, const ContactLoading& to, ContactState& state,
-                                    const PartVisitor& visit, std::vector<ContactEvent>& events) {
-  return events_ ? events_->advance(from, to, state, visit, events)
-                 : bumpfoil::advance(*increments_, from, to, state, visit);
+void PathSolver::set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state) {
+  if (events_) {
+    events_->set_out(from, to, state);
+    return;
+  }
+  from_ = from;
+  to_ = to;
+  reached_ = from;
+}
+
+IncrementReport PathSolver::advance_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                       std::vector<ContactEvent>& events) {
+  if (events_) return events_->advance_to(fraction, state, visit, events);
+  ContactLoading next = interpolate(from_, to_, fraction);
+  const IncrementReport report = bumpfoil::advance(*increments_, reached_, next, state, visit);
+  reached_ = std::move(next);
+  return report;
 }
 
 }  // namespace bumpfoil

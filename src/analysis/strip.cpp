@@ -69,7 +69,7 @@ CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
     const double amplitude = strip.amplitude.value;
     return LoopRunner(path,
                       {.normal = towards_base,
-                       .steps = strip.preload ? swing(amplitude, strip.steps) : push_and_pull(amplitude, strip.steps),
+                       .legs = strip.preload ? swing(amplitude, strip.steps) : push_and_pull(amplitude, strip.steps),
                        .by_load = by_load,
                        .reach = reach,
                        .begin = begin,

@@ -15,8 +15,9 @@ struct EventFollower::Workspace {
       : problem(contact_problem),
         options(follow_options),
         modes(std::move(mode_system)),
-        target(ContactState::unstressed(contact_problem)),
-        next(target) {
+        begin(ContactState::unstressed(contact_problem)),
+        target(begin),
+        next(begin) {
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     mode.reserve(contacts);
     changes.reserve(contacts);
@@ -24,20 +25,32 @@ struct EventFollower::Workspace {
   }
 
   void find_changes(const ContactState& state);
-  bool settle_modes(const ContactLoading& end, const ContactState& state, SolveReport& report);
+  bool settle_modes(const ContactState& state, SolveReport& report);
+  bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
+                   SolveReport& report);
+  [[nodiscard]] bool obeys_modes(const ContactState& state) const;
   double next_event(const ContactState& state);
-  void flip_at(double fraction);
+  void flip_at_event(const ContactState& state);
+  void interpolate_piece(double part);
 
   ContactProblem problem;
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
-  std::vector<ContactMode> mode;  ///< of the piece that begins
+  ContactLoading end;   ///< of the path
+  double reached{};     ///< fraction of the path that lies behind
+  int events_passed{};  ///< on this path
+  bool inside_piece{};  ///< the piece below leads on from `reached`
+  bool first_touch{};   ///< at `reached` foils that carried nothing are touched: all that touches is tried closed
+  std::vector<ContactMode> mode;  ///< of the piece
+  ContactState begin;             ///< of the piece
+  double begin_fraction{};        ///< of the path
+  double event{};                 ///< part of the way from `begin` to `target` after which the piece ends, at most 1
   ContactState target;            ///< where the piece would lead if nothing happened before the end of the path
-  ContactState next;              ///< end of the piece
+  ContactState next;              ///< where the path is halted
   double force_tolerance{};
 
   struct Candidate {
-    double fraction;  ///< of the way to the target
+    double part;  ///< of the way to the target
     Eigen::Index contact;
     ContactMode to;
   };
@@ -82,9 +95,8 @@ void EventFollower::Workspace::find_changes(const ContactState& state) {
 }
 
 /// Finds the modes of the piece that begins at `state`, and where it leads.
-bool EventFollower::Workspace::settle_modes(const ContactLoading& end, const ContactState& state, SolveReport& report) {
-  force_tolerance = options.force_tolerance * std::max(1.0, state.normal_force.maxCoeff());
-  PivotingRule rule(options.max_mode_updates);
+bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveReport& report) {
+  PivotingRule rule(first_touch ? options.max_first_touch_updates : options.max_mode_updates);
   for (;;) {
     const int factorisations = modes->factorisations();
     if (!modes->set_modes(mode)) return false;
@@ -92,21 +104,68 @@ bool EventFollower::Workspace::settle_modes(const ContactLoading& end, const Con
     modes->solve(end, state.x, target);
     ++report.iterations;
     if (!target.x.allFinite()) return false;
+    force_tolerance =
+        options.force_tolerance * std::max({1.0, state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
     find_changes(state);
     if (changes.empty()) return true;
     if (!rule.apply(changes, mode)) return false;
   }
 }
 
-/// Fraction of the way to `target` at which the first contact reaches the limit of its mode, at most 1. Fills
+/// Whether the forces and gaps of `state` are such as the modes of the piece ask for.
+bool EventFollower::Workspace::obeys_modes(const ContactState& state) const {
+  bool obeys = true;
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const double p = state.normal_force[c];
+    const double t = state.friction_force[c];
+    const ContactMode m = mode[static_cast<std::size_t>(c)];
+    if (m == ContactMode::open) {
+      obeys = obeys && std::abs(p) <= force_tolerance && std::abs(t) <= force_tolerance;
+      return;
+    }
+    obeys = obeys && std::abs(state.gap[c]) <= options.displacement_tolerance;
+    if (slips(m) && contact.f > 0.0) {
+      const double friction = m == ContactMode::slip_forward ? -contact.f * p : contact.f * p;
+      obeys = obeys && std::abs(t - friction) <= force_tolerance;
+    }
+  });
+  return obeys;
+}
+
+/// Settles what comes next at `state`.
+bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisitor& visit,
+                                           std::vector<ContactEvent>* events, SolveReport& report) {
+  if (!settle_modes(state, report)) return false;
+  if (events != nullptr) {
+    for (std::size_t c = 0; c < mode.size(); ++c) {
+      if (mode[c] != state.mode[c]) events->push_back({reached, static_cast<int>(c), state.mode[c], mode[c]});
+    }
+  }
+  state.mode = mode;
+  begin = state;
+  if (!obeys_modes(state)) {
+    // The response jumps: foils snap, or contacts that lose their last force together do so one rounding apart.
+    modes->solve(modes->loading_of(state), state.x, begin);
+    ++report.iterations;
+    if (visit) visit(state, begin);
+    state = begin;
+  }
+  begin_fraction = reached;
+  event = next_event(state);
+  inside_piece = true;
+  return true;
+}
+
+/// Part of the way to `target` at which the first contact reaches the limit of its mode, at most 1. Fills
 /// `candidates`.
 double EventFollower::Workspace::next_event(const ContactState& state) {
   candidates.clear();
   double first = 1.0;
   const auto propose = [&](Eigen::Index c, double now, double then, ContactMode to) {
-    const double fraction = now <= 0.0 ? 0.0 : now / (now - then);
-    candidates.push_back({fraction, c, to});
-    first = std::min(first, fraction);
+    const double part = now <= 0.0 ? 0.0 : now / (now - then);
+    candidates.push_back({part, c, to});
+    first = std::min(first, part);
   };
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const Eigen::Index c = contact.index;
@@ -131,48 +190,60 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
   return first;
 }
 
-void EventFollower::Workspace::flip_at(double fraction) {
+/// Guesses the modes of the next piece, which begins at `state`.
+void EventFollower::Workspace::flip_at_event(const ContactState& state) {
   for (const Candidate& candidate : candidates) {
-    if (candidate.fraction <= fraction) mode[static_cast<std::size_t>(candidate.contact)] = candidate.to;
+    if (candidate.part <= event) mode[static_cast<std::size_t>(candidate.contact)] = candidate.to;
+  }
+  first_touch = state.normal_force.maxCoeff() <= force_tolerance;
+  if (!first_touch) return;
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
+    if (m == ContactMode::open && state.gap[contact.index] <= options.displacement_tolerance) m = ContactMode::stick;
+  });
+}
+
+/// Fills `next` with the state at `part` of the way from `begin` to `target`.
+void EventFollower::Workspace::interpolate_piece(double part) {
+  next.mode = target.mode;
+  for (Vector ContactState::*field :
+       {&ContactState::x, &ContactState::gap, &ContactState::normal_force, &ContactState::friction_force}) {
+    next.*field = (1.0 - part) * (begin.*field) + part * (target.*field);
   }
 }
 
-FollowReport EventFollower::follow(const ContactLoading& end, ContactState& state, const PartVisitor& visit,
-                                   std::vector<ContactEvent>* events, const std::vector<ContactMode>* guess) {
+void EventFollower::set_out(const ContactLoading& end, const std::vector<ContactMode>& mode) {
   Workspace& w = *workspace_;
+  w.end = end;
+  w.mode = mode;
+  w.reached = 0.0;
+  w.events_passed = 0;
+  w.inside_piece = false;
+  w.first_touch = false;
+}
+
+FollowReport EventFollower::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                      std::vector<ContactEvent>* events) {
+  Workspace& w = *workspace_;
+  const int events_before = w.events_passed;
   FollowReport report;
   report.solve.converged = true;
-  w.mode = guess != nullptr ? *guess : state.mode;
-  for (; report.pieces < w.options.max_pieces; ++report.pieces) {
-    if (!w.settle_modes(end, state, report.solve)) return report;
-    if (events != nullptr) {
-      for (std::size_t c = 0; c < w.mode.size(); ++c) {
-        if (w.mode[c] != state.mode[c]) {
-          events->push_back({report.fraction, static_cast<int>(c), state.mode[c], w.mode[c]});
-        }
-      }
-    }
-    state.mode = w.mode;
-
-    const double part = w.next_event(state);
-    ContactState& next = w.next;
-    next = w.target;
-    const double fraction = part < 1.0 ? report.fraction + part * (1.0 - report.fraction) : 1.0;
-    if (part < 1.0) {
-      next.x = state.x + part * (w.target.x - state.x);
-      next.gap = state.gap + part * (w.target.gap - state.gap);
-      next.normal_force = state.normal_force + part * (w.target.normal_force - state.normal_force);
-      next.friction_force = state.friction_force + part * (w.target.friction_force - state.friction_force);
-    }
-    if (visit) visit(state, next);
-    std::swap(state, next);
-    report.fraction = fraction;
-    if (part >= 1.0) {
-      report.reached_end = true;
-      return report;
-    }
-    w.flip_at(part);
+  for (;;) {
+    if (!w.inside_piece && !w.begin_piece(state, visit, events, report.solve)) break;
+    const double length = 1.0 - w.begin_fraction;
+    const double event = w.event < 1.0 ? w.begin_fraction + w.event * length : 1.0;
+    report.arrived = fraction <= event;
+    w.interpolate_piece(report.arrived ? (fraction - w.begin_fraction) / length : w.event);
+    if (visit) visit(state, w.next);
+    std::swap(state, w.next);
+    w.reached = report.arrived ? fraction : event;
+    if (report.arrived || w.events_passed == w.options.max_events) break;
+    w.flip_at_event(state);
+    w.inside_piece = false;
+    ++w.events_passed;
   }
+  report.fraction = w.reached;
+  report.events = w.events_passed - events_before;
   return report;
 }
 

@@ -8,20 +8,12 @@
 namespace bumpfoil {
 namespace {
 
-/// Part of the path that is taken to see which modes follow an event: short enough for no other event to fall into it,
-/// long enough for its slips and forces to stand clear of roundings. Grows by a factor where it does not help.
+/// Part of what is asked for that is taken to see which modes follow an event: short enough for no other event to fall
+/// into it, long enough for its slips and forces to stand clear of roundings. Grows by a factor where it does not help.
 constexpr double smallest_probe = 1e-4;
 constexpr double probe_growth = 4.0;
-/// Probes of one step before it is given up: many more than any response needs.
+/// Probes of one call before it is given up: many more than any response needs.
 constexpr int most_probes = 1000;
-
-/// What happened in the last part of a path, on the scale of the whole path.
-void append_events(const std::vector<ContactEvent>& part, double begin, std::vector<ContactEvent>& events) {
-  for (ContactEvent event : part) {
-    event.fraction = begin + event.fraction * (1.0 - begin);
-    events.push_back(event);
-  }
-}
 
 }  // namespace
 
@@ -30,32 +22,54 @@ EventStepper::EventStepper(const ContactProblem& problem)
   BUMPFOIL_ASSERT(!problem.law);  // between two events the response would not be linear
 }
 
-IncrementReport EventStepper::advance(const ContactLoading& from, const ContactLoading& to, ContactState& state,
-                                      const PartVisitor& visit, std::vector<ContactEvent>& events) {
+void EventStepper::set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state) {
+  from_ = from;
+  to_ = to;
+  start_ = fraction_ = 0.0;
+  follower_.set_out(to, state.mode);
+}
+
+/// What follower_ sees of the path began at start_.
+FollowReport EventStepper::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                     std::vector<ContactEvent>& events) {
+  const double length = 1.0 - start_;
+  const std::size_t known = events.size();
+  FollowReport report = follower_.follow_to(fraction < 1.0 ? (fraction - start_) / length : 1.0, state, visit, &events);
+  for (std::size_t i = known; i < events.size(); ++i) events[i].fraction = start_ + events[i].fraction * length;
+  report.fraction = report.arrived ? fraction : start_ + report.fraction * length;
+  fraction_ = report.fraction;
+  return report;
+}
+
+IncrementReport EventStepper::advance_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                         std::vector<ContactEvent>& events) {
   IncrementReport report;
-  double fraction = 0.0;
-  double probe = smallest_probe;
-  std::vector<ContactEvent> part;
-  ContactState probed;
-  const auto follow = [&](const std::vector<ContactMode>* guess) {
-    part.clear();
-    const FollowReport followed = follower_.follow(to, state, visit, &part, guess);
-    append_events(part, fraction, events);
+  const double first_probe = smallest_probe * (fraction - fraction_);
+  double probe = first_probe;
+  const auto follow = [&] {
+    const FollowReport followed = follow_to(fraction, state, visit, events);
     report.solve += followed.solve;
-    if (followed.fraction > 0.0) probe = smallest_probe;
-    fraction += followed.fraction * (1.0 - fraction);
-    return followed.reached_end;
+    return followed.arrived;
+  };
+  const auto set_out_again = [&](const std::vector<ContactMode>& mode) {
+    start_ = fraction_;
+    follower_.set_out(to_, mode);
   };
 
-  for (int probes = 0; !follow(nullptr); ++probes) {
+  ContactState probed;
+  for (int probes = 0; !follow(); ++probes) {
     report.solve.converged = false;
     if (probes == most_probes) return report;
-    const double before = fraction;
-    const double end = std::min(1.0, fraction + probe);
-    report.solve += newton_.solve(interpolate(from, to, end), state, probed);
+    const double before = fraction_;
+    const double end = std::min(fraction, before + probe);
+    report.solve += newton_.solve(interpolate(from_, to_, end), state, probed);
     if (!report.solve.converged) return report;
-    if (follow(&probed.mode)) break;
-    if (fraction > before) continue;
+    set_out_again(probed.mode);
+    if (follow()) break;
+    if (fraction_ > before) {
+      probe = first_probe;
+      continue;
+    }
 
     // The modes do not lead on from here: take the small increment itself.
     if (visit) visit(state, probed);
@@ -65,10 +79,11 @@ IncrementReport EventStepper::advance(const ContactLoading& from, const ContactL
       }
     }
     std::swap(state, probed);
-    fraction = end;
+    fraction_ = end;
+    set_out_again(state.mode);
     probe *= probe_growth;
     ++report.substeps;
-    if (fraction >= 1.0) break;
+    if (end >= fraction) break;
   }
   report.solve.converged = true;
   return report;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
 
@@ -156,6 +157,17 @@ class ModeSystemOf final : public ModeSystem {
     state.x = rhs_;
     lu_.solve_in_place(state.x);
     recover_forces(loading, state);
+  }
+
+  [[nodiscard]] ContactLoading loading_of(const ContactState& state) override {
+    K_.multiply(state.x, imbalance_);
+    ContactLoading loading{.initial_gap = state.gap, .load = imbalance_};
+    for_each_contact(pairs_, K_.block_size, state.x.size(), [&](const CoulombContact& contact) {
+      const Eigen::Index c = contact.index;
+      loading.initial_gap[c] -= contact.gap(state.x);
+      contact.add_forces(state.normal_force[c], state.friction_force[c], -1.0, loading.load);
+    });
+    return loading;
   }
 
  private:

@@ -14,7 +14,7 @@ namespace bumpfoil {
 namespace {
 
 /// Events within an increment, per contact, beyond which following them is no longer the cheaper method.
-constexpr int most_pieces_per_contact = 2;
+constexpr int most_events_per_contact = 2;
 
 /// Rounds of mode changes after each update of the multipliers, which will show better modes next time.
 constexpr int rounds_per_multiplier_update = 2;
@@ -59,7 +59,7 @@ struct NewtonSolver::Workspace {
         options(newton_options),
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
-        follower(contact_problem, modes, {.max_pieces = most_pieces_per_contact * contact_problem.contacts()}),
+        follower(contact_problem, modes, {.max_events = most_events_per_contact * contact_problem.contacts()}),
         path_end(ContactState::unstressed(contact_problem)),
         x(contact_problem.K.rows()),
         gradient(x),
@@ -205,9 +205,10 @@ bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const
 bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const ContactState& previous,
                                             ContactState& state, SolveReport& report) {
   path_end = previous;
-  const FollowReport followed = follower.follow(loading, path_end);
+  follower.set_out(loading, previous.mode);
+  const FollowReport followed = follower.follow_to(1.0, path_end);
   report += followed.solve;
-  if (!followed.reached_end) return false;
+  if (!followed.arrived) return false;
   trial = path_end.mode;
   return iterate_modes(loading, previous, options.max_mode_updates, state, report);
 }

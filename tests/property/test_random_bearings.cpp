@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -27,6 +30,26 @@ TEST(RandomBearings, AreSolvedThirdQuarter) {
 }
 TEST(RandomBearings, AreSolvedFourthQuarter) {
   expect_all_solved(150);
+}
+
+/// Followed event by event, too, without a single small increment in the response: the plain energy balance, work
+/// equals energy stored and dissipated, holds at every increment.
+TEST(RandomBearings, AreFollowedFromEventToEvent) {
+  for (std::uint64_t number = 0; number < 100; ++number) {
+    Case input = random_case(number);
+    input.solver.name = SolverName::events;
+    const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+    ASSERT_EQ(first_failure(cycle), "") << input.title;
+    EXPECT_EQ(cycle.substeps(), 0) << input.title;
+    double largest_work = 0.0;
+    double imbalance = 0.0;
+    for (const Increment& k : cycle.increments) {
+      const double stored = k.elastic_energy - cycle.increments.front().elastic_energy;
+      largest_work = std::max(largest_work, std::abs(k.work));
+      imbalance = std::max(imbalance, std::abs(k.work - stored - k.dissipated_energy));
+    }
+    EXPECT_LE(imbalance, 1e-9 * largest_work) << input.title;  // sums of some thousand pieces with roundings of 1e-16
+  }
 }
 
 TEST(RandomBearings, AreTheSameForTheSameNumberAndDifferOtherwise) {

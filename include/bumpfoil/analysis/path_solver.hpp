@@ -24,16 +24,22 @@ class PathSolver {
   [[nodiscard]] SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
                                      ContactState& state);
 
-  /// One increment, halved where the solver fails; see advance() and EventStepper.
+  /// Begins the straight path from the loading `from`, which `state` is the response to, to the loading `to`.
+  void set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state);
+
+  /// One increment: goes on to `fraction` of the whole path. Increments are halved where the solver fails, see
+  /// advance() and EventStepper.
+  /// @param state   where the last increment ended, or the path began
   /// @param visit   receives the parts of the increment
-  /// @param events  receives the changes of mode if events are followed
-  [[nodiscard]] IncrementReport advance(const ContactLoading& from, const ContactLoading& to, ContactState& state,
-                                        const PartVisitor& visit, std::vector<ContactEvent>& events);
+  /// @param events  receives the changes of mode if events are followed, with the fractions of the whole path
+  [[nodiscard]] IncrementReport advance_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                           std::vector<ContactEvent>& events);
 
  private:
   bool exact_;
   std::unique_ptr<ContactSolver> increments_;
   std::unique_ptr<EventStepper> events_;
+  ContactLoading from_, to_, reached_;
 };
 
 }  // namespace bumpfoil

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "bumpfoil/contact/problem.hpp"
 
 namespace bumpfoil {
@@ -26,15 +29,23 @@ struct CoulombContact {
   }
 };
 
-/// Calls visit(CoulombContact) for every contact in the order of contact arrays.
+/// Calls visit(CoulombContact) for every contact of `pairs` in blocks of `block_size` unknowns, `rows` in all, in the
+/// order of contact arrays.
 template <typename Visitor>
-void for_each_contact(const ContactProblem& problem, Visitor&& visit) {
+void for_each_contact(const std::vector<ContactPair>& pairs, Eigen::Index block_size, Eigen::Index rows,
+                      Visitor&& visit) {
   Eigen::Index index = 0;
-  for (Eigen::Index row = 0; row < problem.K.rows(); row += problem.K.block_size()) {
-    for (const ContactPair& pair : problem.pairs) {
+  for (Eigen::Index row = 0; row < rows; row += block_size) {
+    for (const ContactPair& pair : pairs) {
       visit(CoulombContact{pair, pair.tangential >= 0 ? pair.friction_coefficient : 0.0, row, index++});
     }
   }
+}
+
+/// The same for all contacts of a problem.
+template <typename Visitor>
+void for_each_contact(const ContactProblem& problem, Visitor&& visit) {
+  for_each_contact(problem.pairs, problem.K.block_size(), problem.K.rows(), std::forward<Visitor>(visit));
 }
 
 }  // namespace bumpfoil

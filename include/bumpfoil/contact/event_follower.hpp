@@ -18,9 +18,9 @@ struct ContactEvent {
 
 /// How far a path was followed.
 struct FollowReport {
-  bool reached_end{};  ///< false where the modes after an event could not be found
-  double fraction{};   ///< how far the path was followed, 0..1
-  int pieces{};        ///< linear pieces between events
+  bool arrived{};     ///< false where the modes after an event could not be found
+  double fraction{};  ///< of the whole path that lies behind, 0..1
+  int events{};       ///< places where a contact changed its mode on the way
   SolveReport solve;
 };
 
@@ -29,16 +29,20 @@ struct FollowOptions {
   double displacement_tolerance{1e-13};  ///< m
   double force_tolerance{1e-11};         ///< of max(largest contact force, 1 N)
   int max_mode_updates{10};              ///< rounds of settling the modes after one event
-  int max_pieces{100000};                ///< pieces of one path
+  int max_first_touch_updates{30};       ///< the same where foils that carried nothing are touched
+  int max_events{100000};                ///< places of one path where contacts change their mode
 };
 
 /// Follows the response to a straight loading path from event to event. Unilateral contact and Coulomb friction in the
 /// plane are piecewise linear, so that between two events (a contact closes, opens, begins or ceases to slip) one
-/// linear solve describes everything; the result does not depend on any increment.
+/// linear solve describes everything: where the piece would lead by the end of the path. States on the way are
+/// interpolated, and the result does not depend on where the path is halted.
 ///
 /// After an event the rates decide: a contact at its friction bound goes on slipping where its velocity agrees with its
 /// friction force and sticks otherwise; one that touches without force closes or opens. All contacts that may choose
-/// are settled together, starting from their last modes.
+/// are settled together, starting from their last modes. Where foils are touched that carried nothing, most contacts
+/// touch without force and may choose: they start closed, since foils that are pressed rest on more places than they
+/// lift from.
 class EventFollower {
  public:
   /// @param modes  linear system of the problem; may be shared with other solvers that are not at work meanwhile
@@ -46,14 +50,19 @@ class EventFollower {
                 const FollowOptions& options = FollowOptions());
   ~EventFollower();
 
-  /// Follows the response from `state` to the loading `end`, which it approaches linearly.
-  /// @param state   start of the path; on return its end, or the last event that was reached
-  /// @param visit   receives the linear pieces, both ends with the modes of the piece; may be empty
-  /// @param events  receives the changes of mode in their order; may be null
-  /// @param guess   modes to begin with instead of those of `state`; may be null
-  [[nodiscard]] FollowReport follow(const ContactLoading& end, ContactState& state, const PartVisitor& visit = {},
-                                    std::vector<ContactEvent>* events = nullptr,
-                                    const std::vector<ContactMode>* guess = nullptr);
+  /// Begins a path.
+  /// @param end   loading at the end of the path, which it approaches linearly
+  /// @param mode  modes to begin with, those of the state where the path begins or a better guess
+  void set_out(const ContactLoading& end, const std::vector<ContactMode>& mode);
+
+  /// Goes on along the path.
+  /// @param fraction  of the whole path where to halt
+  /// @param state     where the last call halted, or the start of the path; on return the state at `fraction`, or at
+  ///   the last event that was reached
+  /// @param visit     receives the linear pieces, both ends with the modes of the piece; may be empty
+  /// @param events    receives the changes of mode in their order; may be null
+  [[nodiscard]] FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit = {},
+                                       std::vector<ContactEvent>* events = nullptr);
 
  private:
   struct Workspace;

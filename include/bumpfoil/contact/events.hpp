@@ -13,17 +13,27 @@ class EventStepper {
  public:
   explicit EventStepper(const ContactProblem& problem);
 
-  /// Advances `state` from `from` to `to`.
+  /// Begins the path from the loading `from`, which `state` is the response to, to the loading `to`.
+  void set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state);
+
+  /// Goes on to `fraction` of the whole path.
+  /// @param state   where the last call ended, or the path began; on failure the last event that was reached
   /// @param visit   receives the linear pieces of the response; may be empty
-  /// @param events  receives the changes of mode, fractions from 0 at `from` to 1 at `to`
+  /// @param events  receives the changes of mode, with the fractions of the whole path where they happened
   /// @return `substeps` counts the small increments that stand in the response because even the modes they show could
   ///   not be followed; none in an exact response
-  [[nodiscard]] IncrementReport advance(const ContactLoading& from, const ContactLoading& to, ContactState& state,
-                                        const PartVisitor& visit, std::vector<ContactEvent>& events);
+  [[nodiscard]] IncrementReport advance_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                           std::vector<ContactEvent>& events);
 
  private:
+  FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                         std::vector<ContactEvent>& events);
+
   EventFollower follower_;
   NewtonSolver newton_;
+  ContactLoading from_, to_;
+  double start_{};     ///< fraction of the path where the follower set out
+  double fraction_{};  ///< of the path that lies behind
 };
 
 }  // namespace bumpfoil

@@ -33,6 +33,9 @@ class ModeSystem {
   /// @param previous_x  unknowns whose tangential ones are kept by sticking contacts
   /// @param state       receives x, gap and forces; its modes are set to those of the system
   virtual void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) = 0;
+
+  /// The loading that `state` is in balance with: g0 = g - x[plus] + x[minus], load = K x - contact forces.
+  [[nodiscard]] virtual ContactLoading loading_of(const ContactState& state) = 0;
 };
 
 /// K plus springs at the contacts: the Jacobian of penalty and augmented Lagrangian methods.

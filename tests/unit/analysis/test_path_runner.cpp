@@ -44,6 +44,26 @@ TEST_P(PushedRunner, RecordsWhereItStandsAndWhatItTook) {
   EXPECT_EQ(again.force_direct, now.force_direct);
 }
 
+/// Increments of one path, and each increment as a path of its own.
+TEST_P(PushedRunner, MovesTheSameWayAlongOnePathOrMany) {
+  PathRunner one_path{model, solver(GetParam())};
+  ASSERT_TRUE(one_path.assemble(Eigen::Vector2d::Zero()));
+  ASSERT_TRUE(one_path.move_to(40e-6 * push));
+  one_path.set_out(60e-6 * push);
+  for (const double fraction : {0.5, 1.0}) ASSERT_TRUE(one_path.advance_to(fraction));
+  const Increment a = one_path.record(push);
+  const Increment b = runner.record(push);
+  EXPECT_NEAR(a.displacement, b.displacement, 1e-19);
+  const double solved = GetParam() == SolverName::uzawa ? 1e-6 : 1e-9;  // that of the multipliers
+  EXPECT_NEAR(a.force_direct, b.force_direct, solved * b.force_direct);
+  EXPECT_NEAR(a.work, b.work, solved * b.work);
+  EXPECT_NEAR(a.dissipated_energy, b.dissipated_energy, solved * b.work);
+  for (const ContactEvent& event : one_path.events()) {  // of the last increment, not of the path
+    EXPECT_GE(event.fraction, 0.0);
+    EXPECT_LE(event.fraction, 1.0);
+  }
+}
+
 TEST_P(PushedRunner, FindsALoadWhereMovingThereMeetsIt) {
   // Up, down, and across the turning point: each is one increment from the same state, whatever led to it.
   for (const double part : {1.3, 0.8, 1.0 - 1e-6}) {

@@ -15,9 +15,9 @@ struct Pulled {
         state(ContactState::unstressed(problem)) {
     const ContactState unstressed = state;
     EXPECT_TRUE(solver.assemble(toy::pull(0.0, 40.0), unstressed, state).converged);
-    report = solver.advance(
-        toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state,
-        [this](const ContactState&, const ContactState&) { ++parts; }, events);
+    solver.set_out(toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state);
+    report = solver.advance_to(
+        1.0, state, [this](const ContactState&, const ContactState&) { ++parts; }, events);
   }
 
   ContactProblem problem;

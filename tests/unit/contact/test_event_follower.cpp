@@ -21,8 +21,9 @@ struct Path {
 
   void to(const ContactLoading& end) {
     events.clear();
-    report = follower.follow(end, state, {}, &events);
-    ASSERT_TRUE(report.reached_end);
+    follower.set_out(end, state.mode);
+    report = follower.follow_to(1.0, state, {}, &events);
+    ASSERT_TRUE(report.arrived);
     EXPECT_EQ(report.fraction, 1.0);
   }
 
@@ -41,7 +42,7 @@ TEST(EventFollower, BlockSlipsExactlyWhenThePullReachesItsFriction) {
   EXPECT_NEAR(path.events[0].fraction, 20.0 / 30.0, 1e-12);
   EXPECT_EQ(path.events[0].from, ContactMode::stick);
   EXPECT_EQ(path.events[0].to, ContactMode::slip_forward);
-  EXPECT_EQ(path.report.pieces, 1);  // pieces before the last one
+  EXPECT_EQ(path.report.events, 1);
   EXPECT_NEAR(path.state.x[0], 5e-6, 1e-17);
 
   path.to(toy::pull(-30.0, 40.0));  // sticks at once, slips back when 40 of the 60 N are taken
@@ -72,7 +73,8 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
   const RandomProblem random = make_random_problem(21, 6, 6, 0.3);
   EventFollower follower(random.problem, make_mode_system(random.problem));
   ContactState state = ContactState::unstressed(random.problem);
-  ASSERT_TRUE(follower.follow(random.first, state).reached_end);
+  follower.set_out(random.first, state.mode);
+  ASSERT_TRUE(follower.follow_to(1.0, state).arrived);
   Vector x = state.x;
   int pieces = 0;
   const auto visit = [&](const ContactState& begin, const ContactState& end) {
@@ -81,7 +83,8 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
     x = end.x;
     ++pieces;
   };
-  ASSERT_TRUE(follower.follow(random.second, state, visit).reached_end);
+  follower.set_out(random.second, state.mode);
+  ASSERT_TRUE(follower.follow_to(1.0, state, visit).arrived);
   EXPECT_EQ(x, state.x);
   EXPECT_GT(pieces, 3);
 }
@@ -105,7 +108,8 @@ TEST(EventFollower, EveryEventIsASolution) {
           contact_residuals(random.problem, random.problem.K.multiply(end.x), loading, begin.x, end);
       EXPECT_TRUE(residuals.within()) << "seed " << seed << " at " << fraction;
     };
-    EXPECT_TRUE(follower.follow(random.second, state, visit).reached_end) << seed;
+    follower.set_out(random.second, state.mode);
+    EXPECT_TRUE(follower.follow_to(1.0, state, visit).arrived) << seed;
   }
 }
 
@@ -119,17 +123,61 @@ TEST(EventFollower, WithoutFrictionThePathDoesNotMatter) {
   EXPECT_LT((path.state.x - direct).norm(), 1e-11 * direct.norm());
 }
 
+/// Halts do not change the path: what lies between them is interpolated, without a solve where nothing happens.
+TEST(EventFollower, HaltsAnywhereOnTheWay) {
+  const RandomProblem random = make_random_problem(21, 6, 6, 0.3);
+  Path direct(random.problem);
+  direct.to(random.first);
+  Path halting(random.problem);
+  halting.to(random.first);
+  direct.to(random.second);
+
+  halting.events.clear();
+  halting.follower.set_out(random.second, halting.state.mode);
+  constexpr int halts = 500;
+  int solves = 0;
+  int events = 0;
+  for (int k = 1; k <= halts; ++k) {
+    const double fraction = static_cast<double>(k) / halts;
+    const Vector before = halting.state.x;
+    const FollowReport report = halting.follower.follow_to(fraction, halting.state, {}, &halting.events);
+    ASSERT_TRUE(report.arrived);
+    EXPECT_EQ(report.fraction, fraction);
+    solves += report.solve.iterations;
+    events += report.events;
+    if (k > 1 && report.events == 0) {
+      EXPECT_EQ(report.solve.iterations, 0);
+    }
+    const ContactResiduals residuals =
+        contact_residuals(random.problem, random.problem.K.multiply(halting.state.x),
+                          interpolate(random.first, random.second, fraction), before, halting.state);
+    EXPECT_LT(residuals.equilibrium, 1e-12);
+    EXPECT_LT(residuals.penetration, 1e-15);
+    EXPECT_LT(residuals.complementarity, 1e-12);
+  }
+  EXPECT_EQ(halting.state.x, direct.state.x);
+  EXPECT_EQ(solves, direct.report.solve.iterations);
+  EXPECT_EQ(events, direct.report.events);
+  EXPECT_EQ(halting.events.size(), direct.events.size());
+}
+
 TEST(EventFollower, StopsWhereItCannotGoOn) {
   const ContactProblem block = toy::dragged_block();
-  EventFollower follower(block, make_mode_system(block));
-  ContactState state = ContactState::unstressed(block);
   ContactLoading broken = toy::pull(10.0, 40.0);
   broken.load[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(follower.follow(broken, state).reached_end);
-  EventFollower short_sighted(block, make_mode_system(block), {.max_pieces = 1});
-  state = ContactState::unstressed(block);
-  EXPECT_TRUE(short_sighted.follow(toy::pull(0.0, 40.0), state).reached_end);
-  EXPECT_FALSE(short_sighted.follow(toy::pull(30.0, 40.0), state).reached_end);
+  const auto arrives = [](EventFollower& follower, const ContactLoading& end, ContactState& state) {
+    follower.set_out(end, state.mode);
+    return follower.follow_to(1.0, state).arrived;
+  };
+  EventFollower follower(block, make_mode_system(block));
+  ContactState state = ContactState::unstressed(block);
+  EXPECT_FALSE(arrives(follower, broken, state));
+
+  EventFollower short_sighted(block, make_mode_system(block), {.max_events = 0});
+  EXPECT_TRUE(arrives(short_sighted, toy::pull(0.0, 40.0), state));
+  EXPECT_FALSE(arrives(short_sighted, toy::pull(30.0, 40.0), state));
+  EXPECT_NEAR(state.x[0], 0.0, 1e-17);  // the place where it would begin to slip
+  EXPECT_NEAR(state.friction_force[0], -20.0, 1e-11);
 }
 
 }  // namespace

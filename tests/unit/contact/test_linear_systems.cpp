@@ -39,6 +39,14 @@ TEST_P(BlockSizes, ModeSystemSolvesLikeDenseMultipliers) {
               1e-11 * expected.normal_force.cwiseAbs().maxCoeff() + 1e-12)
         << seed;
     EXPECT_EQ(state.mode, mode);
+
+    // The state balances what it was solved for.
+    const ContactLoading balanced = system->loading_of(state);
+    EXPECT_LT(distance(balanced.initial_gap, random.first.initial_gap),
+              1e-15 * (1.0 + expected.x.cwiseAbs().maxCoeff()))
+        << seed;
+    EXPECT_LT(distance(balanced.load, random.first.load), 1e-11 * expected.normal_force.cwiseAbs().maxCoeff() + 1e-12)
+        << seed;
   }
 }
 
