@@ -9,18 +9,34 @@
 
 namespace bumpfoil {
 
+namespace {
+
+/// What is left of large forces has their roundings: how many times larger the forces may be that a piece leads to than
+/// those it begins with.
+constexpr double most_cancellation = 100.0;
+
+double largest_force(const ContactState& state) {
+  return state.normal_force.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
 struct EventFollower::Workspace {
   Workspace(const ContactProblem& contact_problem, std::shared_ptr<ModeSystem> mode_system,
             const FollowOptions& follow_options)
       : problem(contact_problem),
         options(follow_options),
         modes(std::move(mode_system)),
+        path_begin(ContactLoading::none(contact_problem)),
+        path_end(path_begin),
+        here(path_begin),
         begin(ContactState::unstressed(contact_problem)),
         target(begin),
         next(begin) {
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     mode.reserve(contacts);
     changes.reserve(contacts);
+    flipped.reserve(contacts);
     candidates.reserve(3 * contacts);  // a contact may open or leave its cone on either side
   }
 
@@ -28,15 +44,18 @@ struct EventFollower::Workspace {
   bool settle_modes(const ContactState& state, SolveReport& report);
   bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
                    SolveReport& report);
+  void solve_here(const ContactState& state, SolveReport& report);
   [[nodiscard]] bool obeys_modes(const ContactState& state) const;
   double next_event(const ContactState& state);
+  void keep_changes_nearby();
   void flip_at_event(const ContactState& state);
   void interpolate_piece(double part);
 
   ContactProblem problem;
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
-  ContactLoading end;   ///< of the path
+  ContactLoading path_begin, path_end;
+  ContactLoading here;  ///< at `reached`
   double reached{};     ///< fraction of the path that lies behind
   int events_passed{};  ///< on this path
   bool inside_piece{};  ///< the piece below leads on from `reached`
@@ -55,6 +74,7 @@ struct EventFollower::Workspace {
     ContactMode to;
   };
   std::vector<Candidate> candidates;
+  std::vector<Eigen::Index> flipped;  ///< contacts of the last event, until the modes after it have been looked at
   std::vector<ModeChange> changes;
 };
 
@@ -94,6 +114,18 @@ void EventFollower::Workspace::find_changes(const ContactState& state) {
   });
 }
 
+/// One contact that changes its mode may turn round a whole row of others, which turn back once its neighbours have
+/// changed theirs. Drops the changes far from the event, unless there are no others.
+void EventFollower::Workspace::keep_changes_nearby() {
+  const auto pairs = static_cast<Eigen::Index>(problem.pairs.size());
+  const auto is_far = [&](const ModeChange& change) {
+    return std::none_of(flipped.begin(), flipped.end(),
+                        [&](Eigen::Index c) { return std::abs(change.contact / pairs - c / pairs) <= 1; });
+  };
+  const auto far = std::remove_if(changes.begin(), changes.end(), is_far);
+  if (far != changes.begin()) changes.erase(far, changes.end());
+}
+
 /// Finds the modes of the piece that begins at `state`, and where it leads.
 bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveReport& report) {
   PivotingRule rule(first_touch ? options.max_first_touch_updates : options.max_mode_updates);
@@ -101,14 +133,16 @@ bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveRepo
     const int factorisations = modes->factorisations();
     if (!modes->set_modes(mode)) return false;
     report.factorisations += modes->factorisations() - factorisations;
-    modes->solve(end, state.x, target);
+    modes->solve(path_end, state.x, target);
     ++report.iterations;
     if (!target.x.allFinite()) return false;
     force_tolerance =
         options.force_tolerance * std::max({1.0, state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
     find_changes(state);
     if (changes.empty()) return true;
+    if (!flipped.empty()) keep_changes_nearby();
     if (!rule.apply(changes, mode)) return false;
+    flipped.clear();
   }
 }
 
@@ -133,6 +167,16 @@ bool EventFollower::Workspace::obeys_modes(const ContactState& state) const {
   return obeys;
 }
 
+/// Fills `begin` with the exact state of the settled modes where the piece begins. It differs from `state` where the
+/// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, and by
+/// the roundings of what was interpolated.
+void EventFollower::Workspace::solve_here(const ContactState& state, SolveReport& report) {
+  here.initial_gap = (1.0 - reached) * path_begin.initial_gap + reached * path_end.initial_gap;
+  here.load = (1.0 - reached) * path_begin.load + reached * path_end.load;
+  modes->solve(here, state.x, begin);
+  ++report.iterations;
+}
+
 /// Settles what comes next at `state`.
 bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisitor& visit,
                                            std::vector<ContactEvent>* events, SolveReport& report) {
@@ -144,10 +188,8 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
   }
   state.mode = mode;
   begin = state;
-  if (!obeys_modes(state)) {
-    // The response jumps: foils snap, or contacts that lose their last force together do so one rounding apart.
-    modes->solve(modes->loading_of(state), state.x, begin);
-    ++report.iterations;
+  if (!obeys_modes(state) || largest_force(target) > most_cancellation * std::max(1.0, largest_force(state))) {
+    solve_here(state, report);
     if (visit) visit(state, begin);
     state = begin;
   }
@@ -172,7 +214,10 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
     const double f = contact.f;
     const ContactMode m = mode[static_cast<std::size_t>(c)];
     if (m == ContactMode::open) {
-      if (target.gap[c] < -options.displacement_tolerance) propose(c, state.gap[c], target.gap[c], ContactMode::stick);
+      const ContactTrial trial{.gap = target.gap[c],
+                               .slip = contact.tangential(target.x) - contact.tangential(state.x)};
+      const ContactMode to = next_mode(m, f, trial, options.displacement_tolerance, force_tolerance);
+      if (to != m) propose(c, state.gap[c], target.gap[c], to);
       return;
     }
     if (target.normal_force[c] < -force_tolerance) {
@@ -192,11 +237,15 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
 
 /// Guesses the modes of the next piece, which begins at `state`.
 void EventFollower::Workspace::flip_at_event(const ContactState& state) {
+  flipped.clear();
   for (const Candidate& candidate : candidates) {
-    if (candidate.part <= event) mode[static_cast<std::size_t>(candidate.contact)] = candidate.to;
+    if (candidate.part > event) continue;
+    mode[static_cast<std::size_t>(candidate.contact)] = candidate.to;
+    flipped.push_back(candidate.contact);
   }
   first_touch = state.normal_force.maxCoeff() <= force_tolerance;
   if (!first_touch) return;
+  flipped.clear();  // all may have to change
   for_each_contact(problem, [&](const CoulombContact& contact) {
     ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
     if (m == ContactMode::open && state.gap[contact.index] <= options.displacement_tolerance) m = ContactMode::stick;
@@ -212,14 +261,17 @@ void EventFollower::Workspace::interpolate_piece(double part) {
   }
 }
 
-void EventFollower::set_out(const ContactLoading& end, const std::vector<ContactMode>& mode) {
+void EventFollower::set_out(const ContactLoading& from, const ContactLoading& to,
+                            const std::vector<ContactMode>& mode) {
   Workspace& w = *workspace_;
-  w.end = end;
+  w.path_begin = from;
+  w.path_end = to;
   w.mode = mode;
   w.reached = 0.0;
   w.events_passed = 0;
   w.inside_piece = false;
   w.first_touch = false;
+  w.flipped.clear();
 }
 
 FollowReport EventFollower::follow_to(double fraction, ContactState& state, const PartVisitor& visit,

@@ -26,7 +26,7 @@ void EventStepper::set_out(const ContactLoading& from, const ContactLoading& to,
   from_ = from;
   to_ = to;
   start_ = fraction_ = 0.0;
-  follower_.set_out(to, state.mode);
+  follower_.set_out(from, to, state.mode);
 }
 
 /// What follower_ sees of the path began at start_.
@@ -53,7 +53,7 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
   };
   const auto set_out_again = [&](const std::vector<ContactMode>& mode) {
     start_ = fraction_;
-    follower_.set_out(to_, mode);
+    follower_.set_out(interpolate(from_, to_, start_), to_, mode);
   };
 
   ContactState probed;

@@ -159,15 +159,15 @@ class ModeSystemOf final : public ModeSystem {
     recover_forces(loading, state);
   }
 
-  [[nodiscard]] ContactLoading loading_of(const ContactState& state) override {
-    K_.multiply(state.x, imbalance_);
-    ContactLoading loading{.initial_gap = state.gap, .load = imbalance_};
+  void loading_of(const ContactState& state, ContactLoading& loading) override {
+    loading.initial_gap = state.gap;
+    loading.load.resize(state.x.size());
+    K_.multiply(state.x, loading.load);
     for_each_contact(pairs_, K_.block_size, state.x.size(), [&](const CoulombContact& contact) {
       const Eigen::Index c = contact.index;
       loading.initial_gap[c] -= contact.gap(state.x);
       contact.add_forces(state.normal_force[c], state.friction_force[c], -1.0, loading.load);
     });
-    return loading;
   }
 
  private:

@@ -60,6 +60,7 @@ struct NewtonSolver::Workspace {
         modes(make_mode_system(contact_problem)),
         penalties(make_penalty_system(contact_problem)),
         follower(contact_problem, modes, {.max_events = most_events_per_contact * contact_problem.contacts()}),
+        path_begin(ContactLoading::none(contact_problem)),
         path_end(ContactState::unstressed(contact_problem)),
         x(contact_problem.K.rows()),
         gradient(x),
@@ -101,6 +102,7 @@ struct NewtonSolver::Workspace {
   EventFollower follower;
 
   std::vector<ContactMode> trial;
+  ContactLoading path_begin;
   ContactState path_end;
   // Augmented Lagrangian: unknowns, multipliers, bounds, forces at the current unknowns, search direction.
   Vector x, lambda, mu, bound, p, t, gradient, step;
@@ -205,7 +207,8 @@ bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const
 bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const ContactState& previous,
                                             ContactState& state, SolveReport& report) {
   path_end = previous;
-  follower.set_out(loading, previous.mode);
+  modes->loading_of(previous, path_begin);
+  follower.set_out(path_begin, loading, previous.mode);
   const FollowReport followed = follower.follow_to(1.0, path_end);
   report += followed.solve;
   if (!followed.arrived) return false;

@@ -5,6 +5,10 @@
 
 namespace bumpfoil {
 
+ContactLoading ContactLoading::none(const ContactProblem& problem) {
+  return {.initial_gap = Vector::Zero(problem.contacts()), .load = Vector::Zero(problem.K.rows())};
+}
+
 ContactState ContactState::unstressed(const ContactProblem& problem) {
   const Eigen::Index contacts = problem.contacts();
   return {.x = Vector::Zero(problem.K.rows()),

@@ -50,10 +50,9 @@ class EventFollower {
                 const FollowOptions& options = FollowOptions());
   ~EventFollower();
 
-  /// Begins a path.
-  /// @param end   loading at the end of the path, which it approaches linearly
-  /// @param mode  modes to begin with, those of the state where the path begins or a better guess
-  void set_out(const ContactLoading& end, const std::vector<ContactMode>& mode);
+  /// Begins the path from the loading `from` straight to the loading `to`.
+  /// @param mode  modes to begin with: those of the state that `from` led to, or a better guess
+  void set_out(const ContactLoading& from, const ContactLoading& to, const std::vector<ContactMode>& mode);
 
   /// Goes on along the path.
   /// @param fraction  of the whole path where to halt

@@ -35,7 +35,8 @@ class ModeSystem {
   virtual void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) = 0;
 
   /// The loading that `state` is in balance with: g0 = g - x[plus] + x[minus], load = K x - contact forces.
-  [[nodiscard]] virtual ContactLoading loading_of(const ContactState& state) = 0;
+  /// @param loading  result; its storage is reused
+  virtual void loading_of(const ContactState& state, ContactLoading& loading) = 0;
 };
 
 /// K plus springs at the contacts: the Jacobian of penalty and augmented Lagrangian methods.

@@ -60,6 +60,9 @@ struct ContactProblem {
 struct ContactLoading {
   Vector initial_gap;  ///< g0 of each contact, m
   Vector load;         ///< loads on the unknowns, N
+
+  /// All contacts just touching, no load.
+  static ContactLoading none(const ContactProblem& problem);
 };
 
 /// What is known of the foils at one increment: a plain copyable value, all that a warm start and the friction

@@ -17,18 +17,22 @@ namespace {
 /// A problem followed along straight paths.
 struct Path {
   explicit Path(const ContactProblem& problem)
-      : follower(problem, make_mode_system(problem)), state(ContactState::unstressed(problem)) {}
+      : follower(problem, make_mode_system(problem)),
+        state(ContactState::unstressed(problem)),
+        begin(ContactLoading::none(problem)) {}
 
   void to(const ContactLoading& end) {
     events.clear();
-    follower.set_out(end, state.mode);
+    follower.set_out(begin, end, state.mode);
     report = follower.follow_to(1.0, state, {}, &events);
     ASSERT_TRUE(report.arrived);
+    begin = end;
     EXPECT_EQ(report.fraction, 1.0);
   }
 
   EventFollower follower;
   ContactState state;
+  ContactLoading begin;  ///< where the state is
   FollowReport report;
   std::vector<ContactEvent> events;
 };
@@ -71,10 +75,9 @@ TEST(EventFollower, SlabsMeetOneAfterTheOther) {
 
 TEST(EventFollower, PiecesJoinWithoutAGap) {
   const RandomProblem random = make_random_problem(21, 6, 6, 0.3);
-  EventFollower follower(random.problem, make_mode_system(random.problem));
-  ContactState state = ContactState::unstressed(random.problem);
-  follower.set_out(random.first, state.mode);
-  ASSERT_TRUE(follower.follow_to(1.0, state).arrived);
+  Path path(random.problem);
+  path.to(random.first);
+  ContactState state = path.state;
   Vector x = state.x;
   int pieces = 0;
   const auto visit = [&](const ContactState& begin, const ContactState& end) {
@@ -83,8 +86,8 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
     x = end.x;
     ++pieces;
   };
-  follower.set_out(random.second, state.mode);
-  ASSERT_TRUE(follower.follow_to(1.0, state, visit).arrived);
+  path.follower.set_out(random.first, random.second, state.mode);
+  ASSERT_TRUE(path.follower.follow_to(1.0, state, visit).arrived);
   EXPECT_EQ(x, state.x);
   EXPECT_GT(pieces, 3);
 }
@@ -108,7 +111,7 @@ TEST(EventFollower, EveryEventIsASolution) {
           contact_residuals(random.problem, random.problem.K.multiply(end.x), loading, begin.x, end);
       EXPECT_TRUE(residuals.within()) << "seed " << seed << " at " << fraction;
     };
-    follower.set_out(random.second, state.mode);
+    follower.set_out(random.first, random.second, state.mode);
     EXPECT_TRUE(follower.follow_to(1.0, state, visit).arrived) << seed;
   }
 }
@@ -133,7 +136,7 @@ TEST(EventFollower, HaltsAnywhereOnTheWay) {
   direct.to(random.second);
 
   halting.events.clear();
-  halting.follower.set_out(random.second, halting.state.mode);
+  halting.follower.set_out(random.first, random.second, halting.state.mode);
   constexpr int halts = 500;
   int solves = 0;
   int events = 0;
@@ -166,7 +169,7 @@ TEST(EventFollower, StopsWhereItCannotGoOn) {
   ContactLoading broken = toy::pull(10.0, 40.0);
   broken.load[0] = std::numeric_limits<double>::quiet_NaN();
   const auto arrives = [](EventFollower& follower, const ContactLoading& end, ContactState& state) {
-    follower.set_out(end, state.mode);
+    follower.set_out(toy::pull(0.0, 40.0), end, state.mode);
     return follower.follow_to(1.0, state).arrived;
   };
   EventFollower follower(block, make_mode_system(block));
