@@ -37,6 +37,18 @@ Case random_case(std::uint64_t number) {
   return input;
 }
 
+CycleResult failed_at_increment_three(CycleResult result) {
+  result.cycles.resize(1);
+  Cycle& cycle = result.cycles.front();
+  cycle.converged = false;
+  cycle.increments.resize(4);
+  cycle.increments.back().solve.converged = false;
+  cycle.turning_point.reset();
+  cycle.loop_energy.reset();
+  cycle.loss_factor.reset();
+  return result;
+}
+
 std::string first_failure(const Cycle& cycle) {
   for (const Increment& increment : cycle.increments) {
     const ContactResiduals& r = increment.residuals;

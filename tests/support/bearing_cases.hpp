@@ -15,6 +15,9 @@ Cycle run_single_cycle(Case input, double direction);
 /// number: friction 0..0.5 at each interface, normal height scatter up to 40 um, any direction, 25..400 steps.
 Case random_case(std::uint64_t number);
 
+/// `result` as if its first direction had failed at increment 3, and the others had never begun.
+CycleResult failed_at_increment_three(CycleResult result);
+
 /// Empty if every increment of the cycle was solved within the bounds (normalised equilibrium, complementarity and cone
 /// 1e-9; penetration and slip in stick 1e-12 m); else the first that was not, and why.
 std::string first_failure(const Cycle& cycle);

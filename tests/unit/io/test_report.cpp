@@ -15,6 +15,7 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/result_netcdf.hpp"
 #include "bumpfoil/io/summary.hpp"
+#include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -30,19 +31,6 @@ Case short_case() {
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[2] = 10e-6;
   return input;
-}
-
-/// A run that failed at increment 3 of its first direction.
-CycleResult failed_at_increment_three() {
-  CycleResult result = run_cycles(short_case());
-  result.cycles.resize(1);
-  Cycle& cycle = result.cycles[0];
-  cycle.converged = false;
-  cycle.increments.resize(4);
-  cycle.turning_point.reset();
-  cycle.loop_energy.reset();
-  cycle.loss_factor.reset();
-  return result;
 }
 
 /// The folder of a run.
@@ -140,7 +128,7 @@ TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
 }
 
 TEST(Report, EndsWhereAPartialRunEnded) {
-  const Results results(failed_at_increment_three(), short_case(), RunStatus::failed);
+  const Results results(failed_at_increment_three(run_cycles(short_case())), short_case(), RunStatus::failed);
   const std::string text = report_json({results.path()});
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const json run = json::parse(text).at("runs").at(0);

@@ -15,6 +15,7 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -32,20 +33,6 @@ Case short_case() {
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[2] = 10e-6;
   return input;
-}
-
-/// A run whose first direction failed at increment 3, and whose second was never begun.
-CycleResult failed_at_increment_three() {
-  CycleResult result = run_cycles(short_case());
-  result.cycles.resize(1);
-  Cycle& cycle = result.cycles[0];
-  cycle.converged = false;
-  cycle.increments.resize(4);
-  cycle.increments.back().solve.converged = false;
-  cycle.turning_point.reset();
-  cycle.loop_energy.reset();
-  cycle.loss_factor.reset();
-  return result;
 }
 
 /// A result as its readers find it.
@@ -214,7 +201,7 @@ TEST(ResultNetcdf, TakesTheLargestCaseFile) {
 }
 
 TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
-  const CycleResult result = failed_at_increment_three();
+  const CycleResult result = failed_at_increment_three(run_cycles(short_case()));
   const ResultFile file(result, short_case(), RunStatus::failed);
   EXPECT_EQ(file.attribute("status"), "partial");
   EXPECT_NE(file.attribute("status_message").find("did not converge"), std::string::npos);
