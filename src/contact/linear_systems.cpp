@@ -66,6 +66,15 @@ struct Stiffness {
     return x.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
   }
 
+  /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero where the matrix ends.
+  template <typename Rows>
+  void copy_rows(std::size_t b, Rows& rows) const {
+    rows.setZero();
+    if (b > 0) rows.leftCols(block_size) = upper[b - 1].transpose();
+    rows.middleCols(block_size, block_size) = diagonal[b];
+    if (b + 1 < diagonal.size()) rows.rightCols(block_size) = upper[b];
+  }
+
   void multiply(const Vector& x, Vector& y) const {
     for (std::size_t b = 0; b < diagonal.size(); ++b) {
       auto row = y.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
@@ -186,10 +195,7 @@ class ModeSystemOf final : public ModeSystem {
   /// Rows of block b: the balance K x = load + contact forces with the normal forces of closed contacts eliminated.
   void assemble_block(std::size_t b, const ContactMode* mode) {
     const Eigen::Index n = K_.block_size;
-    rows_.setZero();
-    if (b > 0) rows_.leftCols(n) = K_.upper[b - 1].transpose();
-    rows_.middleCols(n, n) = K_.diagonal[b];
-    if (b + 1 < K_.diagonal.size()) rows_.rightCols(n) = K_.upper[b];
+    K_.copy_rows(b, rows_);
     for (const Elimination& e : order_) {
       const ContactMode m = mode[e.pair];
       if (m == ContactMode::open) continue;
@@ -307,6 +313,106 @@ class PenaltySystemOf final : public PenaltySystem {
   Vector product_;
 };
 
+template <int B>
+class SoftContactSystemOf final : public SoftContactSystem {
+ public:
+  explicit SoftContactSystemOf(const ContactProblem& problem)
+      : pairs_(problem.pairs),
+        order_(elimination_order(problem.pairs)),
+        K_(problem.K),
+        lu_(problem.K.blocks(), problem.K.block_size()),
+        contacts_(static_cast<std::size_t>(problem.contacts())),
+        rhs_(problem.K.rows()),
+        imbalance_(problem.K.rows()),
+        rows_(problem.K.block_size(), 3 * problem.K.block_size()) {}
+
+  void set_elasticity(const BlockTridiagonal& K) override {
+    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
+    K_.assign(K);
+  }
+
+  bool set_contacts(const std::vector<SoftContact>& contacts) override {
+    BUMPFOIL_ASSERT(contacts.size() == contacts_.size());
+    contacts_ = contacts;
+    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) assemble_block(b);
+    return lu_.factor();
+  }
+
+  void solve_in_place(Vector& x, Vector& p, Vector& t) override {
+    rhs_ = x;
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact,
+                             const SoftContact& soft) {
+      const double owner = rhs_[row + e.owner];
+      if (e.other >= 0) rhs_[row + e.other] += owner;
+      if (!is_frictionless(pair)) {
+        double& tangential = rhs_[row + pair.tangential];
+        tangential = t[contact] + soft.friction_force * tangential + soft.coupling * e.owner_sign * owner;
+      }
+      rhs_[row + e.owner] = p[contact] + soft.normal_force * e.owner_sign * owner;
+    });
+    lu_.solve_in_place(rhs_);
+    K_.multiply(rhs_, imbalance_);
+    imbalance_ -= x;
+    x = rhs_;
+    for_each_elimination(
+        [&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact, const SoftContact&) {
+          p[contact] = e.owner_sign * imbalance_[row + e.owner];
+          if (e.other >= 0) imbalance_[row + e.other] += e.owner_sign * p[contact];
+          t[contact] = is_frictionless(pair) ? 0.0 : imbalance_[row + pair.tangential];
+        });
+  }
+
+  const Vector& multiply(const Vector& x) override {
+    K_.multiply(x, imbalance_);
+    return imbalance_;
+  }
+
+ private:
+  /// Calls visit(elimination, pair, first row of the block, contact, soft contact) in the order of elimination.
+  template <typename Visitor>
+  void for_each_elimination(Visitor&& visit) const {
+    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
+      for (const Elimination& e : order_) {
+        const std::size_t contact = b * pairs_.size() + e.pair;
+        visit(e, pairs_[e.pair], static_cast<Eigen::Index>(b) * K_.block_size, static_cast<Eigen::Index>(contact),
+              contacts_[contact]);
+      }
+    }
+  }
+
+  /// Rows of block b: the balance of each owner gives dp, that of the tangential unknown dt, and both go into the
+  /// conditions, which take the place of these rows.
+  void assemble_block(std::size_t b) {
+    const Eigen::Index n = K_.block_size;
+    K_.copy_rows(b, rows_);
+    for (const Elimination& e : order_) {
+      const SoftContact& soft = contacts_[b * pairs_.size() + e.pair];
+      const ContactPair& pair = pairs_[e.pair];
+      if (e.other >= 0) rows_.row(e.other) += rows_.row(e.owner);
+      if (!is_frictionless(pair)) {
+        rows_.row(pair.tangential) *= soft.friction_force;
+        rows_.row(pair.tangential) += soft.coupling * e.owner_sign * rows_.row(e.owner);
+        rows_(pair.tangential, n + pair.tangential) += soft.slip;
+      }
+      rows_.row(e.owner) *= soft.normal_force * e.owner_sign;
+      if (pair.plus >= 0) rows_(e.owner, n + pair.plus) += soft.gap;
+      if (pair.minus >= 0) rows_(e.owner, n + pair.minus) -= soft.gap;
+    }
+    const int i = static_cast<int>(b);
+    lu_.lower(i) = rows_.leftCols(n);
+    lu_.diagonal(i) = rows_.middleCols(n, n);
+    lu_.upper(i) = rows_.rightCols(n);
+  }
+
+  std::vector<ContactPair> pairs_;
+  std::vector<Elimination> order_;
+  Stiffness<B> K_;
+  BlockTridiagonalLU<B> lu_;
+  std::vector<SoftContact> contacts_;
+  Vector rhs_, imbalance_;
+  Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
+};
+
 /// The block sizes of the foil models get code of their own; any other size works, more slowly.
 template <template <int> class System, typename Interface>
 std::unique_ptr<Interface> make_for_block_size(const ContactProblem& problem) {
@@ -328,6 +434,10 @@ std::unique_ptr<ModeSystem> make_mode_system(const ContactProblem& problem) {
 
 std::unique_ptr<PenaltySystem> make_penalty_system(const ContactProblem& problem) {
   return make_for_block_size<PenaltySystemOf, PenaltySystem>(problem);
+}
+
+std::unique_ptr<SoftContactSystem> make_soft_contact_system(const ContactProblem& problem) {
+  return make_for_block_size<SoftContactSystemOf, SoftContactSystem>(problem);
 }
 
 }  // namespace bumpfoil

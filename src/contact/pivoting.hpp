@@ -50,7 +50,23 @@ inline ContactMode next_mode(ContactMode mode, double f, const ContactTrial& tri
 struct ModeChange {
   Eigen::Index contact{};
   ContactMode to{};
+  double excess{};  ///< by how much the inequality fails: m or N, comparable between changes of the same kind
 };
+
+/// The change that a contact needs, with `to` its own mode if it needs none.
+inline ModeChange judge(Eigen::Index contact, ContactMode mode, double f, const ContactTrial& trial,
+                        double length_tolerance, double force_tolerance) {
+  const ContactMode to = next_mode(mode, f, trial, length_tolerance, force_tolerance);
+  double excess = std::abs(trial.slip);  // a reversed slip
+  if (mode == ContactMode::open) {
+    excess = -trial.gap;
+  } else if (to == ContactMode::open) {
+    excess = -trial.normal;
+  } else if (mode == ContactMode::stick) {
+    excess = std::abs(trial.friction) - f * std::abs(trial.normal);
+  }
+  return {contact, to, excess};
+}
 
 /// Block principal pivoting with a safeguard [Judice1994]: change all contradicting contacts at once while their number
 /// falls, and a few times after that; then one at a time, always the last one, which cannot cycle for P-matrices
@@ -82,6 +98,44 @@ class PivotingRule {
   int rounds_left_;
   int patience_{full_patience};
   std::size_t fewest_{std::numeric_limits<std::size_t>::max()};
+};
+
+/// Changes only the worst contact of each run of neighbours that all ask for the same change. Where a long stretch of
+/// foil is wrong by little, closing (or opening) all of it at once bends the foil sharply at its ends, and wrong modes
+/// travel along the foil contact by contact; its worst contact alone often puts the rest right.
+class WorstOfRuns {
+ public:
+  explicit WorstOfRuns(std::size_t contacts_per_block) : runs_(contacts_per_block) {}
+
+  /// @param changes  in the order of contacts
+  void apply(const std::vector<ModeChange>& changes, std::vector<ContactMode>& mode) {
+    for (Run& run : runs_) run.last = nullptr;
+    const auto stride = static_cast<Eigen::Index>(runs_.size());
+    for (const ModeChange& change : changes) {
+      Run& run = runs_[static_cast<std::size_t>(change.contact % stride)];
+      const bool continues = run.last != nullptr && run.last->contact + stride == change.contact &&
+                             run.last->to == change.to && mode_of(*run.last, mode) == mode_of(change, mode);
+      if (!continues) finish(run, mode);
+      if (!continues || change.excess > run.worst->excess) run.worst = &change;
+      run.last = &change;
+    }
+    for (Run& run : runs_) finish(run, mode);
+  }
+
+ private:
+  struct Run {
+    const ModeChange* last{};
+    const ModeChange* worst{};
+  };
+
+  static ContactMode& mode_of(const ModeChange& change, std::vector<ContactMode>& mode) {
+    return mode[static_cast<std::size_t>(change.contact)];
+  }
+  static void finish(const Run& run, std::vector<ContactMode>& mode) {
+    if (run.last != nullptr) mode_of(*run.worst, mode) = run.worst->to;
+  }
+
+  std::vector<Run> runs_;  ///< one for each contact of a block
 };
 
 }  // namespace bumpfoil

@@ -72,14 +72,13 @@ TEST(Allocation, NewtonSolverAllocatesOnlyInItsFirstSolve) {
   }
 }
 
-/// Nor where the event path and the augmented Lagrangian have to help: friction coefficient 1.
+/// Nor where the event path and the interior point have to help: friction coefficient 1.
 TEST(Allocation, NeitherDoItsOtherMethods) {
   int helped = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Counted counted = count_second_solve(make_random_problem(seed, 20, 6, 1.0));
     if (counted.report.outer_iterations > 0) ++helped;
-    EXPECT_EQ(counted.allocations, 0) << "seed " << seed << ", " << counted.report.outer_iterations
-                                      << " multiplier updates";
+    EXPECT_EQ(counted.allocations, 0) << "seed " << seed << ", " << counted.report.outer_iterations << " steps";
   }
   EXPECT_GE(helped, 1);
 }

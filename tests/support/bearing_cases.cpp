@@ -49,6 +49,15 @@ CycleResult failed_at_increment_three(CycleResult result) {
   return result;
 }
 
+Case long_bearing(int bumps, int steps) {
+  Case input = case_with_given_constants();
+  input.bearing.radius *= static_cast<double>(bumps) / input.bump_foil.bumps;
+  input.bump_foil.bumps = bumps;
+  input.cycle.steps = steps;
+  input.cycle.directions = {0.0};
+  return input;
+}
+
 std::string first_failure(const Cycle& cycle) {
   for (const Increment& increment : cycle.increments) {
     const ContactResiduals& r = increment.residuals;

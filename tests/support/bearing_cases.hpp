@@ -18,6 +18,10 @@ Case random_case(std::uint64_t number);
 /// `result` as if its first direction had failed at increment 3, and the others had never begun.
 CycleResult failed_at_increment_three(CycleResult result);
 
+/// Reference bearing, friction 0.1, +X, with more bumps on a radius that grows with them: the foils still go round
+/// once.
+Case long_bearing(int bumps, int steps);
+
 /// Empty if every increment of the cycle was solved within the bounds (normalised equilibrium, complementarity and cone
 /// 1e-9; penetration and slip in stick 1e-12 m); else the first that was not, and why.
 std::string first_failure(const Cycle& cycle);

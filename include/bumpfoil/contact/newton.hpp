@@ -15,13 +15,12 @@ struct NewtonOptions {
   double force_tolerance{1e-11};
   /// Rounds of changing contacts that contradict their mode before the next method is tried.
   int max_mode_updates{2};
-  /// Penalty of the proximal augmented Lagrangian in units of the largest diagonal entry of K. It sets its pace, not
-  /// its result: a stiffer one needs fewer updates of the multipliers, each with more Newton steps.
-  double penalty{1.0};
-  /// Multiplier updates of the augmented Lagrangian before the increment is given up.
-  int max_outer_iterations{200};
-  /// Newton steps for one set of multipliers.
-  int max_inner_iterations{60};
+  /// Events on a path that is followed, and contacts that may contradict their modes at its start: as many as an
+  /// interior-point solve costs factorisations.
+  int max_events{20};
+  /// Steps of the interior-point method from each of its starts before the increment is given up. 10 to 30 do nearly
+  /// always, whatever the number of contacts.
+  int max_interior_steps{60};
   /// Tangents of an elastic law before the increment is given up: a handful does, but where the foil snaps to another
   /// place it takes up to a hundred.
   int max_tangents{300};
@@ -34,15 +33,17 @@ struct NewtonOptions {
 ///
 /// 1. Semismooth Newton on the contact modes: solve exactly for the modes of the last increment, change the contacts
 ///    whose inequalities fail, repeat. Ends in one to a few solves nearly always, but may cycle.
-/// 2. The modes at the end of the path from event to event (contact/event_follower.hpp), then as 1.
-/// 3. Proximal augmented Lagrangian: with multipliers lambda, mu and friction bounds f lambda held, the state is the
-///    minimum of a convex, piecewise quadratic energy, found by Newton steps with exact line search; multipliers are
-///    updated, and the modes they show are tried as in 1, until these solve the problem.
+/// 2. The modes at the end of the path from event to event (contact/event_follower.hpp), then as 1. Left out where many
+///    contacts change at once, as at first touch or at the turning point of a long foil.
+/// 3. Primal-dual interior-point method [Mehrotra1992, Wright1997]: of every gap and its compression, every slip and
+///    its distance from the friction bound, both stay positive, and Newton's method drives their products to zero. The
+///    number of steps hardly depends on the number of contacts. Modes are read off the iterates; once they rest, they
+///    are tried as in 1, changing only the worst of neighbouring contacts.
 ///
 /// An elastic law is met by Newton's method around all of this: at the iterate x_k the problem is solved exactly with
 /// the tangent K_k of the law and the constant load K_k x_k - e(x_k), friction referring to the last increment
-/// throughout, until e(x) itself balances the contact forces. Where methods 1 and 2 find no solution with K_k (a foil
-/// under compression may buckle), that step is taken with the stable tangent of the law and all three methods.
+/// throughout, until e(x) itself balances the contact forces. Where no solution is found with K_k (a foil under
+/// compression may buckle), that step is taken with the stable tangent of the law.
 class NewtonSolver final : public ContactSolver {
  public:
   explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());

@@ -11,7 +11,7 @@ struct SolveReport {
   bool converged{};        ///< the state meets the solver's own bound
   int iterations{};        ///< linear solves: back-substitutions
   int factorisations{};    ///< of the system, from the first block that changed on; kept factors cost none
-  int outer_iterations{};  ///< multiplier updates of an augmented Lagrangian; 0 where none was needed
+  int outer_iterations{};  ///< multiplier updates or interior-point steps; 0 where none was needed
 
   SolveReport& operator+=(const SolveReport& other);
 };

@@ -89,6 +89,64 @@ TEST_P(BlockSizes, PenaltySystemSolvesLikeDense) {
   EXPECT_LT(distance(system->multiply(right), dense.K * right), 1e-14 * (dense.K * right).cwiseAbs().maxCoeff());
 }
 
+/// Contacts in all stages between open, closed, stuck and slipping.
+std::vector<SoftContact> soft_contacts(int contacts) {
+  std::vector<SoftContact> soft;
+  for (int c = 0; c < contacts; ++c) {
+    const double closed = (c % 5) / 4.0;
+    const double stuck = (c % 3) / 2.0;
+    soft.push_back({.normal_force = 1.0 - closed,
+                    .gap = 1e7 * closed,
+                    .friction_force = 1.0 - stuck,
+                    .coupling = 0.2 * (1.0 - stuck),
+                    .slip = 1e7 * stuck});
+  }
+  return soft;
+}
+
+TEST_P(BlockSizes, SoftContactSystemSolvesLikeDense) {
+  for (const double friction : {0.2, 0.0}) {
+    const ContactProblem problem = make_random_problem(3, 5, GetParam(), friction).problem;
+    const DenseContacts dense = make_dense(problem);
+    const Eigen::Index n = dense.K.rows();
+    const Eigen::Index contacts = problem.contacts();
+    const std::vector<SoftContact> soft = soft_contacts(problem.contacts());
+    Matrix A = Matrix::Zero(n + 2 * contacts, n + 2 * contacts);
+    A.topLeftCorner(n, n) = dense.K;
+    A.block(0, n, n, contacts) = -dense.normal.transpose();
+    A.topRightCorner(n, contacts) = -dense.tangential.transpose();
+    Vector right = Vector::LinSpaced(A.rows(), -5.0, 9.0);
+    for (Eigen::Index c = 0; c < contacts; ++c) {
+      const SoftContact& s = soft[static_cast<std::size_t>(c)];
+      A.row(n + c).head(n) = s.gap * dense.normal.row(c);
+      A(n + c, n + c) = s.normal_force;
+      const Eigen::Index t = n + contacts + c;
+      if (dense.friction[c] == 0.0) {
+        A(t, t) = 1.0;
+        right[t] = 0.0;
+      } else {
+        A.row(t).head(n) = s.slip * dense.tangential.row(c);
+        A(t, n + c) = s.coupling;
+        A(t, t) = s.friction_force;
+      }
+    }
+    Vector x = right.head(n);
+    Vector p = right.segment(n, contacts);
+    Vector t = right.tail(contacts);
+    const std::unique_ptr<SoftContactSystem> system = make_soft_contact_system(problem);
+    ASSERT_TRUE(system->set_contacts(soft));
+    system->solve_in_place(x, p, t);
+    const Vector expected = A.partialPivLu().solve(right);
+    // Condition numbers of some 1e3 times the ratio of forces and displacements.
+    EXPECT_LT(distance(x, expected.head(n)), 1e-11 * expected.head(n).cwiseAbs().maxCoeff());
+    const double force = expected.tail(2 * contacts).cwiseAbs().maxCoeff();
+    EXPECT_LT(distance(p, expected.segment(n, contacts)), 1e-11 * force);
+    EXPECT_LT(distance(t, expected.tail(contacts)), 1e-11 * force);
+    const Vector y = Vector::LinSpaced(n, -5.0, 9.0);
+    EXPECT_LT(distance(system->multiply(y), dense.K * y), 1e-14 * (dense.K * y).cwiseAbs().maxCoeff());
+  }
+}
+
 TEST_P(BlockSizes, TakeAnotherK) {
   const RandomProblem random = make_random_problem(7, 6, GetParam(), 0.2);
   const ContactProblem other = make_random_problem(8, 6, GetParam(), 0.2).problem;
@@ -118,6 +176,21 @@ TEST_P(BlockSizes, TakeAnotherK) {
   const std::unique_ptr<PenaltySystem> fresh_penalties = make_penalty_system(other);
   ASSERT_TRUE(fresh_penalties->set_stiffness(stiffness, stiffness));
   fresh_penalties->solve_in_place(expected);
+  EXPECT_EQ(x, expected);
+
+  const std::vector<SoftContact> contacts = soft_contacts(other.contacts());
+  Vector p = Vector::Zero(other.contacts());
+  Vector t = p;
+  x = expected = random.first.load;
+  const std::unique_ptr<SoftContactSystem> soft = make_soft_contact_system(random.problem);
+  soft->set_elasticity(other.K);
+  ASSERT_TRUE(soft->set_contacts(contacts));
+  soft->solve_in_place(x, p, t);
+  const std::unique_ptr<SoftContactSystem> fresh_soft = make_soft_contact_system(other);
+  ASSERT_TRUE(fresh_soft->set_contacts(contacts));
+  p.setZero();
+  t.setZero();
+  fresh_soft->solve_in_place(expected, p, t);
   EXPECT_EQ(x, expected);
 }
 

@@ -1,0 +1,234 @@
+#include "contact/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bumpfoil/contact/coulomb_contact.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A contact as compliant as the foils themselves, in units of the largest stiffness: sets the ratio of forces and
+/// lengths at the start. A factor of ten more or less makes little difference.
+constexpr double start_stiffness = 0.01;
+
+/// Previous friction forces are kept this far inside their cone.
+constexpr double start_cone = 0.9;
+
+/// Mean product, relative to that of the start, below which roundings are all that moves.
+constexpr double smallest_product = 1e-30;
+
+}  // namespace
+
+double ComplementaryPair::longest(double fraction) const {
+  if (force + fraction * force_step < 0.0) fraction = -force / force_step;
+  if (length + fraction * length_step < 0.0) fraction = -length / length_step;
+  return fraction;
+}
+
+void ComplementaryPair::advance(double fraction) {
+  force += fraction * force_step;
+  length += fraction * length_step;
+}
+
+InteriorPoint::InteriorPoint(const ContactProblem& problem)
+    : problem_(problem),
+      system_(make_soft_contact_system(problem)),
+      contacts_(static_cast<std::size_t>(problem.contacts())),
+      soft_(contacts_.size()),
+      modes_(contacts_.size(), ContactMode::open),
+      imbalance_(problem.K.rows()),
+      dx_(problem.K.rows()),
+      dp_(problem.contacts()),
+      dt_(problem.contacts()) {
+  for (const Matrix& block : problem.K.diagonal) {
+    stiffness_ = std::max(stiffness_, block.diagonal().cwiseAbs().maxCoeff());
+  }
+}
+
+template <typename Visitor>
+void InteriorPoint::for_each_pair(Contact& contact, Visitor&& visit) {
+  visit(contact.closing);
+  if (contact.f == 0.0) return;
+  visit(contact.forward);
+  visit(contact.backward);
+}
+
+/// How badly the previous state fits the loading, m. Fills imbalance_.
+double InteriorPoint::misfit(const ContactLoading& loading, const ContactState& previous) {
+  const double k = start_stiffness * stiffness_;
+  imbalance_ = loading.load - system_->multiply(previous.x);
+  double largest = 0.0;
+  for_each_contact(problem_, [&](const CoulombContact& contact) {
+    const double p = previous.normal_force[contact.index];
+    contact.add_forces(p, previous.friction_force[contact.index], 1.0, imbalance_);
+    const double gap = loading.initial_gap[contact.index] + contact.gap(previous.x);
+    largest = std::max(largest, std::abs(std::min(gap, p / k)));
+  });
+  return std::max(largest, imbalance_.cwiseAbs().maxCoeff() / k);
+}
+
+void InteriorPoint::start(const ContactLoading& loading, const ContactState& previous, double spread, double reach) {
+  // A state that fits all but perfectly may yet have modes that contradict it.
+  const double length = spread * std::max(misfit(loading, previous), 1e-9);
+  const double force = start_stiffness * stiffness_ * length;
+  imbalance_ = loading.load - system_->multiply(previous.x);
+  for_each_contact(problem_, [&](const CoulombContact& contact) {
+    Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
+    c.f = contact.f;
+    const double gap = loading.initial_gap[contact.index] + contact.gap(previous.x);
+    c.closing = {.force = std::max(force, previous.normal_force[contact.index]), .length = std::max(length, gap)};
+    c.gap_residual = gap - c.closing.length;
+    const double bound = c.f * c.closing.force;
+    const double t = std::clamp(previous.friction_force[contact.index], -start_cone * bound, start_cone * bound);
+    c.forward = {.force = bound + t, .length = length};
+    c.backward = {.force = bound - t, .length = length};
+    contact.add_forces(c.closing.force, t, 1.0, imbalance_);
+  });
+  modes_ = previous.mode;
+  remaining_ = 1.0;
+  reach_ = reach;
+  first_product_ = mean_product(0.0);
+}
+
+bool InteriorPoint::step() {
+  if (!factor()) return false;
+  find_step(0.0, false);
+  read_modes();
+  // The predictor tells how much of the products can be taken away now [Mehrotra1992].
+  const double product = mean_product(0.0);
+  const double ratio = std::clamp(mean_product(longest_step(1.0)) / product, 0.0, 1.0);
+  find_step(ratio * ratio * ratio * product, true);
+  advance(std::min(1.0, reach_ * longest_step(1.0 / reach_)));
+  return mean_product(0.0) > smallest_product * first_product_;  // false for what is not a number
+}
+
+/// Linearised conditions of the contacts. With w the slip, a = f p + t and b = f p - t, the friction pairs give
+///
+///     (w+ b + w- a) dt + (w+ b - w- a) f dp + a b dw = ...
+bool InteriorPoint::factor() {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Contact& c = contacts_[i];
+    SoftContact& soft = soft_[i];
+    const double scale = c.closing.length + c.closing.force / stiffness_;
+    soft.normal_force = c.closing.length / scale;
+    soft.gap = c.closing.force / scale;
+    if (c.f == 0.0) continue;
+    const double forward = c.forward.length * c.backward.force;
+    const double backward = c.backward.length * c.forward.force;
+    const double margins = c.forward.force * c.backward.force;
+    const double friction_scale = forward + backward + margins / stiffness_;
+    soft.friction_force = (forward + backward) / friction_scale;
+    soft.coupling = (forward - backward) * c.f / friction_scale;
+    soft.slip = margins / friction_scale;
+  }
+  return system_->set_contacts(soft_);
+}
+
+/// Newton step to products of size `target`.
+/// @param correct  take off the second-order part of the last step
+void InteriorPoint::find_step(double target, bool correct) {
+  dx_ = remaining_ * imbalance_;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& c = contacts_[i];
+    const auto contact = static_cast<Eigen::Index>(i);
+    for_each_pair(c, [&](ComplementaryPair& pair) { pair.aim(target, correct); });
+    // The factors of the conditions hold their scales.
+    dp_[contact] =
+        soft_[i].normal_force * c.closing.deficit / c.closing.length - soft_[i].gap * remaining_ * c.gap_residual;
+    if (c.f == 0.0) continue;
+    dt_[contact] = soft_[i].slip * (c.forward.deficit / c.forward.force - c.backward.deficit / c.backward.force);
+  }
+  system_->solve_in_place(dx_, dp_, dt_);
+  for_each_contact(problem_, [&](const CoulombContact& contact) {
+    Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
+    // Of force and gap the one that matters comes from the system, the other from their product: relative accuracy for
+    // both, however small.
+    if (c.closing.force > stiffness_ * c.closing.length) {
+      c.closing.force_step = dp_[contact.index];
+      c.closing.take_length_from_force();
+    } else {
+      c.closing.length_step = contact.gap(dx_) + remaining_ * c.gap_residual;
+      c.closing.take_force_from_length();
+    }
+    if (c.f > 0.0) read_friction_step(c, contact.tangential(dx_), dt_[contact.index]);
+  });
+}
+
+/// The same for the friction pairs.
+void InteriorPoint::read_friction_step(Contact& c, double slip_step, double friction_step) const {
+  const double bound_step = c.f * c.closing.force_step;
+  const double forward = c.forward.length * c.backward.force;
+  const double backward = c.backward.length * c.forward.force;
+  const double margins = c.forward.force * c.backward.force;
+  if (stiffness_ * (forward + backward) < margins) {  // sticks
+    c.forward.force_step = bound_step + friction_step;
+    c.backward.force_step = bound_step - friction_step;
+    c.forward.take_length_from_force();
+    c.backward.take_length_from_force();
+    return;
+  }
+  friction_step = (c.backward.force * c.forward.deficit - c.forward.force * c.backward.deficit - margins * slip_step -
+                   (forward - backward) * bound_step) /
+                  (forward + backward);
+  const bool slips_forward = c.forward.force < c.backward.force;
+  const double sign = slips_forward ? 1.0 : -1.0;
+  ComplementaryPair& slipping = slips_forward ? c.forward : c.backward;
+  ComplementaryPair& other = slips_forward ? c.backward : c.forward;
+  other.force_step = bound_step - sign * friction_step;
+  other.take_length_from_force();
+  slipping.length_step = other.length_step + sign * slip_step;
+  slipping.take_force_from_length();
+  other.force_step = 2.0 * bound_step - slipping.force_step;
+}
+
+/// Modes that a step to products of zero heads for.
+void InteriorPoint::read_modes() {
+  changed_modes_ = 0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Contact& c = contacts_[i];
+    ContactMode mode = ContactMode::stick;
+    if (c.closing.force_vanishes()) {
+      mode = ContactMode::open;
+    } else if (c.f > 0.0) {
+      const bool towards_forward = c.forward.force < c.backward.force;
+      if (towards_forward && c.forward.force_vanishes()) mode = ContactMode::slip_forward;
+      if (!towards_forward && c.backward.force_vanishes()) mode = ContactMode::slip_backward;
+    }
+    if (modes_[i] != mode) ++changed_modes_;
+    modes_[i] = mode;
+  }
+}
+
+double InteriorPoint::mean_product(double fraction) {
+  double sum = 0.0;
+  int pairs = 0;
+  for (Contact& c : contacts_) {
+    for_each_pair(c, [&](const ComplementaryPair& pair) {
+      sum += pair.product(fraction);
+      ++pairs;
+    });
+  }
+  return sum / pairs;
+}
+
+double InteriorPoint::longest_step(double fraction) {
+  for (Contact& c : contacts_) {
+    for_each_pair(c, [&](const ComplementaryPair& pair) { fraction = pair.longest(fraction); });
+  }
+  return fraction;
+}
+
+void InteriorPoint::advance(double fraction) {
+  remaining_ *= 1.0 - fraction;
+  for (Contact& c : contacts_) {
+    for_each_pair(c, [&](ComplementaryPair& pair) { pair.advance(fraction); });
+    if (c.f == 0.0) continue;
+    // Keeps the sum of the margins at 2 f p where p has fallen by orders of magnitude.
+    ComplementaryPair& smaller = c.forward.force < c.backward.force ? c.forward : c.backward;
+    ComplementaryPair& larger = c.forward.force < c.backward.force ? c.backward : c.forward;
+    larger.force = 2.0 * c.f * c.closing.force - smaller.force;
+  }
+}
+
+}  // namespace bumpfoil

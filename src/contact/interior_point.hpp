@@ -1,0 +1,102 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/contact/linear_systems.hpp"
+
+namespace bumpfoil {
+
+/// A force and a length of which one is zero in the end, both kept positive on the way there.
+struct ComplementaryPair {
+  double force{1.0};     ///< N
+  double length{1.0};    ///< m
+  double force_step{};   ///< N
+  double length_step{};  ///< m
+  double deficit{};      ///< J; the step obeys force * length_step + length * force_step = deficit
+
+  [[nodiscard]] double product(double fraction) const {
+    return (force + fraction * force_step) * (length + fraction * length_step);
+  }
+  /// Prepares a step to the product `target`; with the last step its second-order part is taken off.
+  void aim(double target, bool correct) {
+    deficit = target - force * length - (correct ? force_step * length_step : 0.0);
+  }
+  void take_force_from_length() { force_step = (deficit - force * length_step) / length; }
+  void take_length_from_force() { length_step = (deficit - length * force_step) / force; }
+  /// Largest fraction of the step, up to `fraction`, that keeps both positive.
+  [[nodiscard]] double longest(double fraction) const;
+  void advance(double fraction);
+  /// Which of the two a step to the product 0 takes away: the relative changes add up to -1.
+  [[nodiscard]] bool force_vanishes() const { return force_step < -0.5 * force; }
+};
+
+/// Primal-dual interior-point method for one increment of a contact problem [Mehrotra1992, Wright1997]. The conditions
+/// of every contact, with friction in the plane written as two more complementary pairs,
+///
+///     0 <= g  _|_  p >= 0,    0 <= f p + t  _|_  w+ >= 0,    0 <= f p - t  _|_  w- >= 0,    du = w+ - w-,
+///
+/// are replaced by products equal to mu > 0, which Newton's method with predictor and corrector drives to zero. The
+/// friction bound f p is part of the linearisation, not lagged: the steps take Coulomb's law as it stands, and the
+/// number of steps hardly depends on the number of contacts. Friction makes the problem non-monotone, so that success
+/// is not guaranteed.
+///
+/// It serves to find modes: its iterates approach a solution, its caller solves exactly for the modes they show. No
+/// iterate of x is kept, only the positive quantities, each with full relative accuracy, and what is left of the
+/// residuals of the linear equations, which every step of length a multiplies by 1 - a.
+class InteriorPoint {
+ public:
+  explicit InteriorPoint(const ContactProblem& problem);
+
+  /// Takes another K of the same form. start must follow.
+  void set_elasticity(const BlockTridiagonal& K) { system_->set_elasticity(K); }
+
+  /// Starts from the state of the last increment, pushed off the bounds.
+  /// @param spread  how far, in units of how badly that state fits `loading`: some 1 to 100
+  /// @param reach   part of the way to the first bound that a step may take, < 1
+  void start(const ContactLoading& loading, const ContactState& previous, double spread, double reach);
+
+  /// Takes one step: one factorisation, two solves.
+  /// @return false once nothing is gained any more, or the system was singular
+  [[nodiscard]] bool step();
+
+  /// Modes that the last step was heading for.
+  [[nodiscard]] const std::vector<ContactMode>& modes() const { return modes_; }
+  /// How many of them the last step changed.
+  [[nodiscard]] int changed_modes() const { return changed_modes_; }
+
+ private:
+  struct Contact {
+    ComplementaryPair closing;   ///< p, g
+    ComplementaryPair forward;   ///< f p + t, w+; unused without friction
+    ComplementaryPair backward;  ///< f p - t, w-
+    double f{};
+    double gap_residual{};  ///< g0 + gap of x - g at the start, m
+  };
+
+  template <typename Visitor>
+  static void for_each_pair(Contact& contact, Visitor&& visit);
+  [[nodiscard]] double misfit(const ContactLoading& loading, const ContactState& previous);
+  [[nodiscard]] bool factor();
+  void find_step(double target, bool correct);
+  void read_friction_step(Contact& c, double slip_step, double friction_step) const;
+  void read_modes();
+  [[nodiscard]] double mean_product(double fraction);
+  [[nodiscard]] double longest_step(double fraction);
+  void advance(double fraction);
+
+  ContactProblem problem_;
+  std::unique_ptr<SoftContactSystem> system_;
+  double stiffness_{0.0};  ///< N/m, brings conditions of contacts to the size of the balance, so that pivots compare
+  std::vector<Contact> contacts_;
+  std::vector<SoftContact> soft_;
+  std::vector<ContactMode> modes_;
+  int changed_modes_{};
+  Vector imbalance_;        ///< contact forces + load - K x at the start, N
+  double remaining_{};      ///< part of the residuals of the start that is left
+  double reach_{};          ///< see start()
+  double first_product_{};  ///< mean product at the start, J
+  Vector dx_, dp_, dt_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Hundreds of bumps meet the journal in one increment: no halving, and no more work per increment than the interior
+/// point takes for a few bumps.
+void expect_solved(const Case& input) {
+  const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
+  EXPECT_EQ(first_failure(cycle), "");
+  EXPECT_EQ(cycle.substeps(), 0);
+  EXPECT_LE(cycle.total().iterations, 80 * cycle.due);
+  EXPECT_GT(cycle.turning_point->max_force, 0.0);
+}
+
+TEST(LongBearings, ThousandBumpsInTwoSteps) {
+  expect_solved(long_bearing(1000, 2));
+}
+
+/// Touching and leaving zone by zone.
+TEST(LongBearings, FiveHundredBumpsInTenSteps) {
+  expect_solved(long_bearing(500, 10));
+}
+
+TEST(LongBearings, AgainstTheWeldWithStrongFriction) {
+  Case input = long_bearing(500, 3);
+  input.friction = {.top_bump = 0.5, .bump_sleeve = 0.5};
+  input.cycle.directions = {std::numbers::pi};
+  expect_solved(input);
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,49 @@
+#include "contact/pivoting.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bumpfoil {
+namespace {
+
+using enum ContactMode;
+
+TEST(Judge, MeasuresTheInequalityThatFails) {
+  const auto excess = [](ContactMode mode, const ContactTrial& trial) {
+    return judge(0, mode, 0.5, trial, 1e-13, 1e-11).excess;
+  };
+  EXPECT_EQ(excess(open, {.gap = -2e-6, .normal = 0.0, .friction = 0.0, .slip = 5e-6}), 2e-6);
+  EXPECT_EQ(excess(slip_forward, {.gap = 0.0, .normal = -3.0, .friction = 1.5, .slip = 5e-6}), 3.0);
+  EXPECT_EQ(excess(slip_forward, {.gap = 0.0, .normal = 3.0, .friction = -1.5, .slip = -5e-6}), 5e-6);
+  EXPECT_EQ(excess(stick, {.gap = 0.0, .normal = 4.0, .friction = -3.0, .slip = 0.0}), 1.0);
+  EXPECT_EQ(excess(stick, {.gap = 0.0, .normal = -4.0, .friction = 1.0, .slip = 0.0}), 4.0);
+}
+
+/// Blocks of two contacts: 0, 2, 4, ... and 1, 3, 5, ... are neighbours.
+TEST(WorstOfRuns, ChangesOneContactOfEachRun) {
+  WorstOfRuns rule(2);
+  std::vector<ContactMode> mode(14, open);
+  mode[12] = stick;
+  rule.apply({{0, stick, 1.0},
+              {1, stick, 5.0},  // a run of its own kind, of one
+              {2, stick, 3.0},
+              {4, stick, 2.0},           // run 0, 2, 4: the worst is 2
+              {6, slip_forward, 9.0},    // asks for something else
+              {10, slip_forward, 1.0},   // not a neighbour of 6
+              {12, slip_forward, 2.0}},  // comes from another mode
+             mode);
+  const std::vector<ContactMode> expected{open, stick, stick, open,         open, open,         slip_forward,
+                                          open, open,  open,  slip_forward, open, slip_forward, open};
+  EXPECT_EQ(mode, expected);
+}
+
+TEST(WorstOfRuns, RemembersNothing) {
+  WorstOfRuns rule(1);
+  std::vector<ContactMode> mode(3, open);
+  rule.apply({{0, stick, 1.0}}, mode);
+  rule.apply({{1, stick, 1.0}}, mode);
+  rule.apply({}, mode);
+  EXPECT_EQ(mode, (std::vector<ContactMode>{stick, stick, open}));
+}
+
+}  // namespace
+}  // namespace bumpfoil
