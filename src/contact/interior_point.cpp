@@ -18,6 +18,9 @@ constexpr double start_cone = 0.9;
 /// Mean product, relative to that of the start, below which roundings are all that moves.
 constexpr double smallest_product = 1e-30;
 
+/// Both of a pair tend to zero where their relative changes are within this of -1/2.
+constexpr double trend_band = 0.1;
+
 }  // namespace
 
 double ComplementaryPair::longest(double fraction) const {
@@ -31,12 +34,19 @@ void ComplementaryPair::advance(double fraction) {
   length += fraction * length_step;
 }
 
+int ComplementaryPair::trend() const {
+  const double change = force_step / force;
+  if (change < -0.5 - trend_band) return 1;
+  return change > -0.5 + trend_band ? -1 : 0;
+}
+
 InteriorPoint::InteriorPoint(const ContactProblem& problem)
     : problem_(problem),
       system_(make_soft_contact_system(problem)),
       contacts_(static_cast<std::size_t>(problem.contacts())),
       soft_(contacts_.size()),
-      modes_(contacts_.size(), ContactMode::open),
+      previous_modes_(contacts_.size(), ContactMode::open),
+      modes_(previous_modes_),
       imbalance_(problem.K.rows()),
       dx_(problem.K.rows()),
       dp_(problem.contacts()),
@@ -85,7 +95,7 @@ void InteriorPoint::start(const ContactLoading& loading, const ContactState& pre
     c.backward = {.force = bound - t, .length = length};
     contact.add_forces(c.closing.force, t, 1.0, imbalance_);
   });
-  modes_ = previous.mode;
+  modes_ = previous_modes_ = previous.mode;
   remaining_ = 1.0;
   reach_ = reach;
   first_product_ = mean_product(0.0);
@@ -182,22 +192,27 @@ void InteriorPoint::read_friction_step(Contact& c, double slip_step, double fric
   other.force_step = 2.0 * bound_step - slipping.force_step;
 }
 
-/// Modes that a step to products of zero heads for.
+/// Modes that a step to products of zero heads for. Contacts that may have either of two keep that of the last
+/// increment.
 void InteriorPoint::read_modes() {
   changed_modes_ = 0;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& c = contacts_[i];
-    ContactMode mode = ContactMode::stick;
-    if (c.closing.force_vanishes()) {
-      mode = ContactMode::open;
-    } else if (c.f > 0.0) {
-      const bool towards_forward = c.forward.force < c.backward.force;
-      if (towards_forward && c.forward.force_vanishes()) mode = ContactMode::slip_forward;
-      if (!towards_forward && c.backward.force_vanishes()) mode = ContactMode::slip_backward;
-    }
-    if (modes_[i] != mode) ++changed_modes_;
+    const ContactMode before = previous_modes_[i];
+    const int opens = c.closing.trend();
+    const bool open = opens > 0 || (opens == 0 && before == ContactMode::open);
+    const ContactMode mode = open ? ContactMode::open : closed_mode(c, before);
+    if (mode != modes_[i]) ++changed_modes_;
     modes_[i] = mode;
   }
+}
+
+ContactMode InteriorPoint::closed_mode(const Contact& c, ContactMode before) {
+  if (c.f == 0.0) return ContactMode::stick;
+  const bool towards_forward = c.forward.force < c.backward.force;
+  const ContactMode slip = towards_forward ? ContactMode::slip_forward : ContactMode::slip_backward;
+  const int slips = (towards_forward ? c.forward : c.backward).trend();
+  return slips > 0 || (slips == 0 && before == slip) ? slip : ContactMode::stick;
 }
 
 double InteriorPoint::mean_product(double fraction) {

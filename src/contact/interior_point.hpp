@@ -27,12 +27,13 @@ struct ComplementaryPair {
   /// Largest fraction of the step, up to `fraction`, that keeps both positive.
   [[nodiscard]] double longest(double fraction) const;
   void advance(double fraction);
-  /// Which of the two a step to the product 0 takes away: the relative changes add up to -1.
-  [[nodiscard]] bool force_vanishes() const { return force_step < -0.5 * force; }
+  /// Whether a step to the product 0 takes the force away (> 0) or the length (< 0); 0 where it takes both, as of a
+  /// contact that touches without force. The relative changes add up to -1 [ElBakry1994].
+  [[nodiscard]] int trend() const;
 };
 
-/// Primal-dual interior-point method for one increment of a contact problem [Mehrotra1992, Wright1997]. The conditions
-/// of every contact, with friction in the plane written as two more complementary pairs,
+/// Primal-dual interior-point method for one increment of a contact problem [Mehrotra1992], [Wright1997]. The
+/// conditions of every contact, with friction in the plane written as two more complementary pairs,
 ///
 ///     0 <= g  _|_  p >= 0,    0 <= f p + t  _|_  w+ >= 0,    0 <= f p - t  _|_  w- >= 0,    du = w+ - w-,
 ///
@@ -81,6 +82,7 @@ class InteriorPoint {
   void find_step(double target, bool correct);
   void read_friction_step(Contact& c, double slip_step, double friction_step) const;
   void read_modes();
+  [[nodiscard]] static ContactMode closed_mode(const Contact& contact, ContactMode before);
   [[nodiscard]] double mean_product(double fraction);
   [[nodiscard]] double longest_step(double fraction);
   void advance(double fraction);
@@ -90,6 +92,7 @@ class InteriorPoint {
   double stiffness_{0.0};  ///< N/m, brings conditions of contacts to the size of the balance, so that pivots compare
   std::vector<Contact> contacts_;
   std::vector<SoftContact> soft_;
+  std::vector<ContactMode> previous_modes_;  ///< of the last increment
   std::vector<ContactMode> modes_;
   int changed_modes_{};
   Vector imbalance_;        ///< contact forces + load - K x at the start, N

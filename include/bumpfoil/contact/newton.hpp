@@ -35,7 +35,7 @@ struct NewtonOptions {
 ///    whose inequalities fail, repeat. Ends in one to a few solves nearly always, but may cycle.
 /// 2. The modes at the end of the path from event to event (contact/event_follower.hpp), then as 1. Left out where many
 ///    contacts change at once, as at first touch or at the turning point of a long foil.
-/// 3. Primal-dual interior-point method [Mehrotra1992, Wright1997]: of every gap and its compression, every slip and
+/// 3. Primal-dual interior-point method [Mehrotra1992], [Wright1997]: of every gap and its compression, every slip and
 ///    its distance from the friction bound, both stay positive, and Newton's method drives their products to zero. The
 ///    number of steps hardly depends on the number of contacts. Modes are read off the iterates; once they rest, they
 ///    are tried as in 1, changing only the worst of neighbouring contacts.
