@@ -121,7 +121,7 @@ void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& ta
                                        .tangent = *tangents,
                                        .secant_stiffness = turning.force_direct / cycle.amplitude};
   }
-  if (good == all) {
+  if (good == all && cycle.turning_point) {
     cycle.loop_energy = increments.back().work;
     cycle.loss_factor =
         loss_factor(*cycle.loop_energy, cycle.turning_point->elastic_energy - increments.front().elastic_energy);

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/analysis/cycle_quantities.hpp"
 #include "bumpfoil/analysis/energy.hpp"
+#include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -31,6 +32,7 @@ bool PathRunner::assemble(const Eigen::Vector2d& position) {
   next.report.solve = solver_.assemble(next.loading, unstressed, next.state);
   next.begin_of_part = unstressed.x;
   if (!next.report.solve.converged) return false;
+  path_done_ = 1.0;
   assembly_dissipation_ = friction_dissipation(model_.problem, next.state.normal_force, unstressed.x, next.state.x);
   now_ = std::move(next);
   return true;
@@ -44,6 +46,7 @@ void PathRunner::set_out(const Eigen::Vector2d& end) {
 }
 
 bool PathRunner::try_increment(double fraction) {
+  BUMPFOIL_ASSERT(fraction > path_done_ && fraction <= 1.0);
   next_ = now_;
   next_.events.clear();
   next_.position = (1.0 - fraction) * path_start_ + fraction * path_end_;
@@ -58,13 +61,13 @@ bool PathRunner::try_increment(double fraction) {
   };
   next_.report = solver_.advance_to(fraction, next_.state, visit, next_.events);
   for (ContactEvent& event : next_.events) event.fraction = (event.fraction - path_done_) / (fraction - path_done_);
+  path_done_ = next_.report.solve.converged ? fraction : 1.0;
   return next_.report.solve.converged;
 }
 
 bool PathRunner::advance_to(double fraction) {
   if (!try_increment(fraction)) return false;
   std::swap(now_, next_);
-  path_done_ = fraction;
   return true;
 }
 

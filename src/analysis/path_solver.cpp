@@ -39,7 +39,7 @@ IncrementReport PathSolver::advance_to(double fraction, ContactState& state, con
   if (events_) return events_->advance_to(fraction, state, visit, events);
   ContactLoading next = interpolate(from_, to_, fraction);
   const IncrementReport report = bumpfoil::advance(*increments_, reached_, next, state, visit);
-  reached_ = std::move(next);
+  if (report.solve.converged) reached_ = std::move(next);
   return report;
 }
 

@@ -5,14 +5,25 @@
 #include <utility>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/core/assert.hpp"
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 
 namespace {
 
-/// What is left of large forces has their roundings: how many times larger the forces may be that a piece leads to than
-/// those it begins with.
+/// A gap or a slip below this is none, m.
+constexpr double displacement_tolerance = 1e-13;
+
+/// A force below this part of the largest is none; the largest of where the piece begins and where it leads, or 1 N.
+constexpr double relative_force_tolerance = 1e-11;
+
+/// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
+constexpr int most_rounds = 10;
+constexpr int most_rounds_at_first_touch = 30;
+
+/// What is left of large forces has their roundings, some 1e-13 of them: how many times larger the forces may be that a
+/// piece leads to than those it begins with. States stay exact to 1e-11 then.
 constexpr double most_cancellation = 100.0;
 
 double largest_force(const ContactState& state) {
@@ -33,6 +44,7 @@ struct EventFollower::Workspace {
         begin(ContactState::unstressed(contact_problem)),
         target(begin),
         next(begin) {
+    BUMPFOIL_ASSERT(problem.contacts() > 0);
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     mode.reserve(contacts);
     changes.reserve(contacts);
@@ -44,7 +56,7 @@ struct EventFollower::Workspace {
   bool settle_modes(const ContactState& state, SolveReport& report);
   bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
                    SolveReport& report);
-  void solve_here(const ContactState& state, SolveReport& report);
+  [[nodiscard]] bool solve_here(const ContactState& state, SolveReport& report);
   [[nodiscard]] bool obeys_modes(const ContactState& state) const;
   double next_event(const ContactState& state);
   void keep_changes_nearby();
@@ -92,7 +104,7 @@ void EventFollower::Workspace::find_changes(const ContactState& state) {
     const double f = contact.f;
     const ContactMode m = mode[static_cast<std::size_t>(c)];
     const bool loaded = state.normal_force[c] > force_tolerance;
-    if (m == ContactMode::open && state.gap[c] > options.displacement_tolerance) return;
+    if (m == ContactMode::open && state.gap[c] > displacement_tolerance) return;
     ContactTrial trial{.gap = target.gap[c],
                        .normal = target.normal_force[c],
                        .friction = target.friction_force[c],
@@ -109,7 +121,7 @@ void EventFollower::Workspace::find_changes(const ContactState& state) {
         return;
       }
     }
-    const ContactMode to = next_mode(m, f, trial, options.displacement_tolerance, force_tolerance);
+    const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
     if (to != m) changes.push_back({c, to});
   });
 }
@@ -128,7 +140,7 @@ void EventFollower::Workspace::keep_changes_nearby() {
 
 /// Finds the modes of the piece that begins at `state`, and where it leads.
 bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveReport& report) {
-  PivotingRule rule(first_touch ? options.max_first_touch_updates : options.max_mode_updates);
+  PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
     const int factorisations = modes->factorisations();
     if (!modes->set_modes(mode)) return false;
@@ -137,12 +149,16 @@ bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveRepo
     ++report.iterations;
     if (!target.x.allFinite()) return false;
     force_tolerance =
-        options.force_tolerance * std::max({1.0, state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
+        relative_force_tolerance * std::max({1.0, state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
     find_changes(state);
     if (changes.empty()) return true;
-    if (!flipped.empty()) keep_changes_nearby();
-    if (!rule.apply(changes, mode)) return false;
-    flipped.clear();
+    if (!flipped.empty()) {
+      keep_changes_nearby();
+      flipped.clear();
+      for (const ModeChange& change : changes) mode[static_cast<std::size_t>(change.contact)] = change.to;
+    } else if (!rule.apply(changes, mode)) {
+      return false;
+    }
   }
 }
 
@@ -158,7 +174,7 @@ bool EventFollower::Workspace::obeys_modes(const ContactState& state) const {
       obeys = obeys && std::abs(p) <= force_tolerance && std::abs(t) <= force_tolerance;
       return;
     }
-    obeys = obeys && std::abs(state.gap[c]) <= options.displacement_tolerance;
+    obeys = obeys && std::abs(state.gap[c]) <= displacement_tolerance;
     if (slips(m) && contact.f > 0.0) {
       const double friction = m == ContactMode::slip_forward ? -contact.f * p : contact.f * p;
       obeys = obeys && std::abs(t - friction) <= force_tolerance;
@@ -170,28 +186,45 @@ bool EventFollower::Workspace::obeys_modes(const ContactState& state) const {
 /// Fills `begin` with the exact state of the settled modes where the piece begins. It differs from `state` where the
 /// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, and by
 /// the roundings of what was interpolated.
-void EventFollower::Workspace::solve_here(const ContactState& state, SolveReport& report) {
+/// @return false where that state contradicts its modes: then it was no jump that these contacts could make
+bool EventFollower::Workspace::solve_here(const ContactState& state, SolveReport& report) {
   here.initial_gap = (1.0 - reached) * path_begin.initial_gap + reached * path_end.initial_gap;
   here.load = (1.0 - reached) * path_begin.load + reached * path_end.load;
   modes->solve(here, state.x, begin);
   ++report.iterations;
+  bool obeys = begin.x.allFinite();
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    const Eigen::Index c = contact.index;
+    const ContactMode m = mode[static_cast<std::size_t>(c)];
+    const ContactTrial trial{.gap = begin.gap[c],
+                             .normal = begin.normal_force[c],
+                             .friction = begin.friction_force[c],
+                             .slip = contact.tangential(begin.x) - contact.tangential(state.x)};
+    obeys = obeys && next_mode(m, contact.f, trial, displacement_tolerance, force_tolerance) == m;
+  });
+  return obeys;
 }
 
 /// Settles what comes next at `state`.
 bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisitor& visit,
                                            std::vector<ContactEvent>* events, SolveReport& report) {
   if (!settle_modes(state, report)) return false;
+  // A state that the modes fit is kept unless a better one fits them, too.
+  const bool fits = obeys_modes(state);
+  const bool cancels = largest_force(target) > most_cancellation * std::max(1.0, largest_force(state));
+  const bool jumps = (!fits || cancels) && solve_here(state, report);
+  if (!fits && !jumps) return false;
   if (events != nullptr) {
     for (std::size_t c = 0; c < mode.size(); ++c) {
       if (mode[c] != state.mode[c]) events->push_back({reached, static_cast<int>(c), state.mode[c], mode[c]});
     }
   }
   state.mode = mode;
-  begin = state;
-  if (!obeys_modes(state) || largest_force(target) > most_cancellation * std::max(1.0, largest_force(state))) {
-    solve_here(state, report);
+  if (jumps) {
     if (visit) visit(state, begin);
     state = begin;
+  } else {
+    begin = state;
   }
   begin_fraction = reached;
   event = next_event(state);
@@ -216,7 +249,7 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
     if (m == ContactMode::open) {
       const ContactTrial trial{.gap = target.gap[c],
                                .slip = contact.tangential(target.x) - contact.tangential(state.x)};
-      const ContactMode to = next_mode(m, f, trial, options.displacement_tolerance, force_tolerance);
+      const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
       if (to != m) propose(c, state.gap[c], target.gap[c], to);
       return;
     }
@@ -248,7 +281,7 @@ void EventFollower::Workspace::flip_at_event(const ContactState& state) {
   flipped.clear();  // all may have to change
   for_each_contact(problem, [&](const CoulombContact& contact) {
     ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
-    if (m == ContactMode::open && state.gap[contact.index] <= options.displacement_tolerance) m = ContactMode::stick;
+    if (m == ContactMode::open && state.gap[contact.index] <= displacement_tolerance) m = ContactMode::stick;
   });
 }
 
@@ -277,9 +310,11 @@ void EventFollower::set_out(const ContactLoading& from, const ContactLoading& to
 FollowReport EventFollower::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
                                       std::vector<ContactEvent>* events) {
   Workspace& w = *workspace_;
+  BUMPFOIL_ASSERT(fraction >= w.reached);
   const int events_before = w.events_passed;
   FollowReport report;
   report.solve.converged = true;
+  int events_here = 0;
   for (;;) {
     if (!w.inside_piece && !w.begin_piece(state, visit, events, report.solve)) break;
     const double length = 1.0 - w.begin_fraction;
@@ -288,8 +323,10 @@ FollowReport EventFollower::follow_to(double fraction, ContactState& state, cons
     w.interpolate_piece(report.arrived ? (fraction - w.begin_fraction) / length : w.event);
     if (visit) visit(state, w.next);
     std::swap(state, w.next);
+    events_here = event > w.reached ? 0 : events_here + 1;
     w.reached = report.arrived ? fraction : event;
-    if (report.arrived || w.events_passed == w.options.max_events) break;
+    // Contacts that go on changing at one place would do so for ever.
+    if (report.arrived || w.events_passed == w.options.max_events || events_here > w.problem.contacts()) break;
     w.flip_at_event(state);
     w.inside_piece = false;
     ++w.events_passed;

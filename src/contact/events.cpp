@@ -57,7 +57,8 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
   };
 
   ContactState probed;
-  for (int probes = 0; !follow(); ++probes) {
+  bool arrived = follow();
+  for (int probes = 0; !arrived; ++probes) {
     report.solve.converged = false;
     if (probes == most_probes) return report;
     const double before = fraction_;
@@ -65,8 +66,8 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
     report.solve += newton_.solve(interpolate(from_, to_, end), state, probed);
     if (!report.solve.converged) return report;
     set_out_again(probed.mode);
-    if (follow()) break;
-    if (fraction_ > before) {
+    arrived = follow();
+    if (arrived || fraction_ > before) {
       probe = first_probe;
       continue;
     }
@@ -80,10 +81,10 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
     }
     std::swap(state, probed);
     fraction_ = end;
-    set_out_again(state.mode);
     probe *= probe_growth;
     ++report.substeps;
-    if (end >= fraction) break;
+    set_out_again(state.mode);
+    arrived = end >= fraction || follow();
   }
   report.solve.converged = true;
   return report;

@@ -9,7 +9,7 @@
 namespace bumpfoil {
 
 /// Takes foils along straight paths of positions, or to loads, one increment at a time, and keeps what an increment
-/// leaves to the next: state, friction history, work and dissipation. After a failure all is as it was before.
+/// leaves to the next: state, friction history, work and dissipation. After a failure all that is as it was before.
 class PathRunner {
  public:
   /// @param model  must outlive the runner
@@ -23,7 +23,8 @@ class PathRunner {
   /// paths of one increment.
   void set_out(const Eigen::Vector2d& end);
 
-  /// One increment, to `fraction` of the path that was set out on. @return false after a numerical failure
+  /// One increment, to `fraction` of the path that was set out on, beyond the last. A failure ends the path, and so do
+  /// assemble, move_to and load_to. @return false after a numerical failure
   [[nodiscard]] bool advance_to(double fraction);
 
   /// One increment, straight to `position` (m). @return false after a numerical failure
@@ -73,7 +74,7 @@ class PathRunner {
   Stage next_;
   Eigen::Vector2d path_start_{0.0, 0.0};
   Eigen::Vector2d path_end_{0.0, 0.0};
-  double path_done_{};  ///< fraction of the path that lies behind
+  double path_done_{1.0};  ///< fraction of the path that lies behind; 1 where there is none
   double assembly_dissipation_{};
 };
 

@@ -27,8 +27,8 @@ class PathSolver {
   /// Begins the straight path from the loading `from`, which `state` is the response to, to the loading `to`.
   void set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state);
 
-  /// One increment: goes on to `fraction` of the whole path. Increments are halved where the solver fails, see
-  /// advance() and EventStepper.
+  /// One increment: goes on to `fraction` of the whole path, beyond the last; a failure ends the path. Increments are
+  /// halved where the solver fails, see advance() and EventStepper.
   /// @param state   where the last increment ended, or the path began
   /// @param visit   receives the parts of the increment
   /// @param events  receives the changes of mode if events are followed, with the fractions of the whole path

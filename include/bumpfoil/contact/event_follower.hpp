@@ -24,13 +24,9 @@ struct FollowReport {
   SolveReport solve;
 };
 
-/// Tolerances of following: what counts as touching, resting or zero.
+/// Settings of following.
 struct FollowOptions {
-  double displacement_tolerance{1e-13};  ///< m
-  double force_tolerance{1e-11};         ///< of max(largest contact force, 1 N)
-  int max_mode_updates{10};              ///< rounds of settling the modes after one event
-  int max_first_touch_updates{30};       ///< the same where foils that carried nothing are touched
-  int max_events{100000};                ///< places of one path where contacts change their mode
+  int max_events{100000};  ///< places of one path where contacts change their mode
 };
 
 /// Follows the response to a straight loading path from event to event. Unilateral contact and Coulomb friction in the
@@ -54,10 +50,10 @@ class EventFollower {
   /// @param mode  modes to begin with: those of the state that `from` led to, or a better guess
   void set_out(const ContactLoading& from, const ContactLoading& to, const std::vector<ContactMode>& mode);
 
-  /// Goes on along the path.
-  /// @param fraction  of the whole path where to halt
-  /// @param state     where the last call halted, or the start of the path; on return the state at `fraction`, or at
-  ///   the last event that was reached
+  /// Goes on along the path. Where it does not arrive, the path must be set out on again, with better modes.
+  /// @param fraction  of the whole path where to halt; not before the last
+  /// @param state     what the last call left, or the start of the path; on return the state at `fraction`, or at the
+  ///   last event that was reached
   /// @param visit     receives the linear pieces, both ends with the modes of the piece; may be empty
   /// @param events    receives the changes of mode in their order; may be null
   [[nodiscard]] FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit = {},

@@ -16,7 +16,7 @@ class EventStepper {
   /// Begins the path from the loading `from`, which `state` is the response to, to the loading `to`.
   void set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state);
 
-  /// Goes on to `fraction` of the whole path.
+  /// Goes on to `fraction` of the whole path, beyond the last; a failure ends the path.
   /// @param state   where the last call ended, or the path began; on failure the last event that was reached
   /// @param visit   receives the linear pieces of the response; may be empty
   /// @param events  receives the changes of mode, with the fractions of the whole path where they happened

@@ -58,9 +58,11 @@ TEST_P(PushedRunner, MovesTheSameWayAlongOnePathOrMany) {
   EXPECT_NEAR(a.force_direct, b.force_direct, solved * b.force_direct);
   EXPECT_NEAR(a.work, b.work, solved * b.work);
   EXPECT_NEAR(a.dissipated_energy, b.dissipated_energy, solved * b.work);
-  for (const ContactEvent& event : one_path.events()) {  // of the last increment, not of the path
-    EXPECT_GE(event.fraction, 0.0);
-    EXPECT_LE(event.fraction, 1.0);
+  // Events are those of the last increment, as fractions of it and not of the path.
+  ASSERT_EQ(one_path.events().size(), runner.events().size());
+  for (std::size_t i = 0; i < runner.events().size(); ++i) {
+    EXPECT_EQ(one_path.events()[i].contact, runner.events()[i].contact);
+    EXPECT_NEAR(one_path.events()[i].fraction, runner.events()[i].fraction, 1e-9);
   }
 }
 

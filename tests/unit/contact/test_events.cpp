@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/contact/residual.hpp"
+#include "support/random_problem.hpp"
 #include "support/toy_problems.hpp"
 
 namespace bumpfoil {
@@ -52,6 +54,41 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
   EXPECT_EQ(joint, state.x);
   EXPECT_EQ(parts, 3);  // two contacts close on the way
   EXPECT_EQ(events.size(), 2U);
+}
+
+/// Heavy friction on random springs: the response jumps, and after some events no modes lead on. A small increment then
+/// stands in the response and is counted; every part is a solution all the same.
+TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
+  int substeps = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const RandomProblem random = make_random_problem(seed, 8, 6, 2.0);
+    const ContactProblem& problem = random.problem;
+    NewtonSolver newton(problem);
+    const ContactState unstressed = ContactState::unstressed(problem);
+    ContactState state = unstressed;
+    if (!newton.solve(random.first, unstressed, state).converged) continue;  // so much friction has no sure method
+    EventStepper stepper(problem);
+    stepper.set_out(random.first, random.second, state);
+    Vector joint = state.x;
+    const auto visit = [&](const ContactState& begin, const ContactState& end) {
+      EXPECT_EQ(begin.x, joint) << seed;
+      joint = end.x;
+      // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
+      const Vector initial_gap = end.gap - contact_gaps(problem, Vector::Zero(end.gap.size()), end.x);
+      const double fraction = (initial_gap - random.first.initial_gap).norm() /
+                              (random.second.initial_gap - random.first.initial_gap).norm();
+      const ContactResiduals residuals = contact_residuals(
+          problem, problem.K.multiply(end.x), interpolate(random.first, random.second, fraction), begin.x, end);
+      EXPECT_TRUE(residuals.within()) << seed << " at " << fraction;
+    };
+    std::vector<ContactEvent> events;
+    const IncrementReport report = stepper.advance_to(1.0, state, visit, events);
+    if (!report.solve.converged) continue;
+    substeps += report.substeps;
+    EXPECT_EQ(state.x, joint) << seed;
+    for (std::size_t i = 1; i < events.size(); ++i) EXPECT_LE(events[i - 1].fraction, events[i].fraction) << seed;
+  }
+  EXPECT_GT(substeps, 0);
 }
 
 }  // namespace
