@@ -91,5 +91,12 @@ void each_number_of_bumps(benchmark::internal::Benchmark* bench) {
 BENCHMARK_CAPTURE(cycle_of_bumps, newton, SolverName::newton)->Apply(each_number_of_bumps);
 BENCHMARK_CAPTURE(cycle_of_bumps, events, SolverName::events)->Apply(each_number_of_bumps);
 
+/// Far more bumps than were ever built: seconds each, so one cycle per repetition.
+void many_bumps(benchmark::internal::Benchmark* bench) {
+  bench->Arg(1000)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(cycle_of_bumps, newton, SolverName::newton)->Apply(many_bumps)->Arg(10000);
+BENCHMARK_CAPTURE(cycle_of_bumps, events, SolverName::events)->Apply(many_bumps);
+
 }  // namespace
 }  // namespace bumpfoil
