@@ -78,7 +78,7 @@ class PivotingRule {
   /// Applies to `mode` as many of the proposed changes as the rule allows.
   /// @return false once the rounds are spent
   [[nodiscard]] bool apply(const std::vector<ModeChange>& changes, std::vector<ContactMode>& mode) {
-    if (rounds_left_-- == 0) return false;
+    if (rounds_left_-- <= 0) return false;
     if (changes.size() < fewest_) {
       fewest_ = changes.size();
       patience_ = full_patience;

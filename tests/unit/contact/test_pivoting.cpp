@@ -18,6 +18,36 @@ TEST(Judge, MeasuresTheInequalityThatFails) {
   EXPECT_EQ(excess(stick, {.gap = 0.0, .normal = -4.0, .friction = 1.0, .slip = 0.0}), 4.0);
 }
 
+TEST(PivotingRule, ChangesOneContactOnceTheirNumberDoesNotFall) {
+  PivotingRule rule(10);
+  const std::vector<ModeChange> changes{{0, stick, 1.0}, {1, stick, 1.0}, {2, stick, 1.0}};
+  std::vector<ContactMode> mode;
+  for (int round = 0; round < 3; ++round) {  // the first, and two more in vain
+    mode.assign(3, open);
+    EXPECT_TRUE(rule.apply(changes, mode));
+    EXPECT_EQ(mode, (std::vector<ContactMode>{stick, stick, stick})) << round;
+  }
+  mode.assign(3, open);
+  EXPECT_TRUE(rule.apply(changes, mode));
+  EXPECT_EQ(mode, (std::vector<ContactMode>{open, open, stick}));
+  mode.assign(3, open);
+  EXPECT_TRUE(rule.apply({{0, stick, 1.0}, {1, stick, 1.0}}, mode));  // fewer than ever
+  EXPECT_EQ(mode, (std::vector<ContactMode>{stick, stick, open}));
+}
+
+TEST(PivotingRule, EndsAfterItsRounds) {
+  const std::vector<ModeChange> changes{{0, stick, 1.0}};
+  for (const int rounds : {2, 0, -1}) {
+    PivotingRule rule(rounds);
+    std::vector<ContactMode> mode{open};
+    for (int round = 0; round < rounds; ++round) EXPECT_TRUE(rule.apply(changes, mode));
+    mode = {open};
+    EXPECT_FALSE(rule.apply(changes, mode));
+    EXPECT_FALSE(rule.apply(changes, mode));
+    EXPECT_EQ(mode, (std::vector<ContactMode>{open})) << rounds;
+  }
+}
+
 /// Blocks of two contacts: 0, 2, 4, ... and 1, 3, 5, ... are neighbours.
 TEST(WorstOfRuns, ChangesOneContactOfEachRun) {
   WorstOfRuns rule(2);
