@@ -64,7 +64,9 @@ class PenaltySystem {
 ///     normal_force * dp + gap * dg = right-hand side
 ///     friction_force * dt + coupling * dp + slip * dw = right-hand side        (not for frictionless contacts)
 ///
-/// All coefficients zero but one each gives the modes of ModeSystem. N/m-sized coefficients belong to `gap` and `slip`.
+/// The modes of ModeSystem are limits: open is normal_force = friction_force = 1; closed is `gap` alone in the first
+/// condition, with `slip` alone in the second where it sticks and friction_force = 1, coupling = +-f where it slips
+/// forward or backward. N/m-sized coefficients belong to `gap` and `slip`.
 struct SoftContact {
   double normal_force{1.0}, gap{0.0};
   double friction_force{1.0}, coupling{0.0}, slip{0.0};

@@ -147,6 +147,53 @@ TEST_P(BlockSizes, SoftContactSystemSolvesLikeDense) {
   }
 }
 
+/// With the coefficients of the modes, soft contacts are those of ModeSystem. K dx = x + contact forces is the balance
+/// of the whole load where it starts from nothing.
+TEST_P(BlockSizes, SoftContactSystemEqualsModeSystemForModes) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const RandomProblem random = make_random_problem(seed, 5, GetParam(), 0.3);
+    const ContactProblem& problem = random.problem;
+    const std::vector<ContactMode> mode = random_modes(seed, problem);
+    const Vector previous_x = 1e-5 * Vector::LinSpaced(problem.K.rows(), -1.0, 1.0);
+    const std::unique_ptr<ModeSystem> exact = make_mode_system(problem);
+    ASSERT_TRUE(exact->set_modes(mode));
+    ContactState state = ContactState::unstressed(problem);
+    exact->solve(random.first, previous_x, state);
+
+    const Vector previous_slips = tangential_displacements(problem, previous_x);
+    constexpr double scale = 1e6;  // N/m, the size of K
+    std::vector<SoftContact> soft;
+    Vector x = random.first.load;
+    Vector p = Vector::Zero(problem.contacts());
+    Vector t = p;
+    for (Eigen::Index c = 0; c < p.size(); ++c) {
+      SoftContact contact;  // open
+      const ContactMode m = mode[static_cast<std::size_t>(c)];
+      if (m != ContactMode::open) {
+        contact.normal_force = 0.0;
+        contact.gap = scale;
+        p[c] = -scale * random.first.initial_gap[c];
+      }
+      if (m == ContactMode::stick) {
+        contact.friction_force = 0.0;
+        contact.slip = scale;
+        t[c] = scale * previous_slips[c];
+      }
+      if (m == ContactMode::slip_forward) contact.coupling = 0.3;
+      if (m == ContactMode::slip_backward) contact.coupling = -0.3;
+      soft.push_back(contact);
+    }
+    const std::unique_ptr<SoftContactSystem> system = make_soft_contact_system(problem);
+    ASSERT_TRUE(system->set_contacts(soft));
+    system->solve_in_place(x, p, t);
+    // Condition numbers of some 1e3.
+    const double force = state.normal_force.cwiseAbs().maxCoeff() + state.friction_force.cwiseAbs().maxCoeff();
+    EXPECT_LT(distance(x, state.x), 1e-11 * state.x.cwiseAbs().maxCoeff()) << seed;
+    EXPECT_LT(distance(p, state.normal_force), 1e-11 * force + 1e-12) << seed;
+    EXPECT_LT(distance(t, state.friction_force), 1e-11 * force + 1e-12) << seed;
+  }
+}
+
 TEST_P(BlockSizes, TakeAnotherK) {
   const RandomProblem random = make_random_problem(7, 6, GetParam(), 0.2);
   const ContactProblem other = make_random_problem(8, 6, GetParam(), 0.2).problem;
