@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
@@ -66,6 +68,7 @@ struct NewtonSolver::Workspace {
 
   std::vector<ContactMode> trial;
   std::vector<ModeChange> changes;
+  std::ptrdiff_t first_contradictions{};  ///< contacts that contradicted the first modes tried; no end if those failed
   ContactLoading path_begin;
   ContactState path_end;
 };
@@ -159,8 +162,10 @@ bool NewtonSolver::Workspace::try_modes(const ContactLoading& loading, const Con
 bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const ContactState& previous,
                                             ContactState& state, SolveReport& report) {
   PivotingRule rule(options.max_mode_updates);
-  while (try_modes(loading, previous, state, report)) {
+  first_contradictions = std::numeric_limits<std::ptrdiff_t>::max();
+  for (bool first = true; try_modes(loading, previous, state, report); first = false) {
     if (changes.empty()) return true;
+    if (first) first_contradictions = std::ssize(changes);
     if (!rule.apply(changes, trial)) return false;
   }
   return false;
@@ -178,10 +183,11 @@ bool NewtonSolver::Workspace::settle_runs(const ContactLoading& loading, const C
 }
 
 /// Modes at the end of the event-by-event path as a guess: the increment differs from the path only where a contact
-/// slips to and fro on the way. Only where few contacts change: an event changes one of them.
+/// slips to and fro on the way. Only where few contacts contradict the modes of the last increment: an event changes
+/// one of them.
 bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const ContactState& previous,
                                             ContactState& state, SolveReport& report) {
-  if (std::ssize(changes) > options.max_events) return false;
+  if (first_contradictions > options.max_events) return false;
   path_end = previous;
   modes->loading_of(previous, path_begin);
   follower.set_out(path_begin, loading, previous.mode);

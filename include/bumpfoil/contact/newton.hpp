@@ -15,8 +15,8 @@ struct NewtonOptions {
   double force_tolerance{1e-11};
   /// Rounds of changing contacts that contradict their mode before the next method is tried.
   int max_mode_updates{2};
-  /// Events on a path that is followed, and contacts that may contradict their modes at its start: as many as an
-  /// interior-point solve costs factorisations.
+  /// Events on a path that is followed, and contacts that may contradict the modes of the last increment for it to be
+  /// followed: as many as an interior-point solve costs factorisations.
   int max_events{20};
   /// Steps of the interior-point method from each of its starts before the increment is given up. 10 to 30 do nearly
   /// always, whatever the number of contacts.
@@ -32,9 +32,10 @@ struct NewtonOptions {
 /// of the last increment; all end with the same exact solve and the same test of every inequality:
 ///
 /// 1. Semismooth Newton on the contact modes: solve exactly for the modes of the last increment, change the contacts
-///    whose inequalities fail, repeat. Ends in one to a few solves nearly always, but may cycle.
+///    whose inequalities fail, all at once, repeat. Ends in one to a few solves nearly always, but may cycle; only with
+///    some more rounds than by default does the safeguard of single changes set in.
 /// 2. The modes at the end of the path from event to event (contact/event_follower.hpp), then as 1. Left out where many
-///    contacts change at once, as at first touch or at the turning point of a long foil.
+///    contacts contradict the modes of the last increment, as at first touch or at the turning point of a long foil.
 /// 3. Primal-dual interior-point method [Mehrotra1992], [Wright1997]: of every gap and its compression, every slip and
 ///    its distance from the friction bound, both stay positive, and Newton's method drives their products to zero. The
 ///    number of steps hardly depends on the number of contacts. Modes are read off the iterates; once they rest, they
