@@ -15,6 +15,13 @@ constexpr double start_stiffness = 0.01;
 /// Previous friction forces are kept this far inside their cone.
 constexpr double start_cone = 0.9;
 
+/// Keeps a previous state that fits its loading exactly off the bounds: there 0/0 would follow. Too small to matter,
+/// and large enough for products of products. m.
+constexpr double smallest_length = 1e-50;
+
+/// Friction coefficients below this count as this large where slips are started.
+constexpr double smallest_friction = 1e-15;
+
 /// Mean product, relative to that of the start, below which roundings are all that moves.
 constexpr double smallest_product = 1e-30;
 
@@ -64,7 +71,7 @@ void InteriorPoint::for_each_pair(Contact& contact, Visitor&& visit) {
   visit(contact.backward);
 }
 
-/// How badly the previous state fits the loading, m. Fills imbalance_.
+/// How badly the previous state fits the loading, m. Fills imbalance_ with what that state leaves of the balance.
 double InteriorPoint::misfit(const ContactLoading& loading, const ContactState& previous) {
   const double k = start_stiffness * stiffness_;
   imbalance_ = loading.load - system_->multiply(previous.x);
@@ -79,21 +86,23 @@ double InteriorPoint::misfit(const ContactLoading& loading, const ContactState& 
 }
 
 void InteriorPoint::start(const ContactLoading& loading, const ContactState& previous, double spread, double reach) {
-  // A state that fits all but perfectly may yet have modes that contradict it.
-  const double length = spread * std::max(misfit(loading, previous), 1e-9);
+  const double length = std::max(spread * misfit(loading, previous), smallest_length);
   const double force = start_stiffness * stiffness_ * length;
-  imbalance_ = loading.load - system_->multiply(previous.x);
   for_each_contact(problem_, [&](const CoulombContact& contact) {
     Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
     c.f = contact.f;
     const double gap = loading.initial_gap[contact.index] + contact.gap(previous.x);
-    c.closing = {.force = std::max(force, previous.normal_force[contact.index]), .length = std::max(length, gap)};
+    const double p = previous.normal_force[contact.index];
+    c.closing = {.force = std::max(force, p), .length = std::max(length, gap)};
     c.gap_residual = gap - c.closing.length;
     const double bound = c.f * c.closing.force;
-    const double t = std::clamp(previous.friction_force[contact.index], -start_cone * bound, start_cone * bound);
-    c.forward = {.force = bound + t, .length = length};
-    c.backward = {.force = bound - t, .length = length};
-    contact.add_forces(c.closing.force, t, 1.0, imbalance_);
+    const double friction = previous.friction_force[contact.index];
+    const double t = std::clamp(friction, -start_cone * bound, start_cone * bound);
+    // Slips as much longer as the margins are smaller than the normal force: all products begin alike.
+    const double slip = length / std::clamp(c.f, smallest_friction, 1.0);
+    c.forward = {.force = bound + t, .length = slip};
+    c.backward = {.force = bound - t, .length = slip};
+    contact.add_forces(c.closing.force - p, t - friction, 1.0, imbalance_);
   });
   modes_ = previous_modes_ = previous.mode;
   remaining_ = 1.0;

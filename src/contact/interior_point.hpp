@@ -53,8 +53,8 @@ class InteriorPoint {
   void set_elasticity(const BlockTridiagonal& K) { system_->set_elasticity(K); }
 
   /// Starts from the state of the last increment, pushed off the bounds.
-  /// @param spread  how far, in units of how badly that state fits `loading`: some 1 to 100
-  /// @param reach   part of the way to the first bound that a step may take, < 1
+  /// @param spread  how far, in units of how badly that state fits `loading`: 1, a tenth of that or ten times
+  /// @param reach   fraction to the boundary: part of the way to the first bound that a step may take, < 1
   void start(const ContactLoading& loading, const ContactState& previous, double spread, double reach);
 
   /// Takes one step: one factorisation, two solves.
