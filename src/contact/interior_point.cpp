@@ -105,12 +105,14 @@ void InteriorPoint::start(const ContactLoading& loading, const ContactState& pre
     contact.add_forces(c.closing.force - p, t - friction, 1.0, imbalance_);
   });
   modes_ = previous_modes_ = previous.mode;
+  changed_modes_ = 0;
   remaining_ = 1.0;
   reach_ = reach;
   first_product_ = mean_product(0.0);
 }
 
 bool InteriorPoint::step() {
+  solves_ = 0;
   if (!factor()) return false;
   find_step(0.0, false);
   read_modes();
@@ -159,6 +161,7 @@ void InteriorPoint::find_step(double target, bool correct) {
     dt_[contact] = soft_[i].slip * (c.forward.deficit / c.forward.force - c.backward.deficit / c.backward.force);
   }
   system_->solve_in_place(dx_, dp_, dt_);
+  ++solves_;
   for_each_contact(problem_, [&](const CoulombContact& contact) {
     Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
     // Of force and gap the one that matters comes from the system, the other from their product: relative accuracy for

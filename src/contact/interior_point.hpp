@@ -57,14 +57,16 @@ class InteriorPoint {
   /// @param reach   fraction to the boundary: part of the way to the first bound that a step may take, < 1
   void start(const ContactLoading& loading, const ContactState& previous, double spread, double reach);
 
-  /// Takes one step: one factorisation, two solves.
+  /// Takes one step: one factorisation, two solves; none where the system is singular.
   /// @return false once nothing is gained any more, or the system was singular
   [[nodiscard]] bool step();
 
   /// Modes that the last step was heading for.
   [[nodiscard]] const std::vector<ContactMode>& modes() const { return modes_; }
-  /// How many of them the last step changed.
+  /// How many of them the last step changed; 0 before the first.
   [[nodiscard]] int changed_modes() const { return changed_modes_; }
+  /// Linear solves of the last step.
+  [[nodiscard]] int solves() const { return solves_; }
 
  private:
   struct Contact {
@@ -95,6 +97,7 @@ class InteriorPoint {
   std::vector<ContactMode> previous_modes_;  ///< of the last increment
   std::vector<ContactMode> modes_;
   int changed_modes_{};
+  int solves_{};
   Vector imbalance_;        ///< contact forces + load - K x at the start, N
   double remaining_{};      ///< part of the residuals of the start that is left
   double reach_{};          ///< see start()

@@ -149,8 +149,9 @@ bool NewtonSolver::Workspace::try_modes(const ContactLoading& loading, const Con
                                         ContactState& state, SolveReport& report) {
   changes.clear();
   const int factorisations = modes->factorisations();
-  if (!modes->set_modes(trial)) return false;
+  const bool regular = modes->set_modes(trial);
   report.factorisations += modes->factorisations() - factorisations;
+  if (!regular) return false;
   modes->solve(loading, previous.x, state);
   ++report.iterations;
   if (!state.x.allFinite()) return false;
@@ -202,13 +203,13 @@ bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const
 bool NewtonSolver::Workspace::interior_point(const ContactLoading& loading, const ContactState& previous,
                                              const InteriorStart& start, ContactState& state, SolveReport& report) {
   interior.start(loading, previous, start.spread, start.reach);
-  bool tried = false;
+  bool tried = true;  // the modes of the last increment, which the interior point begins with
   bool moves = true;
   for (int i = 0; i < options.max_interior_steps && moves; ++i) {
     moves = interior.step();
     ++report.outer_iterations;
     ++report.factorisations;
-    report.iterations += 2;
+    report.iterations += interior.solves();
     if (interior.changed_modes() > 0) tried = false;
     if (interior.changed_modes() > 0 || tried) continue;
     trial = interior.modes();

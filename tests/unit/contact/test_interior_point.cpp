@@ -37,6 +37,20 @@ TEST(ComplementaryPair, StaysPositive) {
   EXPECT_DOUBLE_EQ(pair.length, 4e-6);
 }
 
+/// Relative changes of force and length add up to -1: what takes clearly more than half of it vanishes.
+TEST(ComplementaryPair, TellsWhatVanishes) {
+  const auto trend = [](double force_change) {
+    return ComplementaryPair{.force = 3.0, .length = 2e-6, .force_step = 3.0 * force_change}.trend();
+  };
+  EXPECT_EQ(trend(-1.0), 1);
+  EXPECT_EQ(trend(-0.61), 1);
+  EXPECT_EQ(trend(-0.59), 0);
+  EXPECT_EQ(trend(-0.5), 0);
+  EXPECT_EQ(trend(-0.41), 0);
+  EXPECT_EQ(trend(-0.39), -1);
+  EXPECT_EQ(trend(0.0), -1);
+}
+
 /// Steps until the modes rest three times in a row, at most 100.
 int steps_to_rest(InteriorPoint& interior) {
   int resting = 0;
@@ -65,6 +79,65 @@ TEST(InteriorPoint, FindsTheModesOfADraggedBlock) {
   EXPECT_EQ(mode(30.0, -5.0), ContactMode::open);
 }
 
+/// The load just reaches the wall, or the bound of friction: either of two modes is right, and the former stays.
+TEST(InteriorPoint, KeepsTheModeOfContactsThatMayHaveEither) {
+  const auto rest = [](const ContactProblem& problem, const ContactLoading& loading, ContactMode mode) {
+    ContactState previous = ContactState::unstressed(problem);
+    previous.mode = {mode};
+    InteriorPoint interior(problem);
+    interior.start(loading, previous, 1.0, 0.995);
+    for (int step = 0; step < 12; ++step) (void)interior.step();
+    return interior.modes().front();
+  };
+  const ContactLoading touching{.initial_gap = Vector::Constant(1, 1e-5), .load = Vector::Constant(1, 10.0)};
+  for (const ContactMode mode : {ContactMode::open, ContactMode::stick}) {
+    EXPECT_EQ(rest(toy::spring_against_a_wall(), touching, mode), mode);
+  }
+  for (const ContactMode mode : {ContactMode::slip_forward, ContactMode::stick}) {
+    EXPECT_EQ(rest(toy::dragged_block(), toy::pull(20.0, 40.0), mode), mode);
+  }
+}
+
+/// A state that fits its loading exactly leaves no length to start with.
+TEST(InteriorPoint, StartsFromASolution) {
+  const ContactProblem problem = toy::dragged_block();
+  ContactState solution = ContactState::unstressed(problem);
+  solution.normal_force[0] = 40.0;
+  solution.friction_force[0] = -15.0;
+  solution.mode = {ContactMode::slip_backward};  // but for its mode
+  InteriorPoint interior(problem);
+  interior.start(toy::pull(15.0, 40.0), solution, 1.0, 0.995);
+  EXPECT_TRUE(interior.step());
+  EXPECT_LE(steps_to_rest(interior), 20);
+  EXPECT_EQ(interior.modes().front(), ContactMode::stick);
+}
+
+TEST(InteriorPoint, RemembersNothing) {
+  const ContactProblem problem = toy::dragged_block();
+  const ContactState start = ContactState::unstressed(problem);
+  InteriorPoint interior(problem);
+  interior.start(toy::pull(30.0, 40.0), start, 1.0, 0.995);
+  EXPECT_TRUE(interior.step());
+  EXPECT_EQ(interior.changed_modes(), 1);
+  interior.start(toy::pull(30.0, 40.0), start, 1.0, 0.995);
+  EXPECT_EQ(interior.changed_modes(), 0);
+  EXPECT_EQ(interior.modes(), start.mode);
+}
+
+TEST(InteriorPoint, CountsItsSolves) {
+  ContactProblem problem = toy::dragged_block();
+  InteriorPoint interior(problem);
+  interior.start(toy::pull(30.0, 40.0), ContactState::unstressed(problem), 1.0, 0.995);
+  EXPECT_TRUE(interior.step());
+  EXPECT_EQ(interior.solves(), 2);
+  problem.K.diagonal[0](0, 0) = 0.0;  // nothing holds the block along the floor
+  problem.pairs[0].tangential = -1;
+  InteriorPoint loose(problem);
+  loose.start(toy::pull(30.0, 40.0), ContactState::unstressed(problem), 1.0, 0.995);
+  EXPECT_FALSE(loose.step());
+  EXPECT_EQ(loose.solves(), 0);
+}
+
 /// Steps until the exact solution for the modes passes the residual, at most 100.
 int steps_to_solution(const RandomProblem& random) {
   const ContactState start = ContactState::unstressed(random.problem);
@@ -87,6 +160,32 @@ TEST(InteriorPoint, TakesHardlyMoreStepsForMoreContacts) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       EXPECT_LE(steps_to_solution(make_random_problem(seed, blocks, 6, 0.3)), 20) << blocks << " blocks, seed " << seed;
     }
+  }
+}
+
+/// Slips start as much longer as friction is smaller. Tiny friction takes a few steps more: it stays an open question
+/// for longer which way a contact slips.
+TEST(InteriorPoint, TakesHardlyMoreStepsForTinyFriction) {
+  for (const double friction : {0.1, 1e-3, 1e-6, 1e-9, 1e-12}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      EXPECT_LE(steps_to_solution(make_random_problem(seed, 20, 6, friction)), 20) << friction << ", seed " << seed;
+    }
+  }
+}
+
+/// Nothing in the start has a scale of its own: loads and gaps a million times smaller take as many steps.
+TEST(InteriorPoint, TakesAsManyStepsForSmallLoads) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RandomProblem random = make_random_problem(seed, 20, 6, 0.3);
+    const auto steps_to_rest_of_modes = [&] {
+      InteriorPoint interior(random.problem);
+      interior.start(random.first, ContactState::unstressed(random.problem), 1.0, 0.995);
+      return steps_to_rest(interior);
+    };
+    const int steps = steps_to_rest_of_modes();
+    random.first.initial_gap *= 0x1p-20;  // powers of two are exact
+    random.first.load *= 0x1p-20;
+    EXPECT_EQ(steps_to_rest_of_modes(), steps) << seed;
   }
 }
 
