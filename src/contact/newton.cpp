@@ -74,7 +74,9 @@ struct NewtonSolver::Workspace {
 };
 
 NewtonSolver::NewtonSolver(const ContactProblem& problem, const NewtonOptions& options)
-    : workspace_(std::make_unique<Workspace>(problem, options)) {}
+    : workspace_(std::make_unique<Workspace>(problem, options)) {
+  BUMPFOIL_ASSERT(problem.contacts() > 0);
+}
 
 NewtonSolver::~NewtonSolver() = default;
 

@@ -45,6 +45,8 @@ struct NewtonOptions {
 /// the tangent K_k of the law and the constant load K_k x_k - e(x_k), friction referring to the last increment
 /// throughout, until e(x) itself balances the contact forces. Where no solution is found with K_k (a foil under
 /// compression may buckle), that step is taken with the stable tangent of the law.
+///
+/// The problem must have contacts.
 class NewtonSolver final : public ContactSolver {
  public:
   explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());

@@ -106,6 +106,29 @@ TEST_P(Toys, BlockLetGoForgetsItsFriction) {
   EXPECT_NEAR(run.state.friction_force[0], 0.0, 1e-12);
 }
 
+/// Two springs against walls, not coupled. The load on the first just reaches its wall: gap and force are both zero,
+/// and either mode is right. The second has to change, so that every method looks at both.
+TEST_P(Toys, TouchingContactKeepsItsMode) {
+  ContactProblem problem = toy::spring_against_a_wall();
+  problem.K = BlockTridiagonal(2, 1);
+  problem.K.add(0, 0, 0, 0, 1e6);
+  problem.K.add(1, 0, 1, 0, 3e6);
+  const auto push = [](double first, double second) {
+    return ContactLoading{.initial_gap = Vector::Constant(2, 1e-5), .load = Eigen::Vector2d(first, second)};
+  };
+  for (const double before : {4.0, 25.0}) {  // open, pressed
+    for (const double second : {70.0, 31.0}) {
+      LoadPath run(problem, options());
+      run.load(push(before, 3.0));
+      const ContactMode mode = run.state.mode[0];
+      EXPECT_EQ(mode, before < 10.0 ? ContactMode::open : ContactMode::stick);
+      run.load(push(10.0, second));
+      EXPECT_EQ(run.state.mode[0], mode) << "from " << before << " N, the other to " << second << " N";
+      EXPECT_EQ(run.state.mode[1], ContactMode::stick);
+    }
+  }
+}
+
 /// Both slabs pressed down by 30 N onto beds of 1 N/um; the floor is 10 um below, the slabs 4 um apart.
 TEST_P(Toys, StackedSlabs) {
   LoadPath run(toy::stacked_slabs(), options());
@@ -128,25 +151,27 @@ INSTANTIATE_TEST_SUITE_P(NewtonSolver, Toys, testing::Values(mode_updates, event
 
 TEST(NewtonSolver, ResultDoesNotDependOnTheMethod) {
   int followed = 0;
-  int stepped = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const RandomProblem random = make_random_problem(seed, 20, 6, 0.3);
     const ContactState start = ContactState::unstressed(random.problem);
     ContactState state, other;
     NewtonSolver solver(random.problem, {.max_mode_updates = 100});
     ASSERT_TRUE(solver.solve(random.first, start, state).converged) << seed;
-    for (const Method& method : {event_path, interior_point}) {
-      NewtonSolver by_method(random.problem, method.options);
+    for (const Method* method : {&event_path, &interior_point}) {
+      NewtonSolver by_method(random.problem, method->options);
       const SolveReport report = by_method.solve(random.first, start, other);
-      ASSERT_TRUE(report.converged) << seed << method.name;
-      (report.outer_iterations > 0 ? stepped : followed) += 1;
-      EXPECT_LT((other.x - state.x).norm(), 1e-11 * state.x.norm()) << seed << method.name;
+      ASSERT_TRUE(report.converged) << seed << method->name;
+      if (method == &interior_point) {
+        EXPECT_GT(report.outer_iterations, 0) << seed;
+      } else if (report.outer_iterations == 0) {
+        ++followed;
+      }
+      EXPECT_LT((other.x - state.x).norm(), 1e-11 * state.x.norm()) << seed << method->name;
       EXPECT_LT((other.normal_force - state.normal_force).norm(), 1e-11 * state.normal_force.norm()) << seed;
       EXPECT_LT((other.friction_force - state.friction_force).norm(), 1e-11 * state.normal_force.norm()) << seed;
     }
   }
-  EXPECT_GE(followed, 1);
-  EXPECT_GE(stepped, 60);
+  EXPECT_GE(followed, 55);  // paths may end early: friction is not monotone
 }
 
 TEST(NewtonSolver, KeepsNoMemoryBetweenSolves) {
@@ -196,18 +221,23 @@ TEST(NewtonSolver, InteriorPointSolvesWhatIsLeft) {
     const RandomProblem random = make_random_problem(seed, 20, 6, 1.0);
     const ContactState start = ContactState::unstressed(random.problem);
     ContactState state;
-    NewtonSolver crippled(random.problem, {.max_interior_steps = 0});
-    if (crippled.solve(random.first, start, state).converged) continue;
+    const auto solved = [&] {
+      return contact_residuals(random.problem, random.problem.K.multiply(state.x), random.first, start.x, state)
+          .within();
+    };
+    NewtonSolver crippled(random.problem, {.max_events = 1000, .max_interior_steps = 0});
+    if (crippled.solve(random.first, start, state).converged) {
+      EXPECT_TRUE(solved()) << seed;
+      continue;
+    }
     ++left;
     NewtonSolver solver(random.problem);
     const SolveReport report = solver.solve(random.first, start, state);
     EXPECT_TRUE(report.converged) << seed;
     EXPECT_GE(report.outer_iterations, 1) << seed;
-    EXPECT_TRUE(
-        contact_residuals(random.problem, random.problem.K.multiply(state.x), random.first, start.x, state).within())
-        << seed;
+    EXPECT_TRUE(solved()) << seed;
   }
-  EXPECT_GE(left, 1);
+  EXPECT_GE(left, 5);  // 10 when this was written; which they are depends on roundings
 }
 
 /// The dragged block on a spring that hardens: 2e6 x (1 + (x / 10 um)^2) along the floor.
@@ -306,6 +336,57 @@ TEST(NewtonSolver, SaysThatALawWasNotMet) {
   problem.law->forces = [](const Vector&) { return Vector::Constant(1, std::numeric_limits<double>::quiet_NaN()); };
   NewtonSolver without_numbers(problem);
   EXPECT_FALSE(without_numbers.solve(loading, ContactState::unstressed(problem), state).converged);
+}
+
+/// Thirty blocks land at once, five of them pulled: held as they are pulled by less than friction bears, those are
+/// first tried slipping. All contradict their modes at first, only five after one round; it is the thirty that tell how
+/// many events there would be.
+TEST(NewtonSolver, FollowsEventsOnlyWhereFewContactsContradictAtFirst) {
+  constexpr int blocks = 30;
+  ContactProblem problem = toy::dragged_block();
+  problem.K = BlockTridiagonal(blocks, 2);
+  ContactLoading loading{.initial_gap = Vector::Zero(blocks), .load = Vector::Zero(2 * blocks)};
+  for (int block = 0; block < blocks; ++block) {
+    problem.K.add(block, 0, block, 0, 2e6);
+    problem.K.add(block, 1, block, 1, 1e6);
+    loading.load[2 * block] = block < 5 ? 15.0 : 0.0;
+    loading.load[2 * block + 1] = -40.0;
+  }
+  for (const int max_events : {20, 30}) {
+    LoadPath run(problem, {.max_mode_updates = 1, .max_events = max_events});
+    run.load(loading);
+    EXPECT_EQ(run.report.outer_iterations == 0, max_events == 30);
+    EXPECT_NEAR(run.state.friction_force[0], -15.0, 1e-12);
+  }
+}
+
+/// Nothing but friction holds the block along the floor: the modes of the last increment, open, leave a mechanism.
+TEST(NewtonSolver, LeavesAMechanismBehind) {
+  ContactProblem loose = toy::dragged_block();
+  loose.K.diagonal[0](0, 0) = 0.0;
+  LoadPath run(loose);
+  run.load(toy::pull(15.0, 40.0));
+  EXPECT_EQ(run.state.mode[0], ContactMode::stick);
+  EXPECT_NEAR(run.state.friction_force[0], -15.0, 1e-12);
+}
+
+/// An unknown that nothing holds: every factorisation fails, and no solve can follow.
+TEST(NewtonSolver, CountsNoSolvesOfSingularSystems) {
+  ContactProblem loose = toy::dragged_block();
+  loose.K.diagonal[0](0, 0) = 0.0;
+  loose.pairs[0].tangential = -1;
+  NewtonSolver solver(loose);
+  ContactState state;
+  const SolveReport report = solver.solve(toy::pull(15.0, 40.0), ContactState::unstressed(loose), state);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 0);
+  EXPECT_GE(report.factorisations, 4);  // the modes, and the interior point from each of its three starts
+}
+
+TEST(NewtonSolver, NeedsContacts) {
+  ContactProblem bare = toy::dragged_block();
+  bare.pairs.clear();
+  EXPECT_DEATH(NewtonSolver{bare}, "contacts\\(\\) > 0");
 }
 
 TEST(NewtonSolver, CountsWhatItDid) {
