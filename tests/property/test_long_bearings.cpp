@@ -8,12 +8,13 @@ namespace bumpfoil {
 namespace {
 
 /// Hundreds of bumps meet the journal in one increment: no halving, and no more work per increment than the interior
-/// point takes for a few bumps.
+/// point takes for a few bumps, some 10 to 40 steps of two solves where everything changes and none where nothing does.
+/// Measured: 19 to 40 solves per increment.
 void expect_solved(const Case& input) {
   const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
-  EXPECT_EQ(first_failure(cycle), "");
+  ASSERT_EQ(first_failure(cycle), "");
   EXPECT_EQ(cycle.substeps(), 0);
-  EXPECT_LE(cycle.total().iterations, 80 * cycle.due);
+  EXPECT_LE(cycle.total().iterations, 50 * cycle.due);
   EXPECT_GT(cycle.turning_point->max_force, 0.0);
 }
 

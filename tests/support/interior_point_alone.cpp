@@ -1,0 +1,37 @@
+#include "support/interior_point_alone.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/residual.hpp"
+
+namespace bumpfoil {
+
+InteriorPointRun run_interior_point_alone(const Case& input, int increments) {
+  const FoilModel model = make_bearing_model(input);
+  NewtonSolver solver(model.problem, {.max_mode_updates = 0, .max_events = 0});
+  ContactState previous = ContactState::unstressed(model.problem);
+  ContactState state;
+  const double phi = input.cycle.directions.front();
+  InteriorPointRun run;
+  for (int k = 0; k <= 2 * increments; ++k) {
+    const double displacement = input.cycle.amplitude * (k <= increments ? k : 2 * increments - k) / increments;
+    const ContactLoading loading = loading_at(model, {displacement * std::cos(phi), displacement * std::sin(phi)});
+    const SolveReport report = solver.solve(loading, previous, state);
+    const Vector elastic_force = model.problem.K.multiply(state.x);
+    if (!report.converged || !contact_residuals(model.problem, elastic_force, loading, previous.x, state).within()) {
+      run.failure = fmt::format("{}, increment {} of {}", input.title, k, 2 * increments);
+      return run;
+    }
+    ++run.increments;
+    run.steps += report.outer_iterations;
+    std::swap(previous, state);
+  }
+  return run;
+}
+
+}  // namespace bumpfoil
