@@ -5,88 +5,10 @@
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
+#include "contact/eliminated_system.hpp"
 
 namespace bumpfoil {
 namespace {
-
-/// How the normal force of a contact is found from the balance of its block.
-struct Elimination {
-  std::size_t pair{};   ///< contact of the block
-  int owner{};          ///< unknown whose balance gives the normal force
-  double owner_sign{};  ///< of the normal force on the owner
-  int other{-1};        ///< the other unknown the normal force acts on, if any
-};
-
-/// Order in which the contacts of a block can be eliminated: each owner is touched by no contact that comes later.
-std::vector<Elimination> elimination_order(const std::vector<ContactPair>& pairs) {
-  std::vector<Elimination> order;
-  std::vector<bool> done(pairs.size(), false);
-  const auto touched_by_others = [&](int unknown, std::size_t self) {
-    for (std::size_t c = 0; c < pairs.size(); ++c) {
-      const ContactPair& pair = pairs[c];
-      if (c == self || (done[c] && pair.tangential != unknown)) continue;
-      if (pair.plus == unknown || pair.minus == unknown || pair.tangential == unknown) return true;
-    }
-    return false;
-  };
-  while (order.size() < pairs.size()) {
-    const std::size_t before = order.size();
-    for (std::size_t c = 0; c < pairs.size(); ++c) {
-      if (done[c]) continue;
-      const ContactPair& pair = pairs[c];
-      if (pair.plus >= 0 && !touched_by_others(pair.plus, c)) {
-        order.push_back({c, pair.plus, 1.0, pair.minus});
-      } else if (pair.minus >= 0 && !touched_by_others(pair.minus, c)) {
-        order.push_back({c, pair.minus, -1.0, pair.plus});
-      } else {
-        continue;
-      }
-      done[c] = true;
-    }
-    BUMPFOIL_ASSERT(order.size() > before);  // contacts that form a ring cannot be eliminated one by one
-    if (order.size() == before) break;
-  }
-  return order;
-}
-
-/// K in blocks of fixed size.
-template <int B>
-struct Stiffness {
-  using Block = Eigen::Matrix<double, B, B>;
-
-  explicit Stiffness(const BlockTridiagonal& K) : block_size(K.block_size()) { assign(K); }
-
-  void assign(const BlockTridiagonal& K) {
-    BUMPFOIL_ASSERT(K.block_size() == block_size);
-    diagonal.assign(K.diagonal.begin(), K.diagonal.end());
-    upper.assign(K.upper.begin(), K.upper.end());
-  }
-
-  [[nodiscard]] auto segment(const Vector& x, std::size_t b) const {
-    return x.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
-  }
-
-  /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero where the matrix ends.
-  template <typename Rows>
-  void copy_rows(std::size_t b, Rows& rows) const {
-    rows.setZero();
-    if (b > 0) rows.leftCols(block_size) = upper[b - 1].transpose();
-    rows.middleCols(block_size, block_size) = diagonal[b];
-    if (b + 1 < diagonal.size()) rows.rightCols(block_size) = upper[b];
-  }
-
-  void multiply(const Vector& x, Vector& y) const {
-    for (std::size_t b = 0; b < diagonal.size(); ++b) {
-      auto row = y.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
-      row.noalias() = diagonal[b] * segment(x, b);
-      if (b + 1 < diagonal.size()) row.noalias() += upper[b] * segment(x, b + 1);
-      if (b > 0) row.noalias() += upper[b - 1].transpose() * segment(x, b - 1);
-    }
-  }
-
-  int block_size;
-  std::vector<Block> diagonal, upper;
-};
 
 /// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
 double friction_sign(ContactMode mode) {
@@ -95,30 +17,29 @@ double friction_sign(ContactMode mode) {
   return 0.0;
 }
 
-bool is_frictionless(const ContactPair& pair) {
-  return pair.tangential < 0 || pair.friction_coefficient == 0.0;
-}
-
 template <int B>
-class ModeSystemOf final : public ModeSystem {
+class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
+  using Base = EliminatedSystem<B>;
+  using Base::carry_normal_force;
+  using Base::for_each_elimination;
+  using Base::imbalance_;
+  using Base::K_;
+  using Base::lu_;
+  using Base::order_;
+  using Base::pairs_;
+  using Base::rhs_;
+  using Base::rows_;
+
  public:
   explicit ModeSystemOf(const ContactProblem& problem)
-      : pairs_(problem.pairs),
-        order_(elimination_order(problem.pairs)),
-        K_(problem.K),
-        lu_(problem.K.blocks(), problem.K.block_size()),
-        mode_(static_cast<std::size_t>(problem.contacts()), ContactMode::open),
-        rhs_(problem.K.rows()),
-        imbalance_(problem.K.rows()),
-        rows_(problem.K.block_size(), 3 * problem.K.block_size()) {
+      : Base(problem), mode_(static_cast<std::size_t>(problem.contacts()), ContactMode::open) {
     for (const Matrix& block : problem.K.diagonal) {
       constraint_scale_ = std::max(constraint_scale_, block.diagonal().cwiseAbs().maxCoeff());
     }
   }
 
   void set_elasticity(const BlockTridiagonal& K) override {
-    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
-    K_.assign(K);
+    Base::assign_elasticity(K);
     factored_ = false;
   }
 
@@ -148,21 +69,20 @@ class ModeSystemOf final : public ModeSystem {
   void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) override {
     BUMPFOIL_ASSERT(factored_);
     rhs_ = loading.load;
-    for_each_elimination(
-        [&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact, ContactMode mode) {
-          if (mode == ContactMode::open) return;
-          // Minus the part of the normal force that the loads carry, moved through the rows as in assemble_block.
-          const double p = e.owner_sign * rhs_[row + e.owner];
-          if (e.other >= 0) rhs_[row + e.other] += e.owner_sign * p;
-          if (!is_frictionless(pair)) {
-            if (mode == ContactMode::stick) {
-              rhs_[row + pair.tangential] = constraint_scale_ * previous_x[row + pair.tangential];
-            } else {
-              rhs_[row + pair.tangential] -= friction_sign(mode) * pair.friction_coefficient * p;
-            }
-          }
-          rhs_[row + e.owner] = -constraint_scale_ * loading.initial_gap[contact];
-        });
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+      if (mode == ContactMode::open) return;
+      // Minus the part of the normal force that the loads carry, moved through the rows as in assemble_block.
+      const double p = carry_normal_force(e, row, rhs_);
+      if (!is_frictionless(pair)) {
+        if (mode == ContactMode::stick) {
+          rhs_[row + pair.tangential] = constraint_scale_ * previous_x[row + pair.tangential];
+        } else {
+          rhs_[row + pair.tangential] -= friction_sign(mode) * pair.friction_coefficient * p;
+        }
+      }
+      rhs_[row + e.owner] = -constraint_scale_ * loading.initial_gap[contact];
+    });
     state.x = rhs_;
     lu_.solve_in_place(state.x);
     recover_forces(loading, state);
@@ -180,18 +100,6 @@ class ModeSystemOf final : public ModeSystem {
   }
 
  private:
-  /// Calls visit(elimination, pair, first row of the block, contact, mode) in the order of elimination.
-  template <typename Visitor>
-  void for_each_elimination(Visitor&& visit) const {
-    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
-      for (const Elimination& e : order_) {
-        const std::size_t contact = b * pairs_.size() + e.pair;
-        visit(e, pairs_[e.pair], static_cast<Eigen::Index>(b) * K_.block_size, static_cast<Eigen::Index>(contact),
-              mode_[contact]);
-      }
-    }
-  }
-
   /// Rows of block b: the balance K x = load + contact forces with the normal forces of closed contacts eliminated.
   void assemble_block(std::size_t b, const ContactMode* mode) {
     const Eigen::Index n = K_.block_size;
@@ -216,10 +124,7 @@ class ModeSystemOf final : public ModeSystem {
       if (pair.plus >= 0) rows_(e.owner, n + pair.plus) = constraint_scale_;
       if (pair.minus >= 0) rows_(e.owner, n + pair.minus) = -constraint_scale_;
     }
-    const int i = static_cast<int>(b);
-    lu_.lower(i) = rows_.leftCols(n);
-    lu_.diagonal(i) = rows_.middleCols(n, n);
-    lu_.upper(i) = rows_.rightCols(n);
+    Base::store_rows(b);
   }
 
   void recover_forces(const ContactLoading& loading, ContactState& state) {
@@ -230,30 +135,23 @@ class ModeSystemOf final : public ModeSystem {
     state.gap.resize(contacts);
     state.normal_force.resize(contacts);
     state.friction_force.resize(contacts);
-    for_each_elimination(
-        [&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact, ContactMode mode) {
-          double& p = state.normal_force[contact];
-          double& t = state.friction_force[contact];
-          state.gap[contact] = loading.initial_gap[contact] + (pair.plus >= 0 ? state.x[row + pair.plus] : 0.0) -
-                               (pair.minus >= 0 ? state.x[row + pair.minus] : 0.0);
-          p = 0.0;
-          t = 0.0;
-          if (mode == ContactMode::open) return;
-          p = e.owner_sign * imbalance_[row + e.owner];
-          if (e.other >= 0) imbalance_[row + e.other] += e.owner_sign * p;
-          if (is_frictionless(pair)) return;
-          t = mode == ContactMode::stick ? imbalance_[row + pair.tangential]
-                                         : friction_sign(mode) * pair.friction_coefficient * p;
-        });
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+      double& p = state.normal_force[contact];
+      double& t = state.friction_force[contact];
+      state.gap[contact] = loading.initial_gap[contact] + (pair.plus >= 0 ? state.x[row + pair.plus] : 0.0) -
+                           (pair.minus >= 0 ? state.x[row + pair.minus] : 0.0);
+      p = 0.0;
+      t = 0.0;
+      if (mode == ContactMode::open) return;
+      p = carry_normal_force(e, row, imbalance_);
+      if (is_frictionless(pair)) return;
+      t = mode == ContactMode::stick ? imbalance_[row + pair.tangential]
+                                     : friction_sign(mode) * pair.friction_coefficient * p;
+    });
   }
 
-  std::vector<ContactPair> pairs_;
-  std::vector<Elimination> order_;
-  Stiffness<B> K_;
-  BlockTridiagonalLU<B> lu_;
   std::vector<ContactMode> mode_;
-  Vector rhs_, imbalance_;
-  Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
   double constraint_scale_{0.0};  ///< brings constraint rows to the size of the stiffness, so that pivots compare
   bool factored_{false};
   int factorisations_{0};
@@ -314,22 +212,23 @@ class PenaltySystemOf final : public PenaltySystem {
 };
 
 template <int B>
-class SoftContactSystemOf final : public SoftContactSystem {
+class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSystem<B> {
+  using Base = EliminatedSystem<B>;
+  using Base::carry_normal_force;
+  using Base::for_each_elimination;
+  using Base::imbalance_;
+  using Base::K_;
+  using Base::lu_;
+  using Base::order_;
+  using Base::pairs_;
+  using Base::rhs_;
+  using Base::rows_;
+
  public:
   explicit SoftContactSystemOf(const ContactProblem& problem)
-      : pairs_(problem.pairs),
-        order_(elimination_order(problem.pairs)),
-        K_(problem.K),
-        lu_(problem.K.blocks(), problem.K.block_size()),
-        contacts_(static_cast<std::size_t>(problem.contacts())),
-        rhs_(problem.K.rows()),
-        imbalance_(problem.K.rows()),
-        rows_(problem.K.block_size(), 3 * problem.K.block_size()) {}
+      : Base(problem), contacts_(static_cast<std::size_t>(problem.contacts())) {}
 
-  void set_elasticity(const BlockTridiagonal& K) override {
-    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
-    K_.assign(K);
-  }
+  void set_elasticity(const BlockTridiagonal& K) override { Base::assign_elasticity(K); }
 
   bool set_contacts(const std::vector<SoftContact>& contacts) override {
     BUMPFOIL_ASSERT(contacts.size() == contacts_.size());
@@ -340,26 +239,23 @@ class SoftContactSystemOf final : public SoftContactSystem {
 
   void solve_in_place(Vector& x, Vector& p, Vector& t) override {
     rhs_ = x;
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact,
-                             const SoftContact& soft) {
-      const double owner = rhs_[row + e.owner];
-      if (e.other >= 0) rhs_[row + e.other] += owner;
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+      const SoftContact& soft = contacts_[static_cast<std::size_t>(contact)];
+      const double force = carry_normal_force(e, row, rhs_);
       if (!is_frictionless(pair)) {
         double& tangential = rhs_[row + pair.tangential];
-        tangential = t[contact] + soft.friction_force * tangential + soft.coupling * e.owner_sign * owner;
+        tangential = t[contact] + soft.friction_force * tangential + soft.coupling * force;
       }
-      rhs_[row + e.owner] = p[contact] + soft.normal_force * e.owner_sign * owner;
+      rhs_[row + e.owner] = p[contact] + soft.normal_force * force;
     });
     lu_.solve_in_place(rhs_);
     K_.multiply(rhs_, imbalance_);
     imbalance_ -= x;
     x = rhs_;
-    for_each_elimination(
-        [&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact, const SoftContact&) {
-          p[contact] = e.owner_sign * imbalance_[row + e.owner];
-          if (e.other >= 0) imbalance_[row + e.other] += e.owner_sign * p[contact];
-          t[contact] = is_frictionless(pair) ? 0.0 : imbalance_[row + pair.tangential];
-        });
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+      p[contact] = carry_normal_force(e, row, imbalance_);
+      t[contact] = is_frictionless(pair) ? 0.0 : imbalance_[row + pair.tangential];
+    });
   }
 
   const Vector& multiply(const Vector& x) override {
@@ -368,18 +264,6 @@ class SoftContactSystemOf final : public SoftContactSystem {
   }
 
  private:
-  /// Calls visit(elimination, pair, first row of the block, contact, soft contact) in the order of elimination.
-  template <typename Visitor>
-  void for_each_elimination(Visitor&& visit) const {
-    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
-      for (const Elimination& e : order_) {
-        const std::size_t contact = b * pairs_.size() + e.pair;
-        visit(e, pairs_[e.pair], static_cast<Eigen::Index>(b) * K_.block_size, static_cast<Eigen::Index>(contact),
-              contacts_[contact]);
-      }
-    }
-  }
-
   /// Rows of block b: the balance of each owner gives dp, that of the tangential unknown dt, and both go into the
   /// conditions, which take the place of these rows.
   void assemble_block(std::size_t b) {
@@ -398,19 +282,10 @@ class SoftContactSystemOf final : public SoftContactSystem {
       if (pair.plus >= 0) rows_(e.owner, n + pair.plus) += soft.gap;
       if (pair.minus >= 0) rows_(e.owner, n + pair.minus) -= soft.gap;
     }
-    const int i = static_cast<int>(b);
-    lu_.lower(i) = rows_.leftCols(n);
-    lu_.diagonal(i) = rows_.middleCols(n, n);
-    lu_.upper(i) = rows_.rightCols(n);
+    Base::store_rows(b);
   }
 
-  std::vector<ContactPair> pairs_;
-  std::vector<Elimination> order_;
-  Stiffness<B> K_;
-  BlockTridiagonalLU<B> lu_;
   std::vector<SoftContact> contacts_;
-  Vector rhs_, imbalance_;
-  Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
 };
 
 /// The block sizes of the foil models get code of their own; any other size works, more slowly.

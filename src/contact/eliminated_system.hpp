@@ -1,0 +1,148 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/block_tridiagonal_lu.hpp"
+
+namespace bumpfoil {
+
+inline bool is_frictionless(const ContactPair& pair) {
+  return pair.tangential < 0 || pair.friction_coefficient == 0.0;
+}
+
+/// How the normal force of a contact is found from the balance of its block.
+struct Elimination {
+  std::size_t pair{};   ///< contact of the block
+  int owner{};          ///< unknown whose balance gives the normal force
+  double owner_sign{};  ///< of the normal force on the owner
+  int other{-1};        ///< the other unknown the normal force acts on, if any
+};
+
+/// Order in which the contacts of a block can be eliminated: each owner is touched by no contact that comes later.
+inline std::vector<Elimination> elimination_order(const std::vector<ContactPair>& pairs) {
+  std::vector<Elimination> order;
+  std::vector<bool> done(pairs.size(), false);
+  const auto touched_by_others = [&](int unknown, std::size_t self) {
+    for (std::size_t c = 0; c < pairs.size(); ++c) {
+      const ContactPair& pair = pairs[c];
+      if (c == self || (done[c] && pair.tangential != unknown)) continue;
+      if (pair.plus == unknown || pair.minus == unknown || pair.tangential == unknown) return true;
+    }
+    return false;
+  };
+  while (order.size() < pairs.size()) {
+    const std::size_t before = order.size();
+    for (std::size_t c = 0; c < pairs.size(); ++c) {
+      if (done[c]) continue;
+      const ContactPair& pair = pairs[c];
+      if (pair.plus >= 0 && !touched_by_others(pair.plus, c)) {
+        order.push_back({c, pair.plus, 1.0, pair.minus});
+      } else if (pair.minus >= 0 && !touched_by_others(pair.minus, c)) {
+        order.push_back({c, pair.minus, -1.0, pair.plus});
+      } else {
+        continue;
+      }
+      done[c] = true;
+    }
+    BUMPFOIL_ASSERT(order.size() > before);  // contacts that form a ring cannot be eliminated one by one
+    if (order.size() == before) break;
+  }
+  return order;
+}
+
+/// K in blocks of fixed size.
+template <int B>
+struct Stiffness {
+  using Block = Eigen::Matrix<double, B, B>;
+
+  explicit Stiffness(const BlockTridiagonal& K) : block_size(K.block_size()) { assign(K); }
+
+  void assign(const BlockTridiagonal& K) {
+    BUMPFOIL_ASSERT(K.block_size() == block_size);
+    diagonal.assign(K.diagonal.begin(), K.diagonal.end());
+    upper.assign(K.upper.begin(), K.upper.end());
+  }
+
+  [[nodiscard]] auto segment(const Vector& x, std::size_t b) const {
+    return x.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
+  }
+
+  /// Blocks (b, b-1), (b, b), (b, b+1) side by side; zero where the matrix ends.
+  template <typename Rows>
+  void copy_rows(std::size_t b, Rows& rows) const {
+    rows.setZero();
+    if (b > 0) rows.leftCols(block_size) = upper[b - 1].transpose();
+    rows.middleCols(block_size, block_size) = diagonal[b];
+    if (b + 1 < diagonal.size()) rows.rightCols(block_size) = upper[b];
+  }
+
+  void multiply(const Vector& x, Vector& y) const {
+    for (std::size_t b = 0; b < diagonal.size(); ++b) {
+      auto row = y.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
+      row.noalias() = diagonal[b] * segment(x, b);
+      if (b + 1 < diagonal.size()) row.noalias() += upper[b] * segment(x, b + 1);
+      if (b > 0) row.noalias() += upper[b - 1].transpose() * segment(x, b - 1);
+    }
+  }
+
+  int block_size;
+  std::vector<Block> diagonal, upper;
+};
+
+/// What systems share that eliminate normal forces inside the blocks.
+template <int B>
+class EliminatedSystem {
+ protected:
+  explicit EliminatedSystem(const ContactProblem& problem)
+      : pairs_(problem.pairs),
+        order_(elimination_order(problem.pairs)),
+        K_(problem.K),
+        lu_(problem.K.blocks(), problem.K.block_size()),
+        rhs_(problem.K.rows()),
+        imbalance_(problem.K.rows()),
+        rows_(problem.K.block_size(), 3 * problem.K.block_size()) {}
+
+  void assign_elasticity(const BlockTridiagonal& K) {
+    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
+    K_.assign(K);
+  }
+
+  /// Calls visit(elimination, pair, first row of the block, contact) in the order of elimination.
+  template <typename Visitor>
+  void for_each_elimination(Visitor&& visit) const {
+    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
+      for (const Elimination& e : order_) {
+        const std::size_t contact = b * pairs_.size() + e.pair;
+        visit(e, pairs_[e.pair], static_cast<Eigen::Index>(b) * K_.block_size, static_cast<Eigen::Index>(contact));
+      }
+    }
+  }
+
+  /// Reads a normal force off the balance of its owner and takes it off that of the other unknown.
+  static double carry_normal_force(const Elimination& e, Eigen::Index row, Vector& balance) {
+    const double p = e.owner_sign * balance[row + e.owner];
+    if (e.other >= 0) balance[row + e.other] += e.owner_sign * p;
+    return p;
+  }
+
+  /// Hands rows_ over as those of block b.
+  void store_rows(std::size_t b) {
+    const Eigen::Index n = K_.block_size;
+    const int i = static_cast<int>(b);
+    lu_.lower(i) = rows_.leftCols(n);
+    lu_.diagonal(i) = rows_.middleCols(n, n);
+    lu_.upper(i) = rows_.rightCols(n);
+  }
+
+  std::vector<ContactPair> pairs_;
+  std::vector<Elimination> order_;
+  Stiffness<B> K_;
+  BlockTridiagonalLU<B> lu_;
+  Vector rhs_, imbalance_;
+  Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
+};
+
+}  // namespace bumpfoil
