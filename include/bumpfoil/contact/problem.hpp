@@ -50,8 +50,8 @@ struct ElasticLaw {
 /// the place of K x, and K is its tangent at x = 0; the normals and the tangential directions of the contacts stay.
 struct ContactProblem {
   BlockTridiagonal K;
-  std::vector<ContactPair>
-      pairs;  ///< at least one; contact c of block b has index b * pairs.size() + c in every contact array
+  /// At least one. Contact c of block b has index b * pairs.size() + c in every contact array.
+  std::vector<ContactPair> pairs;
   std::optional<ElasticLaw> law{};  ///< absent where elastic forces are linear
 
   [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
