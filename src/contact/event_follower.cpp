@@ -9,7 +9,6 @@
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
-
 namespace {
 
 /// A gap or a slip below this is none, m.
@@ -143,8 +142,9 @@ bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveRepo
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
     const int factorisations = modes->factorisations();
-    if (!modes->set_modes(mode)) return false;
+    const bool solvable = modes->set_modes(mode);
     report.factorisations += modes->factorisations() - factorisations;
+    if (!solvable) return false;
     modes->solve(path_end, state.x, target);
     ++report.iterations;
     if (!target.x.allFinite()) return false;
