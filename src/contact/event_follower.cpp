@@ -104,10 +104,7 @@ void EventFollower::Workspace::find_changes(const ContactState& state) {
     const ContactMode m = mode[static_cast<std::size_t>(c)];
     const bool loaded = state.normal_force[c] > force_tolerance;
     if (m == ContactMode::open && state.gap[c] > displacement_tolerance) return;
-    ContactTrial trial{.gap = target.gap[c],
-                       .normal = target.normal_force[c],
-                       .friction = target.friction_force[c],
-                       .slip = contact.tangential(target.x) - contact.tangential(state.x)};
+    ContactTrial trial = trial_of(contact, target, state.x);
     if (loaded) {
       trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
       if (m == ContactMode::stick) {
@@ -141,13 +138,7 @@ void EventFollower::Workspace::keep_changes_nearby() {
 bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveReport& report) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
-    const int factorisations = modes->factorisations();
-    const bool solvable = modes->set_modes(mode);
-    report.factorisations += modes->factorisations() - factorisations;
-    if (!solvable) return false;
-    modes->solve(path_end, state.x, target);
-    ++report.iterations;
-    if (!target.x.allFinite()) return false;
+    if (!solve_modes(*modes, mode, path_end, state.x, target, report)) return false;
     force_tolerance =
         relative_force_tolerance * std::max({1.0, state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
     find_changes(state);
@@ -176,8 +167,7 @@ bool EventFollower::Workspace::obeys_modes(const ContactState& state) const {
     }
     obeys = obeys && std::abs(state.gap[c]) <= displacement_tolerance;
     if (slips(m) && contact.f > 0.0) {
-      const double friction = m == ContactMode::slip_forward ? -contact.f * p : contact.f * p;
-      obeys = obeys && std::abs(t - friction) <= force_tolerance;
+      obeys = obeys && std::abs(t - friction_sign(m) * contact.f * p) <= force_tolerance;
     }
   });
   return obeys;
@@ -194,12 +184,8 @@ bool EventFollower::Workspace::solve_here(const ContactState& state, SolveReport
   ++report.iterations;
   bool obeys = begin.x.allFinite();
   for_each_contact(problem, [&](const CoulombContact& contact) {
-    const Eigen::Index c = contact.index;
-    const ContactMode m = mode[static_cast<std::size_t>(c)];
-    const ContactTrial trial{.gap = begin.gap[c],
-                             .normal = begin.normal_force[c],
-                             .friction = begin.friction_force[c],
-                             .slip = contact.tangential(begin.x) - contact.tangential(state.x)};
+    const ContactMode m = mode[static_cast<std::size_t>(contact.index)];
+    const ContactTrial trial = trial_of(contact, begin, state.x);
     obeys = obeys && next_mode(m, contact.f, trial, displacement_tolerance, force_tolerance) == m;
   });
   return obeys;
@@ -247,9 +233,8 @@ double EventFollower::Workspace::next_event(const ContactState& state) {
     const double f = contact.f;
     const ContactMode m = mode[static_cast<std::size_t>(c)];
     if (m == ContactMode::open) {
-      const ContactTrial trial{.gap = target.gap[c],
-                               .slip = contact.tangential(target.x) - contact.tangential(state.x)};
-      const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
+      const ContactMode to =
+          next_mode(m, f, trial_of(contact, target, state.x), displacement_tolerance, force_tolerance);
       if (to != m) propose(c, state.gap[c], target.gap[c], to);
       return;
     }

@@ -6,16 +6,10 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
 #include "contact/eliminated_system.hpp"
+#include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 namespace {
-
-/// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
-double friction_sign(ContactMode mode) {
-  if (mode == ContactMode::slip_forward) return -1.0;
-  if (mode == ContactMode::slip_backward) return 1.0;
-  return 0.0;
-}
 
 template <int B>
 class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {

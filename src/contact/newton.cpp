@@ -136,11 +136,8 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const Eigen::Index c = contact.index;
     const ContactMode m = state.mode[static_cast<std::size_t>(c)];
-    const ContactTrial judged{.gap = state.gap[c],
-                              .normal = state.normal_force[c],
-                              .friction = state.friction_force[c],
-                              .slip = contact.tangential(state.x) - contact.tangential(previous.x)};
-    const ModeChange change = judge(c, m, contact.f, judged, options.displacement_tolerance, force_tolerance);
+    const ModeChange change =
+        judge(c, m, contact.f, trial_of(contact, state, previous.x), options.displacement_tolerance, force_tolerance);
     if (change.to != m) changes.push_back(change);
   });
 }
@@ -150,13 +147,7 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
 bool NewtonSolver::Workspace::try_modes(const ContactLoading& loading, const ContactState& previous,
                                         ContactState& state, SolveReport& report) {
   changes.clear();
-  const int factorisations = modes->factorisations();
-  const bool regular = modes->set_modes(trial);
-  report.factorisations += modes->factorisations() - factorisations;
-  if (!regular) return false;
-  modes->solve(loading, previous.x, state);
-  ++report.iterations;
-  if (!state.x.allFinite()) return false;
+  if (!solve_modes(*modes, trial, loading, previous.x, state, report)) return false;
   find_changes(previous, state);
   return true;
 }

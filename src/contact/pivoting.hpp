@@ -4,7 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/solver.hpp"
 
 namespace bumpfoil {
 
@@ -15,6 +17,35 @@ struct ContactTrial {
   double friction{};  ///< N
   double slip{};      ///< m
 };
+
+inline ContactTrial trial_of(const CoulombContact& contact, const ContactState& state, const Vector& previous_x) {
+  return {.gap = state.gap[contact.index],
+          .normal = state.normal_force[contact.index],
+          .friction = state.friction_force[contact.index],
+          .slip = contact.tangential(state.x) - contact.tangential(previous_x)};
+}
+
+/// Solves for the unknowns and contact forces under the modes `mode`, and counts what that costs.
+/// @param state  result; its storage is reused
+/// @return false if there is no such state
+[[nodiscard]] inline bool solve_modes(ModeSystem& system, const std::vector<ContactMode>& mode,
+                                      const ContactLoading& loading, const Vector& previous_x, ContactState& state,
+                                      SolveReport& report) {
+  const int factorisations = system.factorisations();
+  const bool regular = system.set_modes(mode);
+  report.factorisations += system.factorisations() - factorisations;
+  if (!regular) return false;
+  system.solve(loading, previous_x, state);
+  ++report.iterations;
+  return state.x.allFinite();
+}
+
+/// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
+inline double friction_sign(ContactMode mode) {
+  if (mode == ContactMode::slip_forward) return -1.0;
+  if (mode == ContactMode::slip_backward) return 1.0;
+  return 0.0;
+}
 
 inline bool slips(ContactMode mode) {
   return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
