@@ -16,20 +16,33 @@ double distance(const Vector& a, const Vector& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
+/// A random problem solved for random modes.
+struct SolvedForModes {
+  SolvedForModes(std::uint64_t seed, int block_size, double friction)
+      : random(make_random_problem(seed, 5, block_size, friction)),
+        mode(random_modes(seed, random.problem)),
+        previous_x(1e-5 * Vector::LinSpaced(random.problem.K.rows(), -1.0, 1.0)),
+        system(make_mode_system(random.problem)),
+        state(ContactState::unstressed(random.problem)) {
+    EXPECT_TRUE(system->set_modes(mode)) << seed;
+    system->solve(random.first, previous_x, state);
+  }
+
+  RandomProblem random;
+  std::vector<ContactMode> mode;
+  Vector previous_x;
+  std::unique_ptr<ModeSystem> system;
+  ContactState state;
+};
+
 /// Random problems with blocks of the fixed sizes and of another.
 class BlockSizes : public testing::TestWithParam<int> {};
 
 TEST_P(BlockSizes, ModeSystemSolvesLikeDenseMultipliers) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const RandomProblem random = make_random_problem(seed, 5, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
-    const ContactProblem& problem = random.problem;
-    const std::vector<ContactMode> mode = random_modes(seed, problem);
-    const Vector previous_x = 1e-5 * Vector::LinSpaced(problem.K.rows(), -1.0, 1.0);
-    const std::unique_ptr<ModeSystem> system = make_mode_system(problem);
-    ASSERT_TRUE(system->set_modes(mode));
-    ContactState state = ContactState::unstressed(problem);
-    system->solve(random.first, previous_x, state);
-    const DenseState expected = solve_dense(make_dense(problem), random.first, previous_x, mode);
+    const SolvedForModes solved(seed, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
+    const auto& [random, mode, previous_x, system, state] = solved;
+    const DenseState expected = solve_dense(make_dense(random.problem), random.first, previous_x, mode);
     // Condition numbers of some 1e3.
     EXPECT_LT(distance(state.x, expected.x), 1e-11 * expected.x.cwiseAbs().maxCoeff()) << seed;
     EXPECT_LT(distance(state.normal_force, expected.normal_force),
@@ -151,15 +164,9 @@ TEST_P(BlockSizes, SoftContactSystemSolvesLikeDense) {
 /// of the whole load where it starts from nothing.
 TEST_P(BlockSizes, SoftContactSystemEqualsModeSystemForModes) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const RandomProblem random = make_random_problem(seed, 5, GetParam(), 0.3);
+    const SolvedForModes solved(seed, GetParam(), 0.3);
+    const auto& [random, mode, previous_x, exact, state] = solved;
     const ContactProblem& problem = random.problem;
-    const std::vector<ContactMode> mode = random_modes(seed, problem);
-    const Vector previous_x = 1e-5 * Vector::LinSpaced(problem.K.rows(), -1.0, 1.0);
-    const std::unique_ptr<ModeSystem> exact = make_mode_system(problem);
-    ASSERT_TRUE(exact->set_modes(mode));
-    ContactState state = ContactState::unstressed(problem);
-    exact->solve(random.first, previous_x, state);
-
     const Vector previous_slips = tangential_displacements(problem, previous_x);
     constexpr double scale = 1e6;  // N/m, the size of K
     std::vector<SoftContact> soft;
