@@ -5,7 +5,7 @@
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/newton.hpp"
-#include "long_bearing.hpp"
+#include "support/long_bearing.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "bumpfoil/analysis/foil_model.hpp"
 #include "bumpfoil/contact/linear_systems.hpp"
-#include "long_bearing.hpp"
+#include "support/long_bearing.hpp"
 
 namespace bumpfoil {
 namespace {

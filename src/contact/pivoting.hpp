@@ -18,6 +18,7 @@ struct ContactTrial {
   double slip{};      ///< m
 };
 
+/// What is judged of a contact in `state`, its slip measured from `previous_x`.
 inline ContactTrial trial_of(const CoulombContact& contact, const ContactState& state, const Vector& previous_x) {
   return {.gap = state.gap[contact.index],
           .normal = state.normal_force[contact.index],

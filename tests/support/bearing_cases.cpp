@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bumpfoil/core/assert.hpp"
+#include "support/long_bearing.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
@@ -50,9 +51,7 @@ CycleResult failed_at_increment_three(CycleResult result) {
 }
 
 Case long_bearing(int bumps, int steps) {
-  Case input = case_with_given_constants();
-  input.bearing.radius *= static_cast<double>(bumps) / input.bump_foil.bumps;
-  input.bump_foil.bumps = bumps;
+  Case input = with_bumps(case_with_given_constants(), bumps);
   input.cycle.steps = steps;
   input.cycle.directions = {0.0};
   return input;
