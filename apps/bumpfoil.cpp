@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "commands.hpp"
+#include "output.hpp"
 
 namespace bumpfoil {
 
@@ -23,6 +25,18 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
 }
 
 namespace {
+
+/// Prints the help that was asked for, or what is wrong with the command line.
+ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
+  std::ostringstream output;
+  std::ostringstream errors;
+  const int code = program.exit(error, output, errors);
+  print_output(output.str());
+  std::string message = errors.str();
+  while (message.ends_with('\n')) message.pop_back();
+  if (!message.empty()) print_message(message);
+  return code == 0 ? ExitCode::done : ExitCode::wrong_input;
+}
 
 /// One word for a POSIX shell.
 std::string quoted(std::string_view word) {
@@ -68,13 +82,13 @@ ExitCode run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     if (program.get_subcommands().empty() && program.remaining_size() > 0) {
-      fmt::print(stderr, "bumpfoil: '{}' is no command; 'bumpfoil --help' lists them\n", program.remaining().front());
-    } else {
-      program.exit(error);
+      print_message(fmt::format("bumpfoil: '{}' is no command; 'bumpfoil --help' lists them",
+                                printable(program.remaining().front())));
+      return ExitCode::wrong_input;
     }
-    return ExitCode::wrong_input;
+    return answer(program, error);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? ExitCode::done : ExitCode::wrong_input;
+    return answer(program, error);
   }
   return session.exit_code;
 }
@@ -84,16 +98,17 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace bumpfoil;
+  hold_closed_streams();
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    print_message(error.what());
     return static_cast<int>(error.kind() == ErrorKind::file ? ExitCode::file_error : ExitCode::wrong_input);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "bumpfoil: the memory does not suffice for this case\n");
+    print_message("bumpfoil: the memory does not suffice for this case");
     return static_cast<int>(ExitCode::wrong_input);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "bumpfoil: {}\n", error.what());
+    print_message(std::string("bumpfoil: ") + error.what());
     return static_cast<int>(ExitCode::file_error);
   }
 }

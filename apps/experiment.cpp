@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
@@ -58,17 +59,18 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
     if (!result.converged()) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
   }
 
+  const std::string place = printable(options.folder, longest_path);
   stage_cycle_files(folder, input, result, status, {.command_line = session.command_line, .case_text = case_text});
   folder.publish();
   if (!session.quiet) {
     print_output(cycle_table(result));
     print_output(fmt::format("\nsolver {}; results in {} (summary.json, {}.csv, result.nc)\n", name_of(result.solver),
-                             options.folder, experiment.name));
-    for (const std::string& warning : stress_warnings(input, result)) fmt::print(stderr, "warning: {}\n", warning);
+                             place, experiment.name));
+    for (const std::string& warning : stress_warnings(input, result)) print_message("warning: " + warning);
   }
   if (status != RunStatus::complete) {
-    fmt::print(stderr, "bumpfoil: {}: the results in {} are partial, and flagged so\n",
-               status == RunStatus::failed ? "an increment did not converge" : "interrupted", options.folder);
+    print_message(fmt::format("bumpfoil: {}: the results in {} are partial, and flagged so",
+                              status == RunStatus::failed ? "an increment did not converge" : "interrupted", place));
   }
   return exit_code_of(status);
 }

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "commands.hpp"
@@ -19,7 +20,7 @@ void run_init(const InitOptions& options, const Session& session) {
   const std::string text = case_template(options.preset);
   if (options.path.empty()) return print_output(text);
   write_file(options.path, text, options.force ? Existing::replace : Existing::refuse);
-  if (!session.quiet) print_output("wrote " + options.path + "\n");
+  if (!session.quiet) print_output("wrote " + printable(options.path, longest_path) + "\n");
 }
 
 }  // namespace

@@ -1,18 +1,44 @@
 #include "output.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
+#include <string>
 #include <system_error>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
 
 namespace bumpfoil {
+namespace {
+
+bool print(std::FILE* stream, const std::string& text) {
+  return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
+}
+
+}  // namespace
+
+void hold_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest number that is free is taken. For reading, so that what is printed still fails.
+    if (::fcntl(stream, F_GETFD) == -1) static_cast<void>(::open("/dev/null", O_RDONLY));
+  }
+}
 
 void print_output(std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) {
+  if (!print(stdout, printable_lines(text))) {
     throw Error(ErrorKind::file,
                 {{"standard output", 0, "", "", "cannot be written: " + std::generic_category().message(errno), ""}});
+  }
+}
+
+void print_message(std::string_view line) noexcept {
+  try {
+    print(stderr, printable_lines(line) + '\n');
+  } catch (const std::exception&) {
+    // Not even the memory for a copy: nobody is left to tell.
   }
 }
 

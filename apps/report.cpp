@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "commands.hpp"
 #include "output.hpp"
@@ -32,7 +33,7 @@ void run_report(const ReportOptions& options, const Session& session) {
   const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
   write_file(path, fill_report(report_page(), report_json(options.folders)),
              options.force ? Existing::replace : Existing::refuse);
-  if (!session.quiet) print_output("wrote " + path.string() + "\n");
+  if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <list>
 #include <map>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/studies/gnuplot.hpp"
@@ -175,20 +175,20 @@ ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) 
     print_output(
         fmt::format("\nresults in {}: of each study picture.svg, study.json and tables (CSV), and a folder for "
                     "each run\n",
-                    options.folder));
+                    printable(options.folder, longest_path)));
     if (plotted == PlotStatus::no_gnuplot) {
-      fmt::print(stderr,
-                 "bumpfoil: there are no pictures, because gnuplot is not installed (Debian: gnuplot-nox); with it, "
-                 "\"gnuplot picture.gp\" in the folder of a study draws its picture\n");
+      print_message(
+          "bumpfoil: there are no pictures, because gnuplot is not installed (Debian: gnuplot-nox); with it, "
+          "\"gnuplot picture.gp\" in the folder of a study draws its picture");
     }
   }
   if (plotted == PlotStatus::failed) {
-    fmt::print(stderr, "bumpfoil: gnuplot failed; \"gnuplot picture.gp\" in a folder without picture.svg says why\n");
+    print_message("bumpfoil: gnuplot failed; \"gnuplot picture.gp\" in a folder without picture.svg says why");
   }
-  if (!converged) fmt::print(stderr, "bumpfoil: an increment did not converge: what is partial is flagged so\n");
+  if (!converged) print_message("bumpfoil: an increment did not converge: what is partial is flagged so");
   if (interrupted) {
-    fmt::print(stderr, "bumpfoil: interrupted: {} of {} studies are whole, nothing was written of the others\n",
-               outcomes.size(), writers.size());
+    print_message(fmt::format("bumpfoil: interrupted: {} of {} studies are whole, nothing was written of the others",
+                              outcomes.size(), writers.size()));
     return ExitCode::interrupted;
   }
   if (!converged) return ExitCode::numerical_failure;

@@ -9,7 +9,7 @@ namespace bumpfoil {
 /// The case with the keys of the case file, in their order, SI numbers.
 nlohmann::ordered_json case_json(const Case& input);
 
-/// JSON text with an indentation; texts that are no UTF-8 are mended.
+/// JSON text with an indentation, safe to print: see printable_json. Texts that are no UTF-8 are mended.
 std::string dump_json(const nlohmann::ordered_json& json, int indent);
 
 }  // namespace bumpfoil

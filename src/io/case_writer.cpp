@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "bumpfoil/core/printable.hpp"
 #include "io/case_json.hpp"
 #include "io/case_names.hpp"
 
@@ -42,20 +43,13 @@ const std::map<std::string, std::string_view, std::less<>> units{
     {"load", "N"},
 };
 
-/// JSON texts are TOML texts, except that TOML wants the delete character escaped.
-std::string toml_value(const Json& value) {
-  std::string text = dump_json(value, -1);
-  for (std::size_t at = text.find('\x7f'); at != std::string::npos; at = text.find('\x7f'))
-    text.replace(at, 1, "\\u007f");
-  return text;
-}
-
 void append_table(std::string& out, const std::string& path, const Json& table) {
   if (!path.empty()) out += fmt::format("\n[{}]\n", path);
   for (const auto& [key, value] : table.items()) {
     if (value.is_object()) continue;
     const auto unit = units.find(key);
-    out += fmt::format("{} = {}{}\n", key, toml_value(value),
+    // JSON texts are TOML texts, too, as the delete character is escaped.
+    out += fmt::format("{} = {}{}\n", key, dump_json(value, -1),
                        unit != units.end() ? fmt::format("  # {}", unit->second) : std::string());
   }
   for (const auto& [key, value] : table.items()) {
@@ -143,7 +137,7 @@ nlohmann::ordered_json case_json(const Case& input) {
 }
 
 std::string dump_json(const nlohmann::ordered_json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  return printable_json(json.dump(indent, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string_view name_of(SolverName solver) {

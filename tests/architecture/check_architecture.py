@@ -30,8 +30,10 @@ IO_HEADERS = re.compile(
     r"iostream|fstream|cstdio|filesystem|print|fmt/(?:os|ostream|color)\.h|nlohmann/.*|toml\+\+/.*|toml\.hpp|"
     r"udunits2\.h|netcdf.*|CLI/.*"
 )
-# The message of a failed assertion is the last thing a broken program says.
-MAY_PRINT = {"include/bumpfoil/core/assert.hpp"}
+# Everything that is printed goes through one place, which keeps texts of others from steering the terminal. The progress
+# bar has no such texts; the message of a failed assertion is the last thing a broken program says.
+MAY_PRINT = {"include/bumpfoil/core/assert.hpp", "apps/output.cpp", "apps/progress_bar.cpp"}
+PRINTING = re.compile(r"\b(?:stdout|stderr|cout|cerr|clog|fmt::print|v?f?printf|perror|puts|putchar)\b")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
@@ -80,6 +82,19 @@ def check_words(path, module, text):
         yield f"{path}:{line_of(code, match.start())}: {module} must not know '{match.group()}'"
 
 
+def check_printing(path, text):
+    if path in MAY_PRINT:
+        return
+    code = COMMENT_OR_STRING.sub(blank, text)
+    for match in PRINTING.finditer(code):
+        yield f"{path}:{line_of(code, match.start())}: '{match.group()}'; apps/output.hpp is what prints"
+
+
+def check_programs(root):
+    for file in sorted((root / "apps").rglob("*.[ch]pp")):
+        yield from check_printing(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
+
+
 def check_sources(root):
     for base in ("include/bumpfoil", "src"):
         for file in sorted((root / base).rglob("*.[ch]pp")):
@@ -91,6 +106,7 @@ def check_sources(root):
                 continue
             yield from check_includes(path, module, text)
             yield from check_words(path, module, text)
+            yield from check_printing(path, text)
             if file.suffix == ".hpp" and "#pragma once" not in text:
                 yield f"{path}: header without #pragma once"
 
@@ -106,7 +122,7 @@ def check_unit_tests(root):
 
 
 def find_faults(root):
-    return [*check_sources(root), *check_unit_tests(root)]
+    return [*check_sources(root), *check_programs(root), *check_unit_tests(root)]
 
 
 if __name__ == "__main__":

@@ -66,6 +66,12 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/analysis/cycle.cpp", "#include <iostream>\n")
         self.assert_one_fault("<iostream>", "not to analysis")
 
+    def test_printing_past_the_one_place_for_it(self):
+        self.write("apps/output.cpp", "void print() { std::fputs(text, stderr); }\n")
+        self.assertEqual(find_faults(self.root), [])
+        self.write("apps/check.cpp", '// On stdout.\nvoid print() { fmt::print("{}", title); }\n')
+        self.assert_one_fault("apps/check.cpp:2", "'fmt::print'", "apps/output.hpp")
+
     def test_contact_has_never_heard_of_a_bump(self):
         self.write("src/contact/solve.cpp", "namespace bumpfoil {\nint bump_count();\n}\n")
         self.assert_one_fault("src/contact/solve.cpp:2", "'bump_count'")

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/core/printable.hpp"
+
 namespace bumpfoil {
 
 /// One thing that is wrong with what the user gave: where it is, what was met, what to change.
@@ -38,11 +40,8 @@ class Error : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// One line for one fault: `file:line: key = value: what; advice`, leaving out what is unknown. Control characters
-/// of the value are escaped and long values are shortened, so that the line is safe to print.
+/// One line for one fault: `file:line: key = value: what; advice`, leaving out what is unknown. All of it is
+/// `printable` and long values are shortened, so that the line is safe to print whatever the fault quotes.
 std::string format_fault(const Fault& fault);
-
-/// Text of unknown origin made safe to print: control characters escaped, and shortened to about `limit` bytes.
-std::string printable(std::string_view text, std::size_t limit = 80);
 
 }  // namespace bumpfoil

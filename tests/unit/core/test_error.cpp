@@ -33,18 +33,9 @@ TEST(Error, EchoesHostileValuesSafely) {
   EXPECT_NE(shortened.find("(1000 characters)"), std::string::npos);
 }
 
-TEST(Printable, EscapesControlCharactersOfBothKinds) {
-  EXPECT_EQ(printable("a\tb\x7f"), "a\\x09b\\x7f");
-  EXPECT_EQ(printable("\xc2\x9b"
-                      "31m"),
-            "\\xc2\\x9b31m");  // CSI as one C1 character
-  EXPECT_EQ(printable("\xc2\xb5m \xe2\x80\xa6"), "\xc2\xb5m \xe2\x80\xa6");
-}
-
-TEST(Printable, CutsBetweenCharacters) {
-  EXPECT_EQ(printable("\xc2\xb5\xc2\xb5\xc2\xb5", 3), "\xc2\xb5\xc2\xb5... (6 characters)");
-  EXPECT_EQ(printable("abc", 3), "abc");
-  EXPECT_LT(printable(std::string(1000, '\x80'), 10).size(), 100U);
+TEST(Error, EchoesHostileTextsOfOthersSafely) {
+  EXPECT_EQ(format_fault({"a\x1b\nb", 0, "k\r", "", "has \"\xc2\x9b 31m\"", "not \xe2\x80\xae"}),
+            "a\\x1b\\x0ab: k\\x0d: has \"\\xc2\\x9b 31m\"; not \\xe2\\x80\\xae");
 }
 
 }  // namespace
