@@ -56,6 +56,14 @@ std::string command_line(int argc, char** argv) {
   return out;
 }
 
+/// An option without a value would be taken for one that was not given.
+void refuse_empty_values(CLI::App& command) {
+  const CLI::Validator given([](const std::string& value) { return value.empty() ? "is empty" : ""; }, "");
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() > 0) option->check(given);
+  }
+}
+
 ExitCode run(int argc, char** argv) {
   Session session;
   session.command_line = command_line(argc, argv);
@@ -78,6 +86,7 @@ ExitCode run(int argc, char** argv) {
   add_strip_command(program, session);
   add_reproduce_command(program, session);
   add_report_command(program, session);
+  for (CLI::App* command : program.get_subcommands({})) refuse_empty_values(*command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

@@ -65,11 +65,6 @@ FoilModel make_bearing_model(const Case& input) {
 FoilModel make_strip_model(const Case& input) {
   require_valid(input);
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
-  if (input.bump_foil.model == BumpFoilModel::former) {
-    throw Error(ErrorKind::input, {{"", 0, "bump_foil.model", "former",
-                                    "knows no strip: without gaps and history its loops would have no area",
-                                    "set model = \"truss\" or \"frame\""}});
-  }
   const bool welded = input.strip->weld == StripWeld::one_end;
   FoilModel model =
       make_foil_model(cut_to_strip(input), {.flat = true, .welded = welded, .top_foil = input.strip->top_foil});

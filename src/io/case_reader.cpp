@@ -53,8 +53,11 @@ void read_truss(TableReader table, TrussOverrides& truss) {
 void read_height_errors_of(ReadingLog& log, TableReader& table, BumpFoil& foil) {
   std::string csv;
   table.quantities("height_errors", foil.height_errors, Dimension::length, optional);
-  table.text("height_errors_file", csv);
-  if (csv.empty()) return;
+  if (!table.text("height_errors_file", csv)) return;
+  if (csv.empty()) {
+    log.fault(table.path_of("height_errors_file"), "is empty", "give the name of a CSV file, or leave it out");
+    return;
+  }
   if (!foil.height_errors.empty()) {
     log.fault(table.path_of("height_errors_file"), "contradicts height_errors, which is given too",
               "give one of the two");
@@ -222,7 +225,11 @@ Case read_case(const std::string& path, const CaseRequest& request) {
 }
 
 std::string read_case_text(const std::string& path) {
-  return read_text_file(path);
+  std::string text = read_text_file(path);
+  if (is_blank(text)) {
+    throw Error(ErrorKind::input, {{path, 0, "", "", "is empty", "`bumpfoil init` writes a case file to start from"}});
+  }
+  return text;
 }
 
 }  // namespace bumpfoil

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
 #include "bumpfoil/model/validation.hpp"
+#include "io/number_text.hpp"
 #include "io/text_file.hpp"
 
 namespace bumpfoil {
@@ -24,9 +24,8 @@ std::string_view trimmed(std::string_view text) {
 
 template <typename Number>
 std::optional<Number> parse(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
   Number number{};
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, status] = read_number(text, number);
   if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return number;
 }
@@ -94,6 +93,11 @@ class HeightErrorsReader {
 
 std::vector<double> read_height_errors(const std::string& path, int bumps) {
   const std::string text = read_text_file(path);
+  if (is_blank(text)) {
+    throw Error(ErrorKind::input,
+                {{path, 0, "", "", "is empty",
+                  fmt::format("write {},{} and one line for each of {} bumps", first_column, second_column, bumps)}});
+  }
   HeightErrorsReader reader(path, bumps);
   std::size_t line = 0;
   for (std::string_view rest = text; !rest.empty();) {

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 #include <tuple>
 
@@ -55,7 +57,13 @@ std::string_view kind_of(const toml::node& node) {
   }
 }
 
+bool is_override(const toml::node& node) {
+  return node.source().path && *node.source().path == command_line;
+}
+
 std::string is_where(const toml::node& node, std::string_view due) {
+  // What is no TOML on the command line is a text, which its author need not know.
+  if (node.is_string() && is_override(node)) return fmt::format("is not {}", due);
   return fmt::format("is {} where {} is due", kind_of(node), due);
 }
 
@@ -64,7 +72,7 @@ std::string is_where(const toml::node& node, std::string_view due) {
 void ReadingLog::met(const std::string& key, const toml::node& node) {
   const toml::source_region& source = node.source();
   // A table that an override implied stands nowhere.
-  const bool overridden = source.begin.line == 0 || (source.path && *source.path == command_line);
+  const bool overridden = source.begin.line == 0 || is_override(node);
   Origin origin{overridden ? std::string(command_line) : file_, overridden ? 0 : source.begin.line, written(node)};
   origins_.insert_or_assign(key, std::move(origin));
 }
@@ -99,6 +107,9 @@ void ReadingLog::later_fault(const Fault& fault) {
   placed.line = place != nullptr ? place->line : 0;
   const auto exact = origins_.find(placed.key);
   if (exact != origins_.end() && !exact->second.written.empty()) placed.value = exact->second.written;
+  if (exact != origins_.end() && exact->second.degrees) {
+    placed.advice += fmt::format("; numbers are radians: write \"{} deg\" if degrees are meant", placed.value);
+  }
   add(std::move(placed));
 }
 
@@ -156,6 +167,7 @@ bool TableReader::read_quantity(const std::string& path, const toml::node& node,
                                 const std::string& alternatives) {
   if (node.is_number()) {
     value = *node.value<double>();
+    if (dimension == Dimension::angle && std::abs(value) > 2.0 * std::numbers::pi) log_.met_degrees(path);
     return true;
   }
   const auto* text = node.as_string();
@@ -214,7 +226,7 @@ void TableReader::integer(std::string_view key, int& value, Presence presence) {
   if (number == nullptr) {
     log_.fault(path_of(key), is_where(*node, "a whole number"), "write a whole number without quotes, such as 26");
   } else if (number->get() < std::numeric_limits<int>::min() || number->get() > std::numeric_limits<int>::max()) {
-    log_.fault(path_of(key), "is out of range", "give a smaller number");
+    log_.fault(path_of(key), "is out of range", number->get() > 0 ? "give a smaller number" : "give a larger number");
   } else {
     value = static_cast<int>(number->get());
   }
@@ -230,14 +242,16 @@ void TableReader::flag(std::string_view key, bool& value) {
   }
 }
 
-void TableReader::text(std::string_view key, std::string& value) {
+bool TableReader::text(std::string_view key, std::string& value) {
   const toml::node* node = find(key, Presence::optional);
-  if (node == nullptr) return;
-  if (const auto* text = node->as_string()) {
+  if (node == nullptr) return false;
+  const auto* text = node->as_string();
+  if (text != nullptr) {
     value = text->get();
   } else {
     log_.fault(path_of(key), is_where(*node, "a text"), "write it in quotes");
   }
+  return text != nullptr;
 }
 
 int TableReader::index_of_word(std::string_view key, const std::vector<std::string>& words) {

@@ -21,6 +21,7 @@ struct Origin {
   std::string file;
   std::size_t line{};
   std::string written;
+  bool degrees{};  ///< an angle without a unit, of so many radians that degrees may be meant
 };
 
 /// What is known while a case file is read: its faults, and where its keys stand.
@@ -30,6 +31,9 @@ class ReadingLog {
 
   /// Remembers where a key stands and what it was given.
   void met(const std::string& key, const toml::node& node);
+
+  /// Remembers of a key that was met that its number may be meant in degrees.
+  void met_degrees(const std::string& key) { origins_[key].degrees = true; }
 
   /// A fault of a key, placed where the key, or the table that lacks it, stands.
   void fault(const std::string& key, std::string what, std::string advice);
@@ -88,7 +92,8 @@ class TableReader {
   void number(std::string_view key, double& value, Presence presence);
   void integer(std::string_view key, int& value, Presence presence);
   void flag(std::string_view key, bool& value);
-  void text(std::string_view key, std::string& value);
+  /// @return whether there is a text
+  bool text(std::string_view key, std::string& value);
   /// List of dimensioned values. Entries found in `names` stand for theirs. Entries that are faulty are zero.
   void quantities(std::string_view key, std::vector<double>& values, Dimension dimension, Presence presence,
                   const std::map<std::string, double, std::less<>>& names = {});

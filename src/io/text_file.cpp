@@ -42,14 +42,15 @@ std::string read_text_file(const std::string& path) {
   }
   if (std::ferror(file.get()) != 0) throw_unreadable(path, errno);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    throw fault(0, "is empty", "`bumpfoil init` writes a case file to start from");
-  }
   if (const std::size_t null = text.find('\0'); null != std::string::npos) {
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(null), '\n');
     throw fault(static_cast<std::size_t>(lines) + 1, "is no text: it has a null byte", "save it as UTF-8 text");
   }
   return text;
+}
+
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
 }  // namespace bumpfoil

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace bumpfoil {
 
@@ -8,8 +9,11 @@ namespace bumpfoil {
 inline constexpr std::size_t largest_text_file = 10'000'000;
 
 /// The whole of a text file, without the byte order mark that some editors put first.
-/// @throws Error (file) if it cannot be read or is a folder; Error (input) if it is larger than `largest_text_file`,
-/// empty, or no text.
+/// @throws Error (file) if it cannot be read or is a folder; Error (input) if it is larger than `largest_text_file`, or
+/// no text.
 std::string read_text_file(const std::string& path);
+
+/// Whether a text has nothing but spaces and line ends.
+bool is_blank(std::string_view text);
 
 }  // namespace bumpfoil

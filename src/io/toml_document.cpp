@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "io/number_text.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -113,8 +115,20 @@ std::optional<toml::table> parse_single(const std::string& value) {
   return std::nullopt;
 }
 
-toml::table parse_override_value(const std::string& value) {
+/// Whether the text is a number as a whole, but none that `Number` holds.
+template <typename Number>
+bool is_beyond(std::string_view text) {
+  Number number{};
+  const auto [end, status] = read_number(text, number);
+  return status == std::errc::result_out_of_range && end == text.data() + text.size();
+}
+
+toml::table parse_override_value(const std::string& key, const std::string& value) {
   if (auto table = parse_single(value)) return std::move(*table);
+  if (is_beyond<std::int64_t>(value) || is_beyond<double>(value)) {
+    throw Error(ErrorKind::input, {{std::string(command_line), 0, key, value, "is out of range",
+                                    "give a number that the program can hold"}});
+  }
   toml::table bare = *parse_single("''");
   *bare.get("v")->as_string() = value;
   return bare;
@@ -127,7 +141,7 @@ void apply_override(toml::table& root, const std::string& argument) {
     throw Error(ErrorKind::input, {override_fault(argument, "is no assignment to a key of the case file",
                                                   "write table.key=value, for example friction.coefficient=0.2")});
   }
-  toml::table value = parse_override_value(argument.substr(equals + 1));
+  toml::table value = parse_override_value(argument.substr(0, equals), argument.substr(equals + 1));
   toml::table* table = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     toml::node* child = table->get(parts[i]);

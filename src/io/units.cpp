@@ -4,7 +4,6 @@
 #include <udunits2.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include <system_error>
 
 #include "bumpfoil/core/error.hpp"
+#include "io/number_text.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -136,9 +136,8 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
   if (text.empty()) return QuantityFault{"is empty", advice};
   if (text.size() > longest_quantity || printable(text) != text) return QuantityFault{"is not a quantity", advice};
 
-  if (text.front() == '+') text.remove_prefix(1);
   double number = 0.0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, status] = read_number(text, number);
   if (status == std::errc::result_out_of_range) {
     return QuantityFault{"has a number that double precision cannot hold", advice};
   }

@@ -71,9 +71,8 @@ class Judge {
   }
 
   bool angle(const std::string& key, double value) {
-    return finite(key, value, "rad") &&
-           require(std::abs(value) <= turn * (1.0 + rounding), key, quantity(value, "rad"), "is more than a full turn",
-                   fmt::format("numbers are radians: write \"{:.6g} deg\" if degrees are meant", value));
+    return finite(key, value, "rad") && require(std::abs(value) <= turn * (1.0 + rounding), key, quantity(value, "rad"),
+                                                "is more than a full turn", "give at most 360 degrees either way");
   }
 
   std::vector<Fault> take() { return std::move(faults_); }
@@ -227,6 +226,23 @@ void judge_memory(Judge& judge, const std::string& key, int steps, std::int64_t 
                 "give fewer steps, or fewer directions or cycles");
 }
 
+/// A direction that is there twice, or once more after a full turn, would only repeat its results.
+void judge_repetition(Judge& judge, const std::vector<double>& directions) {
+  std::vector<std::pair<double, std::size_t>> around;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (!std::isfinite(directions[i])) continue;  // judged already
+    around.emplace_back(directions[i] - turn * std::floor(directions[i] / turn + rounding), i);
+  }
+  std::sort(around.begin(), around.end());
+  for (std::size_t k = 1; k < around.size(); ++k) {
+    if (around[k].first - around[k - 1].first > turn * rounding) continue;
+    const auto [first, second] = std::minmax(around[k - 1].second, around[k].second);
+    judge.require(false, fmt::format("cycle.directions[{}]", second + 1), quantity(directions[second], "rad"),
+                  fmt::format("is the direction of cycle.directions[{}] again", first + 1),
+                  "give every direction once");
+  }
+}
+
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   const CycleSettings& cycle = input.cycle;
   if (cycle.directions.empty() && cycle.amplitude == 0.0) return;
@@ -235,6 +251,7 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   for (std::size_t i = 0; i < cycle.directions.size(); ++i) {
     judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
   }
+  judge_repetition(judge, cycle.directions);
   if (judge.within("cycle.amplitude", cycle.amplitude, length_range) && rise > 0.0 &&
       std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius) {
     const double limit = input.bearing.radial_clearance + rise;
@@ -309,6 +326,9 @@ void judge_combination(Judge& judge, const Case& input) {
   judge.require(input.solver.name == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
                 "solver.name", input.solver.name == SolverName::uzawa ? "uzawa" : "events",
                 "the former model has no increments of contact to solve", "leave it out");
+  judge.require(!input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "former",
+                "knows no strip: without gaps and history its loops would have no area",
+                "set model = \"truss\" or \"frame\", or remove [strip]");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", "arc_start", "only the frame model can be welded at the start of the first arc",
                 "set weld_at = \"mid_flat\" or model = \"frame\"");

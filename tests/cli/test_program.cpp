@@ -257,7 +257,17 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
                                              {"cycle", case_path_, "-o"},
                                              {"cycle", case_path_, "-o", results_, "--set"},
                                              {"cycle", case_path_, "-o", results_, "--set", "steps"},
-                                             {"cycle", case_path_, "-o", results_, "--solver", "newtn"}}) {
+                                             {"cycle", case_path_, "-o", results_, "--solver", "newtn"},
+                                             {"cycle", case_path_, "-o", results_, "--solver", ""},
+                                             {"cycle", case_path_, "-o", results_, "--solver="},
+                                             {"cycle", case_path_, "-o", ""},
+                                             {"check", ""},
+                                             {"check", case_path_, "--set", ""},
+                                             {"init", "-o", ""},
+                                             {"init", "--preset", ""},
+                                             {"report", ""},
+                                             {"report", results_, "-o", ""},
+                                             {"reproduce", "-o", ""}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
     EXPECT_NE(outcome.errors, "");

@@ -61,6 +61,10 @@ void add_keys_and_types(std::vector<WrongCase>& table) {
   add(edit("broken number of bumps", "bumps = 26", "bumps = 26.5", {"bump_foil.bumps = 26.5", "whole number"}));
   add(edit("whole steps as float", "steps = 100", "steps = 100.0", {"cycle.steps = 100", "whole number is due"}));
   add(edit("bumps beyond int", "bumps = 26", "bumps = 3000000000", {"bump_foil.bumps = 3000000000: is out of range"}));
+  add(edit("bumps below int", "bumps = 26", "bumps = -3000000000", {"is out of range; give a larger number"}));
+  add(edit("steps beyond int", "steps = 100", "steps = 2147483648", {"cycle.steps = 2147483648: is out of range"}));
+  add(edit("no name of a file", "sleeve_gaps = []", "height_errors_file = \"\"",
+           {"bump_foil.height_errors_file: is empty", "leave it out"}));
   add(edit("ratio as text", "poisson_ratio = 0.29", "poisson_ratio = \"0.29\"",
            {"bump_foil.poisson_ratio = 0.29: is a text where a number is due", "without quotes"}));
   add(edit("length as true", "radius = \"19.05 mm\"", "radius = true",
@@ -126,6 +130,12 @@ void add_units(std::vector<WrongCase>& table) {
   table.back().fragments = {"bump_foil.pitch = 1 m^99999999999999999999"};
   add(edit("degrees as a number", "weld_angle = \"180 deg\"", "weld_angle = 180",
            {"bearing.weld_angle = 180: is more than a full turn", "\"180 deg\""}));
+  add(edit("more degrees than a turn has", "\"180 deg\"", "\"361 deg\"",
+           {"bearing.weld_angle = 361 deg: is more than a full turn; give at most 360 degrees either way"}));
+  add(edit("degrees of the rods as a number", "\"15.83 deg\"", "15.83",
+           {"bump_foil.truss.theta_d = 15.83: must lie between", "write \"15.83 deg\" if degrees are meant"}));
+  add(edit("two signs", "\"19.05 mm\"", "\"+-19.05 mm\"",
+           {"bearing.radius = +-19.05 mm: does not begin with a number"}));
   add(edit("nan", "\"19.05 mm\"", "nan", {"bearing.radius = nan: is not finite"}));
   add(edit("infinite", "\"19.05 mm\"", "-inf", {"bearing.radius = -inf: is not finite"}));
   add(edit("nan in a text", "\"19.05 mm\"", "\"nan mm\"", {"bearing.radius = nan mm: is not finite"}));
@@ -178,6 +188,11 @@ void add_physics(std::vector<WrongCase>& table) {
   add(edit("penalty of zero", "eps_alm = \"100 MN/m\"", "eps_alm = 0", {"solver.eps_alm = 0: must be positive"}));
   add(edit("no direction", "directions = [\"+X\", \"37.5 deg\"]", "directions = []",
            {"cycle.directions: there is no direction"}));
+  add(edit("a direction twice", "\"37.5 deg\"", "\"37.5 deg\", \"360 deg\"",
+           {"cycle.directions[3] = 360 deg: is the direction of cycle.directions[1] again", "every direction once"}));
+  add(edit("a strip of the former model", "model = \"truss\"", "model = \"former\"",
+           {"bump_foil.model = former: knows no strip", "remove [strip]"}));
+  table.back().text += "[strip]\ndisplacement = \"20 um\"\n";
   add(edit("amplitude of zero", "\"79.5 um\"", "0.0", {"cycle.amplitude = 0: must be positive"}));
   add(edit("amplitude in mm", "\"79.5 um\"", "\"79.5 mm\"", {"cycle.amplitude = 79.5 mm: would press the bumps flat"}));
   add(edit("no steps", "steps = 100", "steps = 0", {"cycle.steps = 0", "1 to 1000000"}));

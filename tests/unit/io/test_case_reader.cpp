@@ -146,8 +146,8 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
 }
 
 TEST(ParseCase, AxesAreExact) {
-  const Case input = with({"cycle.directions=[\"+X\", \"+Y\", \"-X\", \"-Y\", \"270 deg\", 1.5]"});
-  EXPECT_EQ(input.cycle.directions, (std::vector<double>{0.0, 0.5 * pi, pi, 1.5 * pi, 1.5 * pi, 1.5}));
+  const Case input = with({"cycle.directions=[\"+X\", \"+Y\", \"-X\", \"-Y\", \"45 deg\", 1.5]"});
+  EXPECT_EQ(input.cycle.directions, (std::vector<double>{0.0, 0.5 * pi, pi, 1.5 * pi, 0.25 * pi, 1.5}));
 }
 
 TEST(ParseCase, FrictionMayDifferPerInterface) {
@@ -191,6 +191,22 @@ TEST(Overrides, AreBlamedInPlaceOfTheFile) {
             std::string::npos);
 }
 
+TEST(Overrides, WithNumbersThatAreNone) {
+  for (const std::string number : {"99999999999999999999", "-99999999999999999999", "1e400"}) {
+    EXPECT_EQ(refusal({"bump_foil.bumps=" + number}),
+              "--set: bump_foil.bumps = " + number + ": is out of range; give a number that the program can hold");
+  }
+  // What TOML does not know is a text, which is not said of what was not quoted.
+  EXPECT_EQ(refusal({"bump_foil.bumps=026"}),
+            "--set: bump_foil.bumps = 026: is not a whole number; write a whole number without quotes, such as 26");
+  EXPECT_EQ(refusal({"friction.coefficient=.1"}),
+            "--set: friction.coefficient = .1: is not a number; write a number without quotes, such as 0.1");
+  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.top_foil=yes"}).find("is not true or false"),
+            std::string::npos);
+  EXPECT_NE(refusal({"cycle.directions=+X"}).find("cycle.directions = +X: is not a list"), std::string::npos);
+  EXPECT_EQ(with({"title=99999999999999999999 mm"}).title, "99999999999999999999 mm");
+}
+
 TEST(Overrides, MustBeAssignments) {
   for (const std::string argument : {"", "=", "friction", "=0.2", ".=1", "friction.=1", ".coefficient=1", "a b=1",
                                      "\n=1", "a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q=1"}) {
@@ -225,7 +241,8 @@ TEST(HeightErrorsFile, IsReadBesideTheCase) {
 
 TEST(HeightErrorsFile, HasItsOwnLines) {
   const TemporaryFolder folder;
-  folder.write("heights.csv", "bump,error\n1,1e-6\n1,2e-6\n27,0\n2,x\n3\n4,1,2\n\n5,nan\n6,1 um\n");
+  folder.write("heights.csv",
+               "bump,error\n1,1e-6\n1,2e-6\n27,0\n2,x\n3\n4,1,2\n\n5,nan\n6,1 um\n7,+-2e-6\n+8,+2e-6\n+-9,0\n");
   const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv", "bearing.radius=0"},
                             .required_tables = {}};
   try {
@@ -237,9 +254,25 @@ TEST(HeightErrorsFile, HasItsOwnLines) {
     for (const Fault& fault : error.faults()) {
       if (fault.file.ends_with("heights.csv")) lines.push_back(fault.line);
     }
-    EXPECT_EQ(lines, (std::vector<std::size_t>{1, 3, 4, 5, 6, 7, 9, 10})) << error.what();
+    EXPECT_EQ(lines, (std::vector<std::size_t>{1, 3, 4, 5, 6, 7, 9, 10, 11, 13})) << error.what();
     EXPECT_NE(std::string(error.what()).find("repeats bump 1, given in line 2"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("bearing.radius"), std::string::npos);
+  }
+}
+
+TEST(HeightErrorsFile, MayNotBeEmpty) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("case.toml", whole_case());
+  for (const std::string content : {"", " \r\n\n"}) {
+    folder.write("heights.csv", content);
+    try {
+      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("is empty; write bump,height_error_m and one line for each of 26 bumps"),
+                std::string::npos)
+          << error.what();
+    }
   }
 }
 

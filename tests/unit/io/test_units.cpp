@@ -67,6 +67,7 @@ TEST(ParseQuantity, NamesTheDimensionThatWasMet) {
 TEST(ParseQuantity, WantsAUnitThatItKnows) {
   EXPECT_NE(fault_of("0.019", Dimension::length).find("has no unit"), std::string::npos);
   EXPECT_NE(fault_of("0.019", Dimension::length).find("number in m without quotes"), std::string::npos);
+  EXPECT_NE(fault_of("+-2 um", Dimension::length).find("does not begin with a number"), std::string::npos);
   EXPECT_NE(fault_of("3 parsnips", Dimension::length).find("not known, \"parsnips\""), std::string::npos);
   EXPECT_NE(fault_of("214 GPA", Dimension::pressure).find("not known, \"GPA\""), std::string::npos);
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -230,6 +231,30 @@ TEST(FindFaults, JudgesTheCycleThatThereIs) {
   // Clearance and rise together are 0.4378 mm.
   EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude = 0.437e-3; }), Keys{});
   EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude = 0.438e-3; }), Keys{"cycle.amplitude"});
+}
+
+TEST(FindFaults, WantsEveryDirectionOnce) {
+  const auto directions = [](std::vector<double> list) {
+    return faulty_keys([&](Case& input) { input.cycle.directions = list; });
+  };
+  constexpr double pi = std::numbers::pi;
+  const double degree = pi / 180.0;
+  EXPECT_EQ(directions({0.0, pi, 0.5 * pi, -0.25 * pi}), Keys{});
+  EXPECT_EQ(directions({0.0, 1e-6}), Keys{});  // close, yet two
+  EXPECT_EQ(directions({1.0, 2.0, 1.0}), Keys{"cycle.directions[3]"});
+  EXPECT_EQ(directions({0.0, 2.0 * pi}), Keys{"cycle.directions[2]"});
+  EXPECT_EQ(directions({-90.0 * degree, 1.0, 270.0 * degree}), Keys{"cycle.directions[3]"});
+  EXPECT_EQ(directions({-1e-17, 0.0}), Keys{"cycle.directions[2]"});
+  EXPECT_EQ(directions({1.0, 1.0, 1.0}), (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
+  EXPECT_EQ(directions({nan, nan}), (Keys{"cycle.directions[1]", "cycle.directions[2]"}));  // judged already
+}
+
+TEST(FindFaults, KnowsNoStripOfTheFormerModel) {
+  const auto former = [](Case& input) {
+    input.bump_foil.model = BumpFoilModel::former;
+    input.strip = StripSettings{.bumps = 10, .amplitude = {PlateControl::displacement, 20e-6}};
+  };
+  EXPECT_EQ(faulty_keys(former), Keys{"bump_foil.model"});
 }
 
 TEST(FindFaults, WeldsTheArcOfTheFrameAlone) {
