@@ -71,6 +71,24 @@ class BlockTridiagonalLU {
     }
   }
 
+  /// Solves for as many right-hand sides as a block has columns, `right` in the rows of `block` and zero elsewhere.
+  /// @param solution  receives the blocks of the solution; holds blocks() blocks of the right size
+  void solve_block_column(int block, const Block& right, std::vector<Block>& solution) const {
+    const auto start = static_cast<std::size_t>(block);
+    BUMPFOIL_ASSERT(solution.size() == factors_.size() && start < factors_.size());
+    for (std::size_t i = 0; i < start; ++i) solution[i].setZero();
+    solution[start] = right;
+    solve_block(start, solution[start]);
+    for (std::size_t i = start + 1; i < factors_.size(); ++i) {
+      solution[i].setZero();
+      subtract_product(lower_[i], solution[i - 1], solution[i]);
+      solve_block(i, solution[i]);
+    }
+    for (std::size_t i = factors_.size() - 1; i-- > 0;) {
+      subtract_product(reduced_upper_[i], solution[i + 1], solution[i]);
+    }
+  }
+
  private:
   // Plain loops over a number of rows that the compiler knows: for blocks of ten rows they leave the general
   // factorisations and products of a matrix library behind by a factor of about four.

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace bumpfoil {
 namespace {
@@ -74,6 +75,24 @@ TEST(BlockTridiagonalLU, FactorsAgainFromTheFirstChangedBlock) {
   lu.diagonal(8)(0, 0) += 1.0;
   ASSERT_TRUE(lu.factor(4));
   expect_solves_like_dense(lu, 6);
+}
+
+TEST(BlockTridiagonalLU, SolvesForRightHandSidesOfOneBlock) {
+  auto lu = example<6>(9, 6);
+  ASSERT_TRUE(lu.factor());
+  const Matrix A = dense(lu, 6);
+  using Block = BlockTridiagonalLU<6>::Block;
+  const Block right = lu.diagonal(3);
+  std::vector<Block> solution(9, Block::Constant(std::numeric_limits<double>::quiet_NaN()));
+  for (const int block : {0, 4, 8}) {
+    lu.solve_block_column(block, right, solution);
+    Matrix whole = Matrix::Zero(54, 6);
+    whole.middleRows(6 * block, 6) = right;
+    const Matrix expected = A.partialPivLu().solve(whole);
+    for (int b = 0; b < 9; ++b) {
+      EXPECT_LT((solution[static_cast<std::size_t>(b)] - expected.middleRows(6 * b, 6)).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
 }
 
 TEST(BlockTridiagonalLU, DoesNotReadBlocksOutsideTheMatrix) {
