@@ -13,9 +13,10 @@ ALLOWED = {
     "model": {"core"},
     "structure": {"core", "model"},
     "contact": {"core"},
-    "analysis": {"core", "model", "structure", "contact"},
-    "io": {"core", "model", "structure", "contact", "analysis"},
-    "studies": {"core", "model", "structure", "contact", "analysis", "io"},
+    "film": {"core", "structure"},
+    "analysis": {"core", "model", "structure", "contact", "film"},
+    "io": {"core", "model", "structure", "contact", "film", "analysis"},
+    "studies": {"core", "model", "structure", "contact", "film", "analysis", "io"},
 }
 
 # Words that must not occur in the code of a module: contact knows no foils, structure knows no friction.

@@ -53,8 +53,8 @@ class CheckArchitecture(unittest.TestCase):
         self.assert_one_fault("src/core/vector.cpp:1", "names no module")
 
     def test_unknown_module(self):
-        self.write("src/film/reynolds.cpp", "\n")
-        self.assert_one_fault("module 'film'")
+        self.write("src/wear/depth.cpp", "\n")
+        self.assert_one_fault("module 'wear'")
 
     def test_studies_stand_above_io(self):
         self.write("src/studies/study.cpp", '#include <filesystem>\n#include "bumpfoil/io/summary.hpp"\n')

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "bumpfoil/film/reynolds.hpp"
+
+namespace bumpfoil {
+
+/// What the film runs on: how far the wall gives way to the pressure. H = H_rigid + compliance * yield, where the yield
+/// at a node is
+enum class FoundationKind : std::uint8_t {
+  rigid,       ///< 0
+  pointwise,   ///< P - 1 at the node itself
+  axial_mean,  ///< the mean of P - 1 over the column
+};
+
+/// A rigid wall or a bed of springs (Winkler foundation).
+struct Foundation {
+  FoundationKind kind{FoundationKind::rigid};
+  double compliance{};  ///< alpha = pa / (c k) with k in Pa/m, >= 0
+};
+
+/// Adds to `thickness` what the foundation yields to the excess of pressure P - 1. Linear: given a step of P it adds
+/// that of H.
+void add_yield(const Foundation& foundation, const FilmMesh& mesh, const Matrix& excess, Matrix& thickness);
+
+/// How the search for a film ended.
+enum class FilmStatus : std::uint8_t {
+  converged,      ///< the last full step moved P and H by less than FilmSolverOptions::step_tolerance
+  not_converged,  ///< max_iterations were spent, or the equations became singular
+  touchdown,      ///< converged, but somewhere H < FilmSolverOptions::thickness_floor
+  no_room,        ///< H <= 0 somewhere at the start
+};
+
+struct FilmSolverOptions {
+  double step_tolerance{1e-9};   ///< largest change of P and H in a full step of a film that has converged
+  double thickness_floor{0.0};   ///< H below which surfaces count as touching
+  double kept_fraction{0.3};     ///< no step takes more than 1 - this of any P or H
+  double largest_approach{1.0};  ///< no step changes H by more than this
+  int max_iterations{100};
+};
+
+/// How a solve ended and what it cost.
+struct FilmReport {
+  FilmStatus status{FilmStatus::not_converged};
+  int iterations{};   ///< Newton steps, a factorisation each
+  double residual{};  ///< largest residual of the equations, per area of a cell
+};
+
+/// Newton's method for the pressure over rigid walls or a Winkler foundation. Steps are cut so that P and H stay
+/// positive, and halved while the residual does not fall, eight times at most. Keeps its storage between solves.
+class FilmSolver {
+ public:
+  FilmSolver(const FilmMesh& mesh, const Foundation& foundation,
+             const FilmSolverOptions& options = FilmSolverOptions());
+  ~FilmSolver();
+
+  /// Finds the film.
+  /// @param equation         on the mesh of this solver
+  /// @param rigid_thickness  H without any yield of the foundation, at all nodes
+  /// @param film             its pressure is the first guess and gives P at the edges; receives the film, unless the
+  ///                         status is not_converged or no_room: then it stays as it was
+  [[nodiscard]] FilmReport solve(const ReynoldsEquation& equation, const Matrix& rigid_thickness, FilmState& film);
+
+  /// Finds the films on the way from the rigid thickness `from` to `to` in steps of adapted length: where Newton's
+  /// method needs a start nearby. `film` must be the film at `from`; it receives the one at the end, or the last that
+  /// converged.
+  [[nodiscard]] FilmReport follow(const ReynoldsEquation& equation, const Matrix& from, const Matrix& to,
+                                  FilmState& film);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,84 @@
+#include "bumpfoil/film/film_integrals.hpp"
+
+#include <cmath>
+
+#include "film/faces.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double both_halves = 2.0;
+
+/// H^3 + 6 Kn H^2 / P at a face.
+double dissipating_conductance(const FilmNode& a, const FilmNode& b, double knudsen) {
+  return Conductance(a, b, knudsen).value / (0.5 * (a.pressure + b.pressure));
+}
+
+}  // namespace
+
+FilmIntegrals film_integrals(const ReynoldsEquation& equation, const FilmState& film) {
+  const FilmMesh& mesh = equation.mesh;
+  const double Kn = equation.knudsen;
+  FilmIntegrals sum;
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    double excess = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) {
+      const FilmNode node = node_of(film, j, k);
+      const double area = mesh.row_weight(j) * mesh.column_weight(k) * mesh.dzeta * mesh.dtheta;
+      excess += area * (node.pressure - 1.0);
+      sum.couette += area / (node.thickness + 2.0 * Kn / node.pressure);
+      if (j == mesh.rows) continue;
+      const FilmNode next = node_of(film, j + 1, k);
+      const double rise = next.pressure - node.pressure;
+      sum.dissipation +=
+          mesh.column_weight(k) * mesh.dtheta * rise * rise / mesh.dzeta * dissipating_conductance(node, next, Kn);
+    }
+    sum.cosine += excess * std::cos(k * mesh.dtheta);
+    sum.sine += excess * std::sin(k * mesh.dtheta);
+  }
+  for (int a = 0; a < mesh.columns; ++a) {
+    const int b = mesh.next(a);
+    for (int j = 0; j <= mesh.rows; ++j) {
+      const FilmNode node = node_of(film, j, a);
+      const FilmNode next = node_of(film, j, b);
+      const double width = mesh.row_weight(j) * mesh.dzeta;
+      const double rise = next.pressure - node.pressure;
+      sum.poiseuille += width * 0.5 * (node.thickness + next.thickness) * rise;
+      sum.dissipation += width * rise * rise / mesh.dtheta * dissipating_conductance(node, next, Kn);
+    }
+  }
+  for (double* part : {&sum.cosine, &sum.sine, &sum.couette, &sum.poiseuille, &sum.dissipation}) *part *= both_halves;
+  return sum;
+}
+
+FilmFlows film_flows(const FilmMesh& mesh, const Matrix& residual) {
+  FilmFlows flows;
+  const Eigen::Index first = mesh.first_unknown();
+  flows.sides = -both_halves * residual.row(mesh.rows).segment(first, mesh.unknown_columns()).sum();
+  if (mesh.closed) return flows;
+  flows.start = both_halves * residual.col(0).sum();
+  flows.end = -both_halves * residual.col(mesh.columns).sum();
+  return flows;
+}
+
+ThinnestPlace thinnest_place(const FilmMesh& mesh, const Matrix& thickness) {
+  Eigen::Index row = 0;
+  Eigen::Index column = 0;
+  ThinnestPlace place;
+  place.thickness = thickness.minCoeff(&row, &column);
+  place.column = static_cast<int>(column);
+  place.vertex_thickness = place.thickness;
+  place.vertex_theta = place.column * mesh.dtheta;
+  const Eigen::Index n = mesh.nodes();
+  if (!mesh.closed && (column == 0 || column == n - 1)) return place;
+  const double before = thickness(row, (column + n - 1) % n);
+  const double after = thickness(row, (column + 1) % n);
+  const double curvature = before - 2.0 * place.thickness + after;
+  if (curvature <= 0.0) return place;
+  const double slope = 0.5 * (after - before);
+  place.vertex_thickness -= 0.5 * slope * slope / curvature;
+  place.vertex_theta -= mesh.dtheta * slope / curvature;
+  return place;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,154 @@
+#include "bumpfoil/film/film_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bumpfoil/core/assert.hpp"
+#include "film/pressure_system.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr int max_halvings = 8;
+/// Part of a step that is taken where no halving lets the residual fall.
+constexpr double forced_fraction = 0.25;
+/// Lengths of the steps of follow(), in parts of the way.
+constexpr double first_step = 0.25;
+constexpr double smallest_step = 1e-4;
+constexpr double step_growth = 1.5;
+/// A solve that takes no more iterations than this lets the next step grow.
+constexpr int easy_iterations = 8;
+
+/// Largest fraction of `step`, up to `fraction`, that leaves every entry of `value` the part `kept` of what it is.
+double longest(const Matrix& value, const Matrix& step, double kept, double fraction) {
+  const double deepest = (step.array() / value.array()).minCoeff();
+  return deepest * fraction < kept - 1.0 ? (kept - 1.0) / deepest : fraction;
+}
+
+}  // namespace
+
+void add_yield(const Foundation& foundation, const FilmMesh& mesh, const Matrix& excess, Matrix& thickness) {
+  if (foundation.kind == FoundationKind::pointwise) thickness += foundation.compliance * excess;
+  if (foundation.kind != FoundationKind::axial_mean) return;
+  for (Eigen::Index k = 0; k < thickness.cols(); ++k) {
+    double mean = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) mean += mesh.row_weight(j) / mesh.rows * excess(j, k);
+    thickness.col(k).array() += foundation.compliance * mean;
+  }
+}
+
+struct FilmSolver::Workspace {
+  Workspace(const FilmMesh& film_mesh, const Foundation& film_foundation, const FilmSolverOptions& solver_options)
+      : mesh(film_mesh), foundation(film_foundation), options(solver_options), system(film_mesh) {}
+
+  bool linearise(const ReynoldsEquation& equation);
+  double residual_norm() const;
+  double try_step(const ReynoldsEquation& equation, double fraction);
+  FilmReport solve(const ReynoldsEquation& equation, const Matrix& rigid_thickness, FilmState& film);
+
+  FilmMesh mesh;
+  Foundation foundation;
+  FilmSolverOptions options;
+  PressureSystem system;
+  FilmJacobian jacobian;
+  Matrix residual;
+  FilmState iterate, trial;
+  Matrix pressure_step, thickness_step;
+};
+
+/// Residuals and the factored Jacobian at the iterate.
+bool FilmSolver::Workspace::linearise(const ReynoldsEquation& equation) {
+  linearise_reynolds(equation, iterate, residual, jacobian);
+  system.assemble(jacobian, foundation);
+  return system.factor();
+}
+
+/// Of the equations alone, per area of a cell.
+double FilmSolver::Workspace::residual_norm() const {
+  return residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).norm() /
+         (mesh.dtheta * mesh.dzeta);
+}
+
+/// Takes a part of the step into `trial`; returns the norm of the residuals there.
+double FilmSolver::Workspace::try_step(const ReynoldsEquation& equation, double fraction) {
+  trial.pressure = iterate.pressure + fraction * pressure_step;
+  trial.thickness = iterate.thickness + fraction * thickness_step;
+  reynolds_residual(equation, trial, residual);
+  return residual_norm();
+}
+
+FilmReport FilmSolver::Workspace::solve(const ReynoldsEquation& equation, const Matrix& rigid_thickness,
+                                        FilmState& film) {
+  FilmReport report;
+  iterate.pressure = film.pressure;
+  iterate.thickness = rigid_thickness;
+  add_yield(foundation, mesh, film.pressure - mesh.field(1.0), iterate.thickness);
+  if (iterate.thickness.minCoeff() <= 0.0) {
+    report.status = FilmStatus::no_room;
+    return report;
+  }
+  while (report.iterations < options.max_iterations) {
+    ++report.iterations;
+    if (!linearise(equation)) return report;
+    const double norm = residual_norm();
+    report.residual = norm;
+    pressure_step.setZero(mesh.rows + 1, mesh.nodes());
+    system.solve(residual, pressure_step);
+    thickness_step.setZero(mesh.rows + 1, mesh.nodes());
+    add_yield(foundation, mesh, pressure_step, thickness_step);
+    double fraction = longest(iterate.pressure, pressure_step, options.kept_fraction, 1.0);
+    fraction = longest(iterate.thickness, thickness_step, options.kept_fraction, fraction);
+    const double approach = thickness_step.cwiseAbs().maxCoeff();
+    if (approach * fraction > options.largest_approach) fraction = options.largest_approach / approach;
+
+    const double largest = std::max(pressure_step.cwiseAbs().maxCoeff(), approach);
+    if (fraction == 1.0 && largest < options.step_tolerance) {
+      film.pressure = iterate.pressure + pressure_step;
+      film.thickness = iterate.thickness + thickness_step;
+      const bool touches = film.thickness.minCoeff() < options.thickness_floor;
+      report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
+      return report;
+    }
+    double part = fraction;
+    int halvings = 0;
+    while (!(try_step(equation, part) < norm) && halvings < max_halvings) {
+      part *= 0.5;
+      ++halvings;
+    }
+    if (halvings == max_halvings) try_step(equation, forced_fraction * fraction);
+    std::swap(iterate, trial);
+  }
+  return report;
+}
+
+FilmSolver::FilmSolver(const FilmMesh& mesh, const Foundation& foundation, const FilmSolverOptions& options)
+    : workspace_(std::make_unique<Workspace>(mesh, foundation, options)) {}
+
+FilmSolver::~FilmSolver() = default;
+
+FilmReport FilmSolver::solve(const ReynoldsEquation& equation, const Matrix& rigid_thickness, FilmState& film) {
+  return workspace_->solve(equation, rigid_thickness, film);
+}
+
+FilmReport FilmSolver::follow(const ReynoldsEquation& equation, const Matrix& from, const Matrix& to, FilmState& film) {
+  FilmReport total;
+  double reached = 0.0;
+  double step = first_step;
+  while (reached < 1.0) {
+    const double next = std::min(1.0, reached + step);
+    const FilmReport report = workspace_->solve(equation, from + next * (to - from), film);
+    total.iterations += report.iterations;
+    total.residual = report.residual;
+    total.status = report.status;
+    if (report.status == FilmStatus::converged) {
+      reached = next;
+      if (report.iterations <= easy_iterations) step *= step_growth;
+    } else {
+      step *= 0.5;
+      if (step < smallest_step) return total;
+    }
+  }
+  return total;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <memory>
+
+#include "bumpfoil/film/column_chain.hpp"
+#include "bumpfoil/film/film_solver.hpp"
+
+namespace bumpfoil {
+
+/// The linear system of Newton's method for the pressures of a film: block tridiagonal by columns. In a closed film
+/// column 0 borders it: the chain of all other columns has it as both its neighbours.
+class PressureSystem {
+ public:
+  explicit PressureSystem(const FilmMesh& mesh);
+
+  /// Sets the derivatives of the equations with respect to the unknown pressures.
+  void assemble(const FilmJacobian& jacobian, const Foundation& foundation);
+  [[nodiscard]] bool factor();
+  /// Solves for the step that takes `residual` to zero; writes it to the unknown pressures of `step`.
+  void solve(const Matrix& residual, Matrix& step);
+
+ private:
+  void read_border_step(const Matrix& residual);
+
+  FilmMesh mesh_;
+  std::unique_ptr<ColumnChain> chain_;
+  // Of column 0 of a closed film: coupling to the column before it, itself and the one after it.
+  ColumnChain::RowMajor border_before_, border_own_, border_after_;
+  ColumnChain::Response to_before_, to_after_;
+  Eigen::PartialPivLU<Matrix> border_;
+  Vector right_, border_step_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,46 @@
+#include "bumpfoil/film/film_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace bumpfoil {
+namespace {
+
+double area(const FilmMesh& mesh) {
+  double sum = 0.0;
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    for (int j = 0; j <= mesh.rows; ++j) {
+      sum += mesh.column_weight(k) * mesh.row_weight(j) * mesh.dtheta * mesh.dzeta;
+    }
+  }
+  return sum;
+}
+
+TEST(FilmMesh, VolumesFillTheFilm) {
+  EXPECT_NEAR(area(make_closed_mesh(7, 3, 0.4)), 2.0 * std::numbers::pi * 0.4, 1e-14);
+  EXPECT_NEAR(area(make_slotted_mesh(7, 3, 0.4, 5.5)), 5.5 * 0.4, 1e-14);
+}
+
+TEST(FilmMesh, ClosedFilmsHaveNoEdgeAlongTheta) {
+  const FilmMesh mesh = make_closed_mesh(7, 3, 0.4);
+  EXPECT_EQ(mesh.nodes(), 7);
+  EXPECT_EQ(mesh.next(5), 6);
+  EXPECT_EQ(mesh.next(6), 0);
+  EXPECT_EQ(mesh.first_unknown(), 0);
+  EXPECT_EQ(mesh.unknown_columns(), 7);
+  EXPECT_NEAR(mesh.angles()[6], 2.0 * std::numbers::pi * 6.0 / 7.0, 1e-14);
+}
+
+TEST(FilmMesh, SlottedFilmsBeginAndEndWithAnEdge) {
+  const FilmMesh mesh = make_slotted_mesh(7, 3, 0.4, 5.5);
+  EXPECT_EQ(mesh.nodes(), 8);
+  EXPECT_EQ(mesh.next(6), 7);
+  EXPECT_EQ(mesh.first_unknown(), 1);
+  EXPECT_EQ(mesh.unknown_columns(), 6);
+  EXPECT_NEAR(mesh.angles()[7], 5.5, 1e-14);
+  EXPECT_EQ(mesh.field(2.0), Matrix::Constant(4, 8, 2.0));
+}
+
+}  // namespace
+}  // namespace bumpfoil

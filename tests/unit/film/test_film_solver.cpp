@@ -1,0 +1,134 @@
+#include "bumpfoil/film/film_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/film_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const FilmMesh slotted = make_slotted_mesh(40, 5, 1.0, 6.24);
+
+TEST(Foundation, YieldsToThePressureItself) {
+  Matrix H = slotted.field(1.0);
+  Matrix excess = slotted.field(0.0);
+  excess(1, 7) = 0.5;
+  add_yield({FoundationKind::pointwise, 0.4}, slotted, excess, H);
+  EXPECT_DOUBLE_EQ(H(1, 7), 1.2);
+  EXPECT_EQ(H.sum(), slotted.field(1.0).sum() + 0.2);
+  add_yield({FoundationKind::rigid, 0.4}, slotted, excess, H);
+  EXPECT_DOUBLE_EQ(H(1, 7), 1.2);
+}
+
+TEST(Foundation, YieldsToTheMeanOverTheWidth) {
+  Matrix H = slotted.field(1.0);
+  Matrix excess = slotted.field(0.0);
+  excess.col(7).setConstant(0.5);  // a mean of 0.5
+  excess(0, 9) = 0.5;              // half a cell of the five
+  add_yield({FoundationKind::axial_mean, 0.4}, slotted, excess, H);
+  for (int j = 0; j <= 5; ++j) {
+    EXPECT_DOUBLE_EQ(H(j, 7), 1.2);
+    EXPECT_DOUBLE_EQ(H(j, 9), 1.0 + 0.4 * 0.05);
+    EXPECT_EQ(H(j, 8), 1.0);
+  }
+}
+
+/// Films of every kind: the residual of each is zero to rounding, and H is what the foundation says.
+TEST(FilmSolver, SolvesTheEquations) {
+  for (const FilmMesh& mesh : {slotted, make_closed_mesh(40, 5, 1.0), make_closed_mesh(40, 8, 0.5)}) {
+    for (const FoundationKind kind : {FoundationKind::rigid, FoundationKind::pointwise, FoundationKind::axial_mean}) {
+      const Foundation foundation{kind, 0.3};
+      FilmSolver solver(mesh, foundation);
+      const ReynoldsEquation equation{.mesh = mesh, .bearing_number = 3.0, .knudsen = 0.01};
+      const Matrix rigid = eccentric_thickness(mesh, 0.6, 0.3);
+      FilmState film{mesh.field(1.0), {}};
+      const FilmReport report = solver.solve(equation, rigid, film);
+      ASSERT_EQ(report.status, FilmStatus::converged);
+      EXPECT_LE(report.iterations, 9);  // quadratic at the end: a wrong derivative needs more
+      Matrix residual;
+      reynolds_residual(equation, film, residual);
+      EXPECT_LT(residual.block(0, mesh.first_unknown(), mesh.rows, mesh.unknown_columns()).cwiseAbs().maxCoeff(),
+                1e-14);
+      Matrix H = rigid;
+      add_yield(foundation, mesh, film.pressure - mesh.field(1.0), H);
+      EXPECT_LT((H - film.thickness).cwiseAbs().maxCoeff(), 1e-14);
+      EXPECT_GT(film.pressure.minCoeff(), 0.0);
+    }
+  }
+}
+
+TEST(FilmSolver, KeepsTheGivenPressuresAtTheEdges) {
+  FilmSolver solver(slotted, {});
+  const ReynoldsEquation equation{.mesh = slotted, .bearing_number = 0.0};
+  FilmState film{slotted.field(1.0), {}};
+  film.pressure.col(0).setConstant(1.4);
+  ASSERT_EQ(solver.solve(equation, slotted.field(1.0), film).status, FilmStatus::converged);
+  EXPECT_EQ(film.pressure.col(0), Vector::Constant(6, 1.4));
+  EXPECT_EQ(film.pressure.col(40), Vector::Ones(6));
+  EXPECT_GT(film.pressure(0, 1), 1.2);
+}
+
+TEST(FilmSolver, SaysWhenThereIsNoRoom) {
+  FilmSolver solver(slotted, {FoundationKind::pointwise, 1.0});
+  FilmState film{slotted.field(1.0), slotted.field(7.0)};
+  const FilmReport report =
+      solver.solve({.mesh = slotted, .bearing_number = 1.0}, eccentric_thickness(slotted, 1.2), film);
+  EXPECT_EQ(report.status, FilmStatus::no_room);
+  EXPECT_EQ(film.thickness, slotted.field(7.0));
+}
+
+TEST(FilmSolver, SaysWhenSurfacesTouch) {
+  FilmSolver solver(slotted, {}, {.thickness_floor = 0.45});
+  FilmState film{slotted.field(1.0), {}};
+  const ReynoldsEquation equation{.mesh = slotted, .bearing_number = 1.0};
+  EXPECT_EQ(solver.solve(equation, eccentric_thickness(slotted, 0.5), film).status, FilmStatus::converged);
+  EXPECT_EQ(solver.solve(equation, eccentric_thickness(slotted, 0.6), film).status, FilmStatus::touchdown);
+}
+
+TEST(FilmSolver, GivesUpAndLeavesTheFilmAsItWas) {
+  FilmSolver solver(slotted, {}, {.max_iterations = 2});
+  FilmState film{slotted.field(1.0), slotted.field(7.0)};
+  const FilmReport report =
+      solver.solve({.mesh = slotted, .bearing_number = 20.0}, eccentric_thickness(slotted, 0.8), film);
+  EXPECT_EQ(report.status, FilmStatus::not_converged);
+  EXPECT_EQ(report.iterations, 2);
+  EXPECT_EQ(film.pressure, slotted.field(1.0));
+  EXPECT_EQ(film.thickness, slotted.field(7.0));
+}
+
+/// A compliant bed at an eccentricity beyond the clearance: no film to start from there.
+TEST(FilmSolver, FollowsAFilmToWhereNoStartIsNear) {
+  FilmSolver solver(slotted, {FoundationKind::axial_mean, 1.0});
+  const ReynoldsEquation equation{.mesh = slotted, .bearing_number = -1.85};
+  const Matrix near = eccentric_thickness(slotted, 0.5);
+  const Matrix far = eccentric_thickness(slotted, 1.5);
+  FilmState film{slotted.field(1.0), {}};
+  ASSERT_EQ(solver.solve(equation, near, film).status, FilmStatus::converged);
+  ASSERT_EQ(solver.follow(equation, near, far, film).status, FilmStatus::converged);
+  EXPECT_GT(film.thickness.minCoeff(), 0.2);
+  FilmState again = film;
+  const FilmReport report = solver.solve(equation, far, again);
+  EXPECT_EQ(report.iterations, 1);  // it was there
+  EXPECT_LT((again.pressure - film.pressure).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+/// Implicit steps with ever the same wall end in the steady film.
+TEST(FilmSolver, MarchesToTheSteadyFilm) {
+  FilmSolver solver(slotted, {});
+  ReynoldsEquation equation{.mesh = slotted, .bearing_number = 5.0, .squeeze_rate = 4.0};
+  const Matrix H = eccentric_thickness(slotted, 0.5);
+  FilmState film{slotted.field(1.0), H};
+  double first_load = 0.0;
+  for (int step = 0; step < 60; ++step) {
+    equation.previous_content = film_content(film);
+    ASSERT_EQ(solver.solve(equation, H, film).status, FilmStatus::converged);
+    if (step == 0) first_load = film_integrals(equation, film).cosine;
+  }
+  const SolvedFilm steady = solve_rigid_film({.mesh = slotted, .bearing_number = 5.0}, H);
+  EXPECT_LT((film.pressure - steady.film.pressure).cwiseAbs().maxCoeff(), 1e-6);  // what sixty time steps leave
+  const double load = film_integrals(equation, film).cosine;
+  EXPECT_GT(std::abs(first_load - load), 0.1 * std::abs(load));  // and the march was one
+}
+
+}  // namespace
+}  // namespace bumpfoil
