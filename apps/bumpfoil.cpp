@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -102,6 +104,12 @@ ExitCode run(int argc, char** argv) {
   return session.exit_code;
 }
 
+/// Ends the program after a failure, without the exit handler of HDF5: it crashes where the memory did not suffice.
+[[noreturn]] void leave(ExitCode code) {
+  std::fflush(nullptr);
+  std::_Exit(static_cast<int>(code));
+}
+
 }  // namespace
 }  // namespace bumpfoil
 
@@ -112,12 +120,12 @@ int main(int argc, char** argv) {
     return static_cast<int>(run(argc, argv));
   } catch (const Error& error) {
     print_message(error.what());
-    return static_cast<int>(error.kind() == ErrorKind::file ? ExitCode::file_error : ExitCode::wrong_input);
+    leave(error.kind() == ErrorKind::file ? ExitCode::file_error : ExitCode::wrong_input);
   } catch (const std::bad_alloc&) {
     print_message("bumpfoil: the memory does not suffice for this case");
-    return static_cast<int>(ExitCode::wrong_input);
+    leave(ExitCode::wrong_input);
   } catch (const std::exception& error) {
     print_message(std::string("bumpfoil: ") + error.what());
-    return static_cast<int>(ExitCode::file_error);
+    leave(ExitCode::file_error);
   }
 }

@@ -67,6 +67,14 @@ Json cycle_json(const Case& input, Experiment experiment, std::size_t number, co
   return json;
 }
 
+Json files_json(const Manifest& manifest) {
+  Json json = Json::object();
+  for (const FileChecksum& file : manifest.files) {
+    json[file.name] = {{"bytes", file.bytes}, {"xxh3_128", file.xxh3_128}};
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string_view name_of(RunStatus status) {
@@ -87,7 +95,7 @@ double to_degrees(double angle) {
   return std::abs(degrees - whole) < 1e-12 * (1.0 + std::abs(whole)) ? whole : degrees;
 }
 
-std::string summary_json(const Case& input, const CycleResult& result, RunStatus status) {
+std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest) {
   Json json;
   json["schema"] = "bumpfoil-summary/1";
   json["command"] = name_of(result.experiment);
@@ -96,6 +104,8 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   json["commit"] = commit();
   json["solver"] = name_of(result.solver);
   json["status"] = name_of(status);
+  json["run_id"] = manifest.run_id;
+  json["files"] = files_json(manifest);
   json["cycles"] = Json::array();
   for (const Cycle& cycle : result.cycles) {
     json["cycles"].push_back(cycle_json(input, result.experiment, json["cycles"].size() + 1, cycle));

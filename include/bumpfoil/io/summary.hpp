@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -18,10 +20,22 @@ enum class RunStatus {
 /// "complete", "failed" or "interrupted".
 std::string_view name_of(RunStatus status);
 
-/// Contents of summary.json: the command, the case as understood, version, solver, and the derived quantities of every
-/// cycle.
-/// Quantities that are not known, and none but these, are null.
-std::string summary_json(const Case& input, const CycleResult& result, RunStatus status);
+/// A file beside summary.json.
+struct FileChecksum {
+  std::string name;
+  std::size_t bytes{};
+  std::string xxh3_128;
+};
+
+/// By what readers tell the files of one run from those of another, and whole files from damaged ones.
+struct Manifest {
+  std::string run_id;  ///< 32 hexadecimal digits, at random
+  std::vector<FileChecksum> files;
+};
+
+/// Contents of summary.json: the command, the case as understood, version, solver, run id and checksums, and the
+/// derived quantities of every cycle. Quantities that are not known, and none but these, are null.
+std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest);
 
 /// An angle (rad) in degrees; where roundings hide a whole number of them, that.
 double to_degrees(double angle);

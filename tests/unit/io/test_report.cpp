@@ -13,8 +13,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/io/result_netcdf.hpp"
-#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/io/cycle_files.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -38,8 +37,7 @@ class Results {
  public:
   explicit Results(const CycleResult& result, const Case& input = short_case(),
                    RunStatus status = RunStatus::complete) {
-    folder_.write("summary.json", summary_json(input, result, status));
-    write_result_netcdf(folder_.path() / "result.nc", input, result, status, {});
+    for (const ResultFile& file : cycle_files(input, result, status, {})) folder_.write(file.name, file.contents);
   }
   [[nodiscard]] std::filesystem::path path() const { return folder_.path(); }
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }

@@ -38,7 +38,7 @@ double sum(const json& numbers) {
 
 TEST(SummaryJson, SaysWhatWasRun) {
   const Case input = short_case();
-  const json summary = json::parse(summary_json(input, run_cycles(input), RunStatus::complete));
+  const json summary = json::parse(summary_json(input, run_cycles(input), RunStatus::complete, {}));
   EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/1");
   EXPECT_EQ(summary.at("version"), version());
   EXPECT_EQ(summary.at("solver"), "newton");
@@ -51,7 +51,7 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   const Case input = short_case();
   const CycleResult result = run_cycles(input);
   ASSERT_TRUE(result.converged());
-  const json cycle = json::parse(summary_json(input, result, RunStatus::complete)).at("cycles").at(0);
+  const json cycle = json::parse(summary_json(input, result, RunStatus::complete, {})).at("cycles").at(0);
   const Cycle& expected = result.cycles[0];
 
   // Every key there is, and no other: scripts rely on them.
@@ -120,7 +120,7 @@ TEST(SummaryJson, SaysWhereAFoilIsBentMost) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.yield_stress = 100e6;  // a ninth of what the bumps will bear
   const CycleResult result = run_cycles(input);
-  const json cycle = json::parse(summary_json(input, result, RunStatus::complete)).at("cycles").at(0);
+  const json cycle = json::parse(summary_json(input, result, RunStatus::complete, {})).at("cycles").at(0);
   const StressPeak& peak = result.cycles[0].bump_foil_stress.value();
   EXPECT_EQ(cycle.at("max_stress_bump_foil_Pa"), peak.stress);
   const json& at = cycle.at("max_stress_bump_foil_at");
@@ -133,13 +133,13 @@ TEST(SummaryJson, SaysWhereAFoilIsBentMost) {
   EXPECT_TRUE(cycle.at("max_stress_top_foil_at").at("bump").is_null());
   EXPECT_TRUE(cycle.at("above_yield_top_foil").is_null());  // its yield stress is not given
 
-  const json truss = json::parse(summary_json(short_case(), run_cycles(short_case()), RunStatus::complete));
+  const json truss = json::parse(summary_json(short_case(), run_cycles(short_case()), RunStatus::complete, {}));
   EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_Pa").is_null());
   EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_at").is_null());
 }
 
 TEST(SummaryJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
-  const json before = json::parse(summary_json(short_case(), stopped_after(3), RunStatus::interrupted));
+  const json before = json::parse(summary_json(short_case(), stopped_after(3), RunStatus::interrupted, {}));
   EXPECT_EQ(before.at("status"), "interrupted");
   ASSERT_EQ(before.at("cycles").size(), 1U);
   EXPECT_EQ(before.at("cycles")[0].at("converged"), false);
@@ -148,7 +148,7 @@ TEST(SummaryJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
   EXPECT_TRUE(before.at("cycles")[0].at("loop_energy_J").is_null());
   EXPECT_EQ(before.at("cycles")[0].at("initial_force_N"), 0.0);
 
-  const json after = json::parse(summary_json(short_case(), stopped_after(8), RunStatus::failed));
+  const json after = json::parse(summary_json(short_case(), stopped_after(8), RunStatus::failed, {}));
   EXPECT_EQ(after.at("status"), "failed");
   EXPECT_TRUE(after.at("cycles")[0].at("max_force_N").is_number());
   EXPECT_TRUE(after.at("cycles")[0].at("loop_energy_J").is_null());
@@ -158,14 +158,14 @@ TEST(SummaryJson, NeverHoldsNanAsANumber) {
   CycleResult result = run_cycles(short_case());
   result.cycles[0].turning_point->max_force = std::numeric_limits<double>::quiet_NaN();
   result.cycles[0].loop_energy = std::numeric_limits<double>::infinity();
-  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed)).at("cycles").at(0);
+  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed, {})).at("cycles").at(0);
   EXPECT_TRUE(cycle.at("max_force_N").is_null());
   EXPECT_TRUE(cycle.at("loop_energy_J").is_null());
 }
 
 TEST(SummaryJson, HoldsACycleWithoutIncrements) {
   const CycleResult result{.solver = SolverName::newton, .cycles = {Cycle{}}};
-  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed)).at("cycles").at(0);
+  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed, {})).at("cycles").at(0);
   EXPECT_TRUE(cycle.at("initial_force_N").is_null());
 }
 
