@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -116,6 +117,7 @@ ExitCode run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace bumpfoil;
   hold_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes fails the write, which is told
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const Error& error) {

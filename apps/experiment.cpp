@@ -8,9 +8,9 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
 #include "bumpfoil/io/result_folder.hpp"
-#include "cycle_files.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
@@ -45,12 +45,13 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   const std::string case_text = read_case_text(options.case_path);
   const Case input =
       parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {experiment.name}});
-  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse);
+  const InterruptionGuard guard;  // from before there is anything to clean up
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse,
+                      cycle_file_names(experiment.name));
 
   CycleResult result;
   RunStatus status = RunStatus::complete;
   {
-    const InterruptionGuard guard;
     ProgressBar bar(!session.quiet);
     result = experiment.run(input, [&](double fraction) {
       bar.show(fraction);
@@ -60,7 +61,8 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   }
 
   const std::string place = printable(options.folder, longest_path);
-  stage_cycle_files(folder, input, result, status, {.command_line = session.command_line, .case_text = case_text});
+  const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+  for (const ResultFile& file : cycle_files(input, result, status, provenance)) folder.stage(file.name, file.contents);
   folder.publish();
   if (!session.quiet) {
     print_output(cycle_table(result));
@@ -91,7 +93,8 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentCommand
   add_overrides(*command, options->overrides);
   command->add_flag("--force", options->force, "Replace results that the folder holds");
   command->footer("Examples:\n" + experiment.examples +
-                  "Ctrl-C ends the run; what there is by then is written and flagged as partial.");
+                  "Ctrl-C, or a limit of a batch system, ends the run; what there is by then is written and flagged as "
+                  "partial. A second Ctrl-C ends it at once.");
   command->callback([options, experiment, &session] { session.exit_code = run(experiment, *options, session); });
 }
 

@@ -3,7 +3,7 @@
 
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 

@@ -1,26 +1,46 @@
 #include "interruption.hpp"
 
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
+#include <cstddef>
+#include <string_view>
+
+#include "commands.hpp"
 
 namespace bumpfoil {
 namespace {
 
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+std::array<struct sigaction, signals.size()> actions_before{};
 volatile std::sig_atomic_t signal_seen = 0;
 
 extern "C" void note_signal(int signal) {
+  // Other signals may come twice without anybody's impatience: to a group and to its member, or second after second.
+  if (signal == SIGINT && signal_seen != 0) {
+    constexpr std::string_view message = "\nbumpfoil: interrupted twice: what was not written yet is lost\n";
+    [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, message.data(), message.size());
+    ::_exit(static_cast<int>(ExitCode::interrupted));
+  }
   signal_seen = 1;
-  std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 InterruptionGuard::InterruptionGuard() {
   signal_seen = 0;
-  std::signal(SIGINT, note_signal);
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = SA_RESTART;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ::sigaction(signals[i], nullptr, &actions_before[i]);
+    if (actions_before[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);
+  }
 }
 
 InterruptionGuard::~InterruptionGuard() {
-  std::signal(SIGINT, SIG_DFL);
+  for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &actions_before[i], nullptr);
 }
 
 bool InterruptionGuard::interrupted() const {

@@ -4,11 +4,12 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -25,12 +26,25 @@ struct ReportOptions {
   bool force{};
 };
 
+/// The page must not take the place of what it is made from, by whatever name.
+void check_output(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders) {
+  std::error_code code;
+  for (const std::filesystem::path& folder : folders) {
+    for (const char* name : {"summary.json", "result.nc", "cycle.csv", "strip.csv"}) {
+      if (!std::filesystem::equivalent(path, folder / name, code)) continue;
+      throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that the report is of",
+                                     "give the page another name, such as report.html"}});
+    }
+  }
+}
+
 void run_report(const ReportOptions& options, const Session& session) {
   if (report_page().empty()) {
     throw Error(ErrorKind::file, {{"bumpfoil report", 0, "", "", "this program was built without the page of reports",
                                    "install Node.js and npm (Debian: nodejs npm), then configure and build again"}});
   }
   const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
+  check_output(path, options.folders);
   write_file(path, fill_report(report_page(), report_json(options.folders)),
              options.force ? Existing::replace : Existing::refuse);
   if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");

@@ -15,13 +15,13 @@
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/studies/gnuplot.hpp"
 #include "bumpfoil/studies/study.hpp"
 #include "bumpfoil/studies/study_report.hpp"
 #include "bumpfoil/studies/study_tables.hpp"
 #include "commands.hpp"
-#include "cycle_files.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
@@ -65,10 +65,12 @@ std::vector<Study> wanted_studies(const ReproduceOptions& options) {
 class StudyWriter {
  public:
   StudyWriter(Study study, const std::filesystem::path& path, Existing existing)
-      : study_(std::move(study)), folder_(path, existing) {
+      : study_(std::move(study)), folder_(path, existing, file_names(study_)) {
+    std::vector<std::string> run_names = cycle_file_names("cycle");
+    run_names.emplace_back("case.toml");
     for (const StudyRun& run : study_.runs) {
       const Case& input = cases_.emplace_back(study_case(run));
-      run_folders_.emplace_back(path / run.name, existing);
+      run_folders_.emplace_back(path / run.name, existing, run_names);
       increments_ += static_cast<double>(input.cycle.directions.size()) * (2.0 * input.cycle.steps + 1.0);
     }
   }
@@ -99,7 +101,10 @@ class StudyWriter {
       const auto& [input, result, status] = results_[index++];
       const std::string case_text = case_to_toml(input);
       folder.stage("case.toml", case_text);
-      stage_cycle_files(folder, input, result, status, {.command_line = session.command_line, .case_text = case_text});
+      const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+      for (const ResultFile& file : cycle_files(input, result, status, provenance)) {
+        folder.stage(file.name, file.contents);
+      }
       folder.publish();
     }
     std::vector<StudyTable> tables;
@@ -125,6 +130,14 @@ class StudyWriter {
   [[nodiscard]] const StudyOutcome& outcome() const { return outcome_; }
 
  private:
+  /// Of all files beside the folders of the runs.
+  static std::vector<std::string> file_names(const Study& study) {
+    std::vector<std::string> names{"picture.gp", "picture.svg", "study.json"};
+    for (const StudyTableKind kind : study.tables) names.push_back(std::string(name_of(kind)) + ".csv");
+    for (const StudyData& data : study.data) names.push_back(std::string(data.name) + ".csv");
+    return names;
+  }
+
   Study study_;
   std::vector<Case> cases_;
   ResultFolder folder_;
@@ -135,9 +148,9 @@ class StudyWriter {
 };
 
 /// Runs and writes one study after the other. @return their outcomes, fewer if it was interrupted
-std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Session& session, PlotStatus& plotted) {
+std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Session& session,
+                                      const InterruptionGuard& guard, PlotStatus& plotted) {
   using Clock = std::chrono::steady_clock;
-  const InterruptionGuard guard;
   ProgressBar bar(!session.quiet);
   double all = 0.0;
   for (const StudyWriter& writer : writers) all += writer.increments();
@@ -160,13 +173,14 @@ std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Ses
 }
 
 ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) {
+  const InterruptionGuard guard;  // from before there is anything to clean up
   std::list<StudyWriter> writers;
   for (Study& study : wanted_studies(options)) {
     const std::filesystem::path path = std::filesystem::path(options.folder) / study.name;
     writers.emplace_back(std::move(study), path, options.force ? Existing::replace : Existing::refuse);
   }
   PlotStatus plotted = PlotStatus::drawn;
-  const std::vector<StudyOutcome> outcomes = run_studies(writers, session, plotted);
+  const std::vector<StudyOutcome> outcomes = run_studies(writers, session, guard, plotted);
 
   const bool interrupted = outcomes.size() < writers.size();
   const bool converged = std::all_of(outcomes.begin(), outcomes.end(), [](const auto& one) { return one.converged; });

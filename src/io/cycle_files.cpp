@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <random>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/cycle_csv.hpp"
+#include "io/result_columns.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -18,11 +21,15 @@ std::string make_run_id() {
 
 }  // namespace
 
+std::vector<std::string> cycle_file_names(std::string_view command) {
+  return {fmt::format("{}.csv", command), "result.nc", "summary.json"};
+}
+
 std::vector<ResultFile> cycle_files(const Case& input, const CycleResult& result, RunStatus status,
-                                    const Provenance& provenance) {
+                                    const Provenance& provenance) try {
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
-  files.push_back({result.experiment == Experiment::strip ? "strip.csv" : "cycle.csv", cycle_csv(result)});
+  files.push_back({fmt::format("{}.csv", name_of(result.experiment)), cycle_csv(result)});
   files.push_back({"result.nc", result_netcdf(input, result, status, provenance, run_id)});
   Manifest manifest{run_id, {}};
   for (const ResultFile& file : files) {
@@ -30,6 +37,9 @@ std::vector<ResultFile> cycle_files(const Case& input, const CycleResult& result
   }
   files.push_back({"summary.json", summary_json(input, result, status, manifest)});
   return files;
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorKind::file, {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice",
+                                 "fewer steps or directions take less"}});
 }
 
 }  // namespace bumpfoil

@@ -5,141 +5,135 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
+#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "io/folder_claim.hpp"
+#include "io/posix_file.hpp"
+#include "io/publication.hpp"
 
 namespace bumpfoil {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Files whose presence makes a folder one that holds results.
-constexpr std::array<std::string_view, 8> result_names{"summary.json", "cycle.csv",  "strip.csv",   "result.nc",
-                                                       "ensemble.nc",  "study.json", "picture.svg", "report.html"};
+constexpr std::string_view staging_prefix = "staged-";
 
-[[noreturn]] void throw_unwritable(const fs::path& path, int code) {
-  throw Error(ErrorKind::file,
-              {{path.string(), 0, "", "", "cannot be written: " + std::generic_category().message(code),
-                "give another place, or mend its permissions"}});
-}
-
-class FileDescriptor {
+/// A folder that is removed in the end where it was made here and stayed empty.
+class MadeFolder {
  public:
-  /// `shown` stands for the file in messages.
-  FileDescriptor(const fs::path& path, const fs::path& shown, int flags)
-      : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    if (fd_ < 0) throw_unwritable(shown, errno);
+  explicit MadeFolder(const fs::path& path) : path_(path) {
+    std::error_code code;
+    made_ = fs::create_directories(path_, code);
+    if (code) throw_unwritable(path_, code.value());
   }
-  ~FileDescriptor() { ::close(fd_); }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
+  ~MadeFolder() {
+    if (made_) ::rmdir(path_.c_str());
+  }
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
 
  private:
-  int fd_;
+  fs::path path_;
+  bool made_{};
 };
 
-/// Flushes a file or a folder to the disk.
-void flush(const fs::path& path) {
-  const FileDescriptor file(path, path, O_RDONLY);
-  // Some file systems cannot flush folders, and say so by EINVAL.
-  if (::fsync(file.get()) != 0 && errno != EINVAL) throw_unwritable(path, errno);
-}
-
-void write_contents(const fs::path& path, const fs::path& shown, std::string_view contents) {
-  const FileDescriptor file(path, shown, O_WRONLY | O_CREAT | O_TRUNC);
-  while (!contents.empty()) {
-    const ssize_t count = ::write(file.get(), contents.data(), contents.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw_unwritable(shown, errno);
-    contents.remove_prefix(static_cast<std::size_t>(count));
+/// Completes what a process left that was killed, and removes what it had not published. Takes the claim.
+void clean_up(const fs::path& folder) {
+  complete_publication(folder, [] {});
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(work_folder(folder), code)) {
+    if (entry.path().filename().string().starts_with(staging_prefix)) fs::remove_all(entry.path(), code);
   }
-}
-
-void rename_flushed(const fs::path& from, const fs::path& to) {
-  flush(from);
-  std::error_code code;
-  fs::rename(from, to, code);
-  if (code) throw_unwritable(to, code.value());
-}
-
-/// Hidden, beside the file, and of this process alone.
-fs::path temporary(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
-}
-
-void remove_quietly(const fs::path& path) {
-  std::error_code code;
-  fs::remove(path, code);
 }
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path path, Existing existing) : path_(std::move(path)) {
-  std::error_code code;
-  made_ = fs::create_directories(path_, code);
-  if (code) throw_unwritable(path_, code.value());
-  if (::access(path_.c_str(), W_OK | X_OK) != 0) throw_unwritable(path_, errno);
-  if (existing == Existing::replace) return;
-  for (const std::string_view name : result_names) {
-    if (fs::exists(path_ / name, code)) {
-      throw Error(ErrorKind::file, {{path_.string(), 0, "", "", fmt::format("holds results already ({})", name),
-                                     "give another folder, or --force to replace them"}});
-    }
+struct ResultFolder::Claimed {
+  explicit Claimed(const fs::path& path)
+      : folder(path), claim(path), staging(work_folder(path) / (std::string(staging_prefix) + random_digits())) {
+    clean_up(path);
   }
+  ~Claimed() {
+    std::error_code code;
+    fs::remove_all(staging, code);
+  }
+  Claimed(const Claimed&) = delete;
+  Claimed& operator=(const Claimed&) = delete;
+
+  MadeFolder folder;
+  FolderClaim claim;
+  fs::path staging;
+};
+
+ResultFolder::ResultFolder(fs::path path, Existing existing, std::vector<std::string> names)
+    : path_(std::move(path)),
+      existing_(existing),
+      names_(std::move(names)),
+      claimed_(std::make_unique<Claimed>(path_)) {
+  check_places();
+  std::error_code code;
+  if (!fs::create_directory(claimed_->staging, code)) throw_unwritable(path_, code.value());
 }
 
-ResultFolder::~ResultFolder() {
-  for (const std::string& name : staged_) remove_quietly(temporary(path_ / name));
-  if (made_) remove_quietly(path_);  // stays where it holds anything
-}
+ResultFolder::~ResultFolder() = default;
 
 fs::path ResultFolder::stage(const std::string& name) {
+  BUMPFOIL_ASSERT(std::find(names_.begin(), names_.end(), name) != names_.end());
   staged_.push_back(name);
-  return temporary(path_ / name);
+  return claimed_->staging / name;
 }
 
 fs::path ResultFolder::stage(const std::string& name, std::string_view contents) {
   fs::path staged = stage(name);
-  write_contents(staged, path_ / name, contents);
+  write_all(FileDescriptor(staged, path_ / name, O_WRONLY | O_CREAT | O_TRUNC), contents, path_ / name);
   return staged;
 }
 
 void ResultFolder::discard(const std::string& name) {
   std::erase(staged_, name);
-  remove_quietly(temporary(path_ / name));
-}
-
-void ResultFolder::publish() {
-  for (const std::string& name : staged_) flush(temporary(path_ / name));
-  for (const std::string_view name : result_names) {
-    if (std::find(staged_.begin(), staged_.end(), name) == staged_.end()) remove_quietly(path_ / name);
-  }
-  for (const std::string& name : staged_) rename_flushed(temporary(path_ / name), path_ / name);
-  staged_.clear();
-  flush(path_);
-}
-
-void write_file(const fs::path& path, std::string_view contents, Existing existing) {
   std::error_code code;
-  if (existing == Existing::refuse && fs::exists(path, code)) {
-    throw Error(ErrorKind::file,
-                {{path.string(), 0, "", "", "exists already", "give another name, or --force to replace it"}});
+  fs::remove(claimed_->staging / name, code);
+}
+
+void ResultFolder::publish(const std::function<void()>& before) {
+  if (!claimed_->claim.is_held()) {
+    throw Error(ErrorKind::file, {{path_.string(), 0, "", "", "another run has taken over this folder meanwhile",
+                                   "give each run a folder of its own"}});
   }
-  if (fs::exists(path, code) && !fs::is_regular_file(path, code)) {
-    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is no ordinary file", "give the name of a file"}});
-  }
-  const fs::path staged = temporary(path);
+  check_places();
+  publish_staged(claimed_->staging, path_, staged_, before);
+}
+
+void ResultFolder::check_places() const {
+  const auto check = [this](std::string_view name) {
+    std::error_code code;
+    const fs::file_status status = fs::symlink_status(path_ / name, code);
+    if (!fs::exists(status)) return;
+    if (fs::is_directory(status)) {
+      throw Error(ErrorKind::file,
+                  {{(path_ / name).string(), 0, "", "", "is a folder", "move it away, or give another folder"}});
+    }
+    if (existing_ == Existing::refuse) {
+      throw Error(ErrorKind::file, {{path_.string(), 0, "", "", fmt::format("holds results already ({})", name),
+                                     "give another folder, or --force to replace them"}});
+    }
+  };
+  for (const std::string_view name : result_names) check(name);
+  for (const std::string& name : names_) check(name);
+}
+
+void complete_publication_quietly(const fs::path& folder) {
+  std::error_code code;
+  if (!fs::exists(work_folder(folder), code)) return;
   try {
-    write_contents(staged, path, contents);
-    rename_flushed(staged, path);
-  } catch (...) {
-    remove_quietly(staged);
-    throw;
+    const FolderClaim claim(folder);
+    clean_up(folder);
+  } catch (const Error&) {
+    // Somebody else is about to do it, or the folder can only be read.
   }
 }
 

@@ -446,7 +446,7 @@ std::string_view message_of(RunStatus status) {
     case RunStatus::failed:
       return "an increment did not converge: its cycle ends there";
     case RunStatus::interrupted:
-      return "the run was interrupted by the user";
+      return "the run was interrupted by the user or the system";
   }
   return "";
 }
@@ -495,7 +495,7 @@ std::string result_netcdf(const Case& input, const CycleResult& result, RunStatu
     const std::string_view reason = error.what();
     throw Error(ErrorKind::file,
                 {{"result.nc", 0, "", "", fmt::format("cannot be built: {}", reason.substr(0, reason.find('\n'))),
-                  "does the memory suffice? fewer steps or directions take less"}});
+                  "the memory may not suffice: fewer steps or directions take less"}});
   }
 }
 

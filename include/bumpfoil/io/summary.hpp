@@ -14,7 +14,7 @@ namespace bumpfoil {
 enum class RunStatus {
   complete,
   failed,       ///< a numerical failure: the results are partial
-  interrupted,  ///< stopped by the user: the results are partial
+  interrupted,  ///< stopped by the user or the system: the results are partial
 };
 
 /// "complete", "failed" or "interrupted".

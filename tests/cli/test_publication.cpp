@@ -1,0 +1,176 @@
+// What a run leaves behind where it is killed, interrupted, started twice or out of room: the files of one run, whole.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+using testing::TemporaryFolder;
+
+/// A folder with a case file, in which a shell runs scripts; `$bumpfoil` in them is the program.
+class RunInShell : public ::testing::Test {
+ protected:
+  RunInShell() {
+    setenv("bumpfoil", std::filesystem::absolute(BUMPFOIL_PROGRAM).c_str(), 1);
+    EXPECT_EQ(run("$bumpfoil init -o case.toml"), 0);
+  }
+
+  /// Exit code of the script; what it prints is in the file `log`.
+  [[nodiscard]] int run(const std::string& script) const {
+    const std::string command = "cd '" + folder_.path().string() + "' && { " + script + "\n} > log 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+
+  [[nodiscard]] std::string log() const { return folder_.read("log"); }
+
+  [[nodiscard]] std::string listing(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / name)) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    std::string out;
+    for (const std::string& one : names) out += one + ' ';
+    return out;
+  }
+
+  /// summary.json of a folder as readers of the program find it; the files beside it are those that it vouches for.
+  json consistent_summary(const std::string& name) const {
+    const auto read = [&](const std::string& file) {
+      const std::filesystem::path path = published_file(folder_.path() / name, file);
+      return folder_.read(path.lexically_relative(folder_.path()).string());
+    };
+    json summary = json::parse(read("summary.json"));
+    for (const auto& [file, recorded] : summary.at("files").items()) {
+      EXPECT_EQ(xxh3_128(read(file)), recorded.at("xxh3_128")) << file;
+    }
+    return summary;
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* set = "cycle.csv result.nc summary.json ";
+const std::string cycle = "$bumpfoil cycle case.toml --quiet --set cycle.steps=4 ";
+
+TEST_F(RunInShell, TakesEveryNameOfAFolder) {
+  for (const std::string name : {" x", "back\\slash", "C:/x", "http://x"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(run(cycle + "-o '" + name + "'"), 0) << log();
+    EXPECT_EQ(listing(name), set);
+  }
+}
+
+TEST_F(RunInShell, ALimitOfFileSizesIsAFaultOfTheFile) {
+  for (const std::string before : {"", "trap '' XFSZ; "}) {
+    EXPECT_EQ(run(before + "ulimit -f 100; $bumpfoil cycle case.toml -o full"), 4) << log();
+    EXPECT_NE(log().find("full/cycle.csv: cannot be written: File too large"), std::string::npos) << log();
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "full"));
+  }
+  // What was there stays.
+  EXPECT_EQ(run(cycle + "-o full"), 0);
+  const json before = consistent_summary("full");
+  EXPECT_EQ(run("ulimit -f 100; $bumpfoil cycle case.toml -o full --force"), 4);
+  EXPECT_EQ(consistent_summary("full"), before);
+  EXPECT_EQ(listing("full"), set);
+}
+
+TEST_F(RunInShell, OfTwoRunsIntoOneFolderOneWinsAndTheOtherSaysWhy) {
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(run("rm -rf twice; " + cycle + "-o twice 2> a & first=$!\n" + cycle +
+                  "-o twice 2> b; second=$?\nwait $first; echo $? $second > codes"),
+              0);
+    const std::string codes = folder_.read("codes");
+    ASSERT_TRUE(codes == "0 4\n" || codes == "4 0\n") << codes;
+    const std::string reason = folder_.read(codes == "4 0\n" ? "a" : "b");
+    EXPECT_TRUE(reason.find("another run writes to this folder") != std::string::npos ||
+                reason.find("holds results already") != std::string::npos)
+        << reason;
+    consistent_summary("twice");
+    EXPECT_EQ(listing("twice"), set);
+  }
+}
+
+TEST_F(RunInShell, KilledAtAnyTimeItLeavesTheOldSetOrTheNewOne) {
+  ASSERT_EQ(run(cycle + "-o killed"), 0);
+  for (int i = 0; i < 30; ++i) {
+    SCOPED_TRACE(i);
+    // The whole takes about 50 ms; later kills come too late, on purpose.
+    const std::string delay = "0.0" + std::to_string(10 + 3 * i);
+    static_cast<void>(run(cycle + "-o killed --force & sleep " + delay + "; kill -9 $!; wait"));
+    consistent_summary("killed");
+  }
+  EXPECT_EQ(run(cycle + "-o killed --force"), 0) << log();
+  EXPECT_EQ(listing("killed"), set);
+}
+
+TEST_F(RunInShell, SignalsOfBatchSystemsAreInterruptions) {
+  for (const std::string signal : {"INT", "TERM", "HUP", "XCPU"}) {
+    SCOPED_TRACE(signal);
+    // A shell without job control starts what runs in the background with SIGINT ignored; env gives it back.
+    EXPECT_EQ(run("env --default-signal=INT $bumpfoil cycle case.toml -o long --force --set cycle.steps=80000 &\n"
+                  "while ! [ -e long/.bumpfoil/claim ]; do sleep 0.01; done; sleep 0.1\n"
+                  "kill -" +
+                  signal + " $!; wait $!"),
+              130);
+    EXPECT_NE(log().find("interrupted: the results in long are partial"), std::string::npos) << log();
+    EXPECT_EQ(consistent_summary("long").at("status"), "interrupted");
+    EXPECT_EQ(listing("long"), set);
+  }
+}
+
+TEST_F(RunInShell, WhatWasIgnoredStaysIgnored) {
+  // nohup ignores SIGHUP; a shell without job control ignores SIGINT for what runs in the background.
+  EXPECT_EQ(run("trap '' HUP\n$bumpfoil cycle case.toml -o kept --set cycle.steps=1000 --quiet &\n"
+                "while ! [ -e kept/.bumpfoil/claim ]; do sleep 0.01; done\nkill -HUP $!; kill -INT $!; wait $!"),
+            0)
+      << log();
+  EXPECT_EQ(consistent_summary("kept").at("status"), "complete");
+}
+
+TEST_F(RunInShell, AFolderInThePlaceOfAResultIsRefused) {
+  EXPECT_EQ(run("mkdir -p way/result.nc && echo old > way/summary.json && " + cycle + "-o way --force"), 4);
+  EXPECT_NE(log().find("way/result.nc: is a folder"), std::string::npos) << log();
+  EXPECT_EQ(listing("way"), "result.nc summary.json ");
+}
+
+TEST_F(RunInShell, ReproduceReplacesNothingUnlessForced) {
+  for (const std::string name : {"contacts.csv", "picture.gp", "scatter20-bearing4/case.toml"}) {
+    SCOPED_TRACE(name);
+    const std::filesystem::path path = std::filesystem::path("paper/figure16") / name;
+    folder_.write(path.string(), "mine");
+    EXPECT_EQ(run("$bumpfoil reproduce -o paper --figure 16"), 4) << log();
+    EXPECT_NE(log().find("holds results already (" + path.filename().string() + ")"), std::string::npos) << log();
+    EXPECT_EQ(folder_.read(path.string()), "mine");
+    std::filesystem::remove_all(folder_.path() / "paper");
+  }
+}
+
+#if BUMPFOIL_HAS_REPORT
+TEST_F(RunInShell, AReportDoesNotReplaceWhatItIsMadeFrom) {
+  ASSERT_EQ(run(cycle + "-o base && ln -s base link"), 0);
+  const json before = consistent_summary("base");
+  for (const std::string output : {"base/result.nc", "link/summary.json", "base/cycle.csv"}) {
+    EXPECT_EQ(run("$bumpfoil report base -o " + output + " --force"), 4);
+    EXPECT_NE(log().find("is one of the results that the report is of"), std::string::npos) << log();
+  }
+  EXPECT_EQ(consistent_summary("base"), before);
+}
+#endif
+
+}  // namespace
+}  // namespace bumpfoil
