@@ -3,16 +3,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <netcdf_mem.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
-#include <memory>
 #include <netcdf>
-#include <new>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -22,6 +18,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "io/netcdf_writer.hpp"
 #include "io/result_columns.hpp"
 #include "io/result_layout.hpp"
 
@@ -31,37 +28,10 @@ namespace {
 using netCDF::NcDim;
 using netCDF::NcGroup;
 using netCDF::NcVar;
-using Flag = signed char;
-
-/// How a number is stored, and what stands for one that is absent: the default of netCDF, said aloud.
-template <typename Number>
-struct Storage;
-template <>
-struct Storage<double> {
-  static const netCDF::NcType& type() { return netCDF::ncDouble; }
-  static constexpr double absent = NC_FILL_DOUBLE;
-};
-template <>
-struct Storage<int> {
-  static const netCDF::NcType& type() { return netCDF::ncInt; }
-  static constexpr int absent = NC_FILL_INT;
-};
-template <>
-struct Storage<Flag> {
-  static const netCDF::NcType& type() { return netCDF::ncByte; }
-  static constexpr Flag absent = NC_FILL_BYTE;
-};
 
 double finite_or_absent(const std::optional<double>& number) {
   return number && std::isfinite(*number) ? *number : Storage<double>::absent;
 }
-
-/// What readers are told about a variable.
-struct Meaning {
-  std::string name;
-  std::string_view unit;  ///< empty for flags
-  std::string long_name;
-};
 
 /// Meanings of flags: of 0, 1, 2, ..., in the order of the enumerations.
 constexpr std::string_view mode_meanings = "open stick slip_forward slip_backward";
@@ -130,50 +100,6 @@ constexpr std::array<InterfaceQuantity, 3> interface_quantities{{
     {"normal_force", "N", &InterfaceFields::normal_force},
     {"friction_force", "N", &InterfaceFields::friction_force},
 }};
-
-/// An empty file of HDF5 1.8 whose root group keeps variables and attributes in the order in which they are added. The
-/// files that nc_create_mem makes do not, and take no attributes beyond 64 kB.
-std::string empty_hdf5() {
-  constexpr std::size_t size = 239;
-  using namespace std::string_literals;
-  // Superblock: version 2, addresses and lengths of 8 bytes, end of the file, address of the root group, checksum.
-  std::string bytes = "\x89HDF\r\n\x1a\n\x02\x08\x08\0"s + std::string(8, '\0') + std::string(8, '\xff') +
-                      "\xef\0\0\0\0\0\0\0"s + "\x30\0\0\0\0\0\0\0"s + "\x94\x33\x45\x0f"s;
-  // Object header of the root group: links by order, group info, and room that is filled by zeros; checksum.
-  bytes += "OHDR\x02\x0c\xb4\x02\x22\0\0\0\0\0\x03\0\0\0\0\0\0\0\0"s + std::string(24, '\xff') +
-           "\x0a\x02\0\x01\0\0\0\0\0\x7e"s;
-  bytes.resize(size - 4, '\0');
-  return bytes + "\x63\x28\xac\x1c"s;
-}
-
-/// A new file in memory.
-class NetcdfFile {
- public:
-  NetcdfFile() {
-    const std::string empty = empty_hdf5();
-    NC_memio image{empty.size(), std::malloc(empty.size()), 0};
-    if (image.memory == nullptr) throw std::bad_alloc();
-    std::copy(empty.begin(), empty.end(), static_cast<char*>(image.memory));
-    // The image is its own from here on. The name only has to be one.
-    netCDF::ncCheck(nc_open_memio("result.nc", NC_NETCDF4 | NC_WRITE, &image, &id_), __FILE__, __LINE__);
-  }
-  NetcdfFile(const NetcdfFile&) = delete;
-  NetcdfFile& operator=(const NetcdfFile&) = delete;
-
-  [[nodiscard]] NcGroup root() const { return NcGroup(id_); }
-
-  /// Closes it. @return its bytes
-  std::string close() {
-    NC_memio image{};
-    netCDF::ncCheck(nc_close_memio(id_, &image), __FILE__, __LINE__);
-    const std::unique_ptr<void, decltype(&std::free)> owned(image.memory, &std::free);
-    return {static_cast<const char*>(image.memory), image.size};
-  }
-
- private:
-  // A file that could not be completed is left open: closing it after the memory has failed it crashes in HDF5.
-  int id_{};
-};
 
 /// Puts a result into a file, variable by variable.
 class ResultWriter {
@@ -336,27 +262,11 @@ class ResultWriter {
 
   const NcDim& node(bool foot) const { return foot ? foot_ : bump_; }
 
-  /// @param flag_meanings  of a variable of flags; empty for others
-  template <typename Number>
-  NcVar define(const Meaning& meaning, const std::vector<NcDim>& dims, std::string_view flag_meanings) {
-    const NcVar variable = file_.addVar(meaning.name, Storage<Number>::type(), dims);
-    variable.putAtt("long_name", meaning.long_name);
-    if (!meaning.unit.empty()) variable.putAtt("units", std::string(meaning.unit));
-    if (!flag_meanings.empty()) {
-      std::vector<Flag> values(1 +
-                               static_cast<std::size_t>(std::count(flag_meanings.begin(), flag_meanings.end(), ' ')));
-      std::iota(values.begin(), values.end(), Flag{0});
-      variable.putAtt("flag_values", netCDF::ncByte, values.size(), values.data());
-      variable.putAtt("flag_meanings", std::string(flag_meanings));
-    }
-    return variable;
-  }
-
   /// A variable that is all there.
   template <typename Number>
   void put(const Meaning& meaning, const std::vector<NcDim>& dims, const std::vector<Number>& values,
            std::string_view flag_meanings = {}) {
-    define<Number>(meaning, dims, flag_meanings).putVar(values.data());
+    define_variable<Number>(file_, meaning, dims, flag_meanings).putVar(values.data());
   }
 
   /// A variable with one value per loop, absent for those that were not begun.
@@ -364,7 +274,7 @@ class ResultWriter {
   void put_cycles(const Meaning& meaning, const ValueOf& value_of, std::string_view flag_meanings = {}) {
     std::vector<Number> values(loop_.getSize(), Storage<Number>::absent);
     std::transform(result_.cycles.begin(), result_.cycles.end(), values.begin(), value_of);
-    const NcVar variable = define<Number>(meaning, {loop_}, flag_meanings);
+    const NcVar variable = define_variable<Number>(file_, meaning, {loop_}, flag_meanings);
     variable.setFill(true, Storage<Number>::absent);
     variable.putVar(values.data());
   }
@@ -376,7 +286,7 @@ class ResultWriter {
                       const NcDim* node = nullptr) {
     std::vector<NcDim> dims{loop_, increment_};
     if (node != nullptr) dims.push_back(*node);
-    const NcVar variable = define<Number>(meaning, dims, flag_meanings);
+    const NcVar variable = define_variable<Number>(file_, meaning, dims, flag_meanings);
     variable.setFill(true, Storage<Number>::absent);
     if (node != nullptr) {
       variable.putAtt("coordinates", node->getName() == "foot" ? layout_.foot_coordinates : layout_.bump_coordinates);
@@ -425,9 +335,10 @@ class ResultWriter {
                      [](double load) { return finite_or_absent(load); });
     }
     const NcVar variable =
-        define<double>({std::string(interface.loads), "N",
-                        fmt::format("normal force {} at full displacement", between_bodies(interface))},
-                       {loop_, dim}, {});
+        define_variable<double>(file_,
+                                {std::string(interface.loads), "N",
+                                 fmt::format("normal force {} at full displacement", between_bodies(interface))},
+                                {loop_, dim}, {});
     variable.setFill(true, Storage<double>::absent);
     variable.putVar(values.data());
   }
@@ -479,7 +390,7 @@ void write_provenance(const NcGroup& file, const Case& input, const CycleResult&
 std::string result_netcdf(const Case& input, const CycleResult& result, RunStatus status, const Provenance& provenance,
                           std::string_view run_id) {
   try {
-    NetcdfFile file;
+    NewNetcdf file;
     write_provenance(file.root(), input, result, status, provenance, run_id);
     ResultWriter writer(file.root(), input, result);
     writer.write_coordinates();
