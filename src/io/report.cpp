@@ -11,6 +11,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/result_folder.hpp"
 #include "io/case_json.hpp"
 #include "io/result_reader.hpp"
 
@@ -35,13 +36,15 @@ std::pair<Json, std::optional<Fault>> read_run(const fs::path& folder, std::size
   std::error_code code;
   if (!fs::exists(folder, code)) return fault(folder, "does not exist");
   if (!fs::is_directory(folder, code)) return fault(folder, "is no folder");
+  complete_publication_quietly(folder);
   for (const char* name : {"result.nc", "summary.json"}) {
-    if (!fs::exists(folder / name, code)) return fault(folder, fmt::format("holds no results: {} is missing", name));
+    if (!fs::exists(published_file(folder, name), code))
+      return fault(folder, fmt::format("holds no results: {} is missing", name));
   }
   try {
     Json run{{"name", fs::absolute(folder).lexically_normal().string()}};
-    run["summary"] = read_summary(folder / "summary.json");
-    run.update(read_result(folder / "result.nc", most_values));
+    run["summary"] = read_summary(published_file(folder, "summary.json"));
+    run.update(read_result(published_file(folder, "result.nc"), most_values));
     return {run, std::nullopt};
   } catch (const Json::exception&) {
     return fault(folder / "summary.json", "cannot be read: it is no JSON");

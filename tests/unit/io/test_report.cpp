@@ -14,6 +14,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/cycle_files.hpp"
+#include "bumpfoil/io/result_folder.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -183,6 +184,35 @@ TEST(Report, NamesEveryFolderThatHoldsNoResult) {
   EXPECT_EQ(faults[3].file, (broken.path() / "result.nc").string());
   EXPECT_NE(faults[3].what.find("cannot be read"), std::string::npos);
   EXPECT_EQ(faults[4].what, "cannot be read: it is no JSON");
+}
+
+TEST(Report, ReadsTheNewSetWhereItsPublicationWasCutShort) {
+  const Results results(run_cycles(short_case()));
+  Case input = short_case();
+  input.title = "new";
+  const std::filesystem::path mine = results.path() / "result.nc";
+  {
+    ResultFolder folder(results.path(), Existing::replace, cycle_file_names("cycle"));
+    for (const ResultFile& file : cycle_files(input, run_cycles(input), RunStatus::complete, {})) {
+      folder.stage(file.name, file.contents);
+    }
+    int step = 0;
+    EXPECT_THROW(folder.publish([&] {
+      if (++step != 3) return;
+      std::filesystem::remove(mine);  // a folder in its place: the publication cannot be completed
+      std::filesystem::create_directories(mine / "in the way");
+    }),
+                 Error);
+  }
+  const auto titles = [&] {
+    const json run = json::parse(report_json({results.path()})).at("runs").at(0);
+    EXPECT_EQ(run.at("summary").at("run_id"), run.at("attributes").at("run_id"));
+    return run.at("attributes").at("title").get<std::string>();
+  };
+  EXPECT_EQ(titles(), "new");
+  std::filesystem::remove_all(mine);
+  EXPECT_EQ(titles(), "new");
+  EXPECT_EQ(results.folder().listing(), "cycle.csv result.nc summary.json ");
 }
 
 TEST(Report, TakesNoOtherNetcdfForAResult) {
