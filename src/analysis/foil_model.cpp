@@ -9,15 +9,16 @@
 namespace bumpfoil {
 namespace {
 
-FoilModel make_foil_model(const Case& input, const FoilLayout& layout) {
+/// @param input  its gaps and friction, of the bumps of `foils`
+FoilModel make_foil_model(const Case& input, const FoilDesign& foils) {
   FoilModel model;
-  model.structure = make_foil_structure(input, layout);
-  model.stress = make_stress_model(input, layout);
+  model.structure = make_foil_structure(foils);
+  model.stress = make_stress_model(foils);
 
   const BumpDofs& dofs = model.structure.dofs;
   model.problem.K = model.structure.K;
   model.problem.law = elastic_law(model.structure);
-  if (layout.top_foil) model.problem.pairs.push_back({.plus = dofs.top_u});
+  if (foils.top_foil) model.problem.pairs.push_back({.plus = dofs.top_u});
   model.problem.pairs.push_back({.plus = dofs.crest_v,
                                  .minus = dofs.top_u,
                                  .tangential = dofs.crest_u,
@@ -56,7 +57,7 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
 
 FoilModel make_bearing_model(const Case& input) {
   require_valid(input);
-  FoilModel model = make_foil_model(input, {});
+  FoilModel model = make_foil_model(input, make_bearing_foils(input));
   model.clearance = input.bearing.radial_clearance;
   model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   return model;
@@ -65,9 +66,7 @@ FoilModel make_bearing_model(const Case& input) {
 FoilModel make_strip_model(const Case& input) {
   require_valid(input);
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
-  const bool welded = input.strip->weld == StripWeld::one_end;
-  FoilModel model =
-      make_foil_model(cut_to_strip(input), {.flat = true, .welded = welded, .top_foil = input.strip->top_foil});
+  FoilModel model = make_foil_model(cut_to_strip(input), make_strip_foils(input));
   model.normals = outward_normals(Vector::Zero(model.bumps()));
   return model;
 }

@@ -50,7 +50,7 @@ FormerModel make_former_model(const Case& input) {
   const int bumps = input.bump_foil.bumps;
   FormerModel model;
   model.bearing = input.bearing;
-  model.structure = make_foil_structure(input);
+  model.structure = make_foil_structure(make_bearing_foils(input));
   model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   model.height_errors = list_or_zeros(input.bump_foil.height_errors, bumps);
   model.sleeve_gaps = list_or_zeros(input.bump_foil.sleeve_gaps, bumps);

@@ -19,9 +19,9 @@ Vector eigenvalues(const Matrix& symmetric) {
 }
 
 /// The soft end from the compliance, the stiff end from the stiffness: each is accurate there.
-std::optional<StiffnessRange> top_foil_range(const Case& input) {
-  if (input.bump_foil.model == BumpFoilModel::former || input.bump_foil.bumps > most_unknowns) return std::nullopt;
-  const TopFoilBeam beam = make_top_foil_beam(input);
+std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
+  if (!foils.top_foil || std::ssize(foils.bumps) > most_unknowns) return std::nullopt;
+  const TopFoilBeam beam = make_top_foil_beam(foils);
   const TopFoilMoments form = make_top_foil_moments(beam);
   Matrix stiffness(form.size(), form.size());
   for (Eigen::Index j = 0; j < form.size(); ++j) stiffness.col(j) = top_foil_loads(form, Vector::Unit(form.size(), j));
@@ -29,8 +29,8 @@ std::optional<StiffnessRange> top_foil_range(const Case& input) {
                         .stiffest = eigenvalues(stiffness).maxCoeff()};
 }
 
-std::optional<StiffnessRange> bump_foil_range(const Case& input) {
-  const FoilStructure structure = make_foil_structure(input);
+std::optional<StiffnessRange> bump_foil_range(const FoilDesign& foils) {
+  const FoilStructure structure = make_foil_structure(foils);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index row = 0; row < structure.K.rows(); ++row) {
     const auto place = static_cast<int>(row % structure.dofs.size);
@@ -45,10 +45,10 @@ std::optional<StiffnessRange> bump_foil_range(const Case& input) {
 
 Properties compute_properties(const Case& input) {
   require_valid(input);
-  const BumpFoil& foil = input.bump_foil;
-  const BumpArc arc = make_bump_arc(foil);
-  const Section section =
-      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
+  const FoilDesign foils = make_bearing_foils(input);
+  const BumpShape bump = nominal_bump(input.bump_foil);
+  const BumpArc arc = make_bump_arc(bump);
+  const Section section = make_bump_section(foils, bump);
   const double friction = input.friction.bump_sleeve;
   return {.arc = arc,
           .cell = make_bump_cell(arc, section),
@@ -58,8 +58,8 @@ Properties compute_properties(const Case& input) {
           .guided_bump = guided_bump_stiffness(arc, section),
           .loading_bump = sliding_bump_stiffness(arc, section, friction),
           .unloading_bump = sliding_bump_stiffness(arc, section, -friction),
-          .top_foil = top_foil_range(input),
-          .bump_foil = bump_foil_range(input)};
+          .top_foil = top_foil_range(foils),
+          .bump_foil = bump_foil_range(foils)};
 }
 
 }  // namespace bumpfoil

@@ -49,7 +49,7 @@ void derive_strip_quantities(const StripSettings& strip, Cycle& cycle) {
 CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
   const FoilModel model = make_strip_model(input);
   const StripSettings& strip = *input.strip;
-  const double reach = make_bump_arc(input.bump_foil).rise;  // bumps are flat there
+  const double reach = nominal_bump(input.bump_foil).rise;  // bumps are flat there
   const bool by_load = strip.amplitude.control == PlateControl::load;
   PathRunner path(model, input.solver);
   double origin = 0.0;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "io/case_names.hpp"
@@ -214,7 +215,8 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
       log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
   }
   std::vector<Fault> faults = find_faults(input);
-  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) faults = find_truss_faults(input);
+  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame)
+    faults = find_truss_faults(make_bearing_foils(input));
   for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;

@@ -13,7 +13,7 @@ std::vector<double> to_vector(const Vector& numbers) {
 /// What both have.
 ResultLayout layout_of_foil(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
-  const BumpArc arc = make_bump_arc(foil);
+  const BumpShape nominal = nominal_bump(foil);
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   const auto one_per_bump = [bumps](std::vector<double> numbers) {
     numbers.resize(bumps);
@@ -24,8 +24,8 @@ ResultLayout layout_of_foil(const Case& input) {
   layout.scalars = {
       {"axial_length", "m", "axial length of the foils", {input.bearing.axial_length}},
       {"bump_pitch", "m", "distance from crest to crest along the foil", {foil.pitch}},
-      {"bump_half_length", "m", "half the chord of the arc of a bump", {arc.half_length}},
-      {"bump_rise", "m", "rise of the mid-surface of a nominal bump", {arc.rise}},
+      {"bump_half_length", "m", "half the chord of the arc of a bump", {nominal.half_length}},
+      {"bump_rise", "m", "rise of the mid-surface of a nominal bump", {nominal.rise}},
   };
   layout.at_bumps = {
       {"height_error", "m", "height of the bump over the nominal one", one_per_bump(foil.height_errors)},
@@ -65,14 +65,15 @@ ResultLayout layout_of_bearing(const Case& input) {
 ResultLayout layout_of_strip(const Case& input) {
   const StripSettings& strip = *input.strip;
   const Case cut = cut_to_strip(input);
-  const Vector feet = foot_positions(cut.bump_foil, strip.weld == StripWeld::one_end);
+  const FoilDesign foils = make_strip_foils(input);
+  const Vector feet = foot_positions(foils);
   ResultLayout layout = layout_of_foil(cut);
   layout.loop = {"cycle", "1", "cycle of the plate", {}};
   for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.loop.values.push_back(cycle);
   layout.increments = static_cast<std::size_t>((strip.preload ? 4 : 2) * strip.steps + 1);
   layout.feet = static_cast<std::size_t>(feet.size());
   layout.at_bumps.push_back({"crest_position", "m", "place of the crest along the strip, from the weld or its like",
-                             to_vector(crest_positions(cut.bump_foil))});
+                             to_vector(crest_positions(foils))});
   layout.at_feet = {
       {"foot_position", "m", "place of the foot along the strip, from the weld or its like", to_vector(feet)}};
   layout.bump_coordinates = "crest_position";

@@ -2,41 +2,60 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace bumpfoil {
 
-BumpArc make_bump_arc(const BumpFoil& foil) {
-  BumpArc arc;
-  arc.half_length = 0.5 * foil.length;
-  arc.rise = foil.height_reference == HeightReference::overall ? foil.height - foil.thickness : foil.height;
-  arc.radius = (arc.half_length * arc.half_length + arc.rise * arc.rise) / (2.0 * arc.rise);
-  arc.half_angle = 2.0 * std::atan2(arc.rise, arc.half_length);
-  arc.flat = foil.pitch - foil.length;
-  return arc;
+BumpShape nominal_bump(const BumpFoil& foil) {
+  const bool overall = foil.height_reference == HeightReference::overall;
+  return {.pitch = foil.pitch,
+          .half_length = 0.5 * foil.length,
+          .rise = overall ? foil.height - foil.thickness : foil.height,
+          .thickness = foil.thickness};
 }
 
-Vector crest_positions(const BumpFoil& foil) {
-  return foil.pitch * (Vector::LinSpaced(foil.bumps, 0.0, foil.bumps - 1.0).array() + 0.5);
-}
-
-Vector foot_positions(const BumpFoil& foil, bool welded) {
-  const Vector crests = crest_positions(foil);
-  if (foil.model != BumpFoilModel::frame) {
-    const int before = welded ? 0 : 1;
-    return foil.pitch * Vector::LinSpaced(foil.bumps + before, 1.0 - before, foil.bumps);
+FoilDesign make_bearing_foils(const Case& input) {
+  const BumpFoil& foil = input.bump_foil;
+  FoilDesign foils{.model = foil.model,
+                   .geometry = foil.geometry,
+                   .bumps = std::vector<BumpShape>(static_cast<std::size_t>(foil.bumps), nominal_bump(foil)),
+                   .youngs_modulus = foil.youngs_modulus,
+                   .poisson_ratio = foil.poisson_ratio,
+                   .axial_length = input.bearing.axial_length,
+                   .radius = input.bearing.radius,
+                   .welded = true,
+                   .weld_at = foil.weld_at,
+                   .truss = foil.truss,
+                   .top_foil = {}};
+  if (foil.stiffness_follows_height) {
+    for (std::size_t n = 0; n < foil.height_errors.size(); ++n) {
+      BumpFoil own = foil;
+      own.height += foil.height_errors[n];
+      foils.bumps[n] = nominal_bump(own);
+    }
   }
-  Vector feet(2 * crests.size());
-  feet(Eigen::seqN(0, crests.size(), 2)) = crests.array() - 0.5 * foil.length;
-  feet(Eigen::seqN(1, crests.size(), 2)) = crests.array() + 0.5 * foil.length;
-  return feet;
+  if (foil.model != BumpFoilModel::former) {
+    foils.top_foil = {.thickness = input.top_foil.thickness,
+                      .youngs_modulus = input.top_foil.youngs_modulus,
+                      .poisson_ratio = input.top_foil.poisson_ratio};
+  }
+  return foils;
+}
+
+FoilDesign make_strip_foils(const Case& input) {
+  FoilDesign foils = make_bearing_foils(cut_to_strip(input));
+  foils.radius.reset();
+  foils.welded = input.strip->weld == StripWeld::one_end;
+  if (!input.strip->top_foil) foils.top_foil.reset();
+  return foils;
 }
 
 Vector crest_angles(const Case& input) {
-  return crest_positions(input.bump_foil) / input.bearing.radius;
+  return crest_positions(make_bearing_foils(input)) / input.bearing.radius;
 }
 
 Vector foot_angles(const Case& input) {
-  return foot_positions(input.bump_foil) / input.bearing.radius;
+  return foot_positions(make_bearing_foils(input)) / input.bearing.radius;
 }
 
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {

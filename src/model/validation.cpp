@@ -164,7 +164,7 @@ double judge_arc(Judge& judge, const BumpFoil& foil, bool pitch, bool thickness)
     return 0.0;
   }
   if (!length) return 0.0;
-  const BumpArc arc = make_bump_arc(foil);
+  const BumpArc arc = make_bump_arc(nominal_bump(foil));
   judge_shape(judge, foil, arc, "bump_foil.height", foil.height, pitch);
   return arc.rise;
 }
@@ -195,7 +195,7 @@ void judge_tallest(Judge& judge, const BumpFoil& foil, bool pitch, double rise) 
   if (!(std::abs(*tallest) < rise)) return;  // judged already
   BumpFoil own = foil;
   own.height += *tallest;
-  judge_shape(judge, own, make_bump_arc(own),
+  judge_shape(judge, own, make_bump_arc(nominal_bump(own)),
               fmt::format("bump_foil.height_errors[{}]", tallest - foil.height_errors.begin() + 1), *tallest, pitch);
 }
 

@@ -10,9 +10,8 @@ using Natural = Eigen::Vector3d;  ///< stretch, rotation of the start, rotation 
 
 /// Element in its displaced state.
 struct DisplacedElement {
-  DisplacedElement(const FrameElement& element, const ElementVector& displacements) {
+  DisplacedElement(const Eigen::Vector2d& chord, const ElementVector& displacements) {
     const Eigen::Vector2d relative = displacements.segment<2>(3) - displacements.segment<2>(0);
-    const Eigen::Vector2d& chord = element.chord;
     const Eigen::Vector2d displaced = chord + relative;
     length = displaced.norm();
     tangent = displaced / length;
@@ -28,9 +27,9 @@ struct DisplacedElement {
 };
 
 /// Columns: what stretch and rotations are among the displacements of the ends of the undisplaced element.
-Eigen::Matrix<double, 6, 3> natural_basis(const FrameElement& element) {
+Eigen::Matrix<double, 6, 3> natural_basis(const Eigen::Vector2d& chord) {
   Eigen::Matrix<double, 6, 3> basis = Eigen::Matrix<double, 6, 3>::Zero();
-  basis.block<2, 1>(3, 0) = element.chord.normalized();
+  basis.block<2, 1>(3, 0) = chord.normalized();
   basis(2, 1) = 1.0;
   basis(5, 2) = 1.0;
   return basis;
@@ -52,8 +51,7 @@ void add_stiffness(const ElementChain& chain, const Vector& x, ElementMatrix Cor
   const ElementVector scale = scale_of(chain);
   const Eigen::Index size = K.block_size();
   for (const PlacedElement& placed : chain.elements) {
-    const CorotationalResponse response =
-        corotational_response(chain.section, placed.element, end_displacements(chain, placed, x));
+    const CorotationalResponse response = corotational_response(placed.element, end_displacements(chain, placed, x));
     const ElementMatrix scaled = scale.asDiagonal() * response.*stiffness * scale.asDiagonal();
     for (int i = 0; i < 6; ++i) {
       const Eigen::Index row = place_of(placed, i);
@@ -69,16 +67,18 @@ void add_stiffness(const ElementChain& chain, const Vector& x, ElementMatrix Cor
 
 }  // namespace
 
-ElementVector chord_deformations(const FrameElement& element, const ElementVector& displacements) {
-  return natural_basis(element) * DisplacedElement(element, displacements).deformations;
+ElementVector chord_deformations(const Eigen::Vector2d& chord, const ElementVector& displacements) {
+  return natural_basis(chord) * DisplacedElement(chord, displacements).deformations;
 }
 
-CorotationalResponse corotational_response(const Section& section, const FrameElement& element,
-                                           const ElementVector& displacements) {
-  const DisplacedElement displaced(element, displacements);
-  const Eigen::Matrix<double, 6, 3> basis = natural_basis(element);
-  const Eigen::Matrix3d stiffness = basis.transpose() * frame_element_stiffness(section, element) * basis;
-  const Natural natural = stiffness * displaced.deformations;
+CorotationalElement make_corotational_element(const Eigen::Vector2d& chord, const ElementMatrix& stiffness) {
+  const Eigen::Matrix<double, 6, 3> basis = natural_basis(chord);
+  return {.chord = chord, .stiffness = basis.transpose() * stiffness * basis};
+}
+
+CorotationalResponse corotational_response(const CorotationalElement& element, const ElementVector& displacements) {
+  const DisplacedElement displaced(element.chord, displacements);
+  const Natural natural = element.stiffness * displaced.deformations;
 
   const Eigen::Vector2d& t = displaced.tangent;
   const ElementVector stretch{{-t.x(), -t.y(), 0.0, t.x(), t.y(), 0.0}};
@@ -87,7 +87,7 @@ CorotationalResponse corotational_response(const Section& section, const FrameEl
   derivative << stretch.transpose(), -turn.transpose(), -turn.transpose();
   derivative(1, 2) = derivative(2, 5) = 1.0;
 
-  const ElementMatrix material = derivative.transpose() * stiffness * derivative;
+  const ElementMatrix material = derivative.transpose() * element.stiffness * derivative;
   const ElementMatrix turning = displaced.length * turn * turn.transpose();
   const ElementMatrix coupling = stretch * turn.transpose() / displaced.length;
   return {.energy = 0.5 * natural.dot(displaced.deformations),
@@ -108,8 +108,7 @@ ElementVector end_displacements(const ElementChain& chain, const PlacedElement& 
 double add_corotational_forces(const ElementChain& chain, const Vector& x, Vector& forces) {
   double energy = 0.0;
   for (const PlacedElement& placed : chain.elements) {
-    const CorotationalResponse own =
-        corotational_response(chain.section, placed.element, end_displacements(chain, placed, x));
+    const CorotationalResponse own = corotational_response(placed.element, end_displacements(chain, placed, x));
     energy += own.energy;
     const ElementVector scaled = own.forces.cwiseProduct(scale_of(chain));
     for (int i = 0; i < 6; ++i) {

@@ -46,7 +46,7 @@ void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const Bu
   }
 }
 
-/// Holds unknowns that the layout leaves without meaning: nothing has been coupled to them.
+/// Holds unknowns without meaning: nothing has been coupled to them.
 void hold_unused(const FoilStructure& structure, double stiffness, BlockTridiagonal& K) {
   const BumpDofs& dofs = structure.dofs;
   for (int b = 0; b < K.blocks(); ++b) {
@@ -105,54 +105,46 @@ Vector linear_forces(const FoilStructure& structure, const Vector& x) {
 
 }  // namespace
 
-BumpDofs make_bump_dofs(BumpFoilModel model, bool with_top_foil) {
-  BumpDofs dofs = frame_dofs();
-  if (model == BumpFoilModel::truss) {
-    dofs = {.size = 6, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}, .top_u = 4, .top_moment = 5};
-  } else if (model == BumpFoilModel::former) {
-    dofs = {.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
+BumpDofs make_bump_dofs(const FoilDesign& foils) {
+  if (foils.model == BumpFoilModel::former) {
+    return {.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
   }
-  if (!with_top_foil && dofs.top_u >= 0) {
+  BumpDofs dofs = frame_dofs();
+  if (foils.model == BumpFoilModel::truss) {
+    dofs = {.size = 6, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}, .top_u = 4, .top_moment = 5};
+  }
+  if (!foils.top_foil) {
     dofs.top_u = dofs.top_moment = -1;
     dofs.unused = 2;
   }
   return dofs;
 }
 
-TopFoilMoments make_top_foil_moments(const Case& input, const FoilLayout& layout) {
-  const TopFoilBeam beam = make_top_foil_beam(input);
-  if (!layout.flat) return make_top_foil_moments(beam);
-  Vector spans = Vector::Constant(input.bump_foil.bumps, input.bump_foil.pitch);
-  spans[0] *= 0.5;
-  return make_flat_top_foil_moments(beam.bending_stiffness, spans, layout.welded);
+int block_of_bump_1(const FoilDesign& foils) {
+  return foils.model == BumpFoilModel::frame || foils.welded ? 0 : 1;
 }
 
-FoilStructure make_foil_structure(const Case& input, const FoilLayout& layout) {
-  const BumpFoil& foil = input.bump_foil;
-  const bool is_frame = foil.model == BumpFoilModel::frame;
+FoilStructure make_foil_structure(const FoilDesign& foils) {
   FoilStructure structure;
-  structure.dofs = make_bump_dofs(foil.model, layout.top_foil);
-  structure.first_bump = is_frame || layout.welded ? 0 : 1;
-  structure.K = BlockTridiagonal(structure.first_bump + foil.bumps, structure.dofs.size);
-  if (structure.dofs.top_u >= 0) {
-    assemble_top_foil(make_top_foil_moments(input, layout), top_moment_scale(input), structure.dofs,
-                      structure.first_bump, structure.K);
+  structure.dofs = make_bump_dofs(foils);
+  structure.first_bump = block_of_bump_1(foils);
+  structure.K = BlockTridiagonal(structure.first_bump + static_cast<int>(foils.bumps.size()), structure.dofs.size);
+  if (foils.top_foil) {
+    assemble_top_foil(make_top_foil_moments(foils), top_moment_scale(foils), structure.dofs, structure.first_bump,
+                      structure.K);
   }
-  if (!layout.welded) hold_feet(structure.dofs, structure.K);
-  const Section section =
-      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
-  hold_unused(structure, section.axial_stiffness / foil.pitch, structure.K);
-  if (is_frame) {
-    FrameModel frame = make_frame_model(input);
-    frame.welded = layout.welded;
-    if (foil.geometry == Geometry::nonlinear) {
+  if (!foils.welded) hold_feet(structure.dofs, structure.K);
+  const Section section = make_bump_section(foils, foils.bumps.front());
+  hold_unused(structure, section.axial_stiffness / foils.reference_length(), structure.K);
+  if (foils.model == BumpFoilModel::frame) {
+    const FrameModel frame = make_frame_model(foils);
+    if (foils.geometry == Geometry::nonlinear) {
       structure.large_displacements = {.bump_foil = place_elements(frame, structure.dofs.size), .rest = structure.K};
       hold_covered_node(frame, structure.large_displacements->rest);
     }
     assemble_frame(frame, structure.K);
   } else {
-    assemble_springs(make_truss_springs(make_truss_constants(input), structure.dofs, foil.bumps, layout.welded),
-                     structure.K);
+    assemble_springs(make_truss_springs(make_truss_constants(foils), structure.dofs, foils.welded), structure.K);
   }
   return structure;
 }

@@ -1,5 +1,6 @@
 #include "bumpfoil/structure/frame_element.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,6 +69,16 @@ FrameElement flat_element(double length) {
 ElementMatrix frame_element_stiffness(const Section& section, const FrameElement& element) {
   const ElasticCentre centre = elastic_centre(section, element);
   return centre.relative.transpose() * centre.flexibility.cwiseInverse().asDiagonal() * centre.relative;
+}
+
+ElementMatrix stiffness_in_series(const ElementMatrix& first, const ElementMatrix& second) {
+  const Eigen::Matrix3d between = first.bottomRightCorner<3, 3>() + second.topLeftCorner<3, 3>();
+  Eigen::Matrix<double, 3, 6> coupling;
+  coupling << first.bottomLeftCorner<3, 3>(), second.topRightCorner<3, 3>();
+  ElementMatrix stiffness = -coupling.transpose() * between.llt().solve(coupling);
+  stiffness.topLeftCorner<3, 3>() += first.topLeftCorner<3, 3>();
+  stiffness.bottomRightCorner<3, 3>() += second.bottomRightCorner<3, 3>();
+  return stiffness;
 }
 
 ElementForces element_forces(const Section& section, const FrameElement& element, const ElementVector& displacements) {

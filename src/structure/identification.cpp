@@ -3,53 +3,73 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
 #include "structure/planar_frame.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using Unknowns = PlanarFrame::Unknowns;
+/// What resists the rotations of crest and mid-flat between them, half a bump, where neither moves.
+struct HalfBump {
+  double at_crest{};       ///< moment at the crest per rotation there, N m
+  double at_flat{};        ///< moment at mid-flat per rotation there, N m
+  double crest_to_flat{};  ///< moment at one per rotation of the other, N m
+  double pull_on_crest{};  ///< moment at the crest per displacement u there, N
+  double pull_on_flat{};   ///< moment at mid-flat per displacement u of the crest, N
+};
 
-/// Nodes of a strip: the mid-flat before a bump, arc start, crest, arc end; after the last bump one more mid-flat.
-constexpr int nodes_per_bump = 4;
-
-PlanarFrame make_strip(int bumps, const BumpArc& arc, const Section& section) {
-  PlanarFrame strip(nodes_per_bump * bumps + 1, section);
-  for (int n = 0; n < bumps; ++n) {
-    const int first = nodes_per_bump * n;
-    strip.add(first, first + 1, flat_element(0.5 * arc.flat));
-    strip.add(first + 1, first + 2, rising_half(arc));
-    strip.add(first + 2, first + 3, falling_half(arc));
-    strip.add(first + 3, first + 4, flat_element(0.5 * arc.flat));
-  }
-  return strip;
+/// The same from crest to mid-flat as from mid-flat to crest: in the mirror u and rotations both change their sign.
+HalfBump make_half_bump(const BumpArc& arc, const Section& section) {
+  PlanarFrame half(3);
+  half.add(0, 1, section, falling_half(arc));
+  half.add(1, 2, section, flat_element(0.5 * arc.flat));
+  const Matrix K = half.condense({0, 2, 8}, {1, 6, 7});
+  return {.at_crest = K(1, 1),
+          .at_flat = K(2, 2),
+          .crest_to_flat = K(1, 2),
+          .pull_on_crest = K(0, 1),
+          .pull_on_flat = K(0, 2)};
 }
 
-/// Coupling of u between two neighbouring crests. The ends of the strip are felt seven times less with each bump: 1e-7
-/// in the middle of ten.
-double crest_to_crest(const BumpArc& arc, const Section& section) {
-  constexpr int bumps = 10;
-  Unknowns kept;
-  for (int node = 0; node <= nodes_per_bump * bumps; node += 2) {
-    kept.push_back(3 * Eigen::Index{node});
-    kept.push_back(3 * Eigen::Index{node} + 1);
+/// Coupling of u between the crests on both sides of the border where a row of equal bumps meets a row of others. The
+/// ends of the rows are felt seven times less with each bump: 1e-7 where there are five.
+double crest_to_crest(const HalfBump& before, const HalfBump& after) {
+  constexpr Eigen::Index row = 5;
+  // Rotations in turn of the first mid-flat, the first crest, the next mid-flat, ...; u and v of all of these are held.
+  constexpr Eigen::Index last = 4 * row;
+  Vector diagonal = Vector::Zero(last + 1);
+  Vector off(last);
+  for (Eigen::Index half = 0; half < last; ++half) {
+    const HalfBump& own = half < 2 * row ? before : after;
+    const bool rises = half % 2 == 0;
+    diagonal[half] += rises ? own.at_flat : own.at_crest;
+    diagonal[half + 1] += rises ? own.at_crest : own.at_flat;
+    off[half] = own.crest_to_flat;
   }
-  const Matrix K = make_strip(bumps, arc, section).condense(kept, {});
-  // Crest n is entry 4 n + 2 of what is kept: u and v of its mid-flat go before.
-  constexpr int middle = 4 * (bumps / 2) + 2;
-  return -K(middle - 4, middle);
+  // Moments that the rotations must balance where one crest moves along the foil, around the border at 2 * row.
+  const auto pulled = [](Eigen::Index crest, const HalfBump& own) {
+    Vector moments = Vector::Zero(last + 1);
+    moments.segment<3>(crest - 1) << own.pull_on_flat, 2.0 * own.pull_on_crest, own.pull_on_flat;
+    return moments;
+  };
+  return pulled(2 * row - 1, before).dot(solve_tridiagonal(diagonal, off, pulled(2 * row + 1, after)));
 }
 
 /// Stiffness of the first crest of the frame: clamped at mid-flat, arc ends on the sleeve, slope zero at the next
 /// mid-flat.
 double first_crest_stiffness(const BumpArc& arc, const Section& section) {
-  const Unknowns crest_v{7};
-  const Unknowns fixed{0, 1, 2, 4, 10, 14};
-  return make_strip(1, arc, section).condense(crest_v, fixed)(0, 0);
+  PlanarFrame bump(5);
+  bump.add(0, 1, section, flat_element(0.5 * arc.flat));
+  bump.add(1, 2, section, rising_half(arc));
+  bump.add(2, 3, section, falling_half(arc));
+  bump.add(3, 4, section, flat_element(0.5 * arc.flat));
+  return bump.condense({7}, {0, 1, 2, 4, 10, 14})(0, 0);
 }
 
 /// k4 such that the truss of one bump, its foot sliding, has the stiffness `target` at its crest.
@@ -67,30 +87,76 @@ double weld_stiffness(const TrussConstants& constants, double target) {
   return excess / (S(0, 2) * S(0, 2) - excess * S(0, 0));
 }
 
-/// What the case gives, and the identified constants in its place where it gives none.
-TrussConstants given_or_identified(const Case& input) {
-  const BumpFoil& foil = input.bump_foil;
-  const TrussOverrides& given = foil.truss;
-  if (given.k1 && given.k2 && given.k3 && given.k4 && given.theta_d) {
-    return {*given.k1, *given.k2, *given.k3, *given.k4, *given.theta_d};
+/// Constants identified for each bump. Neighbours of one shape share the work.
+std::vector<TrussConstants> identified_constants(const FoilDesign& foils) {
+  std::vector<TrussConstants> constants;
+  constants.reserve(foils.bumps.size());
+  TrussConstants row;
+  HalfBump half;
+  const BumpShape* before = nullptr;
+  for (const BumpShape& bump : foils.bumps) {
+    if (before && bump == *before) {
+      constants.push_back(row);
+      continue;
+    }
+    const BumpArc arc = make_bump_arc(bump);
+    const Section section = make_bump_section(foils, bump);
+    row = identify_truss_constants(arc, section);
+    constants.push_back(row);
+    const HalfBump half_before = std::exchange(half, make_half_bump(arc, section));
+    if (before) constants.back().k3 = crest_to_crest(half_before, half);
+    before = &bump;
   }
-  const Section section =
-      make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
-  const TrussConstants identified = identify_truss_constants(make_bump_arc(foil), section);
-  return {.k1 = given.k1.value_or(identified.k1),
-          .k2 = given.k2.value_or(identified.k2),
-          .k3 = given.k3.value_or(identified.k3),
-          .k4 = given.k4.value_or(identified.k4),
-          .theta_d = given.theta_d.value_or(identified.theta_d)};
+  return constants;
+}
+
+std::vector<TrussConstants> given_or_identified(const FoilDesign& foils) {
+  const TrussOverrides& given = foils.truss;
+  if (given.k1 && given.k2 && given.k3 && given.k4 && given.theta_d) {
+    return std::vector<TrussConstants>(foils.bumps.size(),
+                                       {*given.k1, *given.k2, *given.k3, *given.k4, *given.theta_d});
+  }
+  std::vector<TrussConstants> constants = identified_constants(foils);
+  for (TrussConstants& own : constants) {
+    own = {.k1 = given.k1.value_or(own.k1),
+           .k2 = given.k2.value_or(own.k2),
+           .k3 = given.k3.value_or(own.k3),
+           .k4 = given.k4.value_or(own.k4),
+           .theta_d = given.theta_d.value_or(own.theta_d)};
+  }
+  return constants;
+}
+
+std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussConstants>& constants) {
+  std::vector<Fault> faults;
+  const auto judge = [&](const char* name, double TrussConstants::*value, std::size_t bumps) {
+    const auto end = constants.begin() + static_cast<std::ptrdiff_t>(bumps);
+    const auto worst =
+        std::find_if(constants.begin(), end, [&](const TrussConstants& own) { return own.*value < 0.0; });
+    if (worst == end) return;
+    const bool uniform = std::equal(foils.bumps.begin() + 1, foils.bumps.end(), foils.bumps.begin());
+    Fault fault;
+    fault.key = fmt::format("bump_foil.truss.{}", name);
+    fault.what = fmt::format("comes out as {:.4g} N/m for {}: the truss would be unstable", (*worst).*value,
+                             uniform ? std::string("this shape of bump")
+                                     : fmt::format("the shape of bump {}", worst - constants.begin() + 1));
+    fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
+    faults.push_back(fault);
+  };
+  judge("k1", &TrussConstants::k1, constants.size());
+  judge("k2", &TrussConstants::k2, constants.size());
+  judge("k3", &TrussConstants::k3, constants.size());
+  judge("k4", &TrussConstants::k4, 1);  // the others have no weld before them
+  return faults;
 }
 
 }  // namespace
 
 BumpCell make_bump_cell(const BumpArc& arc, const Section& section) {
   // Half of it from crest (0) over the arc's end (1) to mid-flat (2), where u is half the growth of the pitch.
-  PlanarFrame half(3, section);
-  half.add(0, 1, falling_half(arc));
-  half.add(1, 2, flat_element(0.5 * arc.flat));
+  PlanarFrame half(3);
+  half.add(0, 1, section, falling_half(arc));
+  half.add(1, 2, section, flat_element(0.5 * arc.flat));
   const Matrix K = half.condense({1, 6}, {0, 2, 4, 8});
   return {.a = 2.0 * K(0, 0), .b = -K(0, 1), .d = 0.5 * K(1, 1)};
 }
@@ -102,30 +168,23 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
   const double c = std::cos(constants.theta_d);
   const double s = std::sin(constants.theta_d);
   constants.k1 = cell.a / (2.0 * s * s);
-  constants.k3 = crest_to_crest(arc, section);
+  const HalfBump half = make_half_bump(arc, section);
+  constants.k3 = crest_to_crest(half, half);
   constants.k2 = cell.d - 0.5 * constants.k1 * c * c - constants.k3;
   constants.k4 = weld_stiffness(constants, first_crest_stiffness(arc, section));
   return constants;
 }
 
-std::vector<Fault> find_truss_faults(const Case& input) {
-  const TrussConstants constants = given_or_identified(input);
-  std::vector<Fault> faults;
-  for (const auto& [name, value] : {std::pair{"k1", constants.k1}, std::pair{"k2", constants.k2},
-                                    std::pair{"k3", constants.k3}, std::pair{"k4", constants.k4}}) {
-    if (value >= 0.0) continue;
-    Fault fault;
-    fault.key = fmt::format("bump_foil.truss.{}", name);
-    fault.what = fmt::format("comes out as {:.4g} N/m for this shape of bump: the truss would be unstable", value);
-    fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
-    faults.push_back(fault);
-  }
-  return faults;
+std::vector<Fault> find_truss_faults(const FoilDesign& foils) {
+  return faults_of(foils, given_or_identified(foils));
 }
 
-TrussConstants make_truss_constants(const Case& input) {
-  if (std::vector<Fault> faults = find_truss_faults(input); !faults.empty()) throw Error(ErrorKind::input, faults);
-  return given_or_identified(input);
+std::vector<TrussConstants> make_truss_constants(const FoilDesign& foils) {
+  std::vector<TrussConstants> constants = given_or_identified(foils);
+  if (std::vector<Fault> faults = faults_of(foils, constants); !faults.empty()) {
+    throw Error(ErrorKind::input, std::move(faults));
+  }
+  return constants;
 }
 
 }  // namespace bumpfoil

@@ -5,14 +5,13 @@
 
 namespace bumpfoil {
 
-PlanarFrame::PlanarFrame(int nodes, const Section& section)
-    : section_(section), K_(Matrix::Zero(3 * Eigen::Index{nodes}, 3 * Eigen::Index{nodes})) {}
+PlanarFrame::PlanarFrame(int nodes) : K_(Matrix::Zero(3 * Eigen::Index{nodes}, 3 * Eigen::Index{nodes})) {}
 
-void PlanarFrame::add(int start_node, int end_node, const FrameElement& element) {
+void PlanarFrame::add(int start_node, int end_node, const Section& section, const FrameElement& element) {
   const Eigen::Index a = 3 * Eigen::Index{start_node};
   const Eigen::Index b = 3 * Eigen::Index{end_node};
   const std::array<Eigen::Index, 6> place{a, a + 1, a + 2, b, b + 1, b + 2};
-  K_(place, place) += frame_element_stiffness(section_, element);
+  K_(place, place) += frame_element_stiffness(section, element);
 }
 
 Matrix PlanarFrame::condense(const Unknowns& kept, const Unknowns& fixed) const {

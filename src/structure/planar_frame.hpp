@@ -12,15 +12,14 @@ class PlanarFrame {
  public:
   using Unknowns = std::vector<Eigen::Index>;
 
-  PlanarFrame(int nodes, const Section& section);
+  explicit PlanarFrame(int nodes);
 
-  void add(int start_node, int end_node, const FrameElement& element);
+  void add(int start_node, int end_node, const Section& section, const FrameElement& element);
 
   /// Stiffness felt at the unknowns `kept`, in their order, when `fixed` ones are zero and all others are free.
   [[nodiscard]] Matrix condense(const Unknowns& kept, const Unknowns& fixed) const;
 
  private:
-  Section section_;
   Matrix K_;
 };
 

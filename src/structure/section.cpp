@@ -11,4 +11,13 @@ Section make_section(double youngs_modulus, double poisson_ratio, double axial_l
   return section;
 }
 
+Section make_bump_section(const FoilDesign& foils, const BumpShape& bump) {
+  return make_section(foils.youngs_modulus, foils.poisson_ratio, foils.axial_length, bump.thickness);
+}
+
+Section make_top_foil_section(const FoilDesign& foils) {
+  const TopFoilDesign& top = foils.top_foil.value();
+  return make_section(top.youngs_modulus, top.poisson_ratio, foils.axial_length, top.thickness);
+}
+
 }  // namespace bumpfoil

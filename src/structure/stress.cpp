@@ -13,19 +13,15 @@ double weld_moment(const TopFoilMoments& form, double first_displacement, double
 
 }  // namespace
 
-StressModel make_stress_model(const Case& input, const FoilLayout& layout) {
+StressModel make_stress_model(const FoilDesign& foils) {
   StressModel model;
-  model.dofs = make_bump_dofs(input.bump_foil.model, layout.top_foil);
-  if (input.bump_foil.model == BumpFoilModel::frame) {
-    model.bump_foil = make_frame_model(input);
-    model.bump_foil->welded = layout.welded;
-  } else {
-    model.first_bump = layout.welded ? 0 : 1;
-  }
-  if (model.dofs.top_u >= 0) {
-    model.top_foil = make_top_foil_moments(input, layout);
-    model.moment_scale = top_moment_scale(input);
-    model.top_section_modulus = make_top_foil_section(input).modulus;
+  model.dofs = make_bump_dofs(foils);
+  model.first_bump = block_of_bump_1(foils);
+  if (foils.model == BumpFoilModel::frame) model.bump_foil = make_frame_model(foils);
+  if (foils.top_foil) {
+    model.top_foil = make_top_foil_moments(foils);
+    model.moment_scale = top_moment_scale(foils);
+    model.top_section_modulus = make_top_foil_section(foils).modulus;
   }
   return model;
 }

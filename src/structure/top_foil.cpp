@@ -4,22 +4,13 @@
 #include <cmath>
 
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/model/geometry.hpp"
 #include "structure/series.hpp"
 
 namespace bumpfoil {
 
-Section make_top_foil_section(const Case& input) {
-  const TopFoil& foil = input.top_foil;
-  return make_section(foil.youngs_modulus, foil.poisson_ratio, input.bearing.axial_length, foil.thickness);
-}
-
-TopFoilBeam make_top_foil_beam(const Case& input) {
-  return {input.bearing.radius, make_top_foil_section(input).bending_stiffness, crest_angles(input)};
-}
-
-double top_moment_scale(const Case& input) {
-  return make_top_foil_section(input).bending_stiffness / (input.bump_foil.pitch * input.bump_foil.pitch);
+TopFoilBeam make_top_foil_beam(const FoilDesign& foils) {
+  return {foils.radius.value(), make_top_foil_section(foils).bending_stiffness,
+          crest_positions(foils) / foils.radius.value()};
 }
 
 Matrix top_foil_compliance(const TopFoilBeam& beam) {
@@ -81,6 +72,23 @@ TopFoilMoments make_flat_top_foil_moments(double bending_stiffness, const Vector
   form.compliance_diagonal.tail(n - 1) += spans.head(n - 1) / (3.0 * bending_stiffness);
   form.compliance_off = spans.head(n - 1) / (6.0 * bending_stiffness);
   return form;
+}
+
+TopFoilMoments make_top_foil_moments(const FoilDesign& foils) {
+  if (foils.radius) return make_top_foil_moments(make_top_foil_beam(foils));
+  Vector spans(static_cast<Eigen::Index>(foils.bumps.size()));
+  double half_pitch_before = 0.0;
+  for (Eigen::Index k = 0; k < spans.size(); ++k) {
+    const double half_pitch = 0.5 * foils.bumps[static_cast<std::size_t>(k)].pitch;
+    spans[k] = half_pitch_before + half_pitch;
+    half_pitch_before = half_pitch;
+  }
+  return make_flat_top_foil_moments(make_top_foil_section(foils).bending_stiffness, spans, foils.welded);
+}
+
+double top_moment_scale(const FoilDesign& foils) {
+  const double length = foils.reference_length();
+  return make_top_foil_section(foils).bending_stiffness / (length * length);
 }
 
 Vector solve_tridiagonal(Vector diagonal, const Vector& off, Vector right) {

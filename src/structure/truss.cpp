@@ -6,15 +6,16 @@
 
 namespace bumpfoil {
 
-std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps, bool welded) {
+std::vector<Spring> make_truss_springs(const std::vector<TrussConstants>& bumps, const BumpDofs& dofs, bool welded) {
   BUMPFOIL_ASSERT(dofs.feet() == 1);
-  const double c = std::cos(constants.theta_d);
-  const double s = std::sin(constants.theta_d);
   const int foot_u = dofs.foot_u.front();
   const int foot_v = dofs.foot_v.front();
   std::vector<Spring> springs;
   const int first = welded ? 0 : 1;
-  for (int n = first; n < first + bumps; ++n) {
+  int n = first;
+  for (const TrussConstants& constants : bumps) {
+    const double c = std::cos(constants.theta_d);
+    const double s = std::sin(constants.theta_d);
     Spring front{constants.k1, {{n, dofs.crest_u, c}, {n, dofs.crest_v, -s}}};
     const Spring back{constants.k1, {{n, foot_u, c}, {n, dofs.crest_u, -c}, {n, dofs.crest_v, -s}, {n, foot_v, s}}};
     Spring feet{constants.k2, {{n, foot_u, 1.0}}};
@@ -27,6 +28,7 @@ std::vector<Spring> make_truss_springs(const TrussConstants& constants, const Bu
     }
     springs.insert(springs.end(), {front, back, feet});
     if (n > first || welded) springs.push_back(crests);
+    ++n;
   }
   return springs;
 }

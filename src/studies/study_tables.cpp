@@ -100,7 +100,7 @@ double height_error(const Case& input, int bump) {
 
 /// Height of the crests over the sleeve where they touch the undeformed top foil.
 double nominal_height(const Case& input) {
-  return make_bump_arc(input.bump_foil).rise + input.bump_foil.thickness;
+  return nominal_bump(input.bump_foil).rise + input.bump_foil.thickness;
 }
 
 void write_heights(const Study& /*study*/, const StudyRun& run, const StudyRunResult& result, StudyTable& table) {

@@ -19,6 +19,12 @@ ALLOWED = {
     "studies": {"core", "model", "structure", "contact", "film", "analysis", "io"},
 }
 
+# Headers that a module must not include, though it may include their module: foils are built from a design of their
+# own, whatever form a case gives them.
+FOREIGN_HEADERS = {
+    "structure": {f"bumpfoil/model/{name}.hpp" for name in ("case", "geometry", "validation")},
+}
+
 # Words that must not occur in the code of a module: contact knows no foils, structure knows no friction.
 FOREIGN_WORDS = {
     "contact": re.compile(r"\w*bump\w*", re.IGNORECASE),
@@ -70,6 +76,8 @@ def check_includes(path, module, text):
                 yield f'{where}: include "{name}" names no module; write "bumpfoil/<module>/<header>"'
             elif target != module and target not in ALLOWED[module]:
                 yield f'{where}: {module} must not include {target} ("{name}")'
+            elif name in FOREIGN_HEADERS.get(module, ()):
+                yield f'{where}: {module} must not include "{name}"; it builds from a FoilDesign'
         elif module not in MAY_USE_FILES and path not in MAY_PRINT and IO_HEADERS.fullmatch(name):
             yield f"{where}: <{name}> belongs to io and the programs, not to {module}"
 

@@ -48,6 +48,12 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/structure/truss.cpp", "#include <bumpfoil/contact/problem.hpp>\n")
         self.assert_one_fault("structure must not include contact")
 
+    def test_structure_does_not_include_the_case(self):
+        self.write("src/structure/truss.cpp", '#include "bumpfoil/model/foil_design.hpp"\n')
+        self.assertEqual(find_faults(self.root), [])
+        self.write("src/structure/truss.cpp", '#include "bumpfoil/model/case.hpp"\n')
+        self.assert_one_fault("src/structure/truss.cpp:1", "bumpfoil/model/case.hpp")
+
     def test_include_that_leaves_the_folder(self):
         self.write("src/core/vector.cpp", '#include "../model/case.hpp"\n')
         self.assert_one_fault("src/core/vector.cpp:1", "names no module")

@@ -4,6 +4,7 @@
 
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 #include "bumpfoil/structure/truss.hpp"
@@ -20,7 +21,7 @@ DenseContacts dense_bearing(const Case& input) {
   const int bumps = input.bump_foil.bumps;
   const BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
   BlockTridiagonal bump_foil(bumps, 4);
-  assemble_springs(make_truss_springs(make_truss_constants(input), dofs, bumps), bump_foil);
+  assemble_springs(make_truss_springs(make_truss_constants(make_bearing_foils(input)), dofs), bump_foil);
   const Eigen::Index n = Eigen::Index{5} * bumps;
   const Eigen::Index contacts = Eigen::Index{3} * bumps;
   DenseContacts dense{.K = Matrix::Zero(n, n),
@@ -28,7 +29,7 @@ DenseContacts dense_bearing(const Case& input) {
                       .tangential = Matrix::Zero(contacts, n),
                       .friction = Vector::Zero(contacts)};
   dense.K.topLeftCorner(4 * bumps, 4 * bumps) = bump_foil.dense();
-  dense.K.bottomRightCorner(bumps, bumps) = top_foil_stiffness(make_top_foil_beam(input));
+  dense.K.bottomRightCorner(bumps, bumps) = top_foil_stiffness(make_top_foil_beam(make_bearing_foils(input)));
   for (Eigen::Index i = 0; i < bumps; ++i) {
     const Eigen::Index top = 4 * bumps + i;
     dense.normal(3 * i, top) = 1.0;

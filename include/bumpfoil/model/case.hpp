@@ -5,34 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/model/foil_design.hpp"
+
 namespace bumpfoil {
 
 /// Sense in which the foils run from the weld, seen with X to the right and Y up.
 enum class Wrap { clockwise, counterclockwise };
 
-/// How the corrugated foil is modelled.
-enum class BumpFoilModel {
-  truss,   ///< springs between crests and feet, four degrees of freedom per bump [Arghir2019]
-  frame,   ///< exact circular-arc and straight beam elements
-  former,  ///< truss with feet that never lift and no top foil [LeLez2007]
-};
-
-/// How far displacements change the geometry of the bump foil.
-enum class Geometry {
-  linear,     ///< not at all: small displacements
-  nonlinear,  ///< elements move and turn with their ends: large displacements (frame model only)
-};
-
 /// What `BumpFoil::height` measures.
 enum class HeightReference {
   overall,     ///< top of the bump over the sleeve; the rise of the mid-surface is height - thickness
   midsurface,  ///< rise of the mid-surface itself
-};
-
-/// Where the bump foil is clamped.
-enum class WeldPosition {
-  mid_flat,   ///< in the middle of the flat before bump 1
-  arc_start,  ///< at the start of the first arc: the weld covers the flat (frame model only)
 };
 
 enum class SolverName { newton, uzawa, events };
@@ -46,17 +29,6 @@ struct Bearing {
   Wrap wrap{Wrap::clockwise};
 
   bool operator==(const Bearing&) const = default;
-};
-
-/// Constants of the truss model; those that are absent are identified from a planar frame of the same foil.
-struct TrussOverrides {
-  std::optional<double> k1;       ///< N/m
-  std::optional<double> k2;       ///< N/m
-  std::optional<double> k3;       ///< N/m
-  std::optional<double> k4;       ///< N/m
-  std::optional<double> theta_d;  ///< rad
-
-  bool operator==(const TrussOverrides&) const = default;
 };
 
 struct BumpFoil {

@@ -4,33 +4,22 @@
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/foil_design.hpp"
 
 namespace bumpfoil {
 
-/// Circular arc of a bump, mid-surface, unwrapped onto a straight base.
-///
-///     R_b = (l0^2 + h^2) / (2 h),   sin(alpha) = l0 / R_b
-///
-/// `half_angle` exceeds pi/2 where the rise exceeds the half chord.
-struct BumpArc {
-  double half_length{};  ///< l0, m
-  double rise{};         ///< h of the mid-surface, m
-  double radius{};       ///< R_b, m
-  double half_angle{};   ///< alpha, rad
-  double flat{};         ///< length of the flat between two bumps, p - 2 l0, m
-};
+/// The nominal bump of a foil; its rise is height - thickness or height, as `height_reference` says.
+BumpShape nominal_bump(const BumpFoil& foil);
 
-/// Arc of the nominal bump; the rise is height - thickness or height, as `height_reference` says.
-BumpArc make_bump_arc(const BumpFoil& foil);
+/// Foils of the bearing of a case. Every bump is the nominal one, and height errors act through the gaps alone, unless
+/// `stiffness_follows_height` gives each bump a rise of its own. The case must be valid.
+FoilDesign make_bearing_foils(const Case& input);
 
-/// Places of the crests from the weld along the foil, (i - 1/2) p for i = 1..N, m.
-Vector crest_positions(const BumpFoil& foil);
+/// Foils of the strip of a case, flat and cut to its bumps. The case must be valid and have a strip.
+FoilDesign make_strip_foils(const Case& input);
 
-/// Places of the feet from the weld along the foil, in the order of the results, m: middle of the flat after each bump
-/// in the truss, which without a weld has one more at 0; both ends of each arc in the frame.
-Vector foot_positions(const BumpFoil& foil, bool welded = true);
-
-/// Angles of the crests from the weld along the foil, theta_i = (i - 1/2) p / R for i = 1..N, rad.
+/// Angles of the crests from the weld along the foil, their places over R, rad: theta_i = (i - 1/2) p / R for equal
+/// pitches.
 Vector crest_angles(const Case& input);
 
 /// Angles of the feet from the weld along the foil, in the order of the results, rad.

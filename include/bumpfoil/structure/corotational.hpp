@@ -5,7 +5,6 @@
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/structure/frame_element.hpp"
-#include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
 
@@ -16,7 +15,17 @@ namespace bumpfoil {
 ///
 /// in the order of frame_element_stiffness, m and rad [Crisfield1991, Ch. 7]. Zero for any rigid motion that turns
 /// by less than half a turn.
-ElementVector chord_deformations(const FrameElement& element, const ElementVector& displacements);
+/// @param chord  undeformed, end minus start, m
+ElementVector chord_deformations(const Eigen::Vector2d& chord, const ElementVector& displacements);
+
+/// An element that its ends carry along: its undeformed chord and what resists its deformation against it.
+struct CorotationalElement {
+  Eigen::Vector2d chord{0.0, 0.0};                     ///< end minus start, m
+  Eigen::Matrix3d stiffness{Eigen::Matrix3d::Zero()};  ///< of stretch and rotations of start and end, N/m, N, N m
+};
+
+/// @param stiffness  of the undeformed element, order of frame_element_stiffness
+CorotationalElement make_corotational_element(const Eigen::Vector2d& chord, const ElementMatrix& stiffness);
 
 /// What an element that its ends carry along answers to their displacements.
 struct CorotationalResponse {
@@ -36,19 +45,17 @@ struct CorotationalResponse {
 ///
 /// where D is the derivative of d. Valid while an element bends little by itself: rotations against its chord and
 /// stretch over length well below 1.
-CorotationalResponse corotational_response(const Section& section, const FrameElement& element,
-                                           const ElementVector& displacements);
+CorotationalResponse corotational_response(const CorotationalElement& element, const ElementVector& displacements);
 
 /// An element between two nodes, each with three unknowns in a row of a block-tridiagonal system: u, v and rotation.
 struct PlacedElement {
-  FrameElement element;
+  CorotationalElement element;
   Eigen::Index start{-1};  ///< first unknown of the node at its start; -1 is clamped
   Eigen::Index end{};      ///< first unknown of the node at its end
 };
 
 /// Elements of a foil, from the weld on. A plain value.
 struct ElementChain {
-  Section section;
   double rotation_scale{};  ///< rotations (rad) stand among the unknowns as rotation * rotation_scale (m)
   std::vector<PlacedElement> elements;
 };

@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/corotational.hpp"
-#include "bumpfoil/structure/top_foil.hpp"
 
 namespace bumpfoil {
 
@@ -24,17 +23,8 @@ struct BumpDofs {
   [[nodiscard]] int feet() const { return static_cast<int>(foot_u.size()); }
 };
 
-/// How foils are laid and held: in a bearing, the default, or flat in a strip.
-struct FoilLayout {
-  bool flat{};          ///< the top foil is straight
-  bool welded{true};    ///< both foils are clamped at the weld; else they are free at both ends
-  bool top_foil{true};  ///< there is one
-
-  bool operator==(const FoilLayout&) const = default;
-};
-
 /// Unknowns of a bump in each model, see make_foil_structure().
-BumpDofs make_bump_dofs(BumpFoilModel model, bool with_top_foil = true);
+BumpDofs make_bump_dofs(const FoilDesign& foils);
 
 /// Foils whose displacements are large: the elements of the bump foil are carried along, the rest stays linear.
 struct LargeDisplacements {
@@ -51,9 +41,9 @@ struct LargeDisplacements {
 ///     [  0    0   D ] [u_t] = [ loads on the top foil  ]          K_t = D T^-1 D'
 ///     [  0    D' -T ] [ M ]   [           0            ]
 ///
-/// Each moment stands as M p^2 / EI' (m; p = bump pitch, EI' of the top foil), so that all of K is in N/m and its top
-/// part is of the order EI' / p^3. The moment at the weld is eliminated into the first block. The moment over the last
-/// crest is zero; its place is kept, coupled to nothing, so that all blocks have one size.
+/// Each moment stands as M p^2 / EI' (m; p = reference_length(), EI' of the top foil), so that all of K is in N/m and
+/// its top part is of the order EI' / p^3. The moment at the weld is eliminated into the first block. The moment over
+/// the last crest is zero; its place is kept, coupled to nothing, so that all blocks have one size.
 ///
 /// Under large displacements K is the stiffness of the undeformed foils.
 struct FoilStructure {
@@ -65,24 +55,24 @@ struct FoilStructure {
   [[nodiscard]] int bumps() const { return K.blocks() - first_bump; }
 };
 
-/// Foils of a case: the truss or the frame model of the bump foil, as the case says, and the top foil over it.
+/// The truss or the frame model of the bump foil, and the top foil over it.
 ///
 /// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The former model
 /// has the first four alone. Frame, 11 unknowns per bump: see frame_dofs().
 ///
-/// Unknowns that a layout leaves without meaning (the top foil where there is none, all but the foot of the block
+/// Unknowns without meaning (the top foil where there is none, all but the foot of the block
 /// before bump 1) are kept, so that all blocks have one size: held by springs that nothing else is coupled to, they
 /// stay zero. Foils that are free at both ends are held by springs of `loose_hold` at every foot and, the top foil, at
 /// every crest: what nothing else decides stays where it was.
-/// @throws Error (input) if the case cannot be built.
-FoilStructure make_foil_structure(const Case& input, const FoilLayout& layout = {});
+/// @throws Error (input) if the constants of the truss cannot be identified.
+FoilStructure make_foil_structure(const FoilDesign& foils);
+
+/// Block of bump 1, see FoilStructure.
+int block_of_bump_1(const FoilDesign& foils);
 
 /// Stiffness of the springs that keep loose foils from drifting, N/m: the force of a micrometre is a hundred millionth
 /// of a newton, below every tolerance of contact forces, and still a thousand times the roundings of balanced forces.
 inline constexpr double loose_hold = 1e-2;
-
-/// The top foil of a case in its moment form, as the layout has it.
-TopFoilMoments make_top_foil_moments(const Case& input, const FoilLayout& layout);
 
 /// Left-hand side of the balance, N: K x, or under large displacements the forces of the carried elements beside the
 /// linear rest. Rows of moments hold their compatibility.

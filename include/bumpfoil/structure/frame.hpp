@@ -10,27 +10,22 @@
 namespace bumpfoil {
 
 /// Bump foil as a plane frame on a straight base: two exact circular-arc elements per bump, one straight element per
-/// flat, nothing after the end of the last arc.
+/// flat, nothing after the end of the last arc. A flat belongs half to the bump before it, half to the one after it.
 struct FrameModel {
-  Section section;
-  std::vector<BumpArc> arcs;  ///< one per bump, of the same half chord and flat
-  double pitch{};             ///< p, m
+  std::vector<BumpArc> arcs;      ///< one per bump
+  std::vector<Section> sections;  ///< one per bump: of its arc and of the half flats on both sides
+  double rotation_scale{};        ///< m, see frame_dofs()
   WeldPosition weld_at{WeldPosition::mid_flat};
   Geometry geometry{Geometry::linear};
   bool welded{true};  ///< false: free at both ends, the first arc begins where nothing holds it
 };
 
-/// Frame of the bump foil of a case. Every arc is the nominal one, and height errors act through the gaps alone, unless
-/// `stiffness_follows_height` gives each bump its own arc, see make_own_arcs().
-FrameModel make_frame_model(const Case& input);
-
-/// Arcs of bumps that are as tall as their height errors say, on the same chord, one per bump. The case must be valid:
-/// each error smaller than the rise.
-std::vector<BumpArc> make_own_arcs(const BumpFoil& foil);
+/// Frame of a bump foil.
+FrameModel make_frame_model(const FoilDesign& foils);
 
 /// Unknowns of a bump: u, v and rotation of arc start, crest and arc end; displacement and moment of the top foil.
-/// Feet are the two arc ends. Each rotation (rad, positive from u to v) stands as rotation * p (m), so that all of K is
-/// in N/m.
+/// Feet are the two arc ends. Each rotation (rad, positive from u to v) stands as rotation * reference_length()
+/// (m), so that all of K is in N/m.
 BumpDofs frame_dofs();
 
 /// Elements of the foil between nodes whose unknowns begin each block, in the order of frame_dofs(): the flat before a
@@ -39,8 +34,8 @@ BumpDofs frame_dofs();
 ElementChain place_elements(const FrameModel& model, int block_size);
 
 /// Where the weld clamps the start of the first arc, its three unknowns are kept, and no element is coupled to them:
-/// this adds springs to the ground of stiffness EA' / p. They stay zero, and a sleeve contact there is closed without
-/// load for a gap of zero and open for a positive one. Elsewhere it adds nothing.
+/// this adds springs to the ground of stiffness EA' / rotation_scale. They stay zero, and a sleeve contact there is
+/// closed without load for a gap of zero and open for a positive one. Elsewhere it adds nothing.
 void hold_covered_node(const FrameModel& model, BlockTridiagonal& K);
 
 /// Adds the undeformed bump foil, hold_covered_node() included, to K, whose blocks are those of frame_dofs().

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
@@ -34,6 +34,10 @@ using ElementVector = Eigen::Matrix<double, 6, 1>;
 ///
 /// and equilibrium carries its inverse to the ends. The integrals are evaluated to full precision for shallow arcs.
 ElementMatrix frame_element_stiffness(const Section& section, const FrameElement& element);
+
+/// Stiffness of two elements one after the other, the node between them free of load: order as above, of the start of
+/// the first and the end of the second.
+ElementMatrix stiffness_in_series(const ElementMatrix& first, const ElementMatrix& second);
 
 /// What the part after a cut does to the part before it, carried to the elastic centre; the same for every cut.
 struct ElementForces {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/section.hpp"
 #include "bumpfoil/structure/truss.hpp"
 
@@ -38,12 +38,14 @@ BumpCell make_bump_cell(const BumpArc& arc, const Section& section);
 /// make_truss_constants.
 TrussConstants identify_truss_constants(const BumpArc& arc, const Section& section);
 
-/// What keeps a valid case from being built as a truss: constants that it does not give and that come out negative, so
-/// that the truss would be unstable. Empty for cases whose truss can be built.
-std::vector<Fault> find_truss_faults(const Case& input);
+/// What keeps foils from being built as a truss: constants that are not given and that come out negative, so that the
+/// truss would be unstable. Empty for foils whose truss can be built.
+std::vector<Fault> find_truss_faults(const FoilDesign& foils);
 
-/// Constants of the truss of a case: what the case gives, and the identified ones in its place where it gives none.
-/// @throws Error (input) listing find_truss_faults(input) if there are any.
-TrussConstants make_truss_constants(const Case& input);
+/// Constants of the truss, one set per bump: the given ones, and in place of those that are not given the identified
+/// ones. A bump's own shape gives its k1, k2, k4 and theta_d; its k3, between two bumps, is that of a row like the bump
+/// before it that goes on as a row like itself.
+/// @throws Error (input) listing find_truss_faults(foils) if there are any.
+std::vector<TrussConstants> make_truss_constants(const FoilDesign& foils);
 
 }  // namespace bumpfoil

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {

@@ -24,16 +24,15 @@ struct StressModel {
   int first_bump{};  ///< block of bump 1
   std::optional<FrameModel> bump_foil;
   std::optional<TopFoilMoments> top_foil;
-  double moment_scale{};         ///< EI' / p^2 of the top foil, N: its moments are the unknowns times this
+  double moment_scale{};         ///< see top_moment_scale(), N: the moments of the top foil are the unknowns times this
   double top_section_modulus{};  ///< W of the top foil, m^3
 };
 
-/// @throws Error (input) if the case cannot be built.
-StressModel make_stress_model(const Case& input, const FoilLayout& layout = {});
+StressModel make_stress_model(const FoilDesign& foils);
 
 /// Moments of the top foil as the unknowns hold them; over the crests, where they are largest in magnitude but for a
 /// part of 1 / cos(d/2) - 1 between two crests that are d apart.
-/// @param x  unknowns of the foil structure of the same case and layout
+/// @param x  unknowns of the structure of the same foils
 FoilStress foil_stress(const StressModel& model, const Vector& x);
 
 }  // namespace bumpfoil

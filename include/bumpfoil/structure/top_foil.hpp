@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
@@ -14,13 +14,8 @@ struct TopFoilBeam {
   Vector theta;                ///< angles of the loads, 0 < theta_1 < theta_2 < ..., rad
 };
 
-Section make_top_foil_section(const Case& input);
-
-/// Top foil of a bearing, loaded over its crests.
-TopFoilBeam make_top_foil_beam(const Case& input);
-
-/// Unit of the moments among the unknowns of a foil structure, EI' / p^2 of the top foil, N.
-double top_moment_scale(const Case& input);
+/// Top foil loaded over the crests of the bump foil. There must be one, and a radius.
+TopFoilBeam make_top_foil_beam(const FoilDesign& foils);
 
 /// Radial compliance at the crests, N x N, m/N, symmetric positive definite; for theta_j <= theta_i
 ///
@@ -63,6 +58,12 @@ TopFoilMoments make_top_foil_moments(const TopFoilBeam& beam);
 /// @param spans              from the weld to the first crest, then from crest to crest, m
 /// @param welded             clamped before the first crest; else free at both ends
 TopFoilMoments make_flat_top_foil_moments(double bending_stiffness, const Vector& spans, bool welded);
+
+/// The top foil of a pair of foils, bent or flat, in its moment form. There must be one.
+TopFoilMoments make_top_foil_moments(const FoilDesign& foils);
+
+/// Unit of the moments among the unknowns of a foil structure, EI' / reference_length()^2 of the top foil, N.
+double top_moment_scale(const FoilDesign& foils);
 
 /// Moments M_0..M_{N-1} (N m) of the welded foil whose crests are displaced by `u` (N entries, m, outward): T M = D' u.
 Vector top_foil_moments(const TopFoilMoments& form, const Vector& u);

@@ -6,12 +6,12 @@
 
 namespace bumpfoil {
 
-/// Springs of the truss model of the bump foil [Arghir2019, Fig. 4].
+/// Springs of one bump in the truss model of the bump foil [Arghir2019, Fig. 4].
 struct TrussConstants {
   double k1{};       ///< rods between crest and feet, N/m
-  double k2{};       ///< between neighbouring feet, N/m
-  double k3{};       ///< between neighbouring crests, N/m
-  double k4{};       ///< between the weld and the first crest, N/m
+  double k2{};       ///< between the feet before and after the bump, N/m
+  double k3{};       ///< between the crest and the one before it, N/m
+  double k4{};       ///< between the weld and the crest of bump 1, N/m
   double theta_d{};  ///< inclination of the rods, rad
 };
 
@@ -26,9 +26,9 @@ struct Spring {
   std::vector<Term> terms;
 };
 
-/// Springs of a truss of any number of bumps. With c = cos(theta_d), s = sin(theta_d), crest (u_c, v_c) of bump n, foot
-/// after it (u_f, v_f), foot before it (u_p, v_p; the weld, zero, for n = 1) and crest before it u_q the elongations
-/// are
+/// Springs of a truss, each bump with constants of its own. With c = cos(theta_d), s = sin(theta_d), crest (u_c, v_c)
+/// of bump n, foot after it (u_f, v_f), foot before it (u_p, v_p; the weld, zero, for n = 1) and crest before it u_q
+/// the elongations are
 ///
 ///     k1: (u_c - u_p) c - (v_c - v_p) s     k1: (u_f - u_c) c - (v_c - v_f) s
 ///     k2: u_f - u_p     k3: u_c - u_q (n > 1)     k4: u_c (n = 1)
@@ -36,7 +36,7 @@ struct Spring {
 /// [Arghir2019, Eq. 7]. `dofs` has one foot.
 /// @param welded  false: free at both ends. The foot before bump 1 is then the foot of block 0, bump n is block n, and
 ///                there is no k4.
-std::vector<Spring> make_truss_springs(const TrussConstants& constants, const BumpDofs& dofs, int bumps,
+std::vector<Spring> make_truss_springs(const std::vector<TrussConstants>& bumps, const BumpDofs& dofs,
                                        bool welded = true);
 
 /// Half the sum of stiffness * elongation^2, J; `x` holds blocks of `block_size` unknowns.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace bumpfoil {
 namespace {
@@ -12,23 +13,11 @@ constexpr double pi = std::numbers::pi;
 /// A few roundings of numbers of order one.
 constexpr double rounding = 1e-14;
 
-TEST(BumpArc, OverallHeightIncludesTheThickness) {
+TEST(NominalBump, OverallHeightIncludesTheThickness) {
   Case input = reference_case();
-  EXPECT_DOUBLE_EQ(make_bump_arc(input.bump_foil).rise, 0.406e-3);
+  EXPECT_DOUBLE_EQ(nominal_bump(input.bump_foil).rise, 0.406e-3);
   input.bump_foil.height_reference = HeightReference::midsurface;
-  EXPECT_DOUBLE_EQ(make_bump_arc(input.bump_foil).rise, 0.508e-3);
-}
-
-TEST(BumpArc, MeetsItsDefinition) {
-  for (const double height : {0.2e-3, 0.508e-3, 3e-3}) {  // the last is more than a half circle
-    Case input = reference_case();
-    input.bump_foil.height = height;
-    const BumpArc arc = make_bump_arc(input.bump_foil);
-    EXPECT_NEAR(std::sin(arc.half_angle), arc.half_length / arc.radius, rounding);
-    EXPECT_NEAR(arc.radius * (1.0 - std::cos(arc.half_angle)), arc.rise, rounding);
-    EXPECT_EQ(arc.half_angle > pi / 2, arc.rise > arc.half_length);
-    EXPECT_NEAR(arc.flat, 1.016e-3, rounding);
-  }
+  EXPECT_DOUBLE_EQ(nominal_bump(input.bump_foil).rise, 0.508e-3);
 }
 
 TEST(CrestAngles, FirstCrestStandsHalfAPitchFromTheWeld) {
@@ -95,16 +84,44 @@ TEST(UnitVector, IsExactAlongTheAxes) {
   EXPECT_DOUBLE_EQ(unit_vector(pi / 6).x(), std::cos(pi / 6));
 }
 
-TEST(FootPositions, OfATrussWithoutAWeldBeginBeforeTheFirstBump) {
-  BumpFoil foil = reference_case().bump_foil;
-  foil.bumps = 3;
-  const double p = foil.pitch;
-  EXPECT_LT((crest_positions(foil) - Vector{{0.5 * p, 1.5 * p, 2.5 * p}}).norm(), 1e-17);
-  EXPECT_LT((foot_positions(foil) - Vector{{p, 2.0 * p, 3.0 * p}}).norm(), 1e-17);
-  EXPECT_LT((foot_positions(foil, false) - Vector{{0.0, p, 2.0 * p, 3.0 * p}}).norm(), 1e-17);
-  foil.model = BumpFoilModel::frame;
-  EXPECT_EQ(foot_positions(foil, false), foot_positions(foil, true));
-  EXPECT_NEAR(foot_positions(foil)[3], 1.5 * p + 0.5 * foil.length, 1e-17);
+TEST(BearingFoils, HaveTheNominalBumpEverywhere) {
+  Case input = reference_case();
+  input.bump_foil.height_errors = std::vector<double>(26, 5e-6);  // gaps alone
+  const FoilDesign foils = make_bearing_foils(input);
+  EXPECT_EQ(foils.bumps, std::vector<BumpShape>(26, nominal_bump(input.bump_foil)));
+  EXPECT_EQ(foils.radius, input.bearing.radius);
+  EXPECT_TRUE(foils.welded);
+  EXPECT_TRUE(foils.top_foil);
+  input.bump_foil.model = BumpFoilModel::former;
+  EXPECT_FALSE(make_bearing_foils(input).top_foil);
+}
+
+TEST(BearingFoils, FollowTheHeightErrorsWhereStiffnessDoes) {
+  Case input = reference_case();
+  input.bump_foil.bumps = 3;
+  input.bump_foil.stiffness_follows_height = true;
+  EXPECT_DOUBLE_EQ(make_bearing_foils(input).bumps[2].rise, 0.406e-3);
+  input.bump_foil.height_errors = {0.0, 20e-6, -15e-6};
+  const FoilDesign foils = make_bearing_foils(input);
+  ASSERT_EQ(foils.bumps.size(), 3U);
+  EXPECT_DOUBLE_EQ(foils.bumps[0].rise, 0.406e-3);
+  EXPECT_DOUBLE_EQ(foils.bumps[1].rise, 0.426e-3);
+  EXPECT_DOUBLE_EQ(foils.bumps[2].rise, 0.391e-3);
+  EXPECT_EQ(foils.bumps[1].half_length, foils.bumps[0].half_length);
+}
+
+TEST(StripFoils, AreFlatAndCutToTheStrip) {
+  Case input = reference_case();
+  input.strip = {.bumps = 4, .weld = StripWeld::none, .top_foil = false, .amplitude = {}};
+  const FoilDesign bare = make_strip_foils(input);
+  EXPECT_EQ(bare.bumps.size(), 4U);
+  EXPECT_FALSE(bare.radius);
+  EXPECT_FALSE(bare.welded);
+  EXPECT_FALSE(bare.top_foil);
+  input.strip->weld = StripWeld::one_end;
+  input.strip->top_foil = true;
+  EXPECT_TRUE(make_strip_foils(input).welded);
+  EXPECT_TRUE(make_strip_foils(input).top_foil);
 }
 
 }  // namespace

@@ -19,6 +19,10 @@ const Section foil_section = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
 /// Half a bump, one that bulges, and a flat.
 const std::vector<FrameElement> elements{{{1.778e-3, -0.508e-3}, 0.5566}, {{0.4e-3, 0.9e-3}, 2.5}, flat_element(1e-3)};
 
+CorotationalElement carried(const FrameElement& element, const Section& section = foil_section) {
+  return make_corotational_element(element.chord, frame_element_stiffness(section, element));
+}
+
 /// Displacements of an element of some millimetres that is carried and turned far and bent a little.
 ElementVector some_displacements(int number) {
   ElementVector q;
@@ -34,14 +38,14 @@ TEST(Corotational, ForcesAreTheGradientOfTheEnergy) {
   for (const FrameElement& element : elements) {
     for (int number = 0; number < 5; ++number) {
       const ElementVector q = some_displacements(number);
-      const CorotationalResponse response = corotational_response(foil_section, element, q);
+      const CorotationalResponse response = corotational_response(carried(element), q);
       for (int i = 0; i < 6; ++i) {
         double best = 1.0;
         double coarsest = 0.0;
         for (const double h : {1e-2, 1e-3, 1e-4, 1e-5}) {
           const ElementVector step = h * unit[i] * ElementVector::Unit(i);
-          const double difference = (corotational_response(foil_section, element, q + step).energy -
-                                     corotational_response(foil_section, element, q - step).energy) /
+          const double difference = (corotational_response(carried(element), q + step).energy -
+                                     corotational_response(carried(element), q - step).energy) /
                                     (2.0 * h * unit[i]);
           const double scale = response.forces.cwiseProduct(unit).cwiseAbs().maxCoeff() / unit[i];
           const double error = std::abs(difference - response.forces[i]) / scale;
@@ -60,15 +64,15 @@ TEST(Corotational, TangentIsTheDerivativeOfTheForces) {
   for (const FrameElement& element : elements) {
     for (int number = 0; number < 5; ++number) {
       const ElementVector q = some_displacements(number);
-      const ElementMatrix tangent = corotational_response(foil_section, element, q).tangent;
+      const ElementMatrix tangent = corotational_response(carried(element), q).tangent;
       const double scale = (unit.asDiagonal() * tangent * unit.asDiagonal()).cwiseAbs().maxCoeff();
       EXPECT_LT((unit.asDiagonal() * (tangent - tangent.transpose()) * unit.asDiagonal()).norm(), 1e-14 * scale);
       for (int i = 0; i < 6; ++i) {
         double best = 1.0;
         for (const double h : {1e-3, 1e-4, 1e-5, 1e-6}) {
           const ElementVector step = h * unit[i] * ElementVector::Unit(i);
-          const ElementVector difference = (corotational_response(foil_section, element, q + step).forces -
-                                            corotational_response(foil_section, element, q - step).forces) /
+          const ElementVector difference = (corotational_response(carried(element), q + step).forces -
+                                            corotational_response(carried(element), q - step).forces) /
                                            (2.0 * h);
           const ElementVector exact = unit[i] * tangent.col(i);
           best = std::min(best, (difference - exact).cwiseProduct(unit).norm() / scale);
@@ -82,7 +86,7 @@ TEST(Corotational, TangentIsTheDerivativeOfTheForces) {
 TEST(Corotational, StableTangentNeverPullsAndLacksNothingUnderTension) {
   for (const FrameElement& element : elements) {
     for (int number = 0; number < 5; ++number) {
-      const CorotationalResponse response = corotational_response(foil_section, element, some_displacements(number));
+      const CorotationalResponse response = corotational_response(carried(element), some_displacements(number));
       const ElementMatrix scaled = unit.asDiagonal() * response.stable_tangent * unit.asDiagonal();
       const ElementVector values = Eigen::SelfAdjointEigenSolver<ElementMatrix>(scaled).eigenvalues();
       EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());  // zero for the rigid motions
@@ -90,7 +94,7 @@ TEST(Corotational, StableTangentNeverPullsAndLacksNothingUnderTension) {
     // Stretched along its chord by a thousandth, with both rotations held: equal and opposite end moments.
     const Eigen::Vector2d stretch = 1e-3 * element.chord;
     const ElementVector q{{0.0, 0.0, 0.0, stretch.x(), stretch.y(), 0.0}};
-    const CorotationalResponse stretched = corotational_response(foil_section, element, q);
+    const CorotationalResponse stretched = corotational_response(carried(element), q);
     EXPECT_LT((unit.asDiagonal() * (stretched.tangent - stretched.stable_tangent) * unit.asDiagonal()).norm(),
               1e-12 * (unit.asDiagonal() * stretched.tangent * unit.asDiagonal()).norm());
   }
@@ -101,13 +105,13 @@ TEST(Corotational, RigidMotionStrainsNothing) {
     for (const double angle : {-3.0, -0.7, 1e-9, 0.4, 3.1}) {
       const Eigen::Vector2d moved = Eigen::Rotation2Dd(angle) * element.chord - element.chord;
       const ElementVector q{{5e-3, -7e-3, angle, 5e-3 + moved.x(), -7e-3 + moved.y(), angle}};
-      const CorotationalResponse response = corotational_response(foil_section, element, q);
+      const CorotationalResponse response = corotational_response(carried(element), q);
       const CorotationalResponse bent =
-          corotational_response(foil_section, element, q + 1e-3 * unit.cwiseProduct(ElementVector::Unit(3)));
+          corotational_response(carried(element), q + 1e-3 * unit.cwiseProduct(ElementVector::Unit(3)));
       // Rounding of displacements of millimetres against a micrometre that strains.
       EXPECT_LT(response.forces.norm(), 1e-10 * bent.forces.norm());
       EXPECT_LT(response.energy, 1e-20 * bent.energy + 1e-24);
-      EXPECT_LT(chord_deformations(element, q).norm(), 1e-15);
+      EXPECT_LT(chord_deformations(element.chord, q).norm(), 1e-15);
     }
   }
 }
@@ -115,14 +119,14 @@ TEST(Corotational, RigidMotionStrainsNothing) {
 TEST(Corotational, AtRestIsTheLinearElement) {
   for (const FrameElement& element : elements) {
     const ElementMatrix linear = frame_element_stiffness(foil_section, element);
-    const CorotationalResponse at_rest = corotational_response(foil_section, element, ElementVector::Zero());
+    const CorotationalResponse at_rest = corotational_response(carried(element), ElementVector::Zero());
     EXPECT_EQ(at_rest.forces.norm(), 0.0);
     EXPECT_LT((unit.asDiagonal() * (at_rest.tangent - linear) * unit.asDiagonal()).norm(),
               1e-13 * (unit.asDiagonal() * linear * unit.asDiagonal()).norm());
     // Small displacements: the forces differ by the square of the displacements.
     const ElementVector q = 1e-3 * ElementVector{{2e-6, -1e-6, 3e-3, 1e-6, 4e-6, -2e-3}};
     for (const double factor : {1.0, 0.1}) {
-      const ElementVector forces = corotational_response(foil_section, element, factor * q).forces;
+      const ElementVector forces = corotational_response(carried(element), factor * q).forces;
       EXPECT_LT((forces - factor * linear * q).norm(), 1e-3 * factor * factor * (linear * q).norm());
     }
   }
@@ -130,12 +134,13 @@ TEST(Corotational, AtRestIsTheLinearElement) {
 
 /// A cantilever of `count` equal elements in blocks of one node, straight for a turning of 0.
 ElementChain cantilever(int count, double length, double turning, const Section& section) {
-  ElementChain chain{.section = section, .rotation_scale = 1.0, .elements = {}};
+  ElementChain chain{.rotation_scale = 1.0, .elements = {}};
   const double each = turning / count;
   const double chord = turning == 0.0 ? length / count : 2.0 * length / turning * std::sin(0.5 * each);
   for (int i = 0; i < count; ++i) {
     const double slope = (i + 0.5) * each;
-    chain.elements.push_back({{chord * Eigen::Vector2d(std::cos(slope), std::sin(slope)), each}, 3 * (i - 1), 3 * i});
+    const FrameElement element{chord * Eigen::Vector2d(std::cos(slope), std::sin(slope)), each};
+    chain.elements.push_back({carried(element, section), 3 * (i - 1), 3 * i});
   }
   chain.elements.front().start = -1;
   return chain;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
@@ -35,12 +36,12 @@ auto every(const FoilStructure& structure, int dof) {
 TEST(FoilStructure, SolvesTheTopFoilLikeItsCompliance) {
   for (const int bumps : {1, 2, 3, 26, 60}) {
     const Case input = given_constants(bumps);
-    const FoilStructure structure = make_foil_structure(input);
+    const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
     const Vector load = Vector::LinSpaced(bumps, 1.0, -2.0);
     Vector right = Vector::Zero(structure.K.rows());
     right(every(structure, structure.dofs.top_u)) = load;
     const Vector x = structure.K.dense().partialPivLu().solve(right);
-    const Vector expected = top_foil_compliance(make_top_foil_beam(input)) * load;
+    const Vector expected = top_foil_compliance(make_top_foil_beam(make_bearing_foils(input))) * load;
     // cond of the foil, 4e6 at 60 bumps, times the rounding unit.
     EXPECT_LT((x(every(structure, structure.dofs.top_u)) - expected).norm(), 1e-9 * expected.norm()) << bumps;
   }
@@ -48,8 +49,8 @@ TEST(FoilStructure, SolvesTheTopFoilLikeItsCompliance) {
 
 TEST(FoilStructure, MomentsAreScaledByThePitchAndTheBendingStiffness) {
   const Case input = given_constants(26);
-  const FoilStructure structure = make_foil_structure(input);
-  const TopFoilBeam beam = make_top_foil_beam(input);
+  const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
+  const TopFoilBeam beam = make_top_foil_beam(make_bearing_foils(input));
   Vector right = Vector::Zero(structure.K.rows());
   right(every(structure, structure.dofs.top_u)).setOnes();
   const Vector x = structure.K.dense().partialPivLu().solve(right);
@@ -64,16 +65,17 @@ TEST(FoilStructure, MomentsAreScaledByThePitchAndTheBendingStiffness) {
 TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
   for (const int bumps : {1, 2, 26}) {
     const Case input = given_constants(bumps);
-    const FoilStructure structure = make_foil_structure(input);
+    const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
     const Vector x = any_displacements(structure);
     const Vector forces = elastic_response(structure, x).forces;
 
     const Vector top =
-        top_foil_loads(make_top_foil_moments(make_top_foil_beam(input)), x(every(structure, structure.dofs.top_u)));
+        top_foil_loads(make_top_foil_moments(make_bearing_foils(input)), x(every(structure, structure.dofs.top_u)));
     EXPECT_LT((forces(every(structure, structure.dofs.top_u)) - top).norm(), 1e-12 * top.norm()) << bumps;
     EXPECT_EQ(forces(every(structure, structure.dofs.top_moment)).norm(), 0.0);
 
-    const std::vector<Spring> springs = make_truss_springs(make_truss_constants(input), structure.dofs, bumps);
+    const std::vector<Spring> springs =
+        make_truss_springs(make_truss_constants(make_bearing_foils(input)), structure.dofs);
     const double truss_energy = spring_energy(springs, structure.dofs.size, x);
     const double top_energy = 0.5 * top.dot(x(every(structure, structure.dofs.top_u)));
     EXPECT_NEAR(elastic_response(structure, x).energy, truss_energy + top_energy, 1e-13 * truss_energy);
@@ -82,7 +84,7 @@ TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
 }
 
 TEST(FoilStructure, ForcesDoNotDependOnTheMomentsGiven) {
-  const FoilStructure structure = make_foil_structure(given_constants(5));
+  const FoilStructure structure = make_foil_structure(make_bearing_foils(given_constants(5)));
   Vector x = any_displacements(structure);
   const Vector forces = elastic_response(structure, x).forces;
   x(every(structure, structure.dofs.top_moment)).setConstant(1.0);
@@ -90,7 +92,7 @@ TEST(FoilStructure, ForcesDoNotDependOnTheMomentsGiven) {
 }
 
 TEST(FoilStructure, IsWellScaledAndQuasidefinite) {
-  const FoilStructure structure = make_foil_structure(given_constants(26));
+  const FoilStructure structure = make_foil_structure(make_bearing_foils(given_constants(26)));
   const Matrix K = structure.K.dense();
   const Vector modes = K.selfadjointView<Eigen::Lower>().eigenvalues();
   EXPECT_EQ((modes.array() < 0.0).count(), 26);  // one per moment
@@ -112,17 +114,17 @@ TEST(FoilStructure, FrameModelHasTheSameTopFoil) {
     Case input = given_constants(5);
     input.bump_foil.model = BumpFoilModel::frame;
     input.bump_foil.weld_at = weld_at;
-    const FoilStructure structure = make_foil_structure(input);
+    const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
     EXPECT_EQ(structure.dofs.size, 11);
     EXPECT_EQ(structure.dofs.feet(), 2);
     const Vector x = any_displacements(structure);
     const Vector forces = elastic_response(structure, x).forces;
 
     BlockTridiagonal bump_foil(5, structure.dofs.size);
-    assemble_frame(make_frame_model(input), bump_foil);
+    assemble_frame(make_frame_model(make_bearing_foils(input)), bump_foil);
     Vector expected = bump_foil.multiply(x);
     expected(every(structure, structure.dofs.top_u)) =
-        top_foil_loads(make_top_foil_moments(make_top_foil_beam(input)), x(every(structure, structure.dofs.top_u)));
+        top_foil_loads(make_top_foil_moments(make_bearing_foils(input)), x(every(structure, structure.dofs.top_u)));
     EXPECT_LT((forces - expected).norm(), 1e-13 * expected.norm());
     const Vector top = expected(every(structure, structure.dofs.top_u));
     EXPECT_LT((forces(every(structure, structure.dofs.top_u)) - top).norm(), 1e-12 * top.norm());
@@ -135,7 +137,7 @@ FoilStructure frame_structure(Geometry geometry, WeldPosition weld_at) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.geometry = geometry;
   input.bump_foil.weld_at = weld_at;
-  return make_foil_structure(input);
+  return make_foil_structure(make_bearing_foils(input));
 }
 
 TEST(LargeDisplacements, TangentAndEnergyBelongToTheForces) {
@@ -190,10 +192,49 @@ TEST(LargeDisplacements, LeaveTheTopFoilLinear) {
   EXPECT_EQ(elastic_response(large, x).forces(every(large, large.dofs.top_moment)).norm(), 0.0);
 }
 
+TEST(FoilStructure, OfDifferentBumpsIsTheSumOfItsFoils) {
+  for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
+    FoilDesign foils = make_bearing_foils(reference_case());
+    foils.model = model;
+    foils.bumps.resize(3);
+    foils.bumps[1] = {.pitch = 5e-3, .half_length = 2e-3, .rise = 0.5e-3, .thickness = 0.11e-3};
+    foils.bumps[2] = {.pitch = 4e-3, .half_length = 1.5e-3, .rise = 0.35e-3, .thickness = 0.09e-3};
+    const FoilStructure structure = make_foil_structure(foils);
+    const Vector x = any_displacements(structure);
+    BlockTridiagonal bump_foil(3, structure.dofs.size);
+    if (model == BumpFoilModel::frame) {
+      assemble_frame(make_frame_model(foils), bump_foil);
+    } else {
+      assemble_springs(make_truss_springs(make_truss_constants(foils), structure.dofs), bump_foil);
+    }
+    const Vector top = top_foil_loads(make_top_foil_moments(foils), x(every(structure, structure.dofs.top_u)));
+    Vector expected = bump_foil.multiply(x);
+    expected(every(structure, structure.dofs.top_u)) = top;
+    const Vector forces = elastic_response(structure, x).forces;
+    EXPECT_LT((forces - expected).norm(), 1e-13 * expected.norm());
+    EXPECT_LT((forces(every(structure, structure.dofs.top_u)) - top).norm(), 1e-12 * top.norm());
+  }
+}
+
+TEST(LargeDisplacements, OfDifferentBumpsAreSmallNearTheUndeformedFoils) {
+  FoilDesign foils = make_bearing_foils(reference_case());
+  foils.model = BumpFoilModel::frame;
+  foils.bumps.resize(3);
+  foils.bumps[1].thickness = 0.12e-3;
+  foils.bumps[2].pitch = 5e-3;
+  const FoilStructure linear = make_foil_structure(foils);
+  foils.geometry = Geometry::nonlinear;
+  const FoilStructure large = make_foil_structure(foils);
+  EXPECT_EQ(large.K.dense(), linear.K.dense());
+  const Vector x = 1e-3 * any_displacements(linear);
+  const Vector forces = elastic_response(linear, x).forces;
+  EXPECT_LT((elastic_response(large, x).forces - forces).norm(), 1e-4 * forces.norm());  // second order, as above
+}
+
 TEST(FoilStructure, FormerModelHasNoTopFoil) {
   Case input = given_constants(3);
   input.bump_foil.model = BumpFoilModel::former;
-  const FoilStructure structure = make_foil_structure(input);
+  const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
   EXPECT_EQ(structure.dofs.size, 4);
   EXPECT_EQ(structure.dofs.top_u, -1);
   const Vector x = any_displacements(structure);
@@ -204,8 +245,10 @@ TEST(FoilStructure, KeepsUnusedPlacesApart) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = given_constants(3);
     input.bump_foil.model = model;
-    const FoilStructure with = make_foil_structure(input);
-    const FoilStructure without = make_foil_structure(input, {.flat = true, .welded = true, .top_foil = false});
+    const FoilStructure with = make_foil_structure(make_bearing_foils(input));
+    FoilDesign without_top_foil = make_bearing_foils(input);
+    without_top_foil.top_foil.reset();
+    const FoilStructure without = make_foil_structure(without_top_foil);
     EXPECT_EQ(without.dofs.top_u, -1);
     EXPECT_EQ(without.dofs.size, with.dofs.size);
     const Matrix a = with.K.dense();
@@ -226,7 +269,10 @@ TEST(FoilStructure, WithoutAWeldIsHeldLooselyAndNotAtAllInside) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = given_constants(4);
     input.bump_foil.model = model;
-    const FoilStructure structure = make_foil_structure(input, {.flat = true, .welded = false, .top_foil = true});
+    FoilDesign foils = make_bearing_foils(input);
+    foils.radius.reset();
+    foils.welded = false;
+    const FoilStructure structure = make_foil_structure(foils);
     EXPECT_EQ(structure.bumps(), 4);
     EXPECT_EQ(structure.first_bump, model == BumpFoilModel::truss ? 1 : 0);
     // A shift of everything along the foil, and of the top foil across with a tilt, strains nothing but loose springs.

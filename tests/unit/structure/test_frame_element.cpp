@@ -176,8 +176,36 @@ TEST(FrameElement, MomentIsLargestInsideAnArcUnderPureThrust) {
   EXPECT_GT(largest_moment(element, forces), std::abs(bending_moment(element, forces, 0.5)));
 }
 
+TEST(StiffnessInSeries, OfTwoHalvesIsThatOfTheWhole) {
+  const ElementMatrix half = frame_element_stiffness(foil, flat_element(0.7e-3));
+  const ElementMatrix whole = frame_element_stiffness(foil, flat_element(1.4e-3));
+  const ElementVector unit{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};  // displacements beside rotations
+  const ElementMatrix difference = unit.asDiagonal() * (stiffness_in_series(half, half) - whole) * unit.asDiagonal();
+  EXPECT_LT(difference.norm(), 1e-13 * (unit.asDiagonal() * whole * unit.asDiagonal()).norm());
+}
+
+TEST(StiffnessInSeries, BendsASteppedCantileverAsTheTextbookSays) {
+  // Clamped at the start, a force at its end: the moment of each part is known, whatever its stiffness.
+  const Section thick = make_section(214e9, 0.29, 38.1e-3, 0.204e-3);
+  const double a = 1e-3;
+  const double b = 2e-3;
+  const ElementMatrix K = stiffness_in_series(frame_element_stiffness(thick, flat_element(a)),
+                                              frame_element_stiffness(foil, flat_element(b)));
+  const Eigen::Matrix3d free_end = K.bottomRightCorner<3, 3>();
+  const Eigen::Vector3d moved = free_end.inverse() * Eigen::Vector3d(5.0, 3.0, 0.0);
+  const double stretch = 5.0 * (a / thick.axial_stiffness + b / foil.axial_stiffness);
+  const double drop = 3.0 * ((std::pow(a + b, 3) - std::pow(b, 3)) / (3.0 * thick.bending_stiffness) +
+                             std::pow(b, 3) / (3.0 * foil.bending_stiffness));
+  const double slope =
+      3.0 * ((std::pow(a + b, 2) - b * b) / (2.0 * thick.bending_stiffness) + b * b / (2.0 * foil.bending_stiffness));
+  EXPECT_NEAR(moved[0], stretch, 1e-12 * stretch);
+  EXPECT_NEAR(moved[1], drop, 1e-12 * drop);
+  EXPECT_NEAR(moved[2], slope, 1e-12 * slope);
+}
+
 TEST(FrameElement, HalvesOfABumpMeetAtTheCrest) {
-  const BumpArc arc = make_bump_arc(reference_case().bump_foil);
+  const BumpArc arc =
+      make_bump_arc({.pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.406e-3, .thickness = 0.102e-3});
   EXPECT_EQ(rising_half(arc).chord + falling_half(arc).chord, Eigen::Vector2d(2.0 * arc.half_length, 0.0));
   EXPECT_NEAR(rising_half(arc).length(), arc.radius * arc.half_angle, 1e-15 * arc.radius);
   // The tangent is along x at the crest: the chord stands half the turning off.

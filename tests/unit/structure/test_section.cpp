@@ -13,6 +13,17 @@ TEST(Section, IsThatOfAPlate) {
   EXPECT_DOUBLE_EQ(section.modulus, 5.0 * 4.0 / 6.0);
 }
 
+TEST(Section, OfAFoilHasItsOwnThickness) {
+  FoilDesign foils;
+  foils.bumps = {{.thickness = 2.0}, {.thickness = 3.0}};
+  foils.youngs_modulus = 3.0;
+  foils.poisson_ratio = 0.5;
+  foils.axial_length = 5.0;
+  foils.top_foil = {.thickness = 1.0, .youngs_modulus = 6.0, .poisson_ratio = 0.0};
+  EXPECT_EQ(make_bump_section(foils, foils.bumps[1]), make_section(3.0, 0.5, 5.0, 3.0));
+  EXPECT_EQ(make_top_foil_section(foils), make_section(6.0, 0.0, 5.0, 1.0));
+}
+
 TEST(Section, SurfaceStressIsModulusTimesCurvatureTimesHalfTheThickness) {
   const double E = 214e9;
   const double nu = 0.29;

@@ -14,10 +14,7 @@ namespace {
 const Section foil = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
 
 BumpArc reference_arc(double rise) {
-  BumpFoil bump = reference_case().bump_foil;
-  bump.height = rise;
-  bump.height_reference = HeightReference::midsurface;
-  return make_bump_arc(bump);
+  return make_bump_arc({.pitch = 4.572e-3, .half_length = 1.778e-3, .rise = rise, .thickness = 0.102e-3});
 }
 
 /// Crest stiffness of a bump from its falling half: crest guided (u = 0, no rotation), foot on the sleeve (v = 0),

@@ -20,7 +20,7 @@ Case small_case(BumpFoilModel model, int bumps) {
 
 /// Unknowns under these loads on the top foil, one per crest.
 Vector under_top_loads(const Case& input, const Vector& loads) {
-  const FoilStructure structure = make_foil_structure(input);
+  const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
   Vector right = Vector::Zero(structure.K.rows());
   right(Eigen::seqN(structure.dofs.top_u, structure.bumps(), structure.dofs.size)) = loads;
   return structure.K.dense().partialPivLu().solve(right);
@@ -30,7 +30,8 @@ TEST(FoilStress, OfTheTopFoilIsThatOfAStaticallyDeterminateCantilever) {
   const Vector loads{{3.0, -1.0, 4.0, 1.5}};
   for (const int bumps : {1, 2, 4}) {
     const Case input = small_case(BumpFoilModel::truss, bumps);
-    const FoilStress stress = foil_stress(make_stress_model(input), under_top_loads(input, loads.head(bumps)));
+    const FoilStress stress =
+        foil_stress(make_stress_model(make_bearing_foils(input)), under_top_loads(input, loads.head(bumps)));
     const Vector theta = crest_angles(input);
     const auto expected = [&](double at) {
       double moment = 0.0;
@@ -54,8 +55,8 @@ TEST(FoilStress, OfTheFrameStandsFootByFoot) {
   Vector x = Vector::Zero(3 * 11);
   x[11 + 3] = 1e-6;  // the second crest along the foil, so that both of its feet differ
   x[11 + 4] = -5e-6;
-  const FoilStress stress = foil_stress(make_stress_model(input), x);
-  const FrameStress frame = frame_stress(make_frame_model(input), x);
+  const FoilStress stress = foil_stress(make_stress_model(make_bearing_foils(input)), x);
+  const FrameStress frame = frame_stress(make_frame_model(make_bearing_foils(input)), x);
   EXPECT_EQ(stress.bump_crest, frame.crest);
   EXPECT_EQ(stress.bump_largest, frame.largest);
   EXPECT_EQ(stress.bump_weld, frame.weld);
@@ -69,12 +70,14 @@ TEST(FoilStress, OfTheFrameStandsFootByFoot) {
 }
 
 TEST(FoilStress, IsAbsentWhereTheModelKnowsNone) {
-  const FoilStress truss = foil_stress(make_stress_model(small_case(BumpFoilModel::truss, 2)), Vector::Zero(12));
+  const FoilStress truss =
+      foil_stress(make_stress_model(make_bearing_foils(small_case(BumpFoilModel::truss, 2))), Vector::Zero(12));
   EXPECT_EQ(truss.bump_crest.size(), 0);
   EXPECT_EQ(truss.bump_foot.size(), 0);
   EXPECT_FALSE(truss.bump_weld);
   EXPECT_EQ(truss.top_crest.size(), 2);
-  const FoilStress former = foil_stress(make_stress_model(small_case(BumpFoilModel::former, 2)), Vector::Zero(8));
+  const FoilStress former =
+      foil_stress(make_stress_model(make_bearing_foils(small_case(BumpFoilModel::former, 2))), Vector::Zero(8));
   EXPECT_EQ(former.top_crest.size(), 0);
   EXPECT_FALSE(former.top_weld);
 }

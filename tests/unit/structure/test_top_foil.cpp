@@ -5,7 +5,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -17,7 +20,7 @@ TopFoilBeam reference_beam(int crests) {
   Case input = reference_case();
   input.bearing.radius *= (crests - 0.5) / 25.5;
   input.bump_foil.bumps = crests;
-  return make_top_foil_beam(input);
+  return make_top_foil_beam(make_bearing_foils(input));
 }
 
 /// The compliance as printed (sign turned), in long double: 2048 times finer than the code under test.
@@ -137,7 +140,7 @@ TEST(TopFoilMoments, AreThoseOfTheStaticallyDeterminateCantilever) {
 }
 
 TEST(TopFoilMoments, SoftestAndStiffestModeOfTheReferenceFoil) {
-  const Matrix K = moment_stiffness(make_top_foil_moments(make_top_foil_beam(reference_case())));
+  const Matrix K = moment_stiffness(make_top_foil_moments(make_bearing_foils(reference_case())));
   const Eigen::SelfAdjointEigenSolver<Matrix> modes(K);
   EXPECT_NEAR(modes.eigenvalues().minCoeff(), 4.88, 0.005);  // known to three digits
   EXPECT_NEAR(modes.eigenvalues().maxCoeff(), 6.43e5, 0.005e5);
@@ -151,6 +154,45 @@ TEST(SolveTridiagonal, MatchesADenseSolve) {
   dense(0, 1) = dense(1, 0) = off[0];
   dense(1, 2) = dense(2, 1) = off[1];
   EXPECT_LT((dense * solve_tridiagonal(diagonal, off, right) - right).norm(), 1e-14);
+}
+
+TEST(TopFoilOfADesign, RestsOnCrestsAtTheirOwnPlaces) {
+  FoilDesign foils = make_bearing_foils(reference_case());
+  foils.bumps[3].pitch = 6e-3;
+  foils.bumps[9].pitch = 3e-3;
+  const Matrix expected = top_foil_compliance({.radius = *foils.radius,
+                                               .bending_stiffness = make_top_foil_section(foils).bending_stiffness,
+                                               .theta = crest_positions(foils) / *foils.radius});
+  const Matrix K = moment_stiffness(make_top_foil_moments(foils));
+  EXPECT_LT((K * expected - Matrix::Identity(26, 26)).norm(), 1e-8);  // cond 1e5, 26 columns
+}
+
+TEST(TopFoilOfADesign, FlatOneHasTheFlexibilityOfACantilever) {
+  FoilDesign foils = make_bearing_foils(reference_case());
+  foils.radius.reset();
+  foils.bumps.resize(4);
+  foils.bumps[1].pitch = 6e-3;
+  foils.bumps[3].pitch = 3e-3;
+  const double stiffness = make_top_foil_section(foils).bending_stiffness;
+  const Matrix K = moment_stiffness(make_top_foil_moments(foils));
+  // u_i = P_j a^2 (3 b - a) / (6 EI'), a the nearer of both places and b the farther.
+  const Vector place = crest_positions(foils);
+  Matrix S(4, 4);
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    for (Eigen::Index j = 0; j < 4; ++j) {
+      const double a = std::min(place[i], place[j]);
+      S(i, j) = a * a * (3.0 * std::max(place[i], place[j]) - a) / (6.0 * stiffness);
+    }
+  }
+  EXPECT_LT((K * S - Matrix::Identity(4, 4)).norm(), 1e-11);
+  foils.welded = false;
+  EXPECT_FALSE(make_top_foil_moments(foils).welded);
+}
+
+TEST(TopFoilOfADesign, MomentsAreScaledByTheReferenceLength) {
+  FoilDesign foils = make_bearing_foils(reference_case());
+  foils.bumps[0].pitch = 2e-3;
+  EXPECT_DOUBLE_EQ(top_moment_scale(foils), make_top_foil_section(foils).bending_stiffness / 4e-6);
 }
 
 }  // namespace

@@ -14,9 +14,13 @@ constexpr TrussConstants constants{
     .k1 = 150e6, .k2 = 5.43e6, .k3 = 1.36e6, .k4 = 11.25e6, .theta_d = 15.83 * std::numbers::pi / 180.0};
 const BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
 
+std::vector<TrussConstants> uniform(int bumps) {
+  return std::vector<TrussConstants>(static_cast<std::size_t>(bumps), constants);
+}
+
 BlockTridiagonal assemble(int bumps) {
   BlockTridiagonal K(bumps, dofs.size);
-  assemble_springs(make_truss_springs(constants, dofs, bumps), K);
+  assemble_springs(make_truss_springs(uniform(bumps), dofs), K);
   return K;
 }
 
@@ -41,7 +45,7 @@ TEST(Truss, EqualsThePublishedMatrixForTwoBumps) {
 TEST(Truss, WithoutAWeldIsItsOwnMirrorImage) {
   // Blocks: the foot before bump 1, then three bumps. Mirrored, foot k becomes foot 3 - k with the sign of u turned.
   BlockTridiagonal K(4, dofs.size);
-  assemble_springs(make_truss_springs(constants, dofs, 3, false), K);
+  assemble_springs(make_truss_springs(uniform(3), dofs, false), K);
   const Matrix whole = K.dense();
   std::vector<Eigen::Index> order, mirrored;
   Vector sign(14);
@@ -68,9 +72,36 @@ TEST(Truss, WithoutAWeldIsItsOwnMirrorImage) {
   EXPECT_EQ(whole.topRows(2).norm(), 0.0);
 }
 
+TEST(Truss, EachBumpHasItsOwnSprings) {
+  const std::vector<TrussConstants> graded{{.k1 = 100.0, .k2 = 10.0, .k3 = 7e3, .k4 = 3.0, .theta_d = 0.3},
+                                           {.k1 = 200.0, .k2 = 20.0, .k3 = 5.0, .k4 = 7e3, .theta_d = 0.5},
+                                           {.k1 = 300.0, .k2 = 30.0, .k3 = 6.0, .k4 = 7e3, .theta_d = 0.7}};
+  BlockTridiagonal K(3, dofs.size);
+  assemble_springs(make_truss_springs(graded, dofs), K);
+  const Matrix dense = K.dense();
+  for (Eigen::Index n = 0; n < 3; ++n) {
+    const auto& [k1, k2, k3, k4, theta_d] = graded[static_cast<std::size_t>(n)];
+    const double c = std::cos(theta_d);
+    const double s = std::sin(theta_d);
+    // The crest between its own rods; the foot between those of its bump and of the next; crest to crest before the
+    // bump, and at bump 1 to the weld in its place.
+    const double after = n < 2 ? graded[static_cast<std::size_t>(n + 1)].k3 : 0.0;
+    EXPECT_DOUBLE_EQ(dense(4 * n, 4 * n), 2.0 * k1 * c * c + (n == 0 ? k4 : k3) + after);
+    EXPECT_DOUBLE_EQ(dense(4 * n + 1, 4 * n + 1), 2.0 * k1 * s * s);
+    double foot = k1 * c * c + k2;
+    if (n < 2) {
+      const TrussConstants& next = graded[static_cast<std::size_t>(n + 1)];
+      foot += next.k1 * std::cos(next.theta_d) * std::cos(next.theta_d) + next.k2;
+      EXPECT_DOUBLE_EQ(dense(4 * n + 2, 4 * n + 6), -next.k2);
+      EXPECT_DOUBLE_EQ(dense(4 * n, 4 * n + 4), -next.k3);
+    }
+    EXPECT_DOUBLE_EQ(dense(4 * n + 2, 4 * n + 2), foot);
+  }
+}
+
 TEST(Truss, IsTheHessianOfItsEnergy) {
   constexpr int bumps = 4;
-  const std::vector<Spring> springs = make_truss_springs(constants, dofs, bumps);
+  const std::vector<Spring> springs = make_truss_springs(uniform(bumps), dofs);
   const Matrix K = assemble(bumps).dense();
   const Eigen::Index n = K.rows();
   const auto energy = [&](const Vector& x) { return spring_energy(springs, dofs.size, x); };
