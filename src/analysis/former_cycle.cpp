@@ -5,7 +5,7 @@
 
 #include "analysis/run_loops.hpp"
 #include "bumpfoil/analysis/cycle_quantities.hpp"
-#include "bumpfoil/analysis/former_model.hpp"
+#include "bumpfoil/former/former_model.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {

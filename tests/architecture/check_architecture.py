@@ -14,9 +14,10 @@ ALLOWED = {
     "structure": {"core", "model"},
     "contact": {"core"},
     "film": {"core", "structure"},
-    "analysis": {"core", "model", "structure", "contact", "film"},
-    "io": {"core", "model", "structure", "contact", "film", "analysis"},
-    "studies": {"core", "model", "structure", "contact", "film", "analysis", "io"},
+    "former": {"core", "model", "structure", "contact"},
+    "analysis": {"core", "model", "structure", "contact", "film", "former"},
+    "io": {"core", "model", "structure", "contact", "film", "former", "analysis"},
+    "studies": {"core", "model", "structure", "contact", "film", "former", "analysis", "io"},
 }
 
 # Headers that a module must not include, though it may include their module: foils are built from a design of their

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bumpfoil/analysis/former_model.hpp"
+#include "bumpfoil/former/former_model.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {

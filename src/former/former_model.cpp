@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/former_model.hpp"
+#include "bumpfoil/former/former_model.hpp"
 
 #include <algorithm>
 #include <cmath>
