@@ -14,8 +14,7 @@ namespace {
 
 constexpr double displacement_tolerance = 1e-13;  // m
 constexpr double force_tolerance = 1e-11;         // of the largest normal force, or of 1 N
-constexpr double balance_tolerance = 1e-10;       // likewise, where an augmented Lagrangian is minimised
-constexpr double penalty = 1e10;                  // N/m: sets the pace of the augmented Lagrangian, not the result
+constexpr double balance_tolerance = 1e-6;        // of the same, where forces only lead to modes
 constexpr int rounds_at_first = 12;
 constexpr int rounds_after_approach = 6;
 constexpr int max_outer_iterations = 200;
@@ -25,6 +24,17 @@ constexpr int max_newton_steps = 100;
 /// linear system know compressions only, t = -+f N: under tension they change places.
 ContactMode mode_of_system(bool forward, double normal_force) {
   return forward == (normal_force > 0.0) ? ContactMode::slip_forward : ContactMode::slip_backward;
+}
+
+/// Penalty of the augmented Lagrangian: the stiffness of the stiffest crest between held feet, N/m. It sets the pace,
+/// not the result. One that is much stiffer than the foil lets the friction bounds follow their normal forces at once,
+/// to and fro without end where friction is strong, and its roundings exceed the smaller forces of soft foils.
+double make_penalty(const FoilStructure& structure) {
+  double stiffest = 0.0;
+  for (const Matrix& block : structure.K.diagonal) {
+    stiffest = std::max(stiffest, block(structure.dofs.crest_v, structure.dofs.crest_v));
+  }
+  return stiffest;
 }
 
 Vector list_or_zeros(const std::vector<double>& list, int size) {
@@ -105,7 +115,10 @@ struct FormerSolver::TrescaState {
 FormerSolver::~FormerSolver() = default;
 
 FormerSolver::FormerSolver(const FormerModel& model)
-    : model_(model), modes_(make_mode_system(model.problem)), penalties_(make_penalty_system(model.problem)) {}
+    : model_(model),
+      penalty_(make_penalty(model.structure)),
+      modes_(make_mode_system(model.problem)),
+      penalties_(make_penalty_system(model.problem)) {}
 
 FormerSolution FormerSolver::solve(const Eigen::Vector2d& position) {
   const ContactLoading loading = loading_at(model_, position);
@@ -209,7 +222,7 @@ bool FormerSolver::minimise(const ContactLoading& loading, TrescaState& s, Solve
       evaluate(loading, s);
       if (step.dot(s.gradient) <= -0.5 * slope) break;
     }
-    if (s.gradient.cwiseAbs().maxCoeff() <= balance_tolerance * std::max(1.0, s.p.cwiseAbs().maxCoeff())) return true;
+    if (s.gradient.cwiseAbs().maxCoeff() <= balance_tolerance * s.p.cwiseAbs().maxCoeff()) return true;
   }
   return false;
 }
@@ -221,11 +234,11 @@ void FormerSolver::evaluate(const ContactLoading& loading, TrescaState& s) {
     const Eigen::Index i = c.index;
     s.p[i] = s.t[i] = s.normal_stiffness[i] = s.tangential_stiffness[i] = 0.0;
     if (std::isinf(loading.initial_gap[i])) return;
-    s.normal_stiffness[i] = penalty;
-    s.p[i] = s.lambda[i] - penalty * (loading.initial_gap[i] + c.gap(s.x));
-    const double trial = s.mu[i] - penalty * c.tangential(s.x);
+    s.normal_stiffness[i] = penalty_;
+    s.p[i] = s.lambda[i] - penalty_ * (loading.initial_gap[i] + c.gap(s.x));
+    const double trial = s.mu[i] - penalty_ * c.tangential(s.x);
     s.t[i] = std::clamp(trial, -s.bound[i], s.bound[i]);
-    if (std::abs(trial) < s.bound[i]) s.tangential_stiffness[i] = penalty;
+    if (std::abs(trial) < s.bound[i]) s.tangential_stiffness[i] = penalty_;
     c.add_forces(s.p[i], s.t[i], -1.0, s.gradient);
   });
 }

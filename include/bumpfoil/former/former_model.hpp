@@ -80,6 +80,7 @@ class FormerSolver {
   void evaluate(const ContactLoading& loading, TrescaState& s);
 
   FormerModel model_;
+  double penalty_;  ///< of the augmented Lagrangian, N/m
   std::unique_ptr<ModeSystem> modes_;
   std::unique_ptr<PenaltySystem> penalties_;
 };

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/identification.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
@@ -154,6 +158,90 @@ TEST(FormerModel, SolvesRandomPositionsWithScatterAndFriction) {
     const FormerSolution solution = solve(input, 80e-6 * uniform(generator) * n);
     EXPECT_TRUE(solution.report.converged) << trial;
     EXPECT_TRUE(solution.residuals.within()) << trial;
+  }
+}
+
+/// A bearing with everything drawn at random, the same for the same number; not always a valid one.
+Case random_former_case(std::uint64_t number) {
+  std::mt19937_64 generator(number);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(generator);
+  };
+  Case input = reference_case();
+  input.bearing.radius = uniform(5e-3, 40e-3);
+  input.bearing.axial_length = uniform(10e-3, 80e-3);
+  BumpFoil& foil = input.bump_foil;
+  foil.model = BumpFoilModel::former;
+  foil.bumps = static_cast<int>(uniform(3.0, 45.0));
+  foil.pitch = uniform(4.3, 6.2) * input.bearing.radius / foil.bumps;
+  foil.length = foil.pitch * uniform(0.5, 0.9);
+  foil.height = foil.length * uniform(0.08, 0.3);
+  foil.height_reference = HeightReference::midsurface;
+  foil.thickness = std::min(0.1 * foil.pitch, uniform(0.05e-3, 0.15e-3));
+  input.bearing.radial_clearance = foil.height * uniform(0.05, 0.6);
+  std::normal_distribution<double> scatter(0.0, uniform(0.0, 0.1) * foil.height);
+  for (int bump = 0; bump < foil.bumps; ++bump) {
+    foil.height_errors.push_back(std::clamp(scatter(generator), -0.5 * foil.height, 0.5 * foil.height));
+  }
+  input.friction.top_bump = uniform(0.0, 1.0);
+  input.friction.bump_sleeve = number % 2 == 0 ? input.friction.top_bump : uniform(0.0, 1.0);
+  input.cycle.directions = {uniform(0.0, 6.28)};
+  input.cycle.amplitude = input.bearing.radial_clearance + uniform(0.0, 0.5) * foil.height;
+  return input;
+}
+
+/// With a penalty far above the stiffness of the foils one in a hundred of these had positions that were not solved.
+TEST(FormerModel, SolvesRandomBearingsOfAnyStiffnessAndStrongFriction) {
+  int bearings = 0;
+  for (std::uint64_t number = 0; number < 1500; ++number) {
+    const Case input = random_former_case(number);
+    if (!find_faults(input).empty() || !find_truss_faults(make_bearing_foils(input)).empty()) continue;
+    ++bearings;
+    FormerSolver solver(make_former_model(input));
+    for (int k = 0; k <= 10; ++k) {
+      const FormerSolution solution =
+          solver.solve(input.cycle.amplitude * k / 10.0 * unit_vector(input.cycle.directions[0]));
+      EXPECT_TRUE(solution.report.converged) << number << ", position " << k;
+      EXPECT_TRUE(solution.residuals.within()) << number << ", position " << k;
+    }
+  }
+  EXPECT_GT(bearings, 300);
+}
+
+/// A stiff row of small bumps under friction 0.99, whose friction bounds followed the normal forces to and fro.
+TEST(FormerModel, SolvesAStiffRowUnderFrictionOfNearlyOne) {
+  Case input = reference_case();
+  input.bearing = {.radius = 7.902294237435568e-3,
+                   .axial_length = 65.97506480029106e-3,
+                   .radial_clearance = 78.79562906794749e-6,
+                   .wrap = Wrap::counterclockwise};
+  BumpFoil& foil = input.bump_foil;
+  foil.model = BumpFoilModel::former;
+  foil.bumps = 38;
+  foil.pitch = 1.2105741044433817e-3;
+  foil.length = 0.6999603230912446e-3;
+  foil.height = 0.14528432828061688e-3;
+  foil.height_reference = HeightReference::midsurface;
+  foil.thickness = 92.01845595072681e-6;
+  foil.youngs_modulus = 47597047151.80383;
+  foil.poisson_ratio = 0.05284318067314371;
+  foil.height_errors = {
+      7.51940936525583e-06,    1.5269113376735317e-07,  -6.927488552812602e-07, 2.0306960911725696e-06,
+      -6.81645160122169e-06,   7.892864499466286e-07,   5.606736263119272e-06,  -2.652339421827841e-06,
+      -1.7438968101054582e-06, 6.5148704464007175e-06,  5.730944346637155e-06,  4.176777822730914e-06,
+      2.143517569830651e-06,   -5.416503350988927e-06,  1.1628307152474387e-06, 8.53619372450451e-06,
+      -1.2540133391443865e-05, 2.8430289270752827e-06,  -2.821939748940875e-06, -1.0504922201951384e-05,
+      -9.819009551445034e-06,  -5.545683133252785e-06,  7.169813707405836e-06,  -2.652143552193005e-06,
+      -3.9431857787583516e-07, 1.3874967491845757e-06,  -3.682685199984899e-06, -8.644878784365724e-06,
+      4.762913735169899e-07,   -1.1051548729504123e-06, -3.390431033886809e-06, 2.0538637257435994e-08,
+      5.661981782320741e-06,   -5.095888032714124e-06,  -3.569605577342493e-06, -6.355021421340358e-06,
+      8.662990227587227e-06,   -7.831392583665405e-06};
+  input.friction = {.top_bump = 0.9918788395347787, .bump_sleeve = 0.9918788395347787};
+  FormerSolver solver(make_former_model(input));
+  for (int k = 0; k <= 10; ++k) {
+    const FormerSolution solution = solver.solve({0.0, 132.20046803062816e-6 * k / 10.0});
+    EXPECT_TRUE(solution.report.converged) << k;
+    EXPECT_TRUE(solution.residuals.within()) << k;
   }
 }
 
