@@ -216,6 +216,34 @@ TEST(RunStrip, SwingsAboutItsPreload) {
   }
 }
 
+TEST(RunStrip, AssemblyBelongsToTheFirstCycleAlone) {
+  Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
+  input.bump_foil.height_errors.assign(26, 0.0);
+  input.bump_foil.height_errors[3] = 10e-6;  // pressed, and sliding, as soon as the strip is put together
+  input.strip->cycles = 2;
+  const CycleResult result = run_strip(input);
+  ASSERT_TRUE(result.converged());
+  EXPECT_GT(result.cycles[0].assembly_dissipation, 1e-6 * *result.cycles[0].loop_energy);
+  EXPECT_EQ(result.cycles[1].assembly_dissipation, 0.0);
+}
+
+TEST(RunStrip, SwingThatEndsBeforeItsLowerTurningPointCountsFromItsStart) {
+  Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
+  input.strip->preload = PlateTarget{PlateControl::displacement, 15e-6};
+  // The lower turning point is increment 24; one run ends with the one before, the other with it.
+  for (const std::size_t increments : {24U, 25U}) {
+    std::size_t calls = 0;
+    const CycleResult result = run_strip(input, [&](double) { return ++calls < increments; });
+    ASSERT_EQ(result.cycles.size(), 1U);
+    const Cycle& cycle = result.cycles[0];
+    ASSERT_EQ(cycle.increments.size(), increments);
+    const Increment& bottom = cycle.increments[increments == 25U ? 24 : 0];
+    const Increment& top = cycle.increments[8];
+    const double stiffness = (top.force_direct - bottom.force_direct) / (top.displacement - bottom.displacement);
+    EXPECT_NEAR(cycle.turning_point->secant_stiffness, stiffness, 1e-12 * stiffness);
+  }
+}
+
 TEST(RunStrip, HeightErrorsActBumpByBump) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::none, false);
   input.bump_foil.height_errors.assign(26, 0.0);

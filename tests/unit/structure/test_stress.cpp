@@ -69,6 +69,31 @@ TEST(FoilStress, OfTheFrameStandsFootByFoot) {
   EXPECT_EQ(stress.top_crest, Vector::Zero(3));
 }
 
+TEST(FoilStress, OfALooseStripStandsBumpByBump) {
+  // The block before bump 1 is a foot alone: what stands in the others' places there is no moment.
+  FoilDesign foils = make_bearing_foils(small_case(BumpFoilModel::truss, 3));
+  foils.radius.reset();
+  foils.welded = false;
+  const StressModel model = make_stress_model(foils);
+  Vector x = Vector::Zero(4 * 6);
+  x[2 * 6 + 5] = 3e-6;  // over bump 2
+  const FoilStress stress = foil_stress(model, x);
+  ASSERT_EQ(stress.top_crest.size(), 3);
+  const Section section = make_top_foil_section(foils);
+  const double p = foils.bumps[0].pitch;
+  const double expected = 3e-6 * section.bending_stiffness / (p * p) / section.modulus;
+  EXPECT_NEAR(stress.top_crest[1], expected, 1e-12 * expected);
+  EXPECT_EQ(stress.top_crest[0], 0.0);
+  EXPECT_EQ(stress.top_crest[2], 0.0);
+  EXPECT_FALSE(stress.top_weld);
+
+  foils.model = BumpFoilModel::frame;
+  const FoilStress frame = foil_stress(make_stress_model(foils), Vector::Zero(3 * 11));
+  EXPECT_EQ(frame.top_crest.size(), 3);
+  EXPECT_EQ(frame.bump_foot.size(), 6);
+  EXPECT_FALSE(frame.bump_weld);
+}
+
 TEST(FoilStress, IsAbsentWhereTheModelKnowsNone) {
   const FoilStress truss =
       foil_stress(make_stress_model(make_bearing_foils(small_case(BumpFoilModel::truss, 2))), Vector::Zero(12));
