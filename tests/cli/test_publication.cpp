@@ -133,6 +133,16 @@ TEST_F(RunInShell, SignalsOfBatchSystemsAreInterruptions) {
   }
 }
 
+TEST_F(RunInShell, ASecondInterruptionEndsItAtOnceAndTheNextRunCleansUp) {
+  EXPECT_EQ(run("env --default-signal=INT $bumpfoil cycle case.toml -o twice --set cycle.steps=80000 &\n"
+                "while ! [ -e twice/.bumpfoil/claim ]; do sleep 0.01; done; sleep 0.5\n"
+                "kill -INT $!; sleep 0.02; kill -INT $!; wait $!"),
+            130);
+  EXPECT_NE(log().find("interrupted twice: what was not written yet is lost"), std::string::npos) << log();
+  EXPECT_EQ(run(cycle + "-o twice"), 0) << log();
+  EXPECT_EQ(listing("twice"), set);
+}
+
 TEST_F(RunInShell, WhatWasIgnoredStaysIgnored) {
   // nohup ignores SIGHUP; a shell without job control ignores SIGINT for what runs in the background.
   EXPECT_EQ(run("trap '' HUP\n$bumpfoil cycle case.toml -o kept --set cycle.steps=1000 --quiet &\n"
