@@ -5,6 +5,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/single_bump.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -18,6 +19,7 @@ FoilModel make_foil_model(const Case& input, const FoilDesign& foils) {
   const BumpDofs& dofs = model.structure.dofs;
   model.problem.K = model.structure.K;
   model.problem.law = elastic_law(model.structure);
+  model.problem.force_scale = bump_force_scale(foils);
   if (foils.top_foil) model.problem.pairs.push_back({.plus = dofs.top_u});
   model.problem.pairs.push_back({.plus = dofs.crest_v,
                                  .minus = dofs.top_u,

@@ -8,8 +8,10 @@
 namespace bumpfoil {
 namespace {
 
-/// A contact is reported open where its load is below this part of the largest.
+/// A contact is reported open where its load is below this part of the largest, or below that part of the scale of
+/// forces: where nothing is loaded, the largest is a rounding itself.
 constexpr double open_load = 1e-9;
+constexpr double rounded_load = 1e-12;
 
 /// Copies the entries of one unknown of every bump.
 Vector pick(const FoilStructure& structure, const Vector& x, int unknown) {
@@ -31,7 +33,7 @@ Vector pick_feet(const Vector& x, int block_size, const std::vector<int>& unknow
 std::vector<ContactMode> reported_modes(const ContactProblem& problem, const ContactState& state,
                                         const Vector& previous_x) {
   std::vector<ContactMode> mode = state.mode;
-  const double threshold = open_load * state.normal_force.maxCoeff();
+  const double threshold = std::max(open_load * state.normal_force.maxCoeff(), rounded_load * problem.force_scale);
   for_each_contact(problem, [&](const CoulombContact& contact) {
     ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
     if (state.normal_force[contact.index] <= threshold) {

@@ -12,6 +12,23 @@ namespace {
 /// A load of zero stands for this part of the largest: where nothing is touched the place would not be determined.
 constexpr double least_load = 1e-6;
 
+/// Work that was neither stored nor dissipated in a response followed from event to event, as part of the largest work.
+constexpr double largest_imbalance = 1e-7;
+
+/// Whether W = E - E0 + D holds at every increment.
+bool keeps_energy(const std::vector<Increment>& increments, double force_scale) {
+  double scale = 0.0;
+  double imbalance = 0.0;
+  for (const Increment& k : increments) {
+    const double stored = k.elastic_energy - increments.front().elastic_energy;
+    imbalance = std::max(imbalance, std::abs(k.work - stored - k.dissipated_energy));
+    // Roundings of the energies, and of forces where nothing is loaded.
+    const double rounding = 1e-12 * (k.elastic_energy + force_scale * std::abs(k.displacement));
+    scale = std::max({scale, std::abs(k.work), rounding / largest_imbalance});
+  }
+  return imbalance <= largest_imbalance * scale;
+}
+
 /// Where a contact is, as results count.
 CycleEvent located(const FoilModel& model, const ContactEvent& event, Branch branch, double displacement) {
   const int block = event.contact / model.contacts_per_block();
@@ -102,6 +119,10 @@ void LoopRunner::note_events(const Increment& last, const Increment& next) {
 }
 
 Cycle LoopRunner::finish() {
+  std::vector<Increment>& increments = cycle_.increments;
+  if (path_.follows_events() && !keeps_energy(increments, path_.model().problem.force_scale)) {
+    increments.back().solve.converged = false;
+  }
   derive_quantities(cycle_, tangents_);
   return std::move(cycle_);
 }

@@ -60,6 +60,7 @@ bool PathRunner::try_increment(double fraction) {
         model_.problem, weight * begin.normal_force + (1.0 - weight) * end.normal_force, begin.x, end.x);
   };
   next_.report = solver_.advance_to(fraction, next_.state, visit, next_.events);
+  next_.dissipation += next_.report.jump_dissipation;
   for (ContactEvent& event : next_.events) event.fraction = (event.fraction - path_done_) / (fraction - path_done_);
   path_done_ = next_.report.solve.converged ? fraction : 1.0;
   return next_.report.solve.converged;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/piece_energy.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "contact/pivoting.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 /// A gap or a slip below this is none, m.
 constexpr double displacement_tolerance = 1e-13;
 
-/// A force below this part of the largest is none; the largest of where the piece begins and where it leads, or 1 N.
+/// A force below this part of the largest is none; the largest of where the piece begins and where it leads, or
+/// ContactProblem::least_reference_force().
 constexpr double relative_force_tolerance = 1e-11;
 
 /// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
@@ -54,8 +56,9 @@ struct EventFollower::Workspace {
   void find_changes(const ContactState& state);
   bool settle_modes(const ContactState& state, SolveReport& report);
   bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
-                   SolveReport& report);
+                   FollowReport& report);
   [[nodiscard]] bool solve_here(const ContactState& state, SolveReport& report);
+  [[nodiscard]] bool jump(const ContactState& state, FollowReport& report);
   [[nodiscard]] bool obeys_modes(const ContactState& state) const;
   double next_event(const ContactState& state);
   void keep_changes_nearby();
@@ -140,7 +143,8 @@ bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveRepo
   for (;;) {
     if (!solve_modes(*modes, mode, path_end, state.x, target, report)) return false;
     force_tolerance =
-        relative_force_tolerance * std::max({1.0, state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
+        relative_force_tolerance *
+        std::max({problem.least_reference_force(), state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
     find_changes(state);
     if (changes.empty()) return true;
     if (!flipped.empty()) {
@@ -191,22 +195,36 @@ bool EventFollower::Workspace::solve_here(const ContactState& state, SolveReport
   return obeys;
 }
 
+/// Notes what the jump from `state` to `begin` dissipates.
+/// @return false where it gains energy, as no jump does, or where other modes lead on behind it: contacts may have
+/// slipped
+///   further than the piece leads
+bool EventFollower::Workspace::jump(const ContactState& state, FollowReport& report) {
+  find_changes(begin);
+  if (!changes.empty()) return false;
+  const PieceEnergy energy = piece_energy(problem, state, begin);
+  const double negligible = negligible_energy(problem, state, begin);
+  if (std::abs(energy.defect()) > negligible) report.jump_dissipation += energy.defect();
+  return energy.given_off >= -negligible;
+}
+
 /// Settles what comes next at `state`.
 bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisitor& visit,
-                                           std::vector<ContactEvent>* events, SolveReport& report) {
-  if (!settle_modes(state, report)) return false;
+                                           std::vector<ContactEvent>* events, FollowReport& report) {
+  if (!settle_modes(state, report.solve)) return false;
   // A state that the modes fit is kept unless a better one fits them, too.
   const bool fits = obeys_modes(state);
-  const bool cancels = largest_force(target) > most_cancellation * std::max(1.0, largest_force(state));
-  const bool jumps = (!fits || cancels) && solve_here(state, report);
-  if (!fits && !jumps) return false;
+  const bool cancels =
+      largest_force(target) > most_cancellation * std::max(problem.least_reference_force(), largest_force(state));
+  const bool solved = (!fits || cancels) && solve_here(state, report.solve);
+  if (!fits && !(solved && jump(state, report))) return false;
   if (events != nullptr) {
     for (std::size_t c = 0; c < mode.size(); ++c) {
       if (mode[c] != state.mode[c]) events->push_back({reached, static_cast<int>(c), state.mode[c], mode[c]});
     }
   }
   state.mode = mode;
-  if (jumps) {
+  if (solved) {
     if (visit) visit(state, begin);
     state = begin;
   } else {
@@ -301,7 +319,7 @@ FollowReport EventFollower::follow_to(double fraction, ContactState& state, cons
   report.solve.converged = true;
   int events_here = 0;
   for (;;) {
-    if (!w.inside_piece && !w.begin_piece(state, visit, events, report.solve)) break;
+    if (!w.inside_piece && !w.begin_piece(state, visit, events, report)) break;
     const double length = 1.0 - w.begin_fraction;
     const double event = w.event < 1.0 ? w.begin_fraction + w.event * length : 1.0;
     report.arrived = fraction <= event;

@@ -1,8 +1,10 @@
 #include "bumpfoil/contact/events.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "bumpfoil/contact/piece_energy.hpp"
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
@@ -10,15 +12,19 @@ namespace {
 
 /// Part of what is asked for that is taken to see which modes follow an event: short enough for no other event to fall
 /// into it, long enough for its slips and forces to stand clear of roundings. Grows by a factor where it does not help.
-constexpr double smallest_probe = 1e-4;
+constexpr double first_probe = 1e-4;
 constexpr double probe_growth = 4.0;
 /// Probes of one call before it is given up: many more than any response needs.
 constexpr int most_probes = 1000;
+/// Part of the whole path that counts as a place: what is still bent within it is a jump.
+constexpr double shortest_probe = 1e-10;
+/// Energy that a jump may seem to gain, in units of what is negligible: states at its ends are not exact.
+constexpr double most_gained = 100.0;
 
 }  // namespace
 
 EventStepper::EventStepper(const ContactProblem& problem)
-    : follower_(problem, make_mode_system(problem)), newton_(problem) {
+    : problem_(problem), follower_(problem, make_mode_system(problem)), newton_(problem) {
   BUMPFOIL_ASSERT(!problem.law);  // between two events the response would not be linear
 }
 
@@ -30,49 +36,81 @@ void EventStepper::set_out(const ContactLoading& from, const ContactLoading& to,
 }
 
 /// What follower_ sees of the path began at start_.
-FollowReport EventStepper::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
-                                     std::vector<ContactEvent>& events) {
+bool EventStepper::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                             std::vector<ContactEvent>& events, IncrementReport& report) {
   const double length = 1.0 - start_;
   const std::size_t known = events.size();
-  FollowReport report = follower_.follow_to(fraction < 1.0 ? (fraction - start_) / length : 1.0, state, visit, &events);
+  const FollowReport followed =
+      follower_.follow_to(fraction < 1.0 ? (fraction - start_) / length : 1.0, state, visit, &events);
   for (std::size_t i = known; i < events.size(); ++i) events[i].fraction = start_ + events[i].fraction * length;
-  report.fraction = report.arrived ? fraction : start_ + report.fraction * length;
-  fraction_ = report.fraction;
-  return report;
+  fraction_ = followed.arrived ? fraction : start_ + followed.fraction * length;
+  report.solve += followed.solve;
+  report.jump_dissipation += followed.jump_dissipation;
+  return followed.arrived;
+}
+
+void EventStepper::set_out_again(const std::vector<ContactMode>& mode) {
+  start_ = fraction_;
+  follower_.set_out(interpolate(from_, to_, start_), to_, mode);
+}
+
+/// Whether the small increment from `state` to `end` may stand in the response: it is straight, or a jump.
+/// @param is_place  nothing is looked for within it
+bool EventStepper::stands(const ContactState& state, const ContactState& end, bool is_place,
+                          IncrementReport& report) const {
+  const PieceEnergy energy = piece_energy(problem_, state, end);
+  const double negligible = negligible_energy(problem_, state, end);
+  if (std::abs(energy.defect()) <= negligible) return true;
+  if (!is_place || energy.given_off < -most_gained * negligible) return false;
+  report.jump_dissipation += energy.defect();
+  return true;
 }
 
 IncrementReport EventStepper::advance_to(double fraction, ContactState& state, const PartVisitor& visit,
                                          std::vector<ContactEvent>& events) {
   IncrementReport report;
-  const double first_probe = smallest_probe * (fraction - fraction_);
-  double probe = first_probe;
-  const auto follow = [&] {
-    const FollowReport followed = follow_to(fraction, state, visit, events);
-    report.solve += followed.solve;
-    return followed.arrived;
-  };
-  const auto set_out_again = [&](const std::vector<ContactMode>& mode) {
-    start_ = fraction_;
-    follower_.set_out(interpolate(from_, to_, start_), to_, mode);
-  };
-
+  const double first = first_probe * (fraction - fraction_);
+  double probe = first;
+  double shortest = shortest_probe;
+  double bent_until = fraction_;  // the last small increment that could not stand ended here
   ContactState probed;
-  bool arrived = follow();
+  Vector probed_from;
+  bool jumped = false;  // the follower would jump again
+  bool arrived = follow_to(fraction, state, visit, events, report);
   for (int probes = 0; !arrived; ++probes) {
     report.solve.converged = false;
     if (probes == most_probes) return report;
     const double before = fraction_;
     const double end = std::min(fraction, before + probe);
+    probed_from = state.x;
     report.solve += newton_.solve(interpolate(from_, to_, end), state, probed);
-    if (!report.solve.converged) return report;
-    set_out_again(probed.mode);
-    arrived = follow();
-    if (arrived || fraction_ > before) {
-      probe = first_probe;
+    if (!report.solve.converged) {
+      // There is no state so near: what the next one is like is all that can be told of the way to it.
+      if (end >= fraction) return report;
+      shortest = probe = 2.0 * probe;
       continue;
     }
+    if (!jumped) {
+      set_out_again(probed.mode);
+      arrived = follow_to(fraction, state, visit, events, report);
+      if (arrived || fraction_ > before) {
+        shortest = shortest_probe;
+        probe = first;
+        continue;
+      }
+      // Where it has jumped and got no further, another small increment must begin behind the jump.
+      jumped = state.x != probed_from;
+      if (jumped) continue;
+    }
 
-    // The modes do not lead on from here: take the small increment itself.
+    // The modes do not lead on from here: take the small increment itself, or a smaller one.
+    const bool is_place = probe <= shortest;
+    if (!stands(state, probed, is_place, report)) {
+      if (is_place) return report;
+      bent_until = end;
+      probe = std::max(shortest, 0.5 * (end - before));
+      continue;
+    }
     if (visit) visit(state, probed);
     for (std::size_t c = 0; c < probed.mode.size(); ++c) {
       if (state.mode[c] != probed.mode[c]) {
@@ -81,10 +119,12 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
     }
     std::swap(state, probed);
     fraction_ = end;
-    probe *= probe_growth;
+    shortest = shortest_probe;
+    probe = bent_until > end ? std::max(shortest, 0.5 * (bent_until - end)) : probe * probe_growth;
     ++report.substeps;
+    jumped = false;
     set_out_again(state.mode);
-    arrived = end >= fraction || follow();
+    arrived = end >= fraction || follow_to(fraction, state, visit, events, report);
   }
   report.solve.converged = true;
   return report;

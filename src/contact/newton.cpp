@@ -131,7 +131,7 @@ bool NewtonSolver::Workspace::solve_law(const ContactLoading& loading, const Con
 
 /// Collects the contacts whose inequalities `state`, solved for its modes, does not obey.
 void NewtonSolver::Workspace::find_changes(const ContactState& previous, const ContactState& state) {
-  const double largest = std::max(1.0, state.normal_force.maxCoeff());
+  const double largest = std::max(problem.least_reference_force(), state.normal_force.maxCoeff());
   const double force_tolerance = options.force_tolerance * largest;
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const Eigen::Index c = contact.index;

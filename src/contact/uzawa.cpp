@@ -59,7 +59,9 @@ struct UzawaSolver::Workspace {
   [[nodiscard]] double slip(const CoulombContact& c, const ContactState& previous) const {
     return c.tangential(x) - c.tangential(previous.x);
   }
-  [[nodiscard]] double force_scale() const { return std::max({1.0, p.maxCoeff(), t.cwiseAbs().maxCoeff()}); }
+  [[nodiscard]] double force_scale() const {
+    return std::max({problem.least_reference_force(), p.maxCoeff(), t.cwiseAbs().maxCoeff()});
+  }
 
   ContactProblem problem;
   UzawaOptions options;

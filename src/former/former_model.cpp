@@ -7,13 +7,14 @@
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/single_bump.hpp"
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 namespace {
 
 constexpr double displacement_tolerance = 1e-13;  // m
-constexpr double force_tolerance = 1e-11;         // of the largest normal force, or of 1 N
+constexpr double force_tolerance = 1e-11;         // of the largest normal force, or of least_reference_force()
 constexpr double balance_tolerance = 1e-6;        // of the same, where forces only lead to modes
 constexpr int rounds_at_first = 12;
 constexpr int rounds_after_approach = 6;
@@ -60,12 +61,14 @@ FormerModel make_former_model(const Case& input) {
   const int bumps = input.bump_foil.bumps;
   FormerModel model;
   model.bearing = input.bearing;
-  model.structure = make_foil_structure(make_bearing_foils(input));
+  const FoilDesign foils = make_bearing_foils(input);
+  model.structure = make_foil_structure(foils);
   model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   model.height_errors = list_or_zeros(input.bump_foil.height_errors, bumps);
   model.sleeve_gaps = list_or_zeros(input.bump_foil.sleeve_gaps, bumps);
   const BumpDofs& dofs = model.structure.dofs;
   model.problem.K = model.structure.K;
+  model.problem.force_scale = bump_force_scale(foils);
   model.problem.pairs = {
       {.plus = dofs.crest_v, .tangential = dofs.crest_u, .friction_coefficient = input.friction.top_bump},
       {.minus = dofs.foot_v.front(),
@@ -155,7 +158,8 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
     solution.report.factorisations += modes_->factorisations() - factorisations;
     modes_->solve(loading, unstressed, state);
     ++solution.report.iterations;
-    const double negligible = force_tolerance * std::max(1.0, state.normal_force.cwiseAbs().maxCoeff());
+    const double negligible =
+        force_tolerance * std::max(model_.problem.least_reference_force(), state.normal_force.cwiseAbs().maxCoeff());
     bool changed = false;
     for_each_contact(model_.problem, [&](const CoulombContact& c) {
       ContactMode& m = mode[static_cast<std::size_t>(c.index)];

@@ -42,4 +42,10 @@ double guided_bump_stiffness(const BumpArc& arc, const Section& section) {
   return stiffness(arc, section, 2.0 * alpha * alpha * alpha * sine_remainder(2.0 * alpha) - v * v / alpha);
 }
 
+double bump_force_scale(const FoilDesign& foils) {
+  const BumpShape& bump = foils.bumps.front();
+  return bump.rise * shallow_bump_stiffness(make_bump_arc(bump), make_section(foils.youngs_modulus, foils.poisson_ratio,
+                                                                              foils.axial_length, bump.thickness));
+}
+
 }  // namespace bumpfoil

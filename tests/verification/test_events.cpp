@@ -104,6 +104,96 @@ TEST_P(EventCycles, AgreeWithIncrementsPlacedAtTheEvents) {
 
 INSTANTIATE_TEST_SUITE_P(Directions, EventCycles, testing::Values(0.0, std::numbers::pi, 0.5 * std::numbers::pi, 4.0));
 
+/// Bumps so short and thick, without friction, that after some events no modes lead on: newton takes small increments.
+Case short_stiff_bumps() {
+  Case input = case_with_given_constants();
+  input.bearing = {
+      .radius = 0.004261487411939364, .axial_length = 0.04841632787397465, .radial_clearance = 8.972962488659042e-05};
+  input.bump_foil = {.model = BumpFoilModel::frame,
+                     .bumps = 53,
+                     .pitch = 0.0005052021715736113,
+                     .length = 0.0003353093020518484,
+                     .height = 0.00017525082773990782,
+                     .thickness = 0.000105447049093182,
+                     .youngs_modulus = 196201402653.22522,
+                     .poisson_ratio = 0.29,
+                     .height_errors = {},
+                     .sleeve_gaps = {},
+                     .weld_at = WeldPosition::arc_start,
+                     .truss = {}};
+  input.top_foil = {
+      .thickness = 2.2544859624343658e-05, .youngs_modulus = input.bump_foil.youngs_modulus, .poisson_ratio = 0.29};
+  input.friction = {};
+  input.cycle.amplitude = 0.00010799717071993301;
+  return input;
+}
+
+/// Friction of 1 under a preload: the foils snap on the way.
+Case snapping_bumps() {
+  Case input = case_with_given_constants();
+  input.bearing = {.radius = 0.02052479310246199,
+                   .axial_length = 0.01887256374438901,
+                   .radial_clearance = -5.481558292187019e-06,
+                   .wrap = Wrap::counterclockwise};
+  input.bump_foil = {.model = BumpFoilModel::frame,
+                     .bumps = 57,
+                     .pitch = 0.002262475060599318,
+                     .length = 0.0007922043244122146,
+                     .height = 0.0007886662703035484,
+                     .thickness = 0.0003577571456624189,
+                     .youngs_modulus = 44824543594.301445,
+                     .poisson_ratio = 0.0,
+                     .height_errors = {},
+                     .sleeve_gaps = {},
+                     .weld_at = WeldPosition::arc_start,
+                     .truss = {}};
+  input.top_foil = {
+      .thickness = 0.00035033194299343475, .youngs_modulus = input.bump_foil.youngs_modulus, .poisson_ratio = 0.0};
+  input.friction = {.top_bump = 1.0, .bump_sleeve = 0.0};
+  input.cycle.amplitude = 1.6063897939869458e-05;
+  return input;
+}
+
+/// Where small increments of newton or jumps stand in the response, too, work is stored or dissipated, to 1e-7.
+TEST(Events, KeepTheEnergyWhereTheyCannotBeFollowed) {
+  for (Case input : {short_stiff_bumps(), snapping_bumps()}) {
+    std::vector<double> loops;
+    for (const int steps : {2, 5}) {
+      input.cycle.steps = steps;
+      const Cycle cycle = run_single_cycle(with_events(input), 0.0);
+      ASSERT_EQ(first_failure(cycle), "");
+      const double scale = largest_work(cycle);
+      const double start = cycle.increments.front().elastic_energy;
+      for (const Increment& k : cycle.increments) {
+        EXPECT_NEAR(k.work, k.elastic_energy - start + k.dissipated_energy, 1e-7 * scale) << k.index;
+      }
+      if (input.friction == Friction{}) {
+        EXPECT_NEAR(*cycle.loop_energy, 0.0, 1e-7 * scale);
+      }
+      loops.push_back(*cycle.loop_energy / scale);
+    }
+    EXPECT_NEAR(loops[0], loops[1], 1e-7);  // of the path, not of its increments
+  }
+}
+
+/// Feet over gaps carry nothing before the journal touches and after it has left: all that is left there are roundings.
+TEST(Events, LeaveContactsOpenWhereNothingIsLoaded) {
+  Case input = with_events(case_with_given_constants());
+  input.friction = {};
+  input.cycle.steps = 20;
+  for (int i = 0; i < input.bump_foil.bumps; ++i) input.bump_foil.sleeve_gaps.push_back(1e-6 * (1 + i * 7 % 24));
+  for (const double direction : {0.0, 0.5 * std::numbers::pi}) {
+    const Cycle cycle = run_single_cycle(input, direction);
+    ASSERT_EQ(first_failure(cycle), "");
+    for (const Increment& k : cycle.increments) {
+      for (Eigen::Index foot = 0; foot < k.foot_v.size(); ++foot) {
+        const double stands_off = input.bump_foil.sleeve_gaps[static_cast<std::size_t>(foot)] - k.foot_v[foot];
+        EXPECT_NEAR(k.bump_sleeve.gap[foot], std::max(0.0, stands_off), 1e-12) << k.index << ", foot " << foot;
+      }
+    }
+  }
+}
+
 TEST(Events, UniformIncrementsApproachThePath) {
   Case input = case_with_given_constants();
   const double exact = *run_single_cycle(with_events(input), 0.0).loop_energy;

@@ -46,6 +46,7 @@ class PathRunner {
 
   [[nodiscard]] const FoilModel& model() const { return model_; }
   [[nodiscard]] bool is_exact() const { return solver_.is_exact(); }
+  [[nodiscard]] bool follows_events() const { return solver_.follows_events(); }
   [[nodiscard]] const ContactState& state() const { return now_.state; }
   /// Of the last increment, fractions of it; only from the event-driven solver.
   [[nodiscard]] const std::vector<ContactEvent>& events() const { return now_.events; }

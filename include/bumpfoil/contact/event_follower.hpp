@@ -18,9 +18,10 @@ struct ContactEvent {
 
 /// How far a path was followed.
 struct FollowReport {
-  bool arrived{};     ///< false where the modes after an event could not be found
-  double fraction{};  ///< of the whole path that lies behind, 0..1
-  int events{};       ///< places where a contact changed its mode on the way
+  bool arrived{};             ///< false where the modes after an event could not be found
+  double fraction{};          ///< of the whole path that lies behind, 0..1
+  int events{};               ///< places where a contact changed its mode on the way
+  double jump_dissipation{};  ///< see IncrementReport
   SolveReport solve;
 };
 

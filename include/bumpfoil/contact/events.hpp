@@ -8,7 +8,10 @@
 namespace bumpfoil {
 
 /// Advances along straight loading paths from event to event, exactly; where the follower cannot tell the next modes,
-/// a small increment of the exact solver shows them.
+/// a small increment of the exact solver shows them. Where even these do not lead on, the increment stands in the
+/// response if that is straight there, W = E_end - E_begin + D; if not, it is halved until it is, or until it is no
+/// more than a place: there the response jumps, and what it gives off counts as dissipated. Shorter increments that the
+/// exact solver cannot take make the shortest that it can such a place.
 class EventStepper {
  public:
   explicit EventStepper(const ContactProblem& problem);
@@ -26,9 +29,13 @@ class EventStepper {
                                            std::vector<ContactEvent>& events);
 
  private:
-  FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit,
-                         std::vector<ContactEvent>& events);
+  bool follow_to(double fraction, ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
+                 IncrementReport& report);
+  void set_out_again(const std::vector<ContactMode>& mode);
+  [[nodiscard]] bool stands(const ContactState& state, const ContactState& end, bool is_place,
+                            IncrementReport& report) const;
 
+  ContactProblem problem_;
   EventFollower follower_;
   NewtonSolver newton_;
   ContactLoading from_, to_;

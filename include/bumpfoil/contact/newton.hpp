@@ -11,7 +11,8 @@ namespace bumpfoil {
 struct NewtonOptions {
   /// A gap may be below zero, or a slip against its direction, by this much: gap >= -displacement_tolerance. m.
   double displacement_tolerance{1e-13};
-  /// A compression may be below zero, or friction above its bound, by this part of max(largest contact force, 1 N).
+  /// A compression may be below zero, or friction above its bound, by this part of the largest contact force, or of
+  /// ContactProblem::least_reference_force().
   double force_tolerance{1e-11};
   /// Rounds of changing contacts that contradict their mode before the next method is tried.
   int max_mode_updates{2};

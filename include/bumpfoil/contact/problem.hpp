@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -53,8 +54,13 @@ struct ContactProblem {
   /// At least one. Contact c of block b has index b * pairs.size() + c in every contact array.
   std::vector<ContactPair> pairs;
   std::optional<ElasticLaw> law{};  ///< absent where elastic forces are linear
+  double force_scale{10.0};         ///< size of the forces that the problem is made for, N: below 1e-12 of it is none
 
   [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
+
+  /// The force that tolerances relative to the largest refer to where the largest is less, N: where hardly anything is
+  /// loaded they would be relative to roundings. 1 N as in ContactResiduals, less for problems made for less than 10 N.
+  [[nodiscard]] double least_reference_force() const { return std::min(1.0, 0.1 * force_scale); }
 };
 
 /// What drives the problem at one increment. A plain value; between two increments it may be interpolated.

@@ -32,6 +32,9 @@ class ContactSolver {
 struct IncrementReport {
   SolveReport solve;
   int substeps{};  ///< extra solves because the increment had to be halved
+  /// Where the response jumps, all that the bodies give off is dissipated. By how much that is more than the friction
+  /// f p |du| of the parts, J; told only by what follows events.
+  double jump_dissipation{};
 };
 
 /// Called for every part of an increment, from the state at its begin to that at its end.

@@ -15,9 +15,10 @@ struct UzawaOptions {
   double eps_r{};    ///< penalty of contacts without tangential unknown (the journal), N/m: penetration p / eps_r
   double tau_f{};    ///< slip at which the friction force has reached half its bound, m
 
-  /// Equilibrium: largest unbalanced force / max(largest contact force, 1 N), where Newton's method ends.
+  /// With F = max(largest contact force, ContactProblem::least_reference_force()):
+  /// equilibrium: largest unbalanced force / F, where Newton's method ends.
   double newton_tolerance{1e-7};
-  /// Multipliers: largest change of one / max(largest contact force, 1 N), where their updates end.
+  /// Multipliers: largest change of one / F, where their updates end.
   double multiplier_tolerance{1e-6};
   /// A sticking contact may exceed its bound by this part of it.
   double cone_tolerance{1e-4};
@@ -47,7 +48,7 @@ struct UzawaOptions {
 /// (open and closed) or left slipping (stick and slip): the regularised law lets a slipping contact carry any force
 /// inside the cone, at the price of a slip of the order of tau_f.
 ///
-/// What a converged state meets, with F = max(largest contact force, 1 N) and e = multiplier_tolerance:
+/// What a converged state meets, with F as in UzawaOptions and e = multiplier_tolerance:
 ///
 ///     balance    (newton_tolerance + e) F
 ///     gaps       |g| <= e F / eps_alm of closed contacts, -g = p / eps_r where eps_r acts; g >= -e F / eps_alm of open

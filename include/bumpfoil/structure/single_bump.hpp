@@ -27,4 +27,8 @@ double shallow_bump_stiffness(const BumpArc& arc, const Section& section);
 ///     K = 2 EI' / (R_b^3 (alpha/2 - sin(2 alpha)/4 - (1 - cos)^2 / alpha))
 double guided_bump_stiffness(const BumpArc& arc, const Section& section);
 
+/// Size of the forces in foils of this kind, N: stiffness of bump 1, taken as shallow, times its rise. What is
+/// a rounding among forces is told from it where nothing is loaded.
+double bump_force_scale(const FoilDesign& foils);
+
 }  // namespace bumpfoil

@@ -59,6 +59,37 @@ TEST(EventFollower, BlockSlipsExactlyWhenThePullReachesItsFriction) {
   EXPECT_NEAR(path.state.friction_force[0], 20.0, 1e-11);
 }
 
+/// Held with all of its friction it slips at once when it is pulled further, on either side: no place has to be passed.
+TEST(EventFollower, ABlockAtItsBoundSlipsAtOnceToEitherSide) {
+  for (const double side : {1.0, -1.0}) {
+    Path path(toy::dragged_block());
+    path.to(toy::pull(0.0, 40.0));
+    path.to(toy::pull(side * 20.0, 40.0));
+    ASSERT_EQ(path.state.mode[0], ContactMode::stick);
+    path.to(toy::pull(side * 30.0, 40.0));
+    ASSERT_EQ(path.events.size(), 1U);
+    EXPECT_EQ(path.events[0].fraction, 0.0);
+    EXPECT_EQ(path.report.events, 0);
+    EXPECT_NEAR(path.state.x[0], side * 5e-6, 1e-17);
+  }
+}
+
+/// A block that was lifted while friction held it: it jumps to where its spring lets it go, and what the spring gives
+/// off on the way is dissipated.
+TEST(EventFollower, AnOpenContactHasNoFriction) {
+  const ContactProblem block = toy::dragged_block();
+  EventFollower follower(block, make_mode_system(block));
+  ContactState state = ContactState::unstressed(block);
+  state.x[1] = state.gap[0] = 1e-6;
+  state.friction_force[0] = -5.0;
+  follower.set_out(toy::pull(5.0, -1.0), toy::pull(5.0, -2.0), state.mode);
+  const FollowReport report = follower.follow_to(0.5, state);
+  ASSERT_TRUE(report.arrived);
+  EXPECT_EQ(state.friction_force[0], 0.0);
+  EXPECT_NEAR(state.x[0], 2.5e-6, 1e-17);
+  EXPECT_NEAR(report.jump_dissipation, 0.5 * 5.0 * 2.5e-6, 1e-17);
+}
+
 /// Slabs on beds of 1 N/um, 10 um above the floor and 4 um apart.
 TEST(EventFollower, SlabsMeetOneAfterTheOther) {
   Path path(toy::stacked_slabs());

@@ -70,6 +70,7 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
     EventStepper stepper(problem);
     stepper.set_out(random.first, random.second, state);
     Vector joint = state.x;
+    std::vector<ContactMode> modes = state.mode;
     const auto visit = [&](const ContactState& begin, const ContactState& end) {
       EXPECT_EQ(begin.x, joint) << seed;
       joint = end.x;
@@ -87,6 +88,12 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
     substeps += report.substeps;
     EXPECT_EQ(state.x, joint) << seed;
     for (std::size_t i = 1; i < events.size(); ++i) EXPECT_LE(events[i - 1].fraction, events[i].fraction) << seed;
+    for (const ContactEvent& event : events) {
+      ContactMode& mode = modes[static_cast<std::size_t>(event.contact)];
+      EXPECT_EQ(mode, event.from) << seed;
+      mode = event.to;
+    }
+    EXPECT_EQ(modes, state.mode) << seed;
   }
   EXPECT_GT(substeps, 0);
 }

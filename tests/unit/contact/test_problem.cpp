@@ -55,5 +55,14 @@ TEST(ContactProblem, GapsAndForcesAreTransposesOfEachOther) {
   EXPECT_LT((contact_gaps(problem, p, x) - gap).norm(), 1e-15 * gap.norm());
 }
 
+/// 1 N, as residuals have it, but for problems whose own forces are smaller.
+TEST(ContactProblem, ReferenceForcesAreNoLargerThanItsOwn) {
+  ContactProblem problem = toy::spring_against_a_wall();
+  problem.force_scale = 300.0;
+  EXPECT_DOUBLE_EQ(problem.least_reference_force(), 1.0);
+  problem.force_scale = 3e-3;
+  EXPECT_DOUBLE_EQ(problem.least_reference_force(), 3e-4);
+}
+
 }  // namespace
 }  // namespace bumpfoil

@@ -100,6 +100,8 @@ TEST(ContactResiduals, FrictionAboveTheConeIsSeen) {
   SlippingBlock block = sticking_block();
   block.state.friction_force[0] = -24.0;
   EXPECT_DOUBLE_EQ(block.judge().cone, 0.1);
+  block.state.friction_force[0] = 24.0;
+  EXPECT_DOUBLE_EQ(block.judge().cone, 0.1);
 }
 
 TEST(ContactResiduals, FrictionMustOpposeSlip) {
@@ -107,6 +109,9 @@ TEST(ContactResiduals, FrictionMustOpposeSlip) {
   block.state.friction_force[0] = 20.0;
   EXPECT_DOUBLE_EQ(block.judge().cone, 1.0);
   EXPECT_EQ(block.judge().slip_in_stick, 0.0);
+  block.state.x[0] = -5e-6;
+  block.state.friction_force[0] = -20.0;
+  EXPECT_DOUBLE_EQ(block.judge().cone, 1.0);
 }
 
 TEST(ContactResiduals, NoModeIsTrusted) {

@@ -157,6 +157,25 @@ TEST(Uzawa, SaysSoWhereItGivesUp) {
   const Solved patient = solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient);
   EXPECT_TRUE(patient.report.converged);
   EXPECT_GT(patient.report.outer_iterations, 100);
+
+  impatient = options;
+  impatient.max_friction_updates = 1;  // finds that the point slips, but does not look again
+  EXPECT_FALSE(solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient).report.converged);
+}
+
+/// Contacts that are wrong together change together, while that ends.
+TEST(Uzawa, OpensManyContactsAtOnce) {
+  ContactProblem problem = point_over_wall();
+  problem.K = BlockTridiagonal(10, 2);
+  for (int block = 0; block < 10; ++block) {
+    problem.K.add(block, 0, block, 0, stiffness);
+    problem.K.add(block, 1, block, 1, stiffness);
+  }
+  ContactLoading lifted = ContactLoading::none(problem);
+  for (Eigen::Index i = 1; i < lifted.load.size(); i += 2) lifted.load[i] = -1.0;
+  const Solved solved = solve(problem, lifted, ContactState::unstressed(problem));
+  ASSERT_TRUE(solved.report.converged);
+  EXPECT_LE(solved.report.outer_iterations, 5);  // one at a time it would take a round for each
 }
 
 }  // namespace

@@ -29,6 +29,15 @@ double frame_stiffness(const BumpArc& arc, double friction_coefficient, bool foo
   return foil.bending_stiffness / kept.inverse().row(0).dot(load);
 }
 
+TEST(SingleBump, ForcesHaveTheSizeOfStiffnessTimesRise) {
+  FoilDesign foils;
+  foils.bumps = {{.pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.508e-3, .thickness = 0.102e-3}};
+  foils.youngs_modulus = 214e9;
+  foils.poisson_ratio = 0.29;
+  foils.axial_length = 38.1e-3;
+  EXPECT_DOUBLE_EQ(bump_force_scale(foils), 0.508e-3 * shallow_bump_stiffness(reference_arc(0.508e-3), foil));
+}
+
 TEST(SingleBump, ReferenceNumbers) {
   const BumpArc arc = reference_arc(0.508e-3);
   // Known to three digits.
