@@ -1,4 +1,5 @@
 #include "bumpfoil/io/report.hpp"
+#include "bumpfoil/core/printable.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -24,6 +25,7 @@ struct ReportOptions {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path path;
   bool force{};
+  bool unchecked{};
 };
 
 /// The page must not take the place of what it is made from, by whatever name.
@@ -45,7 +47,11 @@ void run_report(const ReportOptions& options, const Session& session) {
   }
   const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
   check_output(path, options.folders);
-  write_file(path, fill_report(report_page(), report_json(options.folders)),
+  const auto warn = [&session](const std::string& warning) {
+    if (!session.quiet) print_message("warning: " + warning);
+  };
+  write_file(path,
+             fill_report(report_page(), report_json(options.folders, {.checked = !options.unchecked, .warn = warn})),
              options.force ? Existing::replace : Existing::refuse);
   if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
 }
@@ -60,6 +66,8 @@ void add_report_command(CLI::App& program, Session& session) {
   command->add_option("-o,--output", options->path, "File to write; report.html in the first folder without it")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "Replace the file if it exists");
+  command->add_flag("--unchecked", options->unchecked,
+                    "Read damaged results, too: leave out the comparison of checksums");
   command->footer(
       "Examples:\n"
       "  bumpfoil report results\n"

@@ -6,6 +6,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "bumpfoil/core/assert.hpp"
+
 namespace bumpfoil {
 
 std::string xxh3_128(std::string_view bytes) {
@@ -14,6 +16,18 @@ std::string xxh3_128(std::string_view bytes) {
   std::string text;
   for (const unsigned char byte : canonical.digest) text += fmt::format("{:02x}", byte);
   return text;
+}
+
+std::string sealed(std::string text) {
+  const std::size_t place = text.find(blank_checksum);
+  BUMPFOIL_ASSERT(place != std::string::npos);
+  return text.replace(place, blank_checksum.size(), xxh3_128(text));
+}
+
+bool is_sealed(std::string text, std::string_view checksum) {
+  const std::size_t place = text.find(checksum);
+  if (place == std::string::npos || checksum.size() != blank_checksum.size()) return false;
+  return xxh3_128(text.replace(place, checksum.size(), blank_checksum)) == checksum;
 }
 
 }  // namespace bumpfoil

@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <netcdf>
-#include <optional>
+#include <new>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/result_folder.hpp"
+#include "io/binary_file.hpp"
 #include "io/case_json.hpp"
 #include "io/result_reader.hpp"
+#include "io/summary_reader.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -23,50 +24,73 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
 
-Json read_summary(const fs::path& path) {
-  std::ifstream file(path);
-  return Json::parse(file);
+[[noreturn]] void refuse_damaged(const fs::path& path, std::string what) {
+  throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is damaged: " + std::move(what),
+                                 "take it from a backup or run again; --unchecked reads what can be read"}});
 }
 
-/// What a folder shows, or what is wrong with it.
-std::pair<Json, std::optional<Fault>> read_run(const fs::path& folder, std::size_t most_values) {
-  const auto fault = [&](const fs::path& path, std::string what) {
-    return std::pair(Json(), std::optional(Fault{path.string(), 0, "", "", std::move(what), std::string(advice)}));
+/// Verifies a file beside summary.json.
+void require_intact(const fs::path& path, std::string_view bytes, const StoredSummary& summary) {
+  const auto listed = summary.files.find(path.filename().string());
+  if (listed == summary.files.end()) refuse_damaged(path, "summary.json does not list it");
+  const auto& [size, checksum] = listed->second;
+  if (bytes.size() != size)
+    refuse_damaged(path, fmt::format("it has {} bytes, where summary.json lists {}", bytes.size(), size));
+  if (xxh3_128(bytes) != checksum) refuse_damaged(path, "its checksum is not the one that summary.json lists");
+}
+
+/// What a folder shows. @throws Error (file)
+Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOptions& options) {
+  const auto refuse = [&folder](std::string what) {
+    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), std::string(advice)}});
   };
   std::error_code code;
-  if (!fs::exists(folder, code)) return fault(folder, "does not exist");
-  if (!fs::is_directory(folder, code)) return fault(folder, "is no folder");
+  if (!fs::exists(folder, code)) refuse("does not exist");
+  if (!fs::is_directory(folder, code)) refuse("is no folder");
   complete_publication_quietly(folder);
+  const auto read = [&folder](const char* name) { return read_binary_file(published_file(folder, name)); };
   for (const char* name : {"result.nc", "summary.json"}) {
-    if (!fs::exists(published_file(folder, name), code))
-      return fault(folder, fmt::format("holds no results: {} is missing", name));
+    if (!fs::exists(published_file(folder, name), code)) refuse(fmt::format("holds no results: {} is missing", name));
   }
-  try {
-    Json run{{"name", fs::absolute(folder).lexically_normal().string()}};
-    run["summary"] = read_summary(published_file(folder, "summary.json"));
-    run.update(read_result(published_file(folder, "result.nc"), most_values));
-    return {run, std::nullopt};
-  } catch (const Json::exception&) {
-    return fault(folder / "summary.json", "cannot be read: it is no JSON");
-  } catch (const NotAResult& error) {
-    return fault(folder / "result.nc", error.what());
-  } catch (const netCDF::exceptions::NcException& error) {
-    // The first line says what went wrong, the second where in the library.
-    const std::string_view reason = error.what();
-    return fault(folder / "result.nc", fmt::format("cannot be read: {}", reason.substr(0, reason.find('\n'))));
+  const fs::path summary_path = folder / "summary.json";
+  const fs::path result_path = folder / "result.nc";
+  std::string summary_text = read("summary.json");
+  std::string bytes = read("result.nc");
+  // Another set may have been published between the two.
+  for (std::string now = read("summary.json"); now != summary_text; now = read("summary.json")) {
+    summary_text = std::move(now);
+    bytes = read("result.nc");
   }
+  const StoredSummary summary = read_summary(summary_text, summary_path.string());
+  if (summary.run_id.empty()) {
+    if (options.warn)
+      options.warn(fmt::format("{}: was written by version 0.1, without checksums: damage may show as wrong numbers",
+                               printable(folder.string(), longest_path)));
+  } else if (options.checked) {
+    if (!is_sealed(summary_text, summary.xxh3_128)) refuse_damaged(summary_path, "it has not the checksum in it");
+    require_intact(result_path, bytes, summary);
+  }
+  const Json result = read_result(std::move(bytes), result_path.string(), most_values);
+  require_same_run(summary, result, summary_path.string());
+  Json run{{"name", fs::absolute(folder).lexically_normal().string()}, {"summary", summary.json}};
+  run.update(result);
+  return run;
 }
 
 }  // namespace
 
-std::string report_json(const std::vector<fs::path>& folders, std::size_t most_values) {
+std::string report_json(const std::vector<fs::path>& folders, const ReadingOptions& options) {
   BUMPFOIL_ASSERT(!folders.empty());
   Json runs = Json::array();
   std::vector<Fault> faults;
   for (const fs::path& folder : folders) {
-    auto [run, fault] = read_run(folder, std::max<std::size_t>(1, most_values / folders.size()));
-    if (fault) faults.push_back(*std::move(fault));
-    runs.push_back(std::move(run));
+    try {
+      runs.push_back(read_run(folder, std::max<std::size_t>(1, options.most_values / folders.size()), options));
+    } catch (const Error& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    } catch (const std::bad_alloc&) {
+      faults.push_back({folder.string(), 0, "", "", "takes more memory than is to be had", ""});
+    }
   }
   if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
   return dump_json({{"schema", "bumpfoil-report/1"}, {"version", version()}, {"commit", commit()}, {"runs", runs}}, -1);

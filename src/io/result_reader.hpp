@@ -1,22 +1,18 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <string>
 
 namespace bumpfoil {
 
-/// Why a file is no result that a report can show.
-class NotAResult : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// What a report shows of result.nc: `kind`, `attributes`, `geometry`, `nodes`, `last_increment`, `loops`, see
-/// report_json.
+/// report_json. Whatever the file declares is compared with its size and with the rest of it before it is used.
+///
+/// @param bytes        of the file; with a checksum, they are to be verified before: see NetcdfImage
+/// @param name         of the file in messages
 /// @param most_values  numbers per increment and node beyond which increments are left out
-/// @throws netCDF::exceptions::NcException if it cannot be read; NotAResult if it is something else
-nlohmann::ordered_json read_result(const std::filesystem::path& path, std::size_t most_values);
+/// @throws Error (file) naming file and variable if it is no result or damaged
+nlohmann::ordered_json read_result(std::string bytes, const std::string& name, std::size_t most_values);
 
 }  // namespace bumpfoil

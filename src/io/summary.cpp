@@ -10,6 +10,7 @@
 
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/checksum.hpp"
 #include "io/case_json.hpp"
 #include "io/result_columns.hpp"
 
@@ -98,6 +99,8 @@ double to_degrees(double angle) {
 std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest) {
   Json json;
   json["schema"] = "bumpfoil-summary/1";
+  // Before all texts of users, which could hold the same.
+  json["xxh3_128"] = blank_checksum;
   json["command"] = name_of(result.experiment);
   json["case"] = case_json(input);
   json["version"] = version();
@@ -110,7 +113,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   for (const Cycle& cycle : result.cycles) {
     json["cycles"].push_back(cycle_json(input, result.experiment, json["cycles"].size() + 1, cycle));
   }
-  return dump_json(json, 2) + '\n';
+  return sealed(dump_json(json, 2) + '\n');
 }
 
 }  // namespace bumpfoil

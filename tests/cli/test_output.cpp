@@ -149,5 +149,18 @@ TEST_F(Output, TextsOfOthersDoNotSteerTheTerminal) {
   EXPECT_EQ(run("$bumpfoil check again.toml").output, check.output);
 }
 
+#if BUMPFOIL_HAS_REPORT
+TEST_F(Output, DamagedResultsAreToldUnlessTheyAreWanted) {
+  ASSERT_EQ(run("$bumpfoil cycle case.toml -o r --set cycle.steps=2 --quiet").exit_code, 0);
+  ASSERT_EQ(run("sed -i 's/\"bytes\": /&1/' r/summary.json").exit_code, 0);
+  const Outcome report = run("$bumpfoil report r");
+  EXPECT_EQ(report.exit_code, 4);
+  EXPECT_EQ(report.errors.find("r/summary.json: is damaged: "), 0U) << report.errors;
+  EXPECT_EQ(run("$bumpfoil report r --unchecked").exit_code, 0);
+  ASSERT_EQ(run("echo null > r/summary.json").exit_code, 0);
+  EXPECT_EQ(run("$bumpfoil report r --unchecked --force").exit_code, 4);
+}
+#endif
+
 }  // namespace
 }  // namespace bumpfoil

@@ -9,4 +9,13 @@ namespace bumpfoil {
 /// tells damage, not forgery.
 std::string xxh3_128(std::string_view bytes);
 
+/// What a text that is to vouch for itself has in the place of its checksum.
+inline constexpr std::string_view blank_checksum = "00000000000000000000000000000000";
+
+/// The text with its checksum in place of the first `blank_checksum`, which it must have.
+std::string sealed(std::string text);
+
+/// Whether a text is what `sealed` made with this checksum.
+bool is_sealed(std::string text, std::string_view checksum);
+
 }  // namespace bumpfoil

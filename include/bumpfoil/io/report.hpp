@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,14 @@ inline constexpr std::string_view report_placeholder = "@bumpfoil-report-data@";
 
 /// Numbers per increment and node that a report holds at most; runs with more of them are thinned.
 inline constexpr std::size_t most_report_values = 2'000'000;
+
+struct ReadingOptions {
+  std::size_t most_values = most_report_values;  ///< numbers per increment and node over all folders
+  /// Whether result.nc must have the checksum that summary.json lists. Without, a damaged file may still be found out
+  /// by its shape, show wrong numbers, or crash libhdf5.
+  bool checked = true;
+  std::function<void(const std::string&)> warn{};  ///< called, where given, with what users should know of a folder
+};
 
 /// Everything that a report shows of the results in some folders, as JSON.
 ///
@@ -28,11 +37,12 @@ inline constexpr std::size_t most_report_values = 2'000'000;
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///
-/// @param folders      of results, at least one
-/// @param most_values  numbers per increment and node over all folders beyond which increments are left out
-/// @throws Error (file) that lists every folder that does not exist, holds no result or cannot be read
-std::string report_json(const std::vector<std::filesystem::path>& folders,
-                        std::size_t most_values = most_report_values);
+/// Files are not believed: their shapes, and that they are of one run, is verified before they are used. Folders of
+/// version 0.1 have no checksums; they are read with a warning.
+///
+/// @param folders  of results, at least one
+/// @throws Error (file) that lists every folder that does not exist, holds no result, cannot be read, or is damaged
+std::string report_json(const std::vector<std::filesystem::path>& folders, const ReadingOptions& options = {});
 
 /// The page with the data in place of `report_placeholder`, written so that no text in it can end the script element
 /// that holds it. @param page  has the placeholder once

@@ -23,5 +23,21 @@ TEST(Checksum, ChangesWithEveryBit) {
   }
 }
 
+TEST(Checksum, SealsATextThatHoldsItsOwn) {
+  const std::string text = "{\"xxh3_128\": \"" + std::string(blank_checksum) + "\", \"title\": \"x\"}";
+  const std::string checksum = xxh3_128(text);
+  std::string whole = sealed(text);
+  EXPECT_EQ(whole, "{\"xxh3_128\": \"" + checksum + "\", \"title\": \"x\"}");
+  EXPECT_TRUE(is_sealed(whole, checksum));
+  EXPECT_FALSE(is_sealed(whole, ""));
+  EXPECT_FALSE(is_sealed(whole, blank_checksum));
+  EXPECT_FALSE(is_sealed(whole, "title"));
+  for (char& letter : whole) {
+    letter = static_cast<char>(letter ^ 1);
+    EXPECT_FALSE(is_sealed(whole, checksum));
+    letter = static_cast<char>(letter ^ 1);
+  }
+}
+
 }  // namespace
 }  // namespace bumpfoil

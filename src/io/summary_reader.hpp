@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace bumpfoil {
+
+/// What summary.json says of a file beside it.
+struct ListedFile {
+  std::size_t bytes{};
+  std::string xxh3_128;
+};
+
+/// summary.json, its shape verified.
+struct StoredSummary {
+  nlohmann::ordered_json json;
+  std::string xxh3_128;                     ///< of itself
+  std::string run_id;                       ///< empty in results of version 0.1, which have no checksums either
+  std::map<std::string, ListedFile> files;  ///< by name
+};
+
+/// Reads and verifies summary.json: schema, and names and types of what a report shows.
+/// @param text  of the file   @param name  of the file in messages
+/// @throws Error (file) naming file and key
+StoredSummary read_summary(std::string_view text, const std::string& name);
+
+/// Verifies that a summary tells of the same run as a result that was read by read_result: command, run id, loops with
+/// their steps. @throws Error (file)
+void require_same_run(const StoredSummary& summary, const nlohmann::ordered_json& result, const std::string& name);
+
+}  // namespace bumpfoil
