@@ -11,6 +11,7 @@
 #include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
 #include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"

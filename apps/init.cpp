@@ -13,11 +13,12 @@ namespace {
 struct InitOptions {
   std::string preset{"gen1"};
   std::string path;
+  bool keys{};
   bool force{};
 };
 
 void run_init(const InitOptions& options, const Session& session) {
-  const std::string text = case_template(options.preset);
+  const std::string text = options.keys ? case_reference() : case_template(options.preset);
   if (options.path.empty()) return print_output(text);
   write_file(options.path, text, options.force ? Existing::replace : Existing::refuse);
   if (!session.quiet) print_output("wrote " + printable(options.path, longest_path) + "\n");
@@ -32,6 +33,7 @@ void add_init_command(CLI::App& program, Session& session) {
       ->check(CLI::IsMember(preset_names()))
       ->capture_default_str();
   command->add_option("-o,--output", options->path, "File to write; standard output without it")->type_name("FILE");
+  command->add_flag("--keys", options->keys, "A reference of all keys in place of a case file, in Markdown");
   command->add_flag("--force", options->force, "Replace the file if it exists");
   command->footer("Example:\n  bumpfoil init -o case.toml");
   command->callback([options, &session] { run_init(*options, session); });

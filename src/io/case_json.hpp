@@ -9,6 +9,9 @@ namespace bumpfoil {
 /// The case with the keys of the case file, in their order, SI numbers.
 nlohmann::ordered_json case_json(const Case& input);
 
+/// Titles and units of all tables and keys by their paths: {"bearing.radius": {"title": "Radius", "unit": "m"}, ...}.
+nlohmann::ordered_json case_labels();
+
 /// JSON text with an indentation, safe to print: see printable_json. Texts that are no UTF-8 are mended.
 std::string dump_json(const nlohmann::ordered_json& json, int indent);
 

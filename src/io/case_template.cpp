@@ -1,22 +1,127 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "io/case_json.hpp"
+#include "io/key_list.hpp"
 
 namespace bumpfoil {
+namespace {
 
-/// The text of examples/gen1.toml.
-std::string_view example_gen1();
+/// Comments begin here, and lines end before.
+constexpr std::size_t comment_column = 32;
+constexpr std::size_t widest_line = 120;
+
+std::string comment_on(const Key& key) {
+  if (key.otherwise.empty()) return std::string(key.text);
+  return fmt::format("{}{}default: {}", key.text, key.text.empty() ? "" : "; ", key.otherwise);
+}
+
+/// A line with a comment that is broken between words, each part behind `prefix`.
+std::string commented(std::string_view prefix, const std::string& code, std::string_view comment) {
+  std::string out = fmt::format("{}{}", prefix, code);
+  std::size_t column = std::max(code.size() + 2, comment_column);
+  std::string gap(column - code.size(), ' ');
+  while (!comment.empty()) {
+    const std::size_t room = widest_line - prefix.size() - column - 2;
+    const std::size_t end = comment.size() <= room ? comment.size() : comment.rfind(' ', room);
+    out += fmt::format("{}# {}", gap, comment.substr(0, end));
+    comment.remove_prefix(std::min(end + 1, comment.size()));
+    gap = fmt::format("\n{}{}", prefix, std::string(column, ' '));
+  }
+  return out + '\n';
+}
+
+constexpr std::string_view template_head =
+    "# Case file of Bumpfoil. Quantities are texts with a unit (\"31.8 um\", \"214 GPa\", \"150 MN/m\", \"30 deg\") or "
+    "plain "
+    "numbers\n"
+    "# in SI (m, Pa, N/m, rad). Lines that begin with # are comments; keys that are commented out show their default "
+    "or "
+    "an\n"
+    "# example.\n\n";
+
+/// What a key holds where the case file does not give it.
+std::string default_of(const ListedKey& reference, const ListedKey& unset) {
+  const Key& key = reference.key;
+  if (reference.instead) return "–";
+  if (!key.otherwise.empty()) return fmt::format("that of `{}`", key.otherwise);
+  if (key.presence == Presence::required) return "required";
+  if (key.presence == Presence::optional) return "none";
+  return fmt::format("`{}`", reference.value == unset.value ? example_of(reference) : dump_json(unset.value, -1));
+}
+
+constexpr std::string_view reference_head =
+    "# Keys of the case file\n\n"
+    "A case file is TOML. Quantities are texts with a unit, such as `\"31.8 um\"`, or plain numbers in SI (m, N, N/m, "
+    "Pa, "
+    "rad).\n"
+    "`bumpfoil init` writes a commented file to start from, `bumpfoil check` says what is wrong with one, and `--set "
+    "table.key=value`\n"
+    "changes a key for one run. This page is what `bumpfoil init --keys` prints.\n";
+
+}  // namespace
 
 std::vector<std::string> preset_names() {
   return {"gen1"};
 }
 
 std::string case_template(std::string_view preset) {
-  if (preset == "gen1") return std::string(example_gen1());
-  throw Error(ErrorKind::input, {{"", 0, "preset", std::string(preset), "is not known",
-                                  fmt::format("use one of {}", fmt::join(preset_names(), ", "))}});
+  if (preset != "gen1") {
+    throw Error(ErrorKind::input, {{"", 0, "preset", std::string(preset), "is not known",
+                                    fmt::format("use one of {}", fmt::join(preset_names(), ", "))}});
+  }
+  std::string out(template_head);
+  bool live_table = true;
+  for (const ListedKey& listed : list_keys(reference_case())) {
+    if (listed.is_table()) {
+      live_table = listed.live;
+      out += '\n' + commented(live_table ? "" : "# ", fmt::format("[{}]", listed.path), listed.key.text);
+      continue;
+    }
+    // In a table that is commented out, what contradicts the rest of it stays so when the table is taken in.
+    const bool out_of_table = live_table ? !listed.live : listed.instead;
+    out += commented(live_table ? "" : "# ",
+                     fmt::format("{}{} = {}", out_of_table ? "# " : "", listed.key.name, example_of(listed)),
+                     comment_on(listed.key));
+  }
+  return out;
+}
+
+std::string case_reference() {
+  std::string out(reference_head);
+  constexpr std::string_view header = "\n| key | value | default | meaning |\n|---|---|---|---|\n";
+  const std::vector<ListedKey> unset = list_keys({});
+  std::size_t i = 0;
+  for (const ListedKey& listed : list_keys(reference_case())) {
+    const Key& key = listed.key;
+    const std::string fallback = default_of(listed, unset[i++]);
+    if (listed.is_table()) {
+      out += fmt::format("\n## `[{}]`\n\n{}{}{}.{}\n{}", listed.path, key.title, key.text.empty() ? "" : ": ", key.text,
+                         key.presence == Presence::required ? " Required." : "", header);
+    } else {
+      if (listed.table().empty()) out += header;
+      out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, listed.kind, fallback,
+                         key.text.empty() ? key.title : key.text);
+    }
+  }
+  return out;
+}
+
+nlohmann::ordered_json case_labels() {
+  nlohmann::ordered_json labels;
+  for (const ListedKey& listed : list_keys(reference_case())) {
+    labels[listed.path]["title"] = listed.key.title;
+    if (listed.kind == "list of directions") {
+      labels[listed.path]["unit"] = "direction";
+    } else if (listed.key.dimension) {
+      labels[listed.path]["unit"] = si_unit(*listed.key.dimension);
+    }
+  }
+  return labels;
 }
 
 }  // namespace bumpfoil

@@ -93,7 +93,12 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
     }
   }
   if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
-  return dump_json({{"schema", "bumpfoil-report/1"}, {"version", version()}, {"commit", commit()}, {"runs", runs}}, -1);
+  return dump_json({{"schema", "bumpfoil-report/1"},
+                    {"version", version()},
+                    {"commit", commit()},
+                    {"keys", case_labels()},
+                    {"runs", runs}},
+                   -1);
 }
 
 std::string fill_report(std::string_view page, std::string_view json) {

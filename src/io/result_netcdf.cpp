@@ -18,6 +18,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/result_columns.hpp"
 #include "io/result_layout.hpp"

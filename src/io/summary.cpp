@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "io/case_json.hpp"
 #include "io/result_columns.hpp"
 

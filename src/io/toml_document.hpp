@@ -11,6 +11,11 @@ namespace bumpfoil {
 /// Name that stands for the file in messages about `--set` options.
 inline constexpr std::string_view command_line = "--set";
 
+/// Whether a value comes from `--set`.
+inline bool is_override(const toml::node& node) {
+  return node.source().path && *node.source().path == command_line;
+}
+
 /// Parses TOML text. Every node knows where it stands: `node.source()` has line and `name`.
 /// @throws Error (input) at the first place that is no TOML.
 toml::table parse_toml(std::string_view text, const std::string& name);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
@@ -324,24 +325,25 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
 
 void judge_combination(Judge& judge, const Case& input) {
   judge.require(input.solver.name == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
-                "solver.name", input.solver.name == SolverName::uzawa ? "uzawa" : "events",
+                "solver.name", std::string(name_of(input.solver.name)),
                 "the former model has no increments of contact to solve", "leave it out");
-  judge.require(!input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "former",
+  judge.require(!input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)),
                 "knows no strip: without gaps and history its loops would have no area",
                 "set model = \"truss\" or \"frame\", or remove [strip]");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
-                "bump_foil.weld_at", "arc_start", "only the frame model can be welded at the start of the first arc",
+                "bump_foil.weld_at", std::string(name_of(input.bump_foil.weld_at)),
+                "only the frame model can be welded at the start of the first arc",
                 "set weld_at = \"mid_flat\" or model = \"frame\"");
   judge.require(!input.bump_foil.stiffness_follows_height || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.stiffness_follows_height", "true", "only the frame model has bumps of different stiffness",
                 "set it to false or model = \"frame\"");
   if (input.bump_foil.geometry == Geometry::linear) return;
-  judge.require(input.bump_foil.model == BumpFoilModel::frame, "bump_foil.geometry", "nonlinear",
-                "only the frame model can follow large displacements",
+  judge.require(input.bump_foil.model == BumpFoilModel::frame, "bump_foil.geometry",
+                std::string(name_of(input.bump_foil.geometry)), "only the frame model can follow large displacements",
                 "set geometry = \"linear\" or model = \"frame\"");
   judge.require(
-      input.solver.name == SolverName::newton, "solver.name",
-      input.solver.name == SolverName::uzawa ? "uzawa" : "events",
+      input.solver.name == SolverName::newton, "solver.name", std::string(name_of(input.solver.name)),
       input.solver.name == SolverName::uzawa
           ? "solves linear elastic forces only, and bump_foil.geometry is nonlinear"
           : "follows a response that is linear between events, and with bump_foil.geometry = nonlinear it is not",

@@ -151,6 +151,12 @@ TEST_F(Program, CompressesAStrip) {
   EXPECT_EQ(summary().at("status"), "failed");
 }
 
+TEST_F(Program, InitListsTheKeys) {
+  const Outcome keys = run({"init", "--keys"});
+  EXPECT_EQ(keys.exit_code, 0) << keys.errors;
+  EXPECT_NE(keys.output.find("\n| `radial_clearance` | length | required |"), std::string::npos);
+}
+
 TEST_F(Program, InitPrintsOrWrites) {
   EXPECT_EQ(run({"init"}).output, folder_.read("case.toml"));
   EXPECT_EQ(run({"init", "--preset", "gen1"}).output, folder_.read("case.toml"));

@@ -1,4 +1,4 @@
-import type { ReportData } from './data/format';
+import type { CaseKeys, ReportData } from './data/format';
 import { readRuns, type Run } from './data/run';
 import { warningsOf } from './tables/results';
 import { el } from './ui/dom';
@@ -7,7 +7,7 @@ import { loopView } from './views/loops';
 import './style.css';
 
 /** One view per kind of result; runs of one kind are compared in it. */
-const views: Record<string, (runs: Run[]) => HTMLElement[]> = {
+const views: Record<string, (runs: Run[], keys: CaseKeys) => HTMLElement[]> = {
   cycle: loopView,
   strip: loopView,
 };
@@ -70,7 +70,7 @@ function start(): void {
   const parts: HTMLElement[][] = [];
   for (const [kind, show] of Object.entries(views)) {
     const members = runs.filter((run) => run.data.kind === kind);
-    if (members.length > 0) parts.push(show(members));
+    if (members.length > 0) parts.push(show(members, report.keys));
   }
   document.getElementById('report')?.append(
     masthead(report, runs, parts.flat()),

@@ -22,7 +22,7 @@ std::vector<std::string> preset_names();
 /// @throws Error (input) if the preset is not known.
 std::string case_template(std::string_view preset);
 
-/// As the solver is called in case files.
-std::string_view name_of(SolverName solver);
+/// All keys of the case file with what they hold, mean and default to, in Markdown: docs/case_file.md.
+std::string case_reference();
 
 }  // namespace bumpfoil

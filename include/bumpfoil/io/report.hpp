@@ -25,7 +25,8 @@ struct ReadingOptions {
 
 /// Everything that a report shows of the results in some folders, as JSON.
 ///
-/// `{"schema": "bumpfoil-report/1", "version", "commit", "runs": [...]}` with one object per folder:
+/// `{"schema": "bumpfoil-report/1", "version", "commit", "keys", "runs": [...]}`: titles and units of the keys of the
+/// case file by their paths (`{"bearing.radius": {"title": "Radius", "unit": "m"}, ...}`), and one object per folder:
 /// `name`, `kind`, `attributes` (global texts of result.nc), `summary` (summary.json as it is), `geometry` (variables
 /// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes), `last_increment`
 /// (that was asked for) and `loops`: the directions of a bearing or the cycles of a strip. A loop has `at` (the

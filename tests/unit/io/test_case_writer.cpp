@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_reader.hpp"
@@ -150,9 +151,40 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   EXPECT_EQ(input.strip->preload, (PlateTarget{PlateControl::load, 50.0}));
 }
 
+TEST(CaseTemplate, KeepsWhatContradictsItsTableOutOfIt) {
+  // Whoever takes in the strip line by line gets one amplitude.
+  EXPECT_NE(case_template("gen1").find("\n# displacement = \"20 um\" "), std::string::npos);
+  EXPECT_NE(case_template("gen1").find("\n# # load = \"100 N\" "), std::string::npos);
+}
+
+TEST(CaseTemplate, FitsOnAScreen) {
+  std::istringstream lines(case_template("gen1"));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << line;
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 TEST(CaseTemplate, IsTheExample) {
-  std::ifstream file("../examples/gen1.toml");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), case_template("gen1"));
+  EXPECT_EQ(content_of("../examples/gen1.toml"), case_template("gen1"));  // bumpfoil init > examples/gen1.toml
+}
+
+TEST(CaseReference, IsThePage) {
+  EXPECT_EQ(content_of("../docs/case_file.md"), case_reference());  // bumpfoil init --keys > docs/case_file.md
+}
+
+TEST(CaseReference, SaysWhatAKeyIsWithoutItsLine) {
+  const std::string page = case_reference();
+  const auto says = [&](const std::string& row) { return page.find("\n| " + row) != std::string::npos; };
+  EXPECT_TRUE(says("`radius` | length | required | inner radius"));
+  EXPECT_TRUE(says("`weld_angle` | angle | `\"180 deg\"` |"));  // as its author would write it
+  EXPECT_TRUE(says("`wrap` | \"clockwise\", \"counterclockwise\" | `\"clockwise\"` |"));
+  EXPECT_TRUE(says("`yield_stress` | pressure | none |"));
+  EXPECT_TRUE(says("`youngs_modulus` | pressure | that of `bump_foil.youngs_modulus` |"));
+  EXPECT_TRUE(says("`eps_alm` | stiffness | `\"100 MN/m\"` |"));
+  EXPECT_TRUE(says("`sleeve_gaps` | list of lengths | none |"));
 }
 
 TEST(CaseTemplate, KnowsItsPresets) {

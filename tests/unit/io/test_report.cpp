@@ -91,6 +91,9 @@ TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
   const Results results(result);
   const json report = json::parse(report_json({results.path()}));
   EXPECT_EQ(report.at("schema"), "bumpfoil-report/1");
+  EXPECT_EQ(report.at("keys").at("bearing.radius"), json({{"title", "Radius"}, {"unit", "m"}}));
+  EXPECT_EQ(report.at("keys").at("cycle.directions").at("unit"), "direction");
+  EXPECT_EQ(report.at("keys").at("bump_foil"), json({{"title", "Bump foil"}}));
   EXPECT_EQ(report.at("version"), version());
   const json& run = report.at("runs").at(0);
   EXPECT_EQ(run.at("name"), results.path().string());

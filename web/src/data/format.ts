@@ -4,8 +4,12 @@ export interface ReportData {
   schema: string;
   version: string;
   commit: string;
+  /** Tables and keys of the case file by their paths. */
+  keys: CaseKeys;
   runs: RunData[];
 }
+
+export type CaseKeys = Record<string, { title: string; unit?: string }>;
 
 export interface RunData {
   name: string;

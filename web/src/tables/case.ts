@@ -1,71 +1,10 @@
 import { directionName } from '../data/kinds';
 import type { Run } from '../data/run';
-import type { CaseValue } from '../data/format';
+import type { CaseKeys, CaseValue } from '../data/format';
 import { toCsv } from '../data/csv';
 import { formatNumber, formatQuantity } from '../data/units';
 import { el } from '../ui/dom';
 import { panel } from '../ui/panel';
-
-/** Names and units of keys of the case file. Keys that are not here are shown as they are. */
-const names: Record<string, [text: string, unit: string]> = {
-  'bearing.radius': ['Radius', 'm'],
-  'bearing.axial_length': ['Axial length', 'm'],
-  'bearing.radial_clearance': ['Radial clearance', 'm'],
-  'bearing.weld_angle': ['Weld angle', 'rad'],
-  'bearing.wrap': ['Sense of winding', ''],
-  'bump_foil.model': ['Model', ''],
-  'bump_foil.geometry': ['Displacements', ''],
-  'bump_foil.bumps': ['Bumps', ''],
-  'bump_foil.pitch': ['Pitch', 'm'],
-  'bump_foil.length': ['Length of a bump', 'm'],
-  'bump_foil.height': ['Height of a bump', 'm'],
-  'bump_foil.height_reference': ['Height is', ''],
-  'bump_foil.thickness': ['Thickness', 'm'],
-  'bump_foil.youngs_modulus': ['Young’s modulus', 'Pa'],
-  'bump_foil.poisson_ratio': ['Poisson’s ratio', ''],
-  'bump_foil.yield_stress': ['Yield stress', 'Pa'],
-  'bump_foil.stiffness_follows_height': ['Stiffness follows height', ''],
-  'bump_foil.height_errors': ['Height errors', 'm'],
-  'bump_foil.sleeve_gaps': ['Sleeve gaps', 'm'],
-  'bump_foil.weld_at': ['Weld at', ''],
-  'bump_foil.truss.k1': ['k₁', 'N/m'],
-  'bump_foil.truss.k2': ['k₂', 'N/m'],
-  'bump_foil.truss.k3': ['k₃', 'N/m'],
-  'bump_foil.truss.k4': ['k₄', 'N/m'],
-  'bump_foil.truss.theta_d': ['Inclination of the rods', 'rad'],
-  'top_foil.thickness': ['Thickness', 'm'],
-  'top_foil.youngs_modulus': ['Young’s modulus', 'Pa'],
-  'top_foil.poisson_ratio': ['Poisson’s ratio', ''],
-  'top_foil.yield_stress': ['Yield stress', 'Pa'],
-  'friction.top_bump': ['Top foil on bumps', ''],
-  'friction.bump_sleeve': ['Bumps on sleeve', ''],
-  'solver.name': ['Name', ''],
-  'solver.eps_alm': ['Penalty, normal contacts', 'N/m'],
-  'solver.eps_f': ['Penalty, sticking contacts', 'N/m'],
-  'solver.eps_r': ['Penalty, journal', 'N/m'],
-  'solver.tau_f': ['Slip of half friction', 'm'],
-  'cycle.directions': ['Directions', 'direction'],
-  'cycle.amplitude': ['Amplitude', 'm'],
-  'cycle.steps': ['Increments per branch', ''],
-  'strip.bumps': ['Bumps', ''],
-  'strip.weld': ['Weld', ''],
-  'strip.top_foil': ['Top foil', ''],
-  'strip.displacement': ['Displacement', 'm'],
-  'strip.load': ['Load', 'N'],
-  'strip.cycles': ['Cycles', ''],
-  'strip.steps': ['Increments per branch', ''],
-};
-
-const groups: Record<string, string> = {
-  bearing: 'Bearing',
-  bump_foil: 'Bump foil',
-  'bump_foil.truss': 'Given constants of the truss',
-  top_foil: 'Top foil',
-  friction: 'Coefficients of friction',
-  solver: 'Solver',
-  cycle: 'Cycle',
-  strip: 'Strip',
-};
 
 type Entries = Map<string, CaseValue>;
 
@@ -82,10 +21,9 @@ export function flatten(value: CaseValue, path = ''): Entries {
   return entries;
 }
 
-export function valueText(key: string, value: CaseValue | undefined): string {
-  const unit = names[key]?.[1] ?? '';
+export function valueText(value: CaseValue | undefined, unit: string): string {
   if (value === undefined || value === null) return '–';
-  if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(key, one)).join(', ');
+  if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value !== 'number') return String(value).replaceAll('_', ' ');
@@ -105,7 +43,7 @@ function groupOf(key: string): string {
 }
 
 /** The cases as the program understood them; where runs differ, the line is marked. */
-export function caseTable(runs: Run[]): HTMLElement {
+export function caseTable(runs: Run[], caseKeys: CaseKeys): HTMLElement {
   const cases = runs.map((run) => flatten(run.data.summary.case));
   const keys = [...new Set(cases.flatMap((entries) => [...entries.keys()]))].filter((key) => key !== 'title');
   const several = runs.length > 1;
@@ -119,17 +57,17 @@ export function caseTable(runs: Run[]): HTMLElement {
         el(
           'table',
           { class: 'case' },
-          el('tr', {}, el('th', { scope: 'col', class: 'group', colspan: several ? 1 : 2 }, groups[group] ?? group), ...labels),
+          el('tr', {}, el('th', { scope: 'col', class: 'group', colspan: several ? 1 : 2 }, caseKeys[group]?.title ?? group), ...labels),
         ),
       );
     }
-    const texts = cases.map((entries) => valueText(key, entries.get(key)));
+    const texts = cases.map((entries) => valueText(entries.get(key), caseKeys[key]?.unit ?? ''));
     const differs = new Set(texts).size > 1;
     tables[tables.length - 1]?.append(
       el(
         'tr',
         differs ? { class: 'differs' } : {},
-        el('th', { scope: 'row' }, names[key]?.[0] ?? key.slice(key.lastIndexOf('.') + 1)),
+        el('th', { scope: 'row' }, caseKeys[key]?.title ?? key.slice(key.lastIndexOf('.') + 1)),
         ...texts.map((text) => el('td', {}, text)),
       ),
     );

@@ -4,6 +4,7 @@ import { energySection } from '../charts/energies';
 import { loadSection } from '../charts/loads';
 import { curveColour, LoopPanel, type Curve } from '../charts/loops';
 import { StatePanel } from '../charts/states';
+import type { CaseKeys } from '../data/format';
 import { allKeys, at, type Run } from '../data/run';
 import { formatQuantity } from '../data/units';
 import { caseTable, provenance } from '../tables/case';
@@ -60,7 +61,7 @@ function loopCards(groups: Curve[][], selection: Selection): HTMLElement {
 }
 
 /** Sections of the report on loops, of a bearing or of a strip, and the bar that moves along them. */
-export function loopView(runs: Run[]): HTMLElement[] {
+export function loopView(runs: Run[], caseKeys: CaseKeys): HTMLElement[] {
   const { kind, data } = at(runs, 0);
   const keys = allKeys(runs);
   const groups = curvesByKey(runs, keys);
@@ -69,7 +70,7 @@ export function loopView(runs: Run[]): HTMLElement[] {
   const begun = groups.some((curves) => curves.length > 0);
   const ends = [
     part('results', 'Results', resultTable(runs, keys)),
-    part('case', 'Case and origin', caseTable(runs), el('div', { class: 'multiples' }, ...runs.map(provenance))),
+    part('case', 'Case and origin', caseTable(runs, caseKeys), el('div', { class: 'multiples' }, ...runs.map(provenance))),
   ];
   if (!begun) return ends;
   const selection = new Selection(runs);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "bumpfoil/core/enum_names.hpp"
+#include "bumpfoil/model/case.hpp"
+
+/// Words of the case file for the choices of a Case: name_of(Wrap::clockwise) is "clockwise".
+namespace bumpfoil {
+
+template <>
+inline constexpr auto enum_names<Wrap> = std::to_array<std::string_view>({"clockwise", "counterclockwise"});
+template <>
+inline constexpr auto enum_names<BumpFoilModel> = std::to_array<std::string_view>({"truss", "frame", "former"});
+template <>
+inline constexpr auto enum_names<Geometry> = std::to_array<std::string_view>({"linear", "nonlinear"});
+template <>
+inline constexpr auto enum_names<HeightReference> = std::to_array<std::string_view>({"overall", "midsurface"});
+template <>
+inline constexpr auto enum_names<WeldPosition> = std::to_array<std::string_view>({"mid_flat", "arc_start"});
+template <>
+inline constexpr auto enum_names<SolverName> = std::to_array<std::string_view>({"newton", "uzawa", "events"});
+template <>
+inline constexpr auto enum_names<StripWeld> = std::to_array<std::string_view>({"one_end", "none"});
+
+}  // namespace bumpfoil

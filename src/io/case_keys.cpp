@@ -1,0 +1,171 @@
+#include "io/case_keys.hpp"
+
+#include "bumpfoil/model/validation.hpp"
+#include "io/height_errors_csv.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using enum Presence;
+using enum Dimension;
+
+void describe(CaseVisitor& keys, Bearing& bearing) {
+  keys.value({"radius", required, "Radius", "inner radius of the sleeve with the foils, R", "19.05 mm", length},
+             &bearing.radius);
+  keys.value({"axial_length", required, "Axial length", "along the axis, L", "38.1 mm", length}, &bearing.axial_length);
+  keys.value({"radial_clearance", required, "Radial clearance",
+              "C_r, journal to undeformed top foil; zero or negative is interference", "31.8 um", length},
+             &bearing.radial_clearance);
+  keys.value({"weld_angle", defaulted, "Weld angle", "where the foils are welded, from the X axis towards Y", "180 deg",
+              angle},
+             &bearing.weld_angle);
+  keys.choice({"wrap", defaulted, "Sense of winding", "sense of the foils from the weld on; or \"counterclockwise\""},
+              bearing.wrap);
+}
+
+void describe(CaseVisitor& keys, TrussOverrides& truss) {
+  keys.value({"k1", optional, "k₁", "rods between crest and feet", "150 MN/m", stiffness}, &truss.k1);
+  keys.value({"k2", optional, "k₂", "between neighbouring feet", "5.43 MN/m", stiffness}, &truss.k2);
+  keys.value({"k3", optional, "k₃", "between neighbouring crests", "1.36 MN/m", stiffness}, &truss.k3);
+  keys.value({"k4", optional, "k₄", "between the weld and the first crest", "11.25 MN/m", stiffness}, &truss.k4);
+  keys.value({"theta_d", optional, "Inclination of the rods", "inclination of the rods", "15.83 deg", angle},
+             &truss.theta_d);
+}
+
+void describe(CaseVisitor& keys, BumpFoil& foil) {
+  keys.choice({"model", defaulted, "Model",
+               "springs between crests and feet; \"frame\": arcs and beams; \"former\": model of 2007"},
+              foil.model);
+  keys.choice(
+      {"geometry", defaulted, "Displacements", "displacements are small; frame only: \"nonlinear\" follows large ones"},
+      foil.geometry);
+  keys.value({"bumps", required, "Bumps"}, &foil.bumps);
+  keys.value({"pitch", required, "Pitch", "crest to crest along the foil", "4.572 mm", length}, &foil.pitch);
+  keys.value({"length", required, "Length of a bump", "chord of a bump's arc; the rest of the pitch is flat",
+              "3.556 mm", length},
+             &foil.length);
+  keys.value({"height", required, "Height of a bump", "", "0.508 mm", length}, &foil.height);
+  keys.choice({"height_reference", defaulted, "Height is",
+               "over the sleeve with the foil's thickness; \"midsurface\": rise of the mid-surface"},
+              foil.height_reference);
+  keys.value({"thickness", required, "Thickness", "", "0.102 mm", length}, &foil.thickness);
+  keys.value({"youngs_modulus", required, "Young’s modulus", "", "214 GPa", pressure}, &foil.youngs_modulus);
+  keys.value({"poisson_ratio", required, "Poisson’s ratio"}, &foil.poisson_ratio);
+  keys.value({"yield_stress", optional, "Yield stress", "above it the bending stress of the foil gives a warning",
+              "1.1 GPa", pressure},
+             &foil.yield_stress);
+  keys.value({"height_errors", optional, "Height errors", "one per bump from the weld on, positive is taller",
+              "[\"5 um\", \"-3 um\", ...]", length},
+             &foil.height_errors);
+  keys.file({"height_errors_file", optional, "File of height errors",
+             "instead: a file beside this one with the columns bump,height_error_m", "\"heights.csv\""},
+            "height_errors", [&foil](const std::string& path) {
+              if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
+              foil.height_errors = read_height_errors(path, foil.bumps);
+            });
+  keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
+              "frame only: true gives a bump of another height a stiffness of its own, too"},
+             &foil.stiffness_follows_height);
+  keys.value({"sleeve_gaps", optional, "Sleeve gaps", "one per bump, initial gap between its foot and the sleeve",
+              "[\"0 um\", \"2 um\", ...]", length},
+             &foil.sleeve_gaps);
+  keys.choice(
+      {"weld_at", defaulted, "Weld at", "clamped before bump 1 in the middle of a flat; frame only: \"arc_start\""},
+      foil.weld_at);
+  keys.table({"truss", optional, "Given constants of the truss",
+              "any of them, in place of those identified from the shape of the foil"},
+             foil.truss != TrussOverrides{}, [&foil](CaseVisitor& inner) { describe(inner, foil.truss); });
+}
+
+void describe(CaseVisitor& keys, TopFoil& foil) {
+  keys.value({"thickness", required, "Thickness", "", "0.102 mm", length}, &foil.thickness);
+  keys.value({"youngs_modulus", defaulted, "Young’s modulus", "", "214 GPa", pressure, "bump_foil.youngs_modulus"},
+             &foil.youngs_modulus);
+  keys.value({"poisson_ratio", defaulted, "Poisson’s ratio", "", "", {}, "bump_foil.poisson_ratio"},
+             &foil.poisson_ratio);
+  keys.value({"yield_stress", optional, "Yield stress", "", "1.1 GPa", pressure, "bump_foil.yield_stress"},
+             &foil.yield_stress);
+}
+
+void describe(CaseVisitor& keys, Friction& friction) {
+  keys.once_or_each(
+      {"coefficient", required, "Both", "at both of its interfaces; 0 for none"},
+      {{{"top_bump", required, "Top foil on bumps", "or one for each: with the top foil"}, &friction.top_bump},
+       {{"bump_sleeve", required, "Bumps on sleeve", "and with the sleeve"}, &friction.bump_sleeve}});
+}
+
+void describe(CaseVisitor& keys, SolverSettings& solver) {
+  keys.choice({"name", defaulted, "Name",
+               "exact contact and friction; \"events\" follows the path from one change of contact to the next; "
+               "\"uzawa\" is the method of the 2019 paper, with the penalties below"},
+              solver.name);
+  UzawaParameters& uzawa = solver.uzawa;
+  keys.value(
+      {"eps_alm", defaulted, "Penalty, normal contacts", "penalty of the normal contacts", "100 MN/m", stiffness},
+      &uzawa.eps_alm);
+  keys.value({"eps_f", defaulted, "Penalty, sticking contacts", "penalty of sticking contacts", "10 GN/m", stiffness},
+             &uzawa.eps_f);
+  keys.value({"eps_r", defaulted, "Penalty, journal", "penalty of the journal's contact", "1 TN/m", stiffness},
+             &uzawa.eps_r);
+  keys.value(
+      {"tau_f", defaulted, "Slip of half friction", "slip over which the friction force turns round", "0.1 nm", length},
+      &uzawa.tau_f);
+}
+
+void describe(CaseVisitor& keys, CycleSettings& cycle) {
+  keys.directions({"directions", required, "Directions", "of the push; also angles, \"37.5 deg\"",
+                   "[\"+X\", \"-X\", \"+Y\", \"-Y\"]", angle},
+                  cycle.directions);
+  keys.value({"amplitude", required, "Amplitude", "how far the journal is pushed", "79.5 um", length},
+             &cycle.amplitude);
+  keys.value({"steps", defaulted, "Increments per branch", "equal increments each way"}, &cycle.steps);
+}
+
+void describe(CaseVisitor& keys, StripSettings& strip) {
+  keys.value({"bumps", defaulted, "Bumps", "the first ones of the foil", "10", {}, "bump_foil.bumps"}, &strip.bumps);
+  keys.choice({"weld", defaulted, "Weld", "both foils clamped before bump 1; \"none\": free at both ends"}, strip.weld);
+  keys.value({"top_foil", defaulted, "Top foil", "false: the plate presses on the crests"}, &strip.top_foil);
+  keys.one_of({"displacement", required, "Displacement", "displacement of the plate", "20 um", length},
+              {"load", required, "Load", "load on the plate, instead", "100 N", force}, strip.amplitude);
+  keys.either({"preload", optional, "Preload",
+               "cycles go up and down from here, by so much each way; also a displacement, \"10 um\"", "\"50 N\""},
+              strip.amplitude.control, strip.preload);
+  keys.value({"cycles", defaulted, "Cycles", "one after the other, with the friction of the last"}, &strip.cycles);
+  keys.value({"steps", defaulted, "Increments per branch",
+              "equal increments from the start of a cycle to full displacement or load"},
+             &strip.steps);
+}
+
+/// A table that is given if anything in it is not as by default.
+template <typename Table>
+void table(CaseVisitor& keys, const Key& key, Table& members) {
+  keys.table(key, members != Table{}, [&members](CaseVisitor& inner) { describe(inner, members); });
+}
+
+template <typename Table>
+void table(CaseVisitor& keys, const Key& key, std::optional<Table>& members) {
+  Table inner = members.value_or(Table{});
+  keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
+    describe(visitor, inner);
+    members = inner;
+  });
+}
+
+}  // namespace
+
+void describe(CaseVisitor& keys, Case& input) {
+  keys.value({"title", defaulted, "Title"}, &input.title);
+  table(keys, {"bearing", required, "Bearing"}, input.bearing);
+  table(keys, {"bump_foil", required, "Bump foil"}, input.bump_foil);
+  // The former model has none.
+  const Presence top_foil = input.bump_foil.model == BumpFoilModel::former ? optional : required;
+  table(keys, {"top_foil", top_foil, "Top foil"}, input.top_foil);
+  table(keys, {"friction", required, "Coefficients of friction", "Coulomb friction of the bump foil; 0 for none"},
+        input.friction);
+  table(keys, {"solver", defaulted, "Solver"}, input.solver);
+  table(keys, {"cycle", optional, "Cycle", "the journal is pushed from the centre and pulled back"}, input.cycle);
+  table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
+        input.strip);
+}
+
+}  // namespace bumpfoil

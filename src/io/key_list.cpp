@@ -1,0 +1,126 @@
+#include "io/key_list.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "io/case_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Without its article.
+std::string_view noun(const Key& key) {
+  return key.dimension ? name_of(*key.dimension).substr(name_of(*key.dimension).find(' ') + 1) : "number";
+}
+
+struct KindOf {
+  const Key& key;
+  std::string operator()(const std::string*) const { return "text"; }
+  std::string operator()(const bool*) const { return "true or false"; }
+  std::string operator()(const int*) const { return "whole number"; }
+  std::string operator()(const double*) const { return std::string(noun(key)); }
+  std::string operator()(const std::optional<double>*) const { return std::string(noun(key)); }
+  std::string operator()(const std::vector<double>*) const { return fmt::format("list of {}s", noun(key)); }
+};
+
+Json json_of(const std::optional<double>* number) {
+  return *number ? Json(**number) : Json();
+}
+Json json_of(const std::vector<double>* list) {
+  return list->empty() ? Json() : Json(*list);
+}
+template <typename T>
+Json json_of(const T* value) {
+  return *value;
+}
+
+class KeyLister final : public CaseVisitor {
+ public:
+  explicit KeyLister(std::vector<ListedKey>& list) : list_(list) {}
+
+  void value(const Key& key, Value value) override {
+    add(key, std::visit(KindOf{key}, value), std::visit([](const auto* held) { return json_of(held); }, value));
+  }
+
+  void directions(const Key& key, std::vector<double>& angles) override {
+    add(key, "list of directions", json_of(&angles));
+  }
+
+  void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override {
+    add(key, fmt::format("\"{}\"", fmt::join(words, "\", \"")), words[index]);
+  }
+
+  void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override {
+    const double first = *each.begin()->second;
+    const bool same = std::all_of(each.begin(), each.end(), [&](const auto& one) { return *one.second == first; });
+    add(once, "number", first, !same).held = false;
+    for (const auto& [key, number] : each) add(key, "number", *number, same);
+  }
+
+  void one_of(const Key& displacement, const Key& load, PlateTarget& target) override {
+    const bool by_load = target.control == PlateControl::load;
+    add(displacement, std::string(noun(displacement)), by_load ? Json() : Json(target.value), by_load);
+    add(load, std::string(noun(load)), by_load ? Json(target.value) : Json(), !by_load);
+  }
+
+  /// A target that is not of the kind of a plain number there carries its unit.
+  void either(const Key& key, PlateControl plain, std::optional<PlateTarget>& target) override {
+    Json value;
+    if (target && target->control == plain) {
+      value = target->value;
+    } else if (target) {
+      value = fmt::format("{:.17g} {}", target->value, target->control == PlateControl::load ? "N" : "m");
+    }
+    add(key, "length or force", std::move(value));
+  }
+
+  void file(const Key& key, std::string_view /*other*/,
+            const std::function<void(const std::string&)>& /*read*/) override {
+    add(key, "name of a file", {}, true);
+  }
+
+  void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override {
+    KeyLister inner(list_);
+    inner.path_ = path_of(key) + '.';
+    inner.held_ = held_ && (given || key.presence != Presence::optional);
+    inner.live_ = live_ && (given || key.presence == Presence::required);
+    list_.push_back({path_of(key), key, {}, {}, inner.held_, inner.live_, false});
+    describe(inner);
+  }
+
+ private:
+  [[nodiscard]] std::string path_of(const Key& key) const { return path_ + std::string(key.name); }
+
+  ListedKey& add(const Key& key, std::string kind, Json value, bool instead = false) {
+    const bool there = !value.is_null();
+    return list_.emplace_back(ListedKey{path_of(key), key, std::move(kind), std::move(value), held_ && there,
+                                        live_ && there && !instead, instead});
+  }
+
+  std::vector<ListedKey>& list_;
+  std::string path_{};
+  bool held_{true};
+  bool live_{true};
+};
+
+}  // namespace
+
+std::vector<ListedKey> list_keys(const Case& input) {
+  std::vector<ListedKey> list;
+  KeyLister lister(list);
+  Case copy = input;
+  describe(lister, copy);
+  return list;
+}
+
+std::string example_of(const ListedKey& listed) {
+  const std::string_view example = listed.key.example;
+  if (example.empty()) return dump_json(listed.value, -1);
+  return listed.key.dimension && !example.starts_with('[') ? fmt::format("\"{}\"", example) : std::string(example);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <toml++/toml.h>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+
+namespace bumpfoil {
+
+/// Where a key was met, and what it was given, for messages.
+struct Origin {
+  std::string file;
+  std::size_t line{};
+  std::string written;
+  bool degrees{};  ///< an angle without a unit, of so many radians that degrees may be meant
+};
+
+/// What is known while a case file is read: its faults, and where its keys stand.
+class ReadingLog {
+ public:
+  explicit ReadingLog(std::string file) : file_(std::move(file)) {}
+
+  /// Remembers where a key stands and what it was given.
+  void met(const std::string& key, const toml::node& node);
+
+  /// Remembers of a key that was met that its number may be meant in degrees.
+  void met_degrees(const std::string& key) { origins_[key].degrees = true; }
+
+  /// A fault of a key, placed where the key, or the table that lacks it, stands. The first one of a key counts.
+  void fault(const std::string& key, std::string what, std::string advice);
+
+  /// The value of `key` was taken from `other`, where its faults are to be reported, once.
+  void taken_from(const std::string& key, const std::string& other) { taken_from_[key] = other; }
+
+  /// A fault found after reading, dropped if its key, or what holds it, was at fault before.
+  void later_fault(const Fault& fault);
+
+  /// A fault with its own place.
+  void add(Fault fault, ErrorKind kind = ErrorKind::input);
+
+  /// Whether further faults are only counted.
+  [[nodiscard]] bool full() const;
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+  /// @throws Error listing all faults in the order of the lines, if there are any; of the kind `file` if each of them
+  /// was.
+  void throw_if_faulty();
+
+ private:
+  [[nodiscard]] const Origin* place_of(const std::string& key) const;
+
+  std::string file_;
+  std::vector<Fault> faults_;
+  std::size_t unlisted_{};
+  bool input_fault_{};
+  std::map<std::string, Origin> origins_;
+  std::set<std::string> faulty_;                   ///< keys that had a fault while they were read
+  std::set<std::string> judged_;                   ///< keys that had one later
+  std::map<std::string, std::string> taken_from_;  ///< keys whose value stands under another one
+};
+
+}  // namespace bumpfoil
