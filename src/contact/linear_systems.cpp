@@ -167,7 +167,7 @@ class PenaltySystemOf final : public PenaltySystem {
     K_.assign(K);
     for (std::size_t b = 0; b < K_.upper.size(); ++b) {
       lu_.upper(static_cast<int>(b)) = K_.upper[b];
-      lu_.lower(static_cast<int>(b) + 1) = K_.upper[b].transpose();
+      lu_.lower(static_cast<int>(b) + 1) = K_.lower[b];
     }
   }
 
@@ -290,6 +290,10 @@ std::unique_ptr<Interface> make_for_block_size(const ContactProblem& problem) {
       return std::make_unique<System<6>>(problem);
     case 11:
       return std::make_unique<System<11>>(problem);
+    case 14:  // the truss under a film of eight rows
+      return std::make_unique<System<14>>(problem);
+    case 22:  // of sixteen
+      return std::make_unique<System<22>>(problem);
     default:
       return std::make_unique<System<Eigen::Dynamic>>(problem);
   }

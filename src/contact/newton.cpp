@@ -80,6 +80,11 @@ NewtonSolver::NewtonSolver(const ContactProblem& problem, const NewtonOptions& o
 
 NewtonSolver::~NewtonSolver() = default;
 
+void NewtonSolver::set_elasticity(const BlockTridiagonal& K) {
+  workspace_->modes->set_elasticity(K);
+  workspace_->interior.set_elasticity(K);
+}
+
 SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactState& previous, ContactState& state) {
   BUMPFOIL_ASSERT(&state != &previous);  // friction refers to `previous` throughout
   Workspace& w = *workspace_;

@@ -18,7 +18,12 @@ void multiply(const BlockTridiagonal& K, const Vector& x, Vector& y) {
     auto row = y.segment<B>(static_cast<Eigen::Index>(b) * n, n);
     row.noalias() = block(K.diagonal[b]) * part(b);
     if (b + 1 < K.diagonal.size()) row.noalias() += block(K.upper[b]) * part(b + 1);
-    if (b > 0) row.noalias() += block(K.upper[b - 1]).transpose() * part(b - 1);
+    if (b == 0) continue;
+    if (K.is_symmetric()) {
+      row.noalias() += block(K.upper[b - 1]).transpose() * part(b - 1);
+    } else {
+      row.noalias() += block(K.lower[b - 1]) * part(b - 1);
+    }
   }
 }
 
@@ -33,7 +38,7 @@ void BlockTridiagonal::add(int block_i, int i, int block_j, int j, double value)
     std::swap(block_i, block_j);
     std::swap(i, j);
   }
-  BUMPFOIL_ASSERT(block_j - block_i <= 1);
+  BUMPFOIL_ASSERT(block_j - block_i <= 1 && is_symmetric());
   if (block_i == block_j) {
     Matrix& block = diagonal[static_cast<std::size_t>(block_i)];
     block(i, j) += value;
@@ -70,7 +75,7 @@ Matrix BlockTridiagonal::dense() const {
     K.block(row, row, n, n) = diagonal[b];
     if (b + 1 < diagonal.size()) {
       K.block(row, row + n, n, n) = upper[b];
-      K.block(row + n, row, n, n) = upper[b].transpose();
+      K.block(row + n, row, n, n) = is_symmetric() ? Matrix(upper[b].transpose()) : lower[b];
     }
   }
   return K;

@@ -53,6 +53,9 @@ class NewtonSolver final : public ContactSolver {
   explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());
   ~NewtonSolver() override;
 
+  /// Takes another K of the same form, symmetric or not. Not for problems with a law, whose tangents take its place.
+  void set_elasticity(const BlockTridiagonal& K);
+
   [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                   ContactState& state) override;
 

@@ -174,6 +174,25 @@ TEST(NewtonSolver, ResultDoesNotDependOnTheMethod) {
   EXPECT_GE(followed, 55);  // paths may end early: friction is not monotone
 }
 
+/// A film adds unsymmetric parts to K, other ones at every step.
+TEST(NewtonSolver, TakesAnotherMatrixThatIsNotSymmetric) {
+  for (const int size : {5, 14, 22}) {
+    RandomProblem random = make_random_problem(7, 6, size, 0.2);
+    NewtonSolver solver(random.problem);
+    const ContactState unstressed = ContactState::unstressed(random.problem);
+    ContactState state;
+    ASSERT_TRUE(solver.solve(random.first, unstressed, state).converged);
+    BlockTridiagonal& K = random.problem.K;
+    for (const Matrix& block : K.upper) K.lower.push_back(0.95 * block.transpose());
+    K.diagonal[2](0, 4) += 1e5;
+    solver.set_elasticity(K);
+    ASSERT_TRUE(solver.solve(random.first, unstressed, state).converged) << size;
+    const ContactResiduals residuals =
+        contact_residuals(random.problem, K.multiply(state.x), random.first, unstressed.x, state);
+    EXPECT_TRUE(residuals.within()) << size;
+  }
+}
+
 TEST(NewtonSolver, KeepsNoMemoryBetweenSolves) {
   const RandomProblem random = make_random_problem(5, 4, 6, 0.2);
   LoadPath once(random.problem);

@@ -31,6 +31,21 @@ TEST(BlockTridiagonal, MultipliesLikeItsDenseForm) {
   EXPECT_EQ(K.multiply(x), K.dense() * x);  // small integers: exact
 }
 
+TEST(BlockTridiagonal, MayBeUnsymmetric) {
+  for (const int size : {2, 6}) {  // of any size, and of code of its own
+    BlockTridiagonal K(3, size);
+    for (Matrix& block : K.diagonal) block.setConstant(2.0);
+    for (Matrix& block : K.upper) block.setConstant(3.0);
+    EXPECT_TRUE(K.is_symmetric());
+    K.lower.assign(2, Matrix::Constant(size, size, 5.0));
+    EXPECT_FALSE(K.is_symmetric());
+    EXPECT_EQ(K.dense()(0, size), 3.0);
+    EXPECT_EQ(K.dense()(size, 0), 5.0);
+    const Vector x = Vector::LinSpaced(3 * size, 1.0, 3.0 * size);
+    EXPECT_EQ(K.multiply(x), K.dense() * x);  // small integers: exact
+  }
+}
+
 TEST(BlockTridiagonal, SingleBlockAndEmpty) {
   EXPECT_EQ(BlockTridiagonal(1, 3).rows(), 3);
   EXPECT_EQ(BlockTridiagonal().rows(), 0);
