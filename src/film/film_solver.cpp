@@ -5,6 +5,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "film/pressure_system.hpp"
+#include "film/step_length.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -18,12 +19,6 @@ constexpr double smallest_step = 1e-4;
 constexpr double step_growth = 1.5;
 /// A solve that takes no more iterations than this lets the next step grow.
 constexpr int easy_iterations = 8;
-
-/// Largest fraction of `step`, up to `fraction`, that leaves every entry of `value` the part `kept` of what it is.
-double longest(const Matrix& value, const Matrix& step, double kept, double fraction) {
-  const double deepest = (step.array() / value.array()).minCoeff();
-  return deepest * fraction < kept - 1.0 ? (kept - 1.0) / deepest : fraction;
-}
 
 }  // namespace
 
@@ -96,8 +91,8 @@ FilmReport FilmSolver::Workspace::solve(const ReynoldsEquation& equation, const 
     system.solve(residual, pressure_step);
     thickness_step.setZero(mesh.rows + 1, mesh.nodes());
     add_yield(foundation, mesh, pressure_step, thickness_step);
-    double fraction = longest(iterate.pressure, pressure_step, options.kept_fraction, 1.0);
-    fraction = longest(iterate.thickness, thickness_step, options.kept_fraction, fraction);
+    double fraction = longest_fraction(iterate.pressure, pressure_step, options.kept_fraction, 1.0);
+    fraction = longest_fraction(iterate.thickness, thickness_step, options.kept_fraction, fraction);
     const double approach = thickness_step.cwiseAbs().maxCoeff();
     if (approach * fraction > options.largest_approach) fraction = options.largest_approach / approach;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/film_cases.hpp"
+#include "support/film_runs.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -26,6 +27,10 @@ FilmIntegrals integrals_on(const ReferenceFilm& reference, int columns, int rows
   const SolvedFilm solved = solve_reference_film(reference, columns, rows);
   EXPECT_EQ(solved.report.status, FilmStatus::converged);
   return film_integrals(solved.equation, solved.film);
+}
+
+TEST(FilmRefinement, MeetsThePrototypeOverFoilsOnAFinerMesh) {
+  for (const ReferenceRun& run : reference_runs()) expect_run(run, run.levels.back());
 }
 
 /// Second order: the load and the torque converge fourfold, and their limits are those of the prototype.

@@ -44,8 +44,9 @@ struct FilmSolverOptions {
 /// How a solve ended and what it cost.
 struct FilmReport {
   FilmStatus status{FilmStatus::not_converged};
-  int iterations{};   ///< Newton steps, a factorisation each
-  double residual{};  ///< largest residual of the equations, per area of a cell
+  int iterations{};      ///< Newton steps, a factorisation of the film each
+  int factorisations{};  ///< of contact systems, where there are contacts
+  double residual{};     ///< norm of the residuals at the last step, the film's per area of a cell
 };
 
 /// Newton's method for the pressure over rigid walls or a Winkler foundation. Steps are cut so that P and H stay

@@ -1,0 +1,85 @@
+#include <benchmark/benchmark.h>
+
+#include <numbers>
+
+#include "bumpfoil/analysis/film_bearing_solver.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr Gas air{.viscosity = 1.85e-5, .ambient_pressure = 101325.0};
+constexpr double speed = 45000.0 * std::numbers::pi / 30.0;
+
+FilmBearing frictionless_bearing(const benchmark::State& bench) {
+  Case input = reference_case();
+  input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
+  return make_film_bearing(
+      input, air, {.columns_per_pitch = static_cast<int>(bench.range(0)), .rows = static_cast<int>(bench.range(1))});
+}
+
+/// The journal pushed to +X by a part of the clearance, from a cold start.
+FilmBearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench) {
+  FilmBearingState state;
+  const FilmReport report =
+      FilmBearingSolver(bearing).cold_start({eccentricity * bearing.clearance, 0.0}, speed, state);
+  if (report.status != FilmStatus::converged) bench.SkipWithError("no state");
+  return state;
+}
+
+void meshes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({6, 8})->Args({6, 16})->Args({12, 16})->Unit(benchmark::kMicrosecond);
+}
+
+/// Residuals and derivatives of the film.
+void linearise_film(benchmark::State& bench) {
+  const FilmBearing bearing = frictionless_bearing(bench);
+  const FilmBearingState state = cold_state(bearing, 0.5, bench);
+  const ReynoldsEquation equation = film_equation(bearing, speed);
+  Matrix residual;
+  FilmJacobian jacobian;
+  for (auto _ : bench) {
+    linearise_reynolds(equation, state.foil.film, residual, jacobian);
+    benchmark::DoNotOptimize(residual.data());
+  }
+}
+BENCHMARK(linearise_film)->Apply(meshes);
+
+/// The same with the top foil, everything between the crests eliminated.
+void condense_film(benchmark::State& bench) {
+  const FilmBearing bearing = frictionless_bearing(bench);
+  const FilmBearingState state = cold_state(bearing, 0.5, bench);
+  const ReynoldsEquation equation = film_equation(bearing, speed);
+  FoilFilmSystem system(bearing.foil);
+  for (auto _ : bench) {
+    if (!system.linearise(equation, state.foil)) bench.SkipWithError("singular");
+  }
+}
+BENCHMARK(condense_film)->Apply(meshes);
+
+/// One step of a path: a twentieth of the clearance.
+void warm_step(benchmark::State& bench) {
+  const FilmBearing bearing = frictionless_bearing(bench);
+  const FilmBearingState start = cold_state(bearing, 0.5, bench);
+  FilmBearingSolver solver(bearing);
+  int iterations = 0;
+  for (auto _ : bench) {
+    FilmBearingState state = start;
+    const FilmReport report = solver.solve({0.55 * bearing.clearance, 0.0}, speed, start.contact, state);
+    if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
+    iterations = report.iterations;
+  }
+  bench.counters["iterations"] = iterations;
+}
+BENCHMARK(warm_step)->Apply(meshes);
+
+void cold_start(benchmark::State& bench) {
+  const FilmBearing bearing = frictionless_bearing(bench);
+  for (auto _ : bench) {
+    const FilmBearingState state = cold_state(bearing, 0.5, bench);
+    benchmark::DoNotOptimize(state.speed);
+  }
+}
+BENCHMARK(cold_start)->Apply(meshes);
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/film/film_integrals.hpp"
+#include "bumpfoil/film/foil_film.hpp"
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/foil_structure.hpp"
+
+namespace bumpfoil {
+
+/// Mesh of the film over the foil of a bearing.
+struct FilmResolution {
+  int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
+  int rows{16};              ///< intervals on half the width
+};
+
+/// A bearing that runs: gas film, top foil, bump foil, and the contacts top foil/bump and bump/sleeve. The film takes
+/// the place of the contact between journal and top foil. A plain value.
+///
+/// Unknowns come in blocks, one for each bump and a last one for the free end. The block of a bump has the places of
+/// `dofs`, with the top foil over the crest among them, and after them the pressures of the column over the crest,
+/// c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the place of its first
+/// pressure; all else there stays zero.
+struct FilmBearing {
+  FilmScales scales;  ///< c is the size of the clearance
+  FoilFilm foil;
+  BumpDofs dofs;
+  ContactProblem problem;    ///< K of the bump foil alone, which holds what means nothing in the last block
+  Vector initial_gap;        ///< of each contact, m
+  double clearance{};        ///< C_r, m
+  double weld_angle{};       ///< rad
+  double wrap_sign{};        ///< sigma: +1 where theta runs from X to Y
+  Eigen::Matrix2Xd normals;  ///< outward at all columns
+
+  /// sigma Omega R, m/s: speed of the surface of the journal along theta; `speed` (rad/s) turns X to Y.
+  [[nodiscard]] double surface_speed(double speed) const { return wrap_sign * speed * scales.radius; }
+  /// H of the undeformed foil with the journal at `position` (m), at all nodes.
+  [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position) const;
+};
+
+/// The bearing of a case, in gas.
+/// @throws Error (input) if the case cannot be built.
+FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
+
+/// What is known of a bearing that runs: a plain value, all that a next state needs.
+struct FilmBearingState {
+  Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< of the journal, m
+  double speed{};                                     ///< Omega, rad/s
+  FoilFilmState foil;                                 ///< without dimension, see FilmScales
+  ContactState contact;                               ///< of the unknowns of the blocks
+};
+
+/// P = 1, unstressed foils; H is positive where the journal leaves room.
+FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed);
+
+/// What a state is good for.
+struct FilmBearingOutcome {
+  Eigen::Vector2d force{Eigen::Vector2d::Zero()};  ///< to be applied to the journal, N
+  double torque{};                                 ///< against rotation for Omega > 0, N m
+  double power{};                                  ///< torque times Omega, W
+  double dissipation{};                            ///< of Couette and of pressure flow, W: equal to the power but for
+                                                   ///< the discretisation
+  FilmFlows flows;                                 ///< m^3/s at ambient pressure; `start` is the weld
+  ThinnestPlace thinnest;                          ///< without dimension
+  double max_pressure{}, min_pressure{};           ///< P
+  int loaded_bumps{};                              ///< bumps that the top foil presses
+};
+
+FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state);
+
+/// The Reynolds equation at a speed, steady.
+ReynoldsEquation film_equation(const FilmBearing& bearing, double speed);
+
+}  // namespace bumpfoil

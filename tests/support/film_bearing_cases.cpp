@@ -1,0 +1,87 @@
+#include "support/film_bearing_cases.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "support/reference_cycles.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double micrometre = 1e-6;
+
+const nlohmann::json& document() {
+  static const nlohmann::json parsed = nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/film_bearing.json"));
+  return parsed;
+}
+
+Eigen::Vector2d read_force(const nlohmann::json& entry) {
+  return {entry.at("Fx").get<double>(), entry.at("Fy").get<double>()};
+}
+
+FilmResolution read_resolution(const nlohmann::json& entry) {
+  return {.columns_per_pitch = entry.at("m"), .rows = entry.at("nz")};
+}
+
+std::vector<ReferenceRun> read_runs() {
+  std::vector<ReferenceRun> runs;
+  for (const nlohmann::json& entry : document().at("frictionless")) {
+    const nlohmann::json& position = entry.at("position_Cr");
+    ReferenceRun run{.position = {position.at(0).get<double>(), position.at(1).get<double>()},
+                     .speed = speed_of_rpm(entry.at("rpm"))};
+    for (const nlohmann::json& level : entry.at("levels")) {
+      run.levels.push_back({.resolution = read_resolution(level),
+                            .force = read_force(level),
+                            .thinnest = level.at("hmin").get<double>() * micrometre,
+                            .max_pressure = level.at("Pmax"),
+                            .min_pressure = level.at("Pmin"),
+                            .torque = level.at("torque"),
+                            .power = level.at("power"),
+                            .dissipation = level.at("dissipation"),
+                            .flows = {level.at("flow_theta0"), level.at("flow_theta_end"), level.at("flow_sides")},
+                            .loaded_bumps = level.at("closed_top")});
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+ReferencePath read_path() {
+  const nlohmann::json& entry = document().at("friction_path");
+  ReferencePath path{.resolution = read_resolution(entry), .speed = speed_of_rpm(entry.at("rpm"))};
+  for (const nlohmann::json& row : entry.at("rows")) {
+    path.increments.push_back({.eccentricity = row.at("e"),
+                               .force = read_force(row),
+                               .thinnest = row.at("hmin").get<double>() * micrometre,
+                               .power = row.at("power"),
+                               .dissipated = row.at("dissipated"),
+                               .loaded_bumps = row.at("closed_top")});
+  }
+  path.last_bump_loads = entry.at("bump_loads_end").get<std::vector<double>>();
+  return path;
+}
+
+}  // namespace
+
+FilmBearing film_reference_bearing(const FilmResolution& resolution, double friction_coefficient) {
+  Case input = case_with_given_constants();
+  input.friction = {.top_bump = friction_coefficient, .bump_sleeve = friction_coefficient};
+  return make_film_bearing(input, {.viscosity = 1.85e-5, .ambient_pressure = 101325.0}, resolution);
+}
+
+double speed_of_rpm(double rpm) {
+  return rpm * std::numbers::pi / 30.0;
+}
+
+const std::vector<ReferenceRun>& reference_runs() {
+  static const std::vector<ReferenceRun> runs = read_runs();
+  return runs;
+}
+
+const ReferencePath& reference_friction_path() {
+  static const ReferencePath path = read_path();
+  return path;
+}
+
+}  // namespace bumpfoil

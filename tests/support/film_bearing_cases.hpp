@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/analysis/film_bearing_solver.hpp"
+
+namespace bumpfoil {
+
+/// The reference bearing with given truss constants, in air, f at both interfaces.
+FilmBearing film_reference_bearing(const FilmResolution& resolution, double friction_coefficient = 0.0);
+
+/// rad/s
+double speed_of_rpm(double rpm);
+
+/// States of tests/data/film_bearing.json.
+struct ReferenceRun {
+  struct Level {
+    FilmResolution resolution;
+    Eigen::Vector2d force{Eigen::Vector2d::Zero()};
+    double thinnest{};  ///< m
+    double max_pressure{}, min_pressure{}, torque{}, power{}, dissipation{};
+    FilmFlows flows;
+    int loaded_bumps{};
+  };
+  Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< in C_r
+  double speed{};
+  std::vector<Level> levels{};
+};
+const std::vector<ReferenceRun>& reference_runs();
+
+/// An increment of the friction path of the same file.
+struct ReferenceIncrement {
+  double eccentricity{};
+  Eigen::Vector2d force{Eigen::Vector2d::Zero()};
+  double thinnest{}, power{}, dissipated{};
+  int loaded_bumps{};
+};
+struct ReferencePath {
+  FilmResolution resolution;
+  double speed{};
+  std::vector<ReferenceIncrement> increments{};
+  std::vector<double> last_bump_loads{};
+};
+const ReferencePath& reference_friction_path();
+
+}  // namespace bumpfoil

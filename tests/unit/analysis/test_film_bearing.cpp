@@ -1,0 +1,81 @@
+#include "bumpfoil/analysis/film_bearing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 3};
+
+TEST(FilmBearing, HasAColumnOverEveryCrest) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  const double pitch_angle = 4.572e-3 / 19.05e-3;
+  ASSERT_EQ(bearing.foil.supports.size(), 26U);
+  for (std::size_t i = 0; i < 26; ++i) {
+    EXPECT_NEAR(bearing.foil.supports[i] * bearing.foil.mesh.dtheta, (static_cast<double>(i) + 0.5) * pitch_angle,
+                1e-13);
+  }
+  EXPECT_EQ(bearing.foil.mesh.columns, 104);
+  EXPECT_EQ(bearing.problem.K.blocks(), 27);
+  EXPECT_EQ(bearing.problem.K.block_size(), 6 + 3);
+  EXPECT_EQ(bearing.problem.pairs.size(), 2U);  // no journal/top foil
+}
+
+TEST(FilmBearing, TakesTheBumpFoilWithoutTheTopFoil) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  const BumpDofs& dofs = bearing.dofs;
+  for (const Matrix& block : bearing.problem.K.diagonal) {
+    if (&block == &bearing.problem.K.diagonal.back()) continue;
+    EXPECT_EQ(block.row(dofs.top_u).norm() + block.row(dofs.top_moment).norm(), 0.0);
+    EXPECT_GT(block(dofs.crest_v, dofs.crest_v), 1e6);
+  }
+  EXPECT_EQ(bearing.problem.K.diagonal.back()(dofs.size, dofs.size), 0.0);  // the free end moves
+}
+
+TEST(FilmBearing, IsThinWhereTheJournalGoes) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  // The weld is at -X, and theta runs clockwise: column 26 of 104 stands near +Y, 52 near +X.
+  const Matrix H = bearing.undeformed_thickness({0.5 * bearing.clearance, 0.0});
+  EXPECT_NEAR(H(0, 0), 1.5, 1e-12);
+  EXPECT_NEAR(H.minCoeff(), 0.5, 1e-3);
+  EXPECT_NEAR(bearing.undeformed_thickness({0.0, 0.5 * bearing.clearance}).col(26).minCoeff(), 0.5, 1e-3);
+  EXPECT_LT(bearing.surface_speed(100.0), 0.0);
+  EXPECT_NEAR(film_equation(bearing, speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
+}
+
+/// A pressure by hand: the forces are those of its integral over the foil.
+TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 12, .rows = 8});
+  FilmBearingState state = resting(bearing, Eigen::Vector2d::Zero(), 100.0);
+  state.contact.normal_force[4] = 3.0;  // top_bump of the third bump
+  const int n = bearing.foil.mesh.columns;
+  for (int k = 0; k <= n; ++k) state.foil.film.pressure.col(k).array() += 0.1 * bearing.normals(1, k);
+  const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+  const double area = 101325.0 * 19.05e-3 * 38.1e-3;
+  // 0.1 pa sin(phi) over the foil, which lacks 2.5 degrees at the weld where the sine is small.
+  EXPECT_NEAR(outcome.force.y(), 0.1 * area * std::numbers::pi, 1e-3 * area * 0.1);
+  EXPECT_NEAR(outcome.force.x(), 0.0, 1e-2 * area * 0.1);
+  EXPECT_EQ(outcome.loaded_bumps, 1);
+  EXPECT_NEAR(outcome.power, 100.0 * outcome.torque, 1e-15);
+}
+
+/// Petroff's law: a centred journal without pressure shears mu Omega R^3 / c over the foil.
+TEST(FilmBearing, DragsByCouetteFlowAlone) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  for (const double speed : {-100.0, 100.0}) {
+    const FilmBearingOutcome outcome = film_bearing_outcome(bearing, resting(bearing, Eigen::Vector2d::Zero(), speed));
+    const double petroff = 1.85e-5 * speed * std::pow(19.05e-3, 2) / 31.8e-6 * 26 * 4.572e-3 * 38.1e-3;
+    EXPECT_NEAR(outcome.torque, petroff, 1e-12 * std::abs(petroff));
+    EXPECT_NEAR(outcome.dissipation, outcome.power, 1e-12 * outcome.power);
+    // Half of what the surface moves past: U c L / 2, along theta where U is positive.
+    EXPECT_NEAR(outcome.flows.end, -0.5 * speed * 19.05e-3 * 31.8e-6 * 38.1e-3, 1e-12 * std::abs(speed));
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil

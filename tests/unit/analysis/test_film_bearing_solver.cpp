@@ -1,0 +1,107 @@
+#include "bumpfoil/analysis/film_bearing_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/contact/residual.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
+
+/// The equations themselves, judged without any part of the solver: the film, the foil with its contact forces, the
+/// bump foil, and every inequality of the contacts.
+void expect_solved(const FilmBearing& bearing, const FilmBearingState& state, const ContactState& previous) {
+  const FilmMesh& mesh = bearing.foil.mesh;
+  EXPECT_GT(state.foil.film.pressure.minCoeff(), 0.0);
+  EXPECT_GT(state.foil.film.thickness.minCoeff(), 0.0);
+  Matrix H = bearing.undeformed_thickness(state.position);
+  H.rowwise() += state.foil.lift.transpose();
+  EXPECT_LT((H - state.foil.film.thickness).cwiseAbs().maxCoeff(), 1e-12);
+
+  FoilFilmResidual residual;
+  foil_film_residual(bearing.foil, film_equation(bearing, state.speed), state.foil, residual);
+  const double area = mesh.dtheta * mesh.dzeta;
+  EXPECT_LT(residual.film.block(0, 1, mesh.rows, mesh.columns - 1).cwiseAbs().maxCoeff(), 1e-9 * area);
+  EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
+
+  // What the film and the foil leave over the crests is what the contacts bear.
+  const double unit = bearing.foil.stiffness * bearing.scales.thickness;
+  const Vector forces = contact_forces(bearing.problem, state.contact.normal_force, state.contact.friction_force);
+  const int size = bearing.problem.K.block_size();
+  Vector elastic = bearing.problem.K.multiply(state.contact.x);
+  elastic.tail(size).setZero();
+  for (std::size_t i = 0; i < bearing.foil.supports.size(); ++i) {
+    const Eigen::Index place = static_cast<Eigen::Index>(i) * size + bearing.dofs.top_u;
+    double& balance = residual.balance[bearing.foil.supports[i]];
+    elastic[place] = balance * unit;
+    balance = 0.0;
+    EXPECT_NEAR(state.contact.x[place], state.foil.lift[bearing.foil.supports[i]] * bearing.scales.thickness, 1e-15);
+  }
+  EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
+  const ContactLoading loading{.initial_gap = bearing.initial_gap, .load = Vector::Zero(forces.size())};
+  const ContactResiduals residuals = contact_residuals(bearing.problem, elastic, loading, previous.x, state.contact);
+  EXPECT_TRUE(residuals.within(1e-7, 1e-11)) << residuals.equilibrium << ' ' << residuals.penetration;
+}
+
+TEST(FilmBearingSolver, ColdStartsAndFollowsToSolutions) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  const Eigen::Vector2d position(0.7 * bearing.clearance, 0.0);
+  ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
+  EXPECT_EQ(state.position, position);
+  expect_solved(bearing, state, state.contact);
+  ASSERT_EQ(solver.follow(2.0 * position, speed, state).status, FilmStatus::converged);
+  EXPECT_EQ(state.position, 2.0 * position);
+  expect_solved(bearing, state, state.contact);
+  ASSERT_EQ(solver.follow(2.0 * position, 0.5 * speed, state).status, FilmStatus::converged);
+  EXPECT_EQ(state.speed, 0.5 * speed);
+  expect_solved(bearing, state, state.contact);
+}
+
+TEST(FilmBearingSolver, KeepsTheHistoryOfFriction) {
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  const auto at = [&](double e) { return Eigen::Vector2d(e * bearing.clearance, 0.0); };
+  ASSERT_EQ(solver.cold_start(at(0.5), speed, state).status, FilmStatus::converged);
+  expect_solved(bearing, state, ContactState::unstressed(bearing.problem));
+  const double loaded = film_bearing_outcome(bearing, state).force.x();
+  for (const double e : {0.8, 0.5}) {
+    const ContactState previous = state.contact;
+    ASSERT_EQ(solver.solve(at(e), speed, previous, state).status, FilmStatus::converged);
+    expect_solved(bearing, state, previous);
+  }
+  EXPECT_LT(film_bearing_outcome(bearing, state).force.x(),
+            0.95 * loaded);  // there and back: friction holds bumps down
+}
+
+TEST(FilmBearingSolver, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  FilmBearingSolver solver(bearing);
+  const FilmBearingState rest = resting(bearing, Eigen::Vector2d::Zero(), 0.0);
+  FilmBearingState state = rest;
+  const Eigen::Vector2d outside(1.2 * bearing.clearance, 0.0);
+  EXPECT_EQ(solver.cold_start(outside, 1000.0, state).status, FilmStatus::no_room);
+  EXPECT_EQ(solver.solve(outside, 1000.0, rest.contact, state).status, FilmStatus::no_room);
+  EXPECT_EQ(state.foil.film.pressure, rest.foil.film.pressure);
+  EXPECT_EQ(state.position, rest.position);
+}
+
+TEST(FilmBearingSolver, SaysWhenSurfacesTouch) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  FilmBearingSolver solver(bearing, {.newton = {.thickness_floor = 0.5}});
+  FilmBearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  ASSERT_EQ(solver.cold_start({0.2 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  EXPECT_EQ(solver.follow({0.9 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::touchdown);
+  EXPECT_GE(state.foil.film.thickness.minCoeff(), 0.5);  // the last good state
+  EXPECT_GT(state.position.x(), 0.2 * bearing.clearance);
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,127 @@
+// docs/verification/film.md: the film over foils, against an independent prototype and against rigid walls.
+
+#include <gtest/gtest.h>
+
+#include "support/film_bearing_cases.hpp"
+#include "support/film_runs.hpp"
+
+namespace bumpfoil {
+namespace {
+
+TEST(FilmOverFoils, MeetsThePrototypeOnTheCoarsestMesh) {
+  for (const ReferenceRun& run : reference_runs()) expect_run(run, run.levels.front());
+}
+
+/// Friction 0.1: pushed to 1.2 C_r in steps of 0.1 and drawn back to 0.4.
+TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
+  const ReferencePath& path = reference_friction_path();
+  const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state = resting(bearing, Eigen::Vector2d::Zero(), path.speed);
+  double dissipated = 0.0;
+  bool first = true;
+  for (const ReferenceIncrement& increment : path.increments) {
+    SCOPED_TRACE(increment.eccentricity);
+    const Eigen::Vector2d position(increment.eccentricity * bearing.clearance, 0.0);
+    const ContactState previous = state.contact;
+    const FilmReport report =
+        first ? solver.cold_start(position, path.speed, state) : solver.solve(position, path.speed, previous, state);
+    first = false;
+    ASSERT_EQ(report.status, FilmStatus::converged);
+    const Vector slip = tangential_displacements(bearing.problem, state.contact.x) -
+                        tangential_displacements(bearing.problem, previous.x);
+    dissipated += state.contact.friction_force.cwiseProduct(slip).cwiseAbs().sum();
+    const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+    // The prototype's contacts give way by a proximal term: five digits of what it prints.
+    EXPECT_LT((outcome.force - increment.force).norm(), 1e-5 * increment.force.norm());
+    EXPECT_NEAR(outcome.thinnest.thickness * bearing.scales.thickness, increment.thinnest, 1e-5 * increment.thinnest);
+    EXPECT_NEAR(outcome.power, increment.power, 1e-5 * increment.power);
+    EXPECT_NEAR(dissipated, increment.dissipated, 1e-4 * increment.dissipated);
+    EXPECT_EQ(outcome.loaded_bumps, increment.loaded_bumps);
+  }
+  for (std::size_t i = 0; i < path.last_bump_loads.size(); ++i) {
+    EXPECT_NEAR(state.contact.normal_force[static_cast<Eigen::Index>(2 * i)], path.last_bump_loads[i], 1e-4);  // N
+  }
+}
+
+/// Foils and bumps 1e9 times stiffer are a rigid wall with a slot.
+TEST(FilmOverFoils, TendsToTheRigidSlot) {
+  FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
+  const double speed = speed_of_rpm(45000.0);
+  const Eigen::Vector2d position(0.5 * bearing.clearance, 0.1 * bearing.clearance);
+  SolvedFilm rigid = solve_rigid_film(film_equation(bearing, speed), bearing.undeformed_thickness(position));
+  ASSERT_EQ(rigid.report.status, FilmStatus::converged);
+
+  constexpr double stiffer = 1e9;
+  for (Matrix& block : bearing.problem.K.diagonal) block *= stiffer;
+  for (Matrix& block : bearing.problem.K.upper) block *= stiffer;
+  bearing.foil.top_foil.compliance_diagonal /= stiffer;
+  bearing.foil.top_foil.compliance_off /= stiffer;
+  bearing.foil.stiffness *= stiffer;
+  bearing.foil.load_scale /= stiffer;
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
+  const FilmIntegrals wall = film_integrals(rigid.equation, rigid.film);
+  const FilmIntegrals foils = film_integrals(rigid.equation, state.foil.film);
+  const double load = std::hypot(wall.cosine, wall.sine);
+  // The free end, which nothing presses on the sleeve, still moves by some 1e-6 of the clearance.
+  EXPECT_NEAR(foils.cosine, wall.cosine, 5e-6 * load);
+  EXPECT_NEAR(foils.sine, wall.sine, 5e-6 * load);
+  EXPECT_GT(std::abs(foils.cosine - wall.cosine), 1e-12 * load);
+}
+
+/// Foil wrapped the other way and speed reversed: the mirrored bearing.
+TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
+  FilmBearing mirrored = bearing;
+  mirrored.wrap_sign = -bearing.wrap_sign;
+  mirrored.normals.row(1) *= -1.0;  // the weld is at -X
+  const double speed = speed_of_rpm(45000.0);
+  const double c = bearing.clearance;
+  FilmBearingState there, here;
+  ASSERT_EQ(FilmBearingSolver(bearing).cold_start({0.5 * c, 0.3 * c}, speed, there).status, FilmStatus::converged);
+  ASSERT_EQ(FilmBearingSolver(mirrored).cold_start({0.5 * c, -0.3 * c}, -speed, here).status, FilmStatus::converged);
+  const FilmBearingOutcome a = film_bearing_outcome(bearing, there);
+  const FilmBearingOutcome b = film_bearing_outcome(mirrored, here);
+  EXPECT_EQ(a.force.x(), b.force.x());
+  EXPECT_EQ(a.force.y(), -b.force.y());
+  EXPECT_EQ(a.torque, -b.torque);
+}
+
+/// Energy, moments and mass, along a path to a heavily loaded bearing.
+TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
+  double energy[2], moments[2];
+  for (const int i : {0, 1}) {
+    const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
+    const double speed = speed_of_rpm(45000.0);
+    FilmBearingState state;
+    ASSERT_EQ(FilmBearingSolver(bearing).cold_start({0.6 * bearing.clearance, 0.0}, speed, state).status,
+              FilmStatus::converged);
+    const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+    EXPECT_NEAR(outcome.flows.start, outcome.flows.end + outcome.flows.sides, 1e-12 * std::abs(outcome.flows.start));
+    energy[i] = outcome.dissipation / outcome.power - 1.0;
+
+    // T = Couette part - (x F_y - y F_x) / 2 - (sigma / 2) integral of (p - pa) du_t/dtheta.
+    const FilmMesh& mesh = bearing.foil.mesh;
+    const FilmIntegrals sums = film_integrals(film_equation(bearing, speed), state.foil.film);
+    double turning = 0.0;
+    for (int k = 0; k < mesh.columns; ++k) {
+      for (int j = 0; j < mesh.rows; ++j) {
+        const double excess = 0.5 * (state.foil.film.pressure(j, k) + state.foil.film.pressure(j, k + 1)) - 1.0;
+        turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.foil.lift[k + 1] - state.foil.lift[k]);
+      }
+    }
+    turning *= bearing.scales.force() * bearing.scales.thickness;
+    const double couette = bearing.scales.couette_torque(speed * bearing.scales.radius) * sums.couette;
+    const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
+    moments[i] = (couette - 0.5 * lever - 0.5 * bearing.wrap_sign * turning) / outcome.torque - 1.0;
+  }
+  EXPECT_LT(std::abs(energy[0]), 2e-5);  // on 6x8
+  EXPECT_LT(std::abs(moments[0]), 2e-5);
+  EXPECT_LT(std::abs(energy[1]), 0.4 * std::abs(energy[0]));  // second order: a quarter
+  EXPECT_LT(std::abs(moments[1]), 0.4 * std::abs(moments[0]));
+}
+
+}  // namespace
+}  // namespace bumpfoil
