@@ -99,16 +99,20 @@ ReynoldsEquation film_equation(const FilmBearing& bearing, double speed) {
           .knudsen = bearing.scales.knudsen()};
 }
 
+Eigen::Vector2d plane_force(const FilmBearing& bearing, const FilmIntegrals& sums) {
+  // The direction of theta = 0 and that of theta = 90 degrees.
+  const Eigen::Vector2d n = unit_vector(bearing.weld_angle);
+  const Eigen::Vector2d t = bearing.wrap_sign * Eigen::Vector2d(-n.y(), n.x());
+  return bearing.scales.force() * (sums.cosine * n + sums.sine * t);
+}
+
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state) {
   const FilmMesh& mesh = bearing.foil.mesh;
   const FilmScales& scales = bearing.scales;
   const ReynoldsEquation equation = film_equation(bearing, state.speed);
   const FilmIntegrals sums = film_integrals(equation, state.foil.film);
   FilmBearingOutcome outcome;
-  // The direction of theta = 0 and that of theta = 90 degrees.
-  const Eigen::Vector2d n = unit_vector(bearing.weld_angle);
-  const Eigen::Vector2d t = bearing.wrap_sign * Eigen::Vector2d(-n.y(), n.x());
-  outcome.force = scales.force() * (sums.cosine * n + sums.sine * t);
+  outcome.force = plane_force(bearing, sums);
   const double surface = state.speed * scales.radius;
   outcome.torque =
       scales.couette_torque(surface) * sums.couette + bearing.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;

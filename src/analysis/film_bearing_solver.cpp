@@ -27,6 +27,7 @@ struct FilmBearingSolver::Workspace {
         options(solver_options),
         system(film_bearing.foil),
         contacts(film_bearing.problem),
+        modes(make_mode_system(film_bearing.problem)),
         K(film_bearing.problem.K),
         loading(ContactLoading::none(film_bearing.problem)),
         begin(ContactState::unstressed(film_bearing.problem)),
@@ -41,6 +42,9 @@ struct FilmBearingSolver::Workspace {
   Vector& find_bump_forces(const ContactState& state);
   double find_residual(const ReynoldsEquation& equation, const FilmBearingState& state);
   void assemble();
+  void load_condensed();
+  void expand_step();
+  std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck);
   bool find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report);
   double longest_step(const FilmBearingState& state) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
@@ -53,6 +57,7 @@ struct FilmBearingSolver::Workspace {
   FilmBearingOptions options;
   FoilFilmSystem system;
   NewtonSolver contacts;
+  std::unique_ptr<ModeSystem> modes;  ///< of stiffness()
   BlockTridiagonal K, bump_K;
   ContactLoading loading;
   ContactState begin, next;
@@ -131,20 +136,64 @@ void FilmBearingSolver::Workspace::assemble() {
   }
 }
 
-/// Newton's step with exact contacts: the unknowns of the contact problem are the steps of the blocks.
-bool FilmBearingSolver::Workspace::find_step(const ContactState& previous, const FilmBearingState& state,
-                                             FilmReport& report) {
-  const double c = bearing.scales.thickness;
-  const int size = K.block_size();
-  const Vector& x = state.contact.x;
-  // Contact forces are unknowns of the step, and no part of its right-hand side.
-  loading.load = -find_bump_forces(state.contact);
+/// Adds the condensed residuals to the loads of the contact problem.
+void FilmBearingSolver::Workspace::load_condensed() {
+  const double unit = bearing.foil.stiffness * bearing.scales.thickness;
   const Matrix& condensed = system.condense(residual);
   for (int b = 0; b < system.blocks(); ++b) {
     for_each_place(b, [&](int place, int film_place) {
-      loading.load[Eigen::Index{b} * size + place] -= bearing.foil.stiffness * c * condensed(film_place, b);
+      loading.load[Eigen::Index{b} * K.block_size() + place] -= unit * condensed(film_place, b);
     });
   }
+}
+
+/// Reads the steps of the blocks off the contact problem, and those in between.
+void FilmBearingSolver::Workspace::expand_step() {
+  support_step.setZero();
+  for (int b = 0; b < system.blocks(); ++b) {
+    for_each_place(b, [&](int place, int film_place) {
+      support_step(film_place, b) = next.x[Eigen::Index{b} * K.block_size() + place] / bearing.scales.thickness;
+    });
+  }
+  system.expand(support_step, step);
+}
+
+/// Rates per displacement of the journal, modes held.
+std::optional<Eigen::Matrix2d> FilmBearingSolver::Workspace::stiffness(const FilmBearingState& state, bool stuck) {
+  const FilmMesh& mesh = bearing.foil.mesh;
+  if (!system.linearise(film_equation(bearing, state.speed), state.foil)) return std::nullopt;
+  assemble();
+  modes->set_elasticity(K);
+  std::vector<ContactMode> held = state.contact.mode;
+  for (ContactMode& mode : held) {
+    if (stuck && mode != ContactMode::open) mode = ContactMode::stick;
+  }
+  if (!modes->set_modes(held)) return std::nullopt;
+  Eigen::Matrix2d K_film;
+  for (const int axis : {0, 1}) {
+    const Matrix thinning = bearing.normals.row(axis).replicate(mesh.rows + 1, 1) / -bearing.scales.thickness;
+    residual.film = stencil_product(mesh, system.film_jacobian().by_thickness, thinning);
+    residual.balance.setZero(mesh.nodes());
+    residual.compatibility.setZero(mesh.nodes());
+    loading.load.setZero();
+    loading.initial_gap.setZero();
+    load_condensed();
+    modes->solve(loading, Vector::Zero(K.rows()), next);
+    expand_step();
+    const FilmState rate{mesh.field(1.0) + step.film.pressure, state.foil.film.thickness};
+    const FilmIntegrals sums = film_integrals({.mesh = mesh}, rate);
+    K_film.col(axis) = plane_force(bearing, sums);
+  }
+  return K_film;
+}
+
+/// Newton's step with exact contacts: the unknowns of the contact problem are the steps of the blocks.
+bool FilmBearingSolver::Workspace::find_step(const ContactState& previous, const FilmBearingState& state,
+                                             FilmReport& report) {
+  const Vector& x = state.contact.x;
+  // Contact forces are unknowns of the step, and no part of its right-hand side.
+  loading.load = -find_bump_forces(state.contact);
+  load_condensed();
   loading.initial_gap = contact_gaps(bearing.problem, bearing.initial_gap, x);
   begin = state.contact;
   begin.x.setZero();
@@ -158,13 +207,7 @@ bool FilmBearingSolver::Workspace::find_step(const ContactState& previous, const
   const SolveReport solved = contacts.solve(loading, begin, next);
   report.factorisations += solved.factorisations;
   if (!solved.converged) return false;
-  support_step.setZero();
-  for (int b = 0; b < system.blocks(); ++b) {
-    for_each_place(b, [&](int place, int film_place) {
-      support_step(film_place, b) = next.x[Eigen::Index{b} * size + place] / c;
-    });
-  }
-  system.expand(support_step, step);
+  expand_step();
   return true;
 }
 
@@ -283,6 +326,10 @@ FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double
   const FilmReport report = workspace_->march(start);
   if (report.status == FilmStatus::converged) state = std::move(start);
   return report;
+}
+
+std::optional<Eigen::Matrix2d> FilmBearingSolver::stiffness(const FilmBearingState& state, bool stuck) {
+  return workspace_->stiffness(state, stuck);
 }
 
 FilmReport FilmBearingSolver::follow(const Eigen::Vector2d& position, double speed, FilmBearingState& state) {

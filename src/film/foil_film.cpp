@@ -158,6 +158,9 @@ void FoilFilmSystem::Workspace::assemble(int k, ColumnChain::Block to_before, Co
 FoilFilmSystem::FoilFilmSystem(const FoilFilm& foil) : workspace_(std::make_unique<Workspace>(foil)) {}
 FoilFilmSystem::~FoilFilmSystem() = default;
 
+const FilmJacobian& FoilFilmSystem::film_jacobian() const {
+  return workspace_->jacobian;
+}
 int FoilFilmSystem::blocks() const {
   return static_cast<int>(workspace_->columns.size());
 }

@@ -82,6 +82,20 @@ void linearise_reynolds(const ReynoldsEquation& equation, const FilmState& film,
   });
 }
 
+Matrix stencil_product(const FilmMesh& mesh, const FilmStencil& stencil, const Matrix& change) {
+  Matrix product = stencil.own.cwiseProduct(change);
+  BUMPFOIL_ASSERT(change.cols() == mesh.nodes());
+  for (int a = 0; a < mesh.columns; ++a) {
+    const int b = mesh.next(a);
+    product.col(a) += stencil.after.col(a).cwiseProduct(change.col(b));
+    product.col(b) += stencil.before.col(b).cwiseProduct(change.col(a));
+  }
+  const Eigen::Index m = mesh.rows;
+  product.topRows(m) += stencil.outside.topRows(m).cwiseProduct(change.bottomRows(m));
+  product.bottomRows(m) += stencil.inside.bottomRows(m).cwiseProduct(change.topRows(m));
+  return product;
+}
+
 Matrix film_content(const FilmState& film) {
   return film.pressure.cwiseProduct(film.thickness);
 }

@@ -47,6 +47,20 @@ std::vector<ReferenceRun> read_runs() {
   return runs;
 }
 
+std::vector<ReferenceEquilibrium> read_equilibria() {
+  std::vector<ReferenceEquilibrium> equilibria;
+  for (const nlohmann::json& entry : document().at("load_equilibria")) {
+    const auto load = entry.at("load_N").get<std::vector<double>>();
+    const auto K = entry.at("K0").get<std::vector<std::vector<double>>>();
+    ReferenceEquilibrium equilibrium{
+        .resolution = read_resolution(entry), .load = {load[0], load[1]}, .speed = speed_of_rpm(entry.at("rpm"))};
+    equilibrium.position = {entry.at("x").get<double>(), entry.at("y").get<double>()};
+    equilibrium.stiffness << K[0][0], K[0][1], K[1][0], K[1][1];
+    equilibria.push_back(equilibrium);
+  }
+  return equilibria;
+}
+
 ReferencePath read_path() {
   const nlohmann::json& entry = document().at("friction_path");
   ReferencePath path{.resolution = read_resolution(entry), .speed = speed_of_rpm(entry.at("rpm"))};
@@ -77,6 +91,11 @@ double speed_of_rpm(double rpm) {
 const std::vector<ReferenceRun>& reference_runs() {
   static const std::vector<ReferenceRun> runs = read_runs();
   return runs;
+}
+
+const std::vector<ReferenceEquilibrium>& reference_equilibria() {
+  static const std::vector<ReferenceEquilibrium> equilibria = read_equilibria();
+  return equilibria;
 }
 
 const ReferencePath& reference_friction_path() {

@@ -43,4 +43,14 @@ struct ReferencePath {
 };
 const ReferencePath& reference_friction_path();
 
+/// Equilibria under a load of the same file.
+struct ReferenceEquilibrium {
+  FilmResolution resolution;
+  Eigen::Vector2d load{Eigen::Vector2d::Zero()};  ///< N
+  double speed{};
+  Eigen::Vector2d position{Eigen::Vector2d::Zero()};   ///< in C_r
+  Eigen::Matrix2d stiffness{Eigen::Matrix2d::Zero()};  ///< N/m
+};
+const std::vector<ReferenceEquilibrium>& reference_equilibria();
+
 }  // namespace bumpfoil

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/analysis/film_equilibrium.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_runs.hpp"
 
@@ -41,6 +42,24 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   }
   for (std::size_t i = 0; i < path.last_bump_loads.size(); ++i) {
     EXPECT_NEAR(state.contact.normal_force[static_cast<Eigen::Index>(2 * i)], path.last_bump_loads[i], 1e-4);  // N
+  }
+}
+
+/// Loads to +X: cold start at 0.6 C_r along the load, then the load in ten steps.
+TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
+  for (const ReferenceEquilibrium& reference : reference_equilibria()) {
+    SCOPED_TRACE(reference.load.x());
+    const FilmBearing bearing = film_reference_bearing(reference.resolution);
+    FilmBearingSolver solver(bearing);
+    FilmBearingState state;
+    ASSERT_EQ(solver.cold_start({0.6 * bearing.clearance, 0.0}, reference.speed, state).status, FilmStatus::converged);
+    ASSERT_EQ(find_equilibrium(solver, bearing, reference.load, reference.speed, 10, state).status,
+              FilmStatus::converged);
+    EXPECT_LT((state.position / bearing.clearance - reference.position).norm(), 1e-6);
+    const auto K = solver.stiffness(state);
+    ASSERT_TRUE(K.has_value());
+    // The prototype's contacts keep a little of their proximal springs.
+    EXPECT_LT((*K - reference.stiffness).norm(), 1e-4 * reference.stiffness.norm());
   }
 }
 

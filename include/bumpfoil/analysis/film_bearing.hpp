@@ -68,6 +68,9 @@ struct FilmBearingOutcome {
   int loaded_bumps{};                              ///< bumps that the top foil presses
 };
 
+/// The integrals of (P - 1) cos(theta), (P - 1) sin(theta) as a force on the journal in the X-Y plane, N.
+Eigen::Vector2d plane_force(const FilmBearing& bearing, const FilmIntegrals& sums);
+
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state);
 
 /// The Reynolds equation at a speed, steady.

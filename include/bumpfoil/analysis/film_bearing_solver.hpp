@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "bumpfoil/analysis/film_bearing.hpp"
 #include "bumpfoil/film/film_solver.hpp"
@@ -46,6 +47,11 @@ class FilmBearingSolver {
   /// to the step before: for frictionless foils, since with friction increments are part of the path.
   /// @param state  receives the state at the end, or the last that was found
   [[nodiscard]] FilmReport follow(const Eigen::Vector2d& position, double speed, FilmBearingState& state);
+
+  /// Stiffness dF/d(x, y) of the bearing at `state`, N/m, rows x and y: consistent, closed contacts rigid, every
+  /// contact keeping its mode; with `stuck` slipping contacts stick, as under a small whirl. Not symmetric.
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck = false);
 
  private:
   struct Workspace;

@@ -74,6 +74,9 @@ class FoilFilmSystem {
   /// @return false if they are singular
   [[nodiscard]] bool linearise(const ReynoldsEquation& equation, const FoilFilmState& state);
 
+  /// Derivatives of the film's residuals where it was linearised last.
+  [[nodiscard]] const FilmJacobian& film_jacobian() const;
+
   [[nodiscard]] int blocks() const;
   [[nodiscard]] int block_size() const;
   /// Derivatives of block i with respect to the one before it, itself and the one after it.

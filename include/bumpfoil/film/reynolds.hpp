@@ -59,6 +59,9 @@ struct FilmJacobian {
 void linearise_reynolds(const ReynoldsEquation& equation, const FilmState& film, Matrix& residual,
                         FilmJacobian& jacobian);
 
+/// Change of the residuals under changes of P or H at all nodes.
+Matrix stencil_product(const FilmMesh& mesh, const FilmStencil& stencil, const Matrix& change);
+
 /// P H at all nodes: what a time step begins with.
 Matrix film_content(const FilmState& film);
 

@@ -92,6 +92,25 @@ TEST(Reynolds, DerivativesAgreeWithDifferencesOverDecades) {
   }
 }
 
+TEST(Reynolds, StencilsTimesAChangeIsTheChangeOfResiduals) {
+  for (const ReynoldsEquation& equation : equations()) {
+    const FilmMesh& mesh = equation.mesh;
+    Matrix residual;
+    FilmJacobian jacobian;
+    linearise_reynolds(equation, wavy_film(mesh), residual, jacobian);
+    Matrix expected = mesh.field(0.0);
+    Matrix change = mesh.field(0.0);
+    for (int k = 0; k < mesh.nodes(); ++k) {
+      for (int j = 0; j <= mesh.rows; ++j) {
+        change(j, k) = std::sin(1.0 + j + 5.0 * k);
+        expected += change(j, k) * derivative(mesh, jacobian.by_thickness, j, k);
+      }
+    }
+    const Matrix product = stencil_product(mesh, jacobian.by_thickness, change);
+    EXPECT_LT((product - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
 TEST(Reynolds, BothFunctionsGiveTheSameResidual) {
   for (const ReynoldsEquation& equation : equations()) {
     const FilmState film = wavy_film(equation.mesh);
