@@ -10,6 +10,7 @@
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/cycle_table.hpp"
+#include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "interruption.hpp"
@@ -66,15 +67,16 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   for (const ResultFile& file : cycle_files(input, result, status, provenance)) folder.stage(file.name, file.contents);
   folder.publish();
   if (!session.quiet) {
-    print_output(cycle_table(result));
+    print_output(cycle_table(input, result));
     print_output(fmt::format("\nsolver {}; results in {} (summary.json, {}.csv, result.nc)\n", name_of(result.solver),
                              place, experiment.name));
     for (const std::string& warning : stress_warnings(input, result)) print_message("warning: " + warning);
   }
-  if (status != RunStatus::complete) {
-    print_message(fmt::format("bumpfoil: {}: the results in {} are partial, and flagged so",
-                              status == RunStatus::failed ? "an increment did not converge" : "interrupted", place));
+  const std::string partial = fmt::format("the results in {} are partial, and flagged so", place);
+  for (const std::string& failure : failure_lines(input, result)) {
+    print_message(fmt::format("bumpfoil: {}; {}", failure, partial));
   }
+  if (status == RunStatus::interrupted) print_message("bumpfoil: interrupted: " + partial);
   return exit_code_of(status);
 }
 

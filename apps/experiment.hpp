@@ -9,7 +9,7 @@
 
 namespace bumpfoil {
 
-/// A command that runs the loops of a case and writes them to a folder.
+/// A command that runs the cycles of a case and writes them to a folder.
 struct ExperimentCommand {
   std::string name;     ///< of the command, and of the table of the case that it needs
   std::string summary;  ///< what it does, for --help

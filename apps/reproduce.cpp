@@ -199,7 +199,11 @@ ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) 
   if (plotted == PlotStatus::failed) {
     print_message("bumpfoil: gnuplot failed; \"gnuplot picture.gp\" in a folder without picture.svg says why");
   }
-  if (!converged) print_message("bumpfoil: an increment did not converge: what is partial is flagged so");
+  for (const StudyOutcome& outcome : outcomes) {
+    for (const std::string& failure : outcome.failures) {
+      print_message(fmt::format("bumpfoil: {}; what is partial is flagged so", failure));
+    }
+  }
   if (interrupted) {
     print_message(fmt::format("bumpfoil: interrupted: {} of {} studies are whole, nothing was written of the others",
                               outcomes.size(), writers.size()));

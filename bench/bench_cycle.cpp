@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "support/long_bearing.hpp"
 
@@ -20,15 +20,15 @@ Case reference_push() {
 /// One increment of the default solver, taken in turn from all of the reference cycle, results not recorded.
 void increment(benchmark::State& bench) {
   const Case input = reference_push();
-  const FoilModel model = make_bearing_model(input);
-  NewtonSolver solver(model.problem);
+  const Foils foils = *make_bearing_foils(input);
+  NewtonSolver solver(foils.problem);
   std::vector<ContactLoading> loadings;
   for (int k = 0; k <= 2 * input.cycle.steps; ++k) {
     const int from_centre = k <= input.cycle.steps ? k : 2 * input.cycle.steps - k;
     const double displacement = input.cycle.amplitude * from_centre / input.cycle.steps;
-    loadings.push_back(loading_at(model, {displacement, 0.0}));
+    loadings.push_back(loading_under(foils, {.position = {displacement, 0.0}}));
   }
-  const ContactState unstressed = ContactState::unstressed(model.problem);
+  const ContactState unstressed = ContactState::unstressed(foils.problem);
   ContactState previous = unstressed;
   ContactState state = unstressed;
   std::size_t k = 0;
@@ -36,8 +36,8 @@ void increment(benchmark::State& bench) {
   for (auto _ : bench) {
     if (k == 0) previous = unstressed;
     const SolveReport report = solver.solve(loadings[k], previous, state);
-    if (!report.converged) bench.SkipWithError("an increment failed");
-    linear_solves += report.iterations;
+    if (!report.converged()) bench.SkipWithError("an increment failed");
+    linear_solves += cost.iterations;
     std::swap(previous, state);
     k = (k + 1) % loadings.size();
   }
@@ -45,20 +45,20 @@ void increment(benchmark::State& bench) {
       benchmark::Counter(static_cast<double>(linear_solves), benchmark::Counter::kAvgIterations);
 }
 // Multiples of the 201 increments of a cycle, so that each run takes the same mixture.
-BENCHMARK(increment)->Unit(benchmark::kMicrosecond)->Iterations(201 * 20);
+BENCHMARK(increment)->Unit(benchmark::kMicrosecond)->Iterations(benchmark::IterationCount{201} * 20);
 
 /// A whole cycle as users run it, set-up excluded: increments, records, derived quantities.
 void run_cycle(benchmark::State& bench, Case input, SolverName solver) {
   input.solver.name = solver;
-  SolveReport report;
+  SolveCost cost;
   for (auto _ : bench) {
     const CycleResult result = run_cycles(input);
     if (!result.converged()) bench.SkipWithError("the cycle failed");
     bench.SetIterationTime(result.cycles.front().wall_time);
-    report = result.cycles.front().total();
+    cost = result.cycles.front().cost;
   }
-  bench.counters["linear_solves"] = report.iterations;
-  bench.counters["factorisations"] = report.factorisations;
+  bench.counters["linear_solves"] = cost.iterations;
+  bench.counters["factorisations"] = cost.factorisations;
 }
 
 void reference_cycle(benchmark::State& bench, SolverName solver) {
@@ -66,6 +66,30 @@ void reference_cycle(benchmark::State& bench, SolverName solver) {
 }
 BENCHMARK_CAPTURE(reference_cycle, newton, SolverName::newton)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reference_cycle, events, SolverName::events)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+/// The same cycle for its quantities alone, as an ensemble takes it: foils and runner are made once.
+void cycle_quantities(benchmark::State& bench, SolverName solver) {
+  Case input = reference_push();
+  input.solver.name = solver;
+  CycleRunner runner(make_bearing_foils(input), input.solver);
+  for (auto _ : bench) {
+    const Cycle cycle = runner.run(0.0, input.cycle.amplitude, input.cycle.steps, Recording::quantities);
+    if (!cycle.converged()) bench.SkipWithError("the cycle failed");
+    benchmark::DoNotOptimize(cycle.loop_energy);
+  }
+}
+BENCHMARK_CAPTURE(cycle_quantities, newton, SolverName::newton)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cycle_quantities, events, SolverName::events)->Unit(benchmark::kMillisecond);
+
+/// What every sample of an ensemble with other foils adds.
+void make_foils_and_runner(benchmark::State& bench) {
+  const Case input = reference_push();
+  for (auto _ : bench) {
+    CycleRunner runner(make_bearing_foils(input), input.solver);
+    benchmark::DoNotOptimize(&runner);
+  }
+}
+BENCHMARK(make_foils_and_runner)->Unit(benchmark::kMicrosecond);
 
 void cycle_of_steps(benchmark::State& bench, SolverName solver) {
   Case input = reference_push();

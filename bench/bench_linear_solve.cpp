@@ -2,26 +2,26 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/contact/linear_systems.hpp"
 #include "support/long_bearing.hpp"
 
 namespace bumpfoil {
 namespace {
 
-FoilModel long_bearing(int bumps) {
-  return make_bearing_model(with_bumps(reference_case(), bumps));
+Foils long_bearing(int bumps) {
+  return *make_bearing_foils(with_bumps(reference_case(), bumps));
 }
 
 /// Bumps 1, 2, 3 of every four carry: two stick, one slips.
-std::vector<ContactMode> mixed_modes(const FoilModel& model) {
+std::vector<ContactMode> mixed_modes(const Foils& foils) {
   std::vector<ContactMode> mode;
-  for (int bump = 0; bump < model.bumps(); ++bump) {
+  for (int bump = 0; bump < foils.bumps(); ++bump) {
     const ContactMode m = bump % 4 == 0   ? ContactMode::open
                           : bump % 4 == 1 ? ContactMode::slip_forward
                                           : ContactMode::stick;
-    mode.insert(mode.end(), model.problem.pairs.size(), m);
-    if (m != ContactMode::open) mode[mode.size() - model.problem.pairs.size()] = ContactMode::stick;  // journal
+    mode.insert(mode.end(), foils.problem.pairs.size(), m);
+    if (m != ContactMode::open) mode[mode.size() - foils.problem.pairs.size()] = ContactMode::stick;  // journal
   }
   return mode;
 }
@@ -35,12 +35,12 @@ void report_per_bump(benchmark::State& bench) {
 
 /// Assembly and factorisation from the first block on, and one solve.
 void factor_and_solve(benchmark::State& bench) {
-  const FoilModel model = long_bearing(static_cast<int>(bench.range(0)));
-  const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
-  const ContactLoading loading = loading_at(model, {4e-5, 0.0});
-  ContactState state = ContactState::unstressed(model.problem);
+  const Foils foils = long_bearing(static_cast<int>(bench.range(0)));
+  const std::unique_ptr<ModeSystem> system = make_mode_system(foils.problem);
+  const ContactLoading loading = loading_under(foils, {.position = {4e-5, 0.0}});
+  ContactState state = ContactState::unstressed(foils.problem);
   const Vector previous_x = state.x;
-  std::vector<ContactMode> mode = mixed_modes(model);
+  std::vector<ContactMode> mode = mixed_modes(foils);
   for (auto _ : bench) {
     // Another mode in the first block: nothing of the last factorisation can be kept.
     mode.front() = mode.front() == ContactMode::open ? ContactMode::stick : ContactMode::open;
@@ -60,12 +60,12 @@ BENCHMARK(factor_and_solve)
 
 /// One solve with factors that are there.
 void solve(benchmark::State& bench) {
-  const FoilModel model = long_bearing(static_cast<int>(bench.range(0)));
-  const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
-  const ContactLoading loading = loading_at(model, {4e-5, 0.0});
-  ContactState state = ContactState::unstressed(model.problem);
+  const Foils foils = long_bearing(static_cast<int>(bench.range(0)));
+  const std::unique_ptr<ModeSystem> system = make_mode_system(foils.problem);
+  const ContactLoading loading = loading_under(foils, {.position = {4e-5, 0.0}});
+  ContactState state = ContactState::unstressed(foils.problem);
   const Vector previous_x = state.x;
-  if (!system->set_modes(mixed_modes(model))) bench.SkipWithError("singular");
+  if (!system->set_modes(mixed_modes(foils))) bench.SkipWithError("singular");
   for (auto _ : bench) {
     system->solve(loading, previous_x, state);
     benchmark::DoNotOptimize(state.x.data());

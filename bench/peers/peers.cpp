@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/analysis/foil_model.hpp"
-#include "bumpfoil/analysis/path_solver.hpp"
+#include "bumpfoil/analysis/foil_stepper.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #ifdef BUMPFOIL_PEERS_SICONOS
@@ -38,11 +37,11 @@ double processor_time(int runs, const std::function<void()>& work) {
 }
 
 /// Along X to the amplitude and back.
-Loadings loadings_of(const FoilModel& model, double amplitude, int steps) {
+Loadings loadings_of(const Foils& foils, double amplitude, int steps) {
   Loadings loadings;
   for (int k = 0; k <= 2 * steps; ++k) {
     const int from_start = k <= steps ? k : 2 * steps - k;
-    loadings.push_back(loading_at(model, {amplitude * from_start / steps, 0.0}));
+    loadings.push_back(loading_under(foils, {.position = {amplitude * from_start / steps, 0.0}}));
   }
   return loadings;
 }
@@ -72,28 +71,28 @@ std::string row(const std::string& name, double seconds, const std::string& more
 /// One pass along the loadings; the last state of each increment goes into `states` if it is given.
 std::string time_solver(const std::string& name, const SolverSettings& settings, const ContactProblem& problem,
                         const Loadings& loadings, int runs) {
-  PathSolver solver(settings, problem);
+  const auto solver = make_path_follower(problem, settings, make_mode_system(problem));
   const ContactState unstressed = ContactState::unstressed(problem);
   ContactState state = unstressed;
   std::vector<ContactEvent> events;
-  SolveReport total;
+  SolveCost total;
   int failures = 0;
   const double seconds = processor_time(runs, [&] {
-    total = SolveReport();
+    total = SolveCost();
     failures = 0;
-    const SolveReport assembled = solver.assemble(loadings.front(), unstressed, state);
-    failures += assembled.converged ? 0 : 1;
-    total += assembled;
+    const SolveReport assembled = solver->assemble(loadings.front(), unstressed, state);
+    failures += assembled.converged() ? 0 : 1;
+    total += assembled.cost;
     // There and back: two straight paths.
     const std::size_t steps = (loadings.size() - 1) / 2;
     for (std::size_t k = 1; k < loadings.size(); ++k) {
       const std::size_t leg = (k - 1) / steps;
-      if (k == leg * steps + 1) solver.set_out(loadings[k - 1], loadings[k - 1 + steps], state);
+      if (k == leg * steps + 1) solver->set_out({loadings[k - 1], loadings[k - 1 + steps]}, state);
       const double fraction = static_cast<double>(k - leg * steps) / static_cast<double>(steps);
       events.clear();
-      const IncrementReport report = solver.advance_to(fraction, state, {}, events);
-      failures += report.solve.converged ? 0 : 1;
-      total += report.solve;
+      const FollowReport report = solver->follow_to(fraction, state, {}, events);
+      failures += report.converged() ? 0 : 1;
+      total += report.cost;
     }
   });
   return row(
@@ -129,7 +128,7 @@ std::string time_siconos(SiconosMethod method, const ContactProblem& problem, co
     solved += right ? 1 : 0;
     if (!right && first_failure < 0) first_failure = static_cast<int>(k);
     if (converged) worst_penetration = std::max(worst_penetration, residuals.penetration);
-    if (!exact.solve(loadings[k], previous, state).converged) return "";
+    if (!exact.solve(loadings[k], previous, state).converged()) return "";
   }
   const Vector stretches = Eigen::SelfAdjointEigenSolver<Matrix>(siconos.compliance()).eigenvalues();
   return row("siconos " + name_of(method), seconds,
@@ -142,22 +141,22 @@ std::string time_siconos(SiconosMethod method, const ContactProblem& problem, co
 
 std::string bearing_rows() {
   const Case input = reference_case();
-  const FoilModel model = make_bearing_model(input);
-  const Loadings loadings = loadings_of(model, input.cycle.amplitude, input.cycle.steps);
+  const Foils foils = *make_bearing_foils(input);
+  const Loadings loadings = loadings_of(foils, input.cycle.amplitude, input.cycle.steps);
   const auto named = [](SolverName name) {
     SolverSettings settings;
     settings.name = name;
     return settings;
   };
-  std::string rows = time_solver("newton", named(SolverName::newton), model.problem, loadings, 21);
-  rows += ",\n" + time_solver("events", named(SolverName::events), model.problem, loadings, 21);
-  rows += ",\n" + time_solver("uzawa", named(SolverName::uzawa), model.problem, loadings, 3);
-  const ContactProblem dense = as_one_block(model.problem);
+  std::string rows = time_solver("newton", named(SolverName::newton), foils.problem, loadings, 21);
+  rows += ",\n" + time_solver("events", named(SolverName::events), foils.problem, loadings, 21);
+  rows += ",\n" + time_solver("uzawa", named(SolverName::uzawa), foils.problem, loadings, 3);
+  const ContactProblem dense = as_one_block(foils.problem);
   rows += ",\n" + time_solver("newton, one dense block", named(SolverName::newton), dense, loadings, 3);
 #ifdef BUMPFOIL_PEERS_SICONOS
   for (const SiconosMethod method :
        {SiconosMethod::lemke, SiconosMethod::gauss_seidel, SiconosMethod::conjugate_gradients}) {
-    rows += ",\n" + time_siconos(method, model.problem, loadings);
+    rows += ",\n" + time_siconos(method, foils.problem, loadings);
   }
 #endif
   return rows;
@@ -173,8 +172,8 @@ std::string strip_rows() {
   input.bump_foil.height_reference = HeightReference::midsurface;
   input.bump_foil.weld_at = WeldPosition::arc_start;
   input.strip = StripSettings{.bumps = 10, .top_foil = false, .amplitude = {.value = compression}, .steps = steps};
-  const FoilModel model = make_strip_model(input);
-  return time_solver("newton", SolverSettings(), model.problem, loadings_of(model, compression, steps), 21);
+  const Foils foils = *make_strip_foils(input);
+  return time_solver("newton", SolverSettings(), foils.problem, loadings_of(foils, compression, steps), 21);
 }
 
 }  // namespace

@@ -1,72 +1,55 @@
 #include "bumpfoil/analysis/cycle.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
+#include <utility>
 
-#include "analysis/loop_runner.hpp"
-#include "analysis/run_loops.hpp"
-#include "bumpfoil/analysis/cycle_quantities.hpp"
+#include "analysis/cycle_recorder.hpp"
+#include "analysis/run_each_cycle.hpp"
 #include "bumpfoil/analysis/former_cycle.hpp"
-#include "bumpfoil/analysis/path_runner.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
-double Cycle::initial_journal_load() const {
-  return increments.empty() ? 0.0 : increments.front().journal_top.normal_force.sum();
-}
-
-double Cycle::max_residual() const {
-  double largest = 0.0;
-  for (const Increment& increment : increments) {
-    if (std::isnan(largest)) break;  // an unknown residual is no small one
-    if (!(increment.residuals.equilibrium <= largest)) largest = increment.residuals.equilibrium;
-  }
-  return largest;
-}
-
-SolveReport Cycle::total() const {
-  SolveReport sum;
-  for (const Increment& increment : increments) sum += increment.solve;
-  return sum;
-}
-
-int Cycle::substeps() const {
-  int sum = 0;
-  for (const Increment& increment : increments) sum += increment.substeps;
-  return sum;
-}
 
 bool CycleResult::converged() const {
-  return std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged; });
+  return std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged(); });
+}
+
+CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}
+
+Cycle CycleRunner::run(double direction, double amplitude, int steps, Recording recording,
+                       const ProgressCallback& progress, const Excitation& centre) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Eigen::Vector2d normal = unit_vector(direction);
+  Cycle cycle;
+  cycle.direction = direction;
+  cycle.amplitude = amplitude;
+  cycle.steps = steps;
+  stepper_.assemble(centre, step_);
+  if (step_.converged()) {
+    const Foils& foils = stepper_.foils();
+    const Vector gaps = step_.state.loading.initial_gap(foils.pressed());
+    const Vector top_displacement = step_.state.contacts.x(foils.top_foil());
+    cycle.first_contact = first_contact_displacement(gaps, foils.normals, top_displacement, normal);
+    cycle.assembly_dissipation = step_.state.dissipated_energy;
+  }
+  const CyclePlan plan{.program = push_and_pull(Control::position, {.base = centre.position, .direction = normal}, 0.0,
+                                                amplitude, steps),
+                       .recording = recording};
+  cycle = run_cycle(stepper_, plan, std::move(cycle), step_, progress);
+  cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return cycle;
 }
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   if (input.bump_foil.model == BumpFoilModel::former) return run_former_cycles(input, progress);
-  const FoilModel model = make_bearing_model(input);
-  PathRunner path(model, input.solver);
+  CycleRunner runner(make_bearing_foils(input), input.solver);
   const CycleSettings& settings = input.cycle;
-  const auto make_runner = [&](std::size_t i) {
-    const auto assemble = [](PathRunner& runner) {
-      return runner.assemble(Eigen::Vector2d::Zero()) ? std::optional(0.0) : std::nullopt;
-    };
-    Cycle cycle;
-    cycle.direction = settings.directions[i];
-    cycle.amplitude = settings.amplitude;
-    cycle.steps = settings.steps;
-    return LoopRunner(path,
-                      {.normal = unit_vector(cycle.direction),
-                       .legs = push_and_pull(settings.amplitude, settings.steps),
-                       .begin = assemble,
-                       .assembles = true},
-                      cycle);
-  };
-  CycleResult result = run_loops(Experiment::cycle, input, std::ssize(settings.directions), progress, make_runner);
-  for (Cycle& cycle : result.cycles) {
-    if (cycle.increments.empty()) continue;
-    cycle.first_contact = first_contact_displacement(
-        model.clearance, model.normals, cycle.increments.front().top_displacement, unit_vector(cycle.direction));
-  }
-  return result;
+  return run_each_cycle(Experiment::cycle, input, std::ssize(settings.directions), progress,
+                        [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
+                          return runner.run(settings.directions[i], settings.amplitude, settings.steps,
+                                            Recording::everything, progress_of_cycle);
+                        });
 }
 
 }  // namespace bumpfoil

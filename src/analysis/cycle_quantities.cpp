@@ -1,55 +1,46 @@
 #include "bumpfoil/analysis/cycle_quantities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
-
-#include "bumpfoil/contact/linear_systems.hpp"
-#include "bumpfoil/model/geometry.hpp"
+#include <utility>
 
 namespace bumpfoil {
 namespace {
 
-/// Takes the stress for the peak if it is higher.
-void raise(std::optional<StressPeak>& peak, const Increment& increment, double stress, StressPlace place, int bump) {
-  if (peak && !(stress > peak->stress)) return;
-  peak = StressPeak{.stress = stress,
-                    .place = place,
-                    .bump = bump,
-                    .increment = increment.index,
-                    .displacement = increment.displacement};
-}
-
-/// The same for a list of stresses, `per_bump` for each bump.
-void raise(std::optional<StressPeak>& peak, const Increment& increment, const Vector& stress, StressPlace place,
-           int per_bump) {
-  for (Eigen::Index i = 0; i < stress.size(); ++i) {
-    raise(peak, increment, stress[i], place, static_cast<int>(i) / per_bump);
+/// Takes the stresses of one place, `per_bump` columns for each bump, for the peak where they are higher.
+void raise(std::optional<StressPeak>& peak, const Increment& increment, const FieldMatrix& stress, Eigen::Index row,
+           StressPlace place, int per_bump) {
+  for (Eigen::Index i = 0; i < stress.cols(); ++i) {
+    if (peak && !(stress(row, i) > peak->stress)) continue;
+    peak = StressPeak{.stress = stress(row, i),
+                      .place = place,
+                      .bump = per_bump > 0 ? static_cast<int>(i) / per_bump : -1,
+                      .increment = increment.index,
+                      .displacement = increment.displacement};
   }
 }
 
 }  // namespace
 
-std::optional<double> clearance_at(const std::vector<Increment>& increments, double threshold) {
-  if (increments.empty()) return std::nullopt;
-  if (increments.front().force_direct >= threshold) return 0.0;
-  for (std::size_t k = 1; k < increments.size() && increments[k].branch == Branch::loading; ++k) {
-    const Increment& before = increments[k - 1];
-    const Increment& after = increments[k];
-    if (after.force_direct < threshold) continue;
-    const double part = (threshold - before.force_direct) / (after.force_direct - before.force_direct);
-    return before.displacement + part * (after.displacement - before.displacement);
+void Clearance::add(const Increment& increment) {
+  if (!displacement_ && increment.force_direct >= threshold_) {
+    const double part = began_ ? (threshold_ - last_force_) / (increment.force_direct - last_force_) : 0.0;
+    displacement_ = began_ ? last_displacement_ + part * (increment.displacement - last_displacement_) : 0.0;
   }
-  return std::nullopt;
+  last_displacement_ = increment.displacement;
+  last_force_ = increment.force_direct;
+  began_ = true;
 }
 
-std::optional<double> first_contact_displacement(double clearance, const Eigen::Matrix2Xd& normals,
+std::optional<double> first_contact_displacement(const Vector& gaps, const Eigen::Matrix2Xd& normals,
                                                  const Vector& top_displacement, const Eigen::Vector2d& direction) {
   constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
   std::optional<double> first;
   for (Eigen::Index i = 0; i < normals.cols(); ++i) {
     const double cosine = normals.col(i).dot(direction);
     if (cosine <= facing) continue;
-    const double displacement = std::max(0.0, (clearance + top_displacement[i]) / cosine);
+    const double displacement = std::max(0.0, (gaps[i] + top_displacement[i]) / cosine);
     first = std::min(first.value_or(displacement), displacement);
   }
   return first;
@@ -60,72 +51,68 @@ std::optional<double> loss_factor(double loop_energy, double elastic_energy_stor
   return loop_energy / (2.0 * std::numbers::pi * elastic_energy_stored);
 }
 
-TangentStiffnesses tangent_stiffnesses(const FoilModel& model, const ContactState& state,
-                                       const Eigen::Vector2d& direction) {
-  const std::unique_ptr<ModeSystem> system = make_mode_system(model.problem);
-  system->set_elasticity(tangent_stiffness(model.structure, state.x));
-  const ContactLoading motion = loading_rate(model, direction);
-  ContactState rate = ContactState::unstressed(model.problem);
-  const Vector at_rest = rate.x;
-  const auto stiffness = [&](const std::vector<ContactMode>& modes) -> std::optional<double> {
-    if (!system->set_modes(modes)) return std::nullopt;
-    system->solve(motion, at_rest, rate);
-    return holding_force(model, rate.normal_force).dot(direction);
-  };
-
-  std::vector<ContactMode> sticking = state.mode;
-  for (ContactMode& m : sticking) {
-    if (m != ContactMode::open) m = ContactMode::stick;
-  }
-  return {.loading = stiffness(state.mode), .unloading = stiffness(sticking)};
-}
-
-std::optional<StressPeak> top_foil_peak(const std::vector<Increment>& increments) {
+std::optional<StressPeak> top_foil_peak(const StressFields& stress, const std::vector<Increment>& increments) {
   std::optional<StressPeak> peak;
-  for (const Increment& increment : increments) {
-    if (increment.stress.top_weld) raise(peak, increment, *increment.stress.top_weld, StressPlace::weld, -1);
-    raise(peak, increment, increment.stress.top_crest, StressPlace::crest, 1);
+  for (Eigen::Index row = 0; row < stress.top_crest.rows(); ++row) {
+    const Increment& increment = increments[static_cast<std::size_t>(row)];
+    raise(peak, increment, stress.top_weld, row, StressPlace::weld, 0);
+    raise(peak, increment, stress.top_crest, row, StressPlace::crest, 1);
   }
   return peak;
 }
 
-std::optional<StressPeak> bump_foil_peak(const std::vector<Increment>& increments) {
+std::optional<StressPeak> bump_foil_peak(const StressFields& stress, const std::vector<Increment>& increments) {
   std::optional<StressPeak> peak;
-  for (const Increment& increment : increments) {
-    const FoilStress& stress = increment.stress;
-    if (stress.bump_weld) raise(peak, increment, *stress.bump_weld, StressPlace::weld, -1);
-    raise(peak, increment, stress.bump_crest, StressPlace::crest, 1);
-    raise(peak, increment, stress.bump_foot, StressPlace::foot, 2);
-    raise(peak, increment, stress.bump_largest, StressPlace::arc, 1);
+  for (Eigen::Index row = 0; row < stress.bump_crest.rows(); ++row) {
+    const Increment& increment = increments[static_cast<std::size_t>(row)];
+    raise(peak, increment, stress.bump_weld, row, StressPlace::weld, 0);
+    raise(peak, increment, stress.bump_crest, row, StressPlace::crest, 1);
+    raise(peak, increment, stress.bump_foot, row, StressPlace::foot, 2);
+    raise(peak, increment, stress.bump_largest, row, StressPlace::arc, 1);
   }
   return peak;
 }
 
-void derive_quantities(Cycle& cycle, const std::optional<TangentStiffnesses>& tangents) {
-  const std::vector<Increment>& increments = cycle.increments;
-  const auto all = static_cast<std::size_t>(cycle.due);
-  const auto good = static_cast<std::size_t>(std::count_if(
-      increments.begin(), increments.end(), [](const Increment& increment) { return increment.solve.converged; }));
-  cycle.converged = good == all;
-  cycle.top_foil_stress = top_foil_peak(increments);
-  cycle.bump_foil_stress = bump_foil_peak(increments);
-  if (good > 0) {
-    cycle.clearance_5N = clearance_at(increments, 5.0);
-    cycle.clearance_10N = clearance_at(increments, 10.0);
+void CycleQuantities::add(const Increment& increment, bool judged, bool ends_leg) {
+  cycle_.cost += increment.cost;
+  cycle_.substeps += increment.substeps;
+  // An unknown residual is no small one.
+  double& largest = cycle_.max_residual;
+  if (judged && !std::isnan(largest) && !(increment.residuals.equilibrium <= largest)) {
+    largest = increment.residuals.equilibrium;
   }
-  if (good > static_cast<std::size_t>(cycle.steps) && tangents) {
-    const Increment& turning = cycle.at_turning_point();
-    cycle.turning_point = TurningPoint{.max_force = turning.force_direct,
-                                       .cross_force = turning.force_cross,
-                                       .elastic_energy = turning.elastic_energy,
-                                       .tangent = *tangents,
-                                       .secant_stiffness = turning.force_direct / cycle.amplitude};
+  if (!increment.converged()) {
+    cycle_.status = increment.status;
+    return;
   }
-  if (good == all && cycle.turning_point) {
-    cycle.loop_energy = increments.back().work;
-    cycle.loss_factor =
-        loss_factor(*cycle.loop_energy, cycle.turning_point->elastic_energy - increments.front().elastic_energy);
+  ++good_;
+  work_ = increment.work;
+  if (increment.index == 0) cycle_.start = increment;
+  if (increment.index <= cycle_.steps) {
+    clearance_5N_.add(increment);
+    clearance_10N_.add(increment);
   }
+  if (ends_leg) cycle_.turns.push_back(increment);
+}
+
+void CycleQuantities::turn(TurningPoint response) {
+  const Increment& turning = cycle_.turns.front();
+  response.max_force = turning.force_direct;
+  response.cross_force = turning.force_cross;
+  response.elastic_energy = turning.elastic_energy;
+  response.secant_stiffness = turning.force_direct / cycle_.amplitude;
+  cycle_.turning_point = std::move(response);
+}
+
+void CycleQuantities::finish() {
+  cycle_.clearance_5N = clearance_5N_.displacement();
+  cycle_.clearance_10N = clearance_10N_.displacement();
+  cycle_.top_foil_stress = top_foil_peak(cycle_.fields.stress, cycle_.increments);
+  cycle_.bump_foil_stress = bump_foil_peak(cycle_.fields.stress, cycle_.increments);
+  if (good_ != cycle_.due || !cycle_.turning_point) return;
+  cycle_.loop_energy = work_;
+  cycle_.loss_factor =
+      loss_factor(*cycle_.loop_energy, cycle_.turning_point->elastic_energy - cycle_.start->elastic_energy);
 }
 
 }  // namespace bumpfoil

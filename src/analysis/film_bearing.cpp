@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
@@ -43,11 +43,12 @@ FoilFilm make_foil(const Case& input, const FilmScales& scales, const FilmResolu
   const int m = resolution.columns_per_pitch;
   BUMPFOIL_ASSERT(m >= 4 && m % 2 == 0);
   std::vector<int> crests;
+  crests.reserve(static_cast<std::size_t>(bumps.bumps));
   for (int i = 0; i < bumps.bumps; ++i) crests.push_back(m / 2 + i * m);
   const double R = input.bearing.radius;
   const FilmMesh mesh = make_slotted_mesh(bumps.bumps * m, resolution.rows, 0.5 * input.bearing.axial_length / R,
                                           bumps.bumps * bumps.pitch / R);
-  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_foils(input)).bending_stiffness, bumps.pitch,
+  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(input)).bending_stiffness, bumps.pitch,
                         std::move(crests));
 }
 
@@ -60,7 +61,8 @@ Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const 
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  const FoilModel foils = make_bearing_model(input);
+  const SharedFoils shared = make_bearing_foils(input);
+  const Foils& foils = *shared;
   FilmBearing bearing;
   const double clearance = foils.clearance;
   bearing.scales = {gas, input.bearing.radius, clearance != 0.0 ? std::abs(clearance) : smallest_scale};

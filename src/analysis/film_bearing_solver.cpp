@@ -205,8 +205,8 @@ bool FilmBearingSolver::Workspace::find_step(const ContactState& previous, const
   assemble();
   contacts.set_elasticity(K);
   const SolveReport solved = contacts.solve(loading, begin, next);
-  report.factorisations += solved.factorisations;
-  if (!solved.converged) return false;
+  report.factorisations += solved.cost.factorisations;
+  if (!solved.converged()) return false;
   expand_step();
   return true;
 }

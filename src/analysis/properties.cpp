@@ -45,7 +45,7 @@ std::optional<StiffnessRange> bump_foil_range(const FoilDesign& foils) {
 
 Properties compute_properties(const Case& input) {
   require_valid(input);
-  const FoilDesign foils = make_bearing_foils(input);
+  const FoilDesign foils = make_bearing_design(input);
   const BumpShape bump = nominal_bump(input.bump_foil);
   const BumpArc arc = make_bump_arc(bump);
   const Section section = make_bump_section(foils, bump);

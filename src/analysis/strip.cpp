@@ -1,41 +1,66 @@
 #include "bumpfoil/analysis/strip.hpp"
 
-#include "analysis/loop_runner.hpp"
-#include "analysis/run_loops.hpp"
+#include <chrono>
+#include <utility>
+
+#include "analysis/cycle_recorder.hpp"
+#include "analysis/program_runner.hpp"
+#include "analysis/run_each_cycle.hpp"
 #include "bumpfoil/analysis/cycle_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
 
-const Eigen::Vector2d towards_base(1.0, 0.0);
+const Line towards_base{.base = Eigen::Vector2d::Zero(), .direction = Eigen::Vector2d::UnitX()};
 
-/// One increment of the plate.
-bool advance(PathRunner& path, PlateControl control, double value, double reach) {
-  return control == PlateControl::load ? path.load_to(towards_base, value, reach) : path.move_to(value * towards_base);
+Control control_of(const PlateTarget& target) {
+  return target.control == PlateControl::load ? Control::load : Control::position;
 }
 
-/// Assembles the strip and brings the plate to its preload, if there is one.
-/// @return what cycles are counted from, a displacement or a load; absent after a failure
-std::optional<double> approach(PathRunner& path, const StripSettings& strip, double reach) {
-  if (!path.assemble(Eigen::Vector2d::Zero())) return std::nullopt;
-  if (!strip.preload) return 0.0;
-  for (int k = 1; k <= strip.steps; ++k) {
-    if (!advance(path, strip.preload->control, strip.preload->value * k / strip.steps, reach)) return std::nullopt;
+/// The state in which a cycle ended, as the start of the next: nothing happened on the way there.
+void start_anew(Step& step) {
+  FoilState state = std::move(step.state);
+  step = Step{};
+  step.state = std::move(state);
+  step.state.slip_origin = step.state.contacts.x;
+}
+
+/// Assembles the strip and brings the plate to its preload, if there is one: `step` is how the start of the first cycle
+/// was reached.
+/// @return what the assembly dissipated, J
+double approach(FoilStepper& stepper, const StripSettings& strip, double reach, Step& step) {
+  stepper.assemble({}, step);
+  const double assembly_dissipation = step.state.dissipated_energy;
+  if (!strip.preload || !step.converged()) return assembly_dissipation;
+  FoilState state = step.state;
+  const Program program{{.branch = Branch::loading,
+                         .control = control_of(*strip.preload),
+                         .line = towards_base,
+                         .begin = 0.0,
+                         .end = strip.preload->value,
+                         .steps = strip.steps}};
+  for (ProgramRunner runner(stepper, program, reach, state); runner.has_next(); runner.commit(step)) {
+    runner.try_next(step);
+    if (!step.converged()) return assembly_dissipation;
   }
-  path.reset_books();
-  const bool by_load = strip.amplitude.control == PlateControl::load;
-  return by_load ? strip.preload->value : path.record(towards_base).displacement;
+  step.state = std::move(state);
+  start_anew(step);
+  return assembly_dissipation;
+}
+
+/// What legs are counted from: the position of the plate, or its load.
+double origin_of(const StripSettings& strip, const Step& start) {
+  if (!strip.preload) return 0.0;
+  if (control_of(strip.amplitude) == Control::load) return strip.preload->value;
+  return start.state.excitation.position.x();
 }
 
 /// Quantities of a cycle that a strip defines in its own way, once it got to the turning point.
 void derive_strip_quantities(const StripSettings& strip, Cycle& cycle) {
   if (!cycle.turning_point) return;
-  const Increment& start = cycle.increments.front();
-  const Increment& top = cycle.at_turning_point();
-  const auto lower = static_cast<std::size_t>(3 * cycle.steps);
-  const Increment& bottom = strip.preload && lower < cycle.increments.size() ? cycle.increments[lower] : start;
-  cycle.amplitude = top.displacement - start.displacement;
+  const Increment& top = cycle.turns.front();
+  const Increment& bottom = strip.preload && cycle.turns.size() > 1 ? cycle.turns[1] : *cycle.start;
   cycle.turning_point->secant_stiffness =
       (top.force_direct - bottom.force_direct) / (top.displacement - bottom.displacement);
   if (strip.preload && cycle.loop_energy) {
@@ -47,38 +72,31 @@ void derive_strip_quantities(const StripSettings& strip, Cycle& cycle) {
 }  // namespace
 
 CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
-  const FoilModel model = make_strip_model(input);
+  const SharedFoils foils = make_strip_foils(input);
   const StripSettings& strip = *input.strip;
-  const double reach = nominal_bump(input.bump_foil).rise;  // bumps are flat there
-  const bool by_load = strip.amplitude.control == PlateControl::load;
-  PathRunner path(model, input.solver);
-  double origin = 0.0;
-  const auto make_runner = [&](std::size_t i) {
-    const auto begin = [&, i](PathRunner& runner) -> std::optional<double> {
-      if (i > 0) {
-        runner.reset_books();
-        return origin;
-      }
-      const std::optional<double> reached = approach(runner, strip, reach);
-      if (reached) origin = *reached;
-      return reached;
-    };
-    Cycle cycle;
-    cycle.steps = strip.steps;
-    if (!by_load) cycle.amplitude = strip.amplitude.value;
-    const double amplitude = strip.amplitude.value;
-    return LoopRunner(path,
-                      {.normal = towards_base,
-                       .legs = strip.preload ? swing(amplitude, strip.steps) : push_and_pull(amplitude, strip.steps),
-                       .by_load = by_load,
-                       .reach = reach,
-                       .begin = begin,
-                       .assembles = i == 0},
-                      cycle);
-  };
-  CycleResult result = run_loops(Experiment::strip, input, strip.cycles, progress, make_runner);
-  for (Cycle& cycle : result.cycles) derive_strip_quantities(strip, cycle);
-  return result;
+  const Control control = control_of(strip.amplitude);
+  FoilStepper stepper(foils, input.solver);
+  CyclePlan plan{.program = {}, .reach = nominal_bump(input.bump_foil).rise};  // bumps are flat there
+  Step step;
+  return run_each_cycle(
+      Experiment::strip, input, strip.cycles, progress, [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
+        const auto begin = std::chrono::steady_clock::now();
+        Cycle cycle;
+        cycle.amplitude = strip.amplitude.value;
+        cycle.steps = strip.steps;
+        if (i == 0) {
+          cycle.assembly_dissipation = approach(stepper, strip, plan.reach, step);
+          const auto make_program = strip.preload ? swing : push_and_pull;
+          plan.program =
+              make_program(control, towards_base, origin_of(strip, step), strip.amplitude.value, strip.steps);
+        } else {
+          start_anew(step);
+        }
+        cycle = run_cycle(stepper, plan, std::move(cycle), step, progress_of_cycle);
+        derive_strip_quantities(strip, cycle);
+        cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return cycle;
+      });
 }
 
 }  // namespace bumpfoil

@@ -64,14 +64,7 @@ struct Stiffness {
     BUMPFOIL_ASSERT(K.block_size() == block_size);
     diagonal.assign(K.diagonal.begin(), K.diagonal.end());
     upper.assign(K.upper.begin(), K.upper.end());
-    lower.resize(upper.size());
-    for (std::size_t b = 0; b < upper.size(); ++b) {
-      if (K.is_symmetric()) {
-        lower[b] = upper[b].transpose();
-      } else {
-        lower[b] = K.lower[b];
-      }
-    }
+    lower.assign(K.lower.begin(), K.lower.end());
   }
 
   [[nodiscard]] auto segment(const Vector& x, std::size_t b) const {
@@ -82,7 +75,7 @@ struct Stiffness {
   template <typename Rows>
   void copy_rows(std::size_t b, Rows& rows) const {
     rows.setZero();
-    if (b > 0) rows.leftCols(block_size) = lower[b - 1];
+    if (b > 0) rows.leftCols(block_size) = lower_block(b - 1);
     rows.middleCols(block_size, block_size) = diagonal[b];
     if (b + 1 < diagonal.size()) rows.rightCols(block_size) = upper[b];
   }
@@ -92,12 +85,17 @@ struct Stiffness {
       auto row = y.segment<B>(static_cast<Eigen::Index>(b) * block_size, block_size);
       row.noalias() = diagonal[b] * segment(x, b);
       if (b + 1 < diagonal.size()) row.noalias() += upper[b] * segment(x, b + 1);
-      if (b > 0) row.noalias() += lower[b - 1] * segment(x, b - 1);
+      if (b > 0 && lower.empty()) row.noalias() += upper[b - 1].transpose() * segment(x, b - 1);
+      if (b > 0 && !lower.empty()) row.noalias() += lower[b - 1] * segment(x, b - 1);
     }
   }
 
+  /// The block below the diagonal, in row b + 1.
+  [[nodiscard]] Block lower_block(std::size_t b) const { return lower.empty() ? Block(upper[b].transpose()) : lower[b]; }
+
   int block_size;
-  std::vector<Block> diagonal, upper, lower;
+  std::vector<Block> diagonal, upper;
+  std::vector<Block> lower;  ///< empty where K is symmetric
 };
 
 /// What systems share that eliminate normal forces inside the blocks.

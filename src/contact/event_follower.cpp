@@ -34,15 +34,15 @@ double largest_force(const ContactState& state) {
 }  // namespace
 
 struct EventFollower::Workspace {
-  Workspace(const ContactProblem& contact_problem, std::shared_ptr<ModeSystem> mode_system,
+  Workspace(const SharedProblem& contact_problem, std::shared_ptr<ModeSystem> mode_system,
             const FollowOptions& follow_options)
-      : problem(contact_problem),
+      : shared_problem(contact_problem),
+        problem(*shared_problem),
         options(follow_options),
         modes(std::move(mode_system)),
-        path_begin(ContactLoading::none(contact_problem)),
-        path_end(path_begin),
-        here(path_begin),
-        begin(ContactState::unstressed(contact_problem)),
+        path{ContactLoading::none(problem), ContactLoading::none(problem)},
+        here(path.begin),
+        begin(ContactState::unstressed(problem)),
         target(begin),
         next(begin) {
     BUMPFOIL_ASSERT(problem.contacts() > 0);
@@ -54,21 +54,22 @@ struct EventFollower::Workspace {
   }
 
   void find_changes(const ContactState& state);
-  bool settle_modes(const ContactState& state, SolveReport& report);
+  bool settle_modes(const ContactState& state, SolveCost& cost);
   bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
-                   FollowReport& report);
-  [[nodiscard]] bool solve_here(const ContactState& state, SolveReport& report);
-  [[nodiscard]] bool jump(const ContactState& state, FollowReport& report);
+                   EventProgress& report);
+  [[nodiscard]] bool solve_here(const ContactState& state, SolveCost& cost);
+  [[nodiscard]] bool jump(const ContactState& state, EventProgress& report);
   [[nodiscard]] bool obeys_modes(const ContactState& state) const;
   double next_event(const ContactState& state);
   void keep_changes_nearby();
   void flip_at_event(const ContactState& state);
   void interpolate_piece(double part);
 
-  ContactProblem problem;
+  SharedProblem shared_problem;
+  const ContactProblem& problem;  ///< the shared one
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
-  ContactLoading path_begin, path_end;
+  LoadingPath path;
   ContactLoading here;  ///< at `reached`
   double reached{};     ///< fraction of the path that lies behind
   int events_passed{};  ///< on this path
@@ -92,7 +93,7 @@ struct EventFollower::Workspace {
   std::vector<ModeChange> changes;
 };
 
-EventFollower::EventFollower(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes,
+EventFollower::EventFollower(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
                              const FollowOptions& options)
     : workspace_(std::make_unique<Workspace>(problem, std::move(modes), options)) {}
 
@@ -138,10 +139,10 @@ void EventFollower::Workspace::keep_changes_nearby() {
 }
 
 /// Finds the modes of the piece that begins at `state`, and where it leads.
-bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveReport& report) {
+bool EventFollower::Workspace::settle_modes(const ContactState& state, SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
-    if (!solve_modes(*modes, mode, path_end, state.x, target, report)) return false;
+    if (!solve_modes(*modes, mode, path.end, state.x, target, cost)) return false;
     force_tolerance =
         relative_force_tolerance *
         std::max({problem.least_reference_force(), state.normal_force.maxCoeff(), target.normal_force.maxCoeff()});
@@ -181,11 +182,10 @@ bool EventFollower::Workspace::obeys_modes(const ContactState& state) const {
 /// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, and by
 /// the roundings of what was interpolated.
 /// @return false where that state contradicts its modes: then it was no jump that these contacts could make
-bool EventFollower::Workspace::solve_here(const ContactState& state, SolveReport& report) {
-  here.initial_gap = (1.0 - reached) * path_begin.initial_gap + reached * path_end.initial_gap;
-  here.load = (1.0 - reached) * path_begin.load + reached * path_end.load;
+bool EventFollower::Workspace::solve_here(const ContactState& state, SolveCost& cost) {
+  path.at(reached, here);
   modes->solve(here, state.x, begin);
-  ++report.iterations;
+  ++cost.iterations;
   bool obeys = begin.x.allFinite();
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const ContactMode m = mode[static_cast<std::size_t>(contact.index)];
@@ -199,7 +199,7 @@ bool EventFollower::Workspace::solve_here(const ContactState& state, SolveReport
 /// @return false where it gains energy, as no jump does, or where other modes lead on behind it: contacts may have
 /// slipped
 ///   further than the piece leads
-bool EventFollower::Workspace::jump(const ContactState& state, FollowReport& report) {
+bool EventFollower::Workspace::jump(const ContactState& state, EventProgress& report) {
   find_changes(begin);
   if (!changes.empty()) return false;
   const PieceEnergy energy = piece_energy(problem, state, begin);
@@ -210,13 +210,13 @@ bool EventFollower::Workspace::jump(const ContactState& state, FollowReport& rep
 
 /// Settles what comes next at `state`.
 bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisitor& visit,
-                                           std::vector<ContactEvent>* events, FollowReport& report) {
-  if (!settle_modes(state, report.solve)) return false;
+                                           std::vector<ContactEvent>* events, EventProgress& report) {
+  if (!settle_modes(state, report.cost)) return false;
   // A state that the modes fit is kept unless a better one fits them, too.
   const bool fits = obeys_modes(state);
   const bool cancels =
       largest_force(target) > most_cancellation * std::max(problem.least_reference_force(), largest_force(state));
-  const bool solved = (!fits || cancels) && solve_here(state, report.solve);
+  const bool solved = (!fits || cancels) && solve_here(state, report.cost);
   if (!fits && !(solved && jump(state, report))) return false;
   if (events != nullptr) {
     for (std::size_t c = 0; c < mode.size(); ++c) {
@@ -225,7 +225,7 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
   }
   state.mode = mode;
   if (solved) {
-    if (visit) visit(state, begin);
+    if (visit) visit({.begin = state, .end = begin, .linear = true});
     state = begin;
   } else {
     begin = state;
@@ -297,26 +297,23 @@ void EventFollower::Workspace::interpolate_piece(double part) {
   }
 }
 
-void EventFollower::set_out(const ContactLoading& from, const ContactLoading& to,
-                            const std::vector<ContactMode>& mode) {
+void EventFollower::set_out(const LoadingPath& path, const std::vector<ContactMode>& mode, double start) {
   Workspace& w = *workspace_;
-  w.path_begin = from;
-  w.path_end = to;
+  w.path = path;
   w.mode = mode;
-  w.reached = 0.0;
+  w.reached = start;
   w.events_passed = 0;
   w.inside_piece = false;
   w.first_touch = false;
   w.flipped.clear();
 }
 
-FollowReport EventFollower::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
-                                      std::vector<ContactEvent>* events) {
+EventProgress EventFollower::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                       std::vector<ContactEvent>* events) {
   Workspace& w = *workspace_;
   BUMPFOIL_ASSERT(fraction >= w.reached);
   const int events_before = w.events_passed;
-  FollowReport report;
-  report.solve.converged = true;
+  EventProgress report;
   int events_here = 0;
   for (;;) {
     if (!w.inside_piece && !w.begin_piece(state, visit, events, report)) break;
@@ -324,7 +321,7 @@ FollowReport EventFollower::follow_to(double fraction, ContactState& state, cons
     const double event = w.event < 1.0 ? w.begin_fraction + w.event * length : 1.0;
     report.arrived = fraction <= event;
     w.interpolate_piece(report.arrived ? (fraction - w.begin_fraction) / length : w.event);
-    if (visit) visit(state, w.next);
+    if (visit) visit({.begin = state, .end = w.next, .linear = true});
     std::swap(state, w.next);
     events_here = event > w.reached ? 0 : events_here + 1;
     w.reached = report.arrived ? fraction : event;

@@ -23,52 +23,47 @@ constexpr double most_gained = 100.0;
 
 }  // namespace
 
-EventStepper::EventStepper(const ContactProblem& problem)
-    : problem_(problem), follower_(problem, make_mode_system(problem)), newton_(problem) {
-  BUMPFOIL_ASSERT(!problem.law);  // between two events the response would not be linear
+EventStepper::EventStepper(const SharedProblem& problem) : EventStepper(problem, make_mode_system(*problem)) {}
+
+EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes)
+    : problem_(problem), follower_(problem, modes), newton_(problem, modes) {
+  BUMPFOIL_ASSERT(!problem->law);  // between two events the response would not be linear
 }
 
-void EventStepper::set_out(const ContactLoading& from, const ContactLoading& to, const ContactState& state) {
-  from_ = from;
-  to_ = to;
-  start_ = fraction_ = 0.0;
-  follower_.set_out(from, to, state.mode);
+SolveReport EventStepper::assemble(const ContactLoading& loading, const ContactState& unstressed, ContactState& state) {
+  return newton_.solve(loading, unstressed, state);
 }
 
-/// What follower_ sees of the path began at start_.
-bool EventStepper::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
-                             std::vector<ContactEvent>& events, IncrementReport& report) {
-  const double length = 1.0 - start_;
-  const std::size_t known = events.size();
-  const FollowReport followed =
-      follower_.follow_to(fraction < 1.0 ? (fraction - start_) / length : 1.0, state, visit, &events);
-  for (std::size_t i = known; i < events.size(); ++i) events[i].fraction = start_ + events[i].fraction * length;
-  fraction_ = followed.arrived ? fraction : start_ + followed.fraction * length;
-  report.solve += followed.solve;
+void EventStepper::set_out(const LoadingPath& path, const ContactState& state) {
+  path_ = path;
+  fraction_ = 0.0;
+  follower_.set_out(path_, state.mode);
+}
+
+bool EventStepper::follow_events(double fraction, ContactState& state, const PartVisitor& visit,
+                                 std::vector<ContactEvent>& events, FollowReport& report) {
+  const EventProgress followed = follower_.follow_to(fraction, state, visit, &events);
+  fraction_ = followed.fraction;
+  report.cost += followed.cost;
   report.jump_dissipation += followed.jump_dissipation;
   return followed.arrived;
-}
-
-void EventStepper::set_out_again(const std::vector<ContactMode>& mode) {
-  start_ = fraction_;
-  follower_.set_out(interpolate(from_, to_, start_), to_, mode);
 }
 
 /// Whether the small increment from `state` to `end` may stand in the response: it is straight, or a jump.
 /// @param is_place  nothing is looked for within it
 bool EventStepper::stands(const ContactState& state, const ContactState& end, bool is_place,
-                          IncrementReport& report) const {
-  const PieceEnergy energy = piece_energy(problem_, state, end);
-  const double negligible = negligible_energy(problem_, state, end);
+                          FollowReport& report) const {
+  const PieceEnergy energy = piece_energy(*problem_, state, end);
+  const double negligible = negligible_energy(*problem_, state, end);
   if (std::abs(energy.defect()) <= negligible) return true;
   if (!is_place || energy.given_off < -most_gained * negligible) return false;
   report.jump_dissipation += energy.defect();
   return true;
 }
 
-IncrementReport EventStepper::advance_to(double fraction, ContactState& state, const PartVisitor& visit,
-                                         std::vector<ContactEvent>& events) {
-  IncrementReport report;
+FollowReport EventStepper::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                     std::vector<ContactEvent>& events) {
+  FollowReport report;
   const double first = first_probe * (fraction - fraction_);
   double probe = first;
   double shortest = shortest_probe;
@@ -76,23 +71,24 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
   ContactState probed;
   Vector probed_from;
   bool jumped = false;  // the follower would jump again
-  bool arrived = follow_to(fraction, state, visit, events, report);
+  bool arrived = follow_events(fraction, state, visit, events, report);
   for (int probes = 0; !arrived; ++probes) {
-    report.solve.converged = false;
+    report.status = Status::no_modes;
     if (probes == most_probes) return report;
     const double before = fraction_;
     const double end = std::min(fraction, before + probe);
     probed_from = state.x;
-    report.solve += newton_.solve(interpolate(from_, to_, end), state, probed);
-    if (!report.solve.converged) {
+    const SolveReport solve = newton_.solve(path_.at(end), state, probed);
+    report.cost += solve.cost;
+    if (!solve.converged()) {
       // There is no state so near: what the next one is like is all that can be told of the way to it.
       if (end >= fraction) return report;
       shortest = probe = 2.0 * probe;
       continue;
     }
     if (!jumped) {
-      set_out_again(probed.mode);
-      arrived = follow_to(fraction, state, visit, events, report);
+      follower_.set_out(path_, probed.mode, fraction_);
+      arrived = follow_events(fraction, state, visit, events, report);
       if (arrived || fraction_ > before) {
         shortest = shortest_probe;
         probe = first;
@@ -106,12 +102,15 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
     // The modes do not lead on from here: take the small increment itself, or a smaller one.
     const bool is_place = probe <= shortest;
     if (!stands(state, probed, is_place, report)) {
-      if (is_place) return report;
+      if (is_place) {
+        report.status = Status::energy_defect;
+        return report;
+      }
       bent_until = end;
       probe = std::max(shortest, 0.5 * (end - before));
       continue;
     }
-    if (visit) visit(state, probed);
+    if (visit) visit({.begin = state, .end = probed, .linear = true});
     for (std::size_t c = 0; c < probed.mode.size(); ++c) {
       if (state.mode[c] != probed.mode[c]) {
         events.push_back({end, static_cast<int>(c), state.mode[c], probed.mode[c]});
@@ -123,10 +122,10 @@ IncrementReport EventStepper::advance_to(double fraction, ContactState& state, c
     probe = bent_until > end ? std::max(shortest, 0.5 * (bent_until - end)) : probe * probe_growth;
     ++report.substeps;
     jumped = false;
-    set_out_again(state.mode);
-    arrived = end >= fraction || follow_to(fraction, state, visit, events, report);
+    follower_.set_out(path_, state.mode, fraction_);
+    arrived = end >= fraction || follow_events(fraction, state, visit, events, report);
   }
-  report.solve.converged = true;
+  report.status = Status::converged;
   return report;
 }
 

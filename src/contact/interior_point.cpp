@@ -47,18 +47,18 @@ int ComplementaryPair::trend() const {
   return change > -0.5 + trend_band ? -1 : 0;
 }
 
-InteriorPoint::InteriorPoint(const ContactProblem& problem)
+InteriorPoint::InteriorPoint(const SharedProblem& problem)
     : problem_(problem),
-      system_(make_soft_contact_system(problem)),
-      contacts_(static_cast<std::size_t>(problem.contacts())),
+      system_(make_soft_contact_system(*problem)),
+      contacts_(static_cast<std::size_t>(problem->contacts())),
       soft_(contacts_.size()),
       previous_modes_(contacts_.size(), ContactMode::open),
       modes_(previous_modes_),
-      imbalance_(problem.K.rows()),
-      dx_(problem.K.rows()),
-      dp_(problem.contacts()),
-      dt_(problem.contacts()) {
-  for (const Matrix& block : problem.K.diagonal) {
+      imbalance_(problem->K.rows()),
+      dx_(problem->K.rows()),
+      dp_(problem->contacts()),
+      dt_(problem->contacts()) {
+  for (const Matrix& block : problem->K.diagonal) {
     stiffness_ = std::max(stiffness_, block.diagonal().cwiseAbs().maxCoeff());
   }
 }
@@ -76,7 +76,7 @@ double InteriorPoint::misfit(const ContactLoading& loading, const ContactState& 
   const double k = start_stiffness * stiffness_;
   imbalance_ = loading.load - system_->multiply(previous.x);
   double largest = 0.0;
-  for_each_contact(problem_, [&](const CoulombContact& contact) {
+  for_each_contact(*problem_, [&](const CoulombContact& contact) {
     const double p = previous.normal_force[contact.index];
     contact.add_forces(p, previous.friction_force[contact.index], 1.0, imbalance_);
     const double gap = loading.initial_gap[contact.index] + contact.gap(previous.x);
@@ -88,7 +88,7 @@ double InteriorPoint::misfit(const ContactLoading& loading, const ContactState& 
 void InteriorPoint::start(const ContactLoading& loading, const ContactState& previous, double spread, double reach) {
   const double length = std::max(spread * misfit(loading, previous), smallest_length);
   const double force = start_stiffness * stiffness_ * length;
-  for_each_contact(problem_, [&](const CoulombContact& contact) {
+  for_each_contact(*problem_, [&](const CoulombContact& contact) {
     Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
     c.f = contact.f;
     const double gap = loading.initial_gap[contact.index] + contact.gap(previous.x);
@@ -162,7 +162,7 @@ void InteriorPoint::find_step(double target, bool correct) {
   }
   system_->solve_in_place(dx_, dp_, dt_);
   ++solves_;
-  for_each_contact(problem_, [&](const CoulombContact& contact) {
+  for_each_contact(*problem_, [&](const CoulombContact& contact) {
     Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
     // Of force and gap the one that matters comes from the system, the other from their product: relative accuracy for
     // both, however small.

@@ -47,7 +47,7 @@ struct ComplementaryPair {
 /// residuals of the linear equations, which every step of length a multiplies by 1 - a.
 class InteriorPoint {
  public:
-  explicit InteriorPoint(const ContactProblem& problem);
+  explicit InteriorPoint(const SharedProblem& problem);
 
   /// Takes another K of the same form. start must follow.
   void set_elasticity(const BlockTridiagonal& K) { system_->set_elasticity(K); }
@@ -89,7 +89,7 @@ class InteriorPoint {
   [[nodiscard]] double longest_step(double fraction);
   void advance(double fraction);
 
-  ContactProblem problem_;
+  SharedProblem problem_;
   std::unique_ptr<SoftContactSystem> system_;
   double stiffness_{0.0};  ///< N/m, brings conditions of contacts to the size of the balance, so that pivots compare
   std::vector<Contact> contacts_;

@@ -167,7 +167,7 @@ class PenaltySystemOf final : public PenaltySystem {
     K_.assign(K);
     for (std::size_t b = 0; b < K_.upper.size(); ++b) {
       lu_.upper(static_cast<int>(b)) = K_.upper[b];
-      lu_.lower(static_cast<int>(b) + 1) = K_.lower[b];
+      lu_.lower(static_cast<int>(b) + 1) = K_.lower_block(b);
     }
   }
 

@@ -30,36 +30,42 @@ constexpr InteriorStart interior_starts[] = {{1.0, 0.995}, {0.1, 0.5}, {10.0, 0.
 
 }  // namespace
 
+/// One increment at work.
+struct NewtonSolver::Task {
+  const ContactLoading& loading;
+  const ContactState& previous;  ///< friction refers to it
+  ContactState& state;           ///< the last iterate
+  SolveCost& cost;
+};
+
 struct NewtonSolver::Workspace {
-  Workspace(const ContactProblem& contact_problem, const NewtonOptions& newton_options)
-      : problem(contact_problem),
+  Workspace(const SharedProblem& contact_problem, std::shared_ptr<ModeSystem> mode_system,
+            const NewtonOptions& newton_options)
+      : shared_problem(contact_problem),
+        problem(*shared_problem),
         options(newton_options),
-        modes(make_mode_system(contact_problem)),
+        modes(std::move(mode_system)),
         follower(contact_problem, modes, {.max_events = newton_options.max_events}),
         interior(contact_problem),
-        worst_of_runs(contact_problem.pairs.size()),
-        path_begin(ContactLoading::none(contact_problem)),
-        path_end(ContactState::unstressed(contact_problem)) {
+        worst_of_runs(problem.pairs.size()),
+        path{ContactLoading::none(problem), ContactLoading::none(problem)},
+        path_end(ContactState::unstressed(problem)) {
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     trial.reserve(contacts);
     changes.reserve(contacts);
   }
 
-  bool solve_linear(const ContactLoading& loading, const ContactState& previous, ContactState& state,
-                    SolveReport& report);
-  bool solve_law(const ContactLoading& loading, const ContactState& previous, ContactState& state, SolveReport& report);
+  bool solve_linear(const Task& task);
+  Status solve_law(const Task& task);
   void find_changes(const ContactState& previous, const ContactState& state);
-  bool try_modes(const ContactLoading& loading, const ContactState& previous, ContactState& state, SolveReport& report);
-  bool iterate_modes(const ContactLoading& loading, const ContactState& previous, ContactState& state,
-                     SolveReport& report);
-  bool settle_runs(const ContactLoading& loading, const ContactState& previous, int rounds, ContactState& state,
-                   SolveReport& report);
-  bool follow_events(const ContactLoading& loading, const ContactState& previous, ContactState& state,
-                     SolveReport& report);
-  bool interior_point(const ContactLoading& loading, const ContactState& previous, const InteriorStart& start,
-                      ContactState& state, SolveReport& report);
+  bool try_modes(const Task& task);
+  bool iterate_modes(const Task& task);
+  bool settle_runs(const Task& task, int rounds);
+  bool follow_events(const Task& task);
+  bool interior_point(const Task& task, const InteriorStart& start);
 
-  ContactProblem problem;
+  SharedProblem shared_problem;
+  const ContactProblem& problem;  ///< the shared one
   NewtonOptions options;
   std::shared_ptr<ModeSystem> modes;  ///< shared with the follower, whose last factors are often the ones needed
   EventFollower follower;
@@ -69,13 +75,17 @@ struct NewtonSolver::Workspace {
   std::vector<ContactMode> trial;
   std::vector<ModeChange> changes;
   std::ptrdiff_t first_contradictions{};  ///< contacts that contradicted the first modes tried; no end if those failed
-  ContactLoading path_begin;
+  LoadingPath path;
   ContactState path_end;
 };
 
-NewtonSolver::NewtonSolver(const ContactProblem& problem, const NewtonOptions& options)
-    : workspace_(std::make_unique<Workspace>(problem, options)) {
-  BUMPFOIL_ASSERT(problem.contacts() > 0);
+NewtonSolver::NewtonSolver(const SharedProblem& problem, const NewtonOptions& options)
+    : NewtonSolver(problem, make_mode_system(*problem), options) {}
+
+NewtonSolver::NewtonSolver(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
+                           const NewtonOptions& options)
+    : workspace_(std::make_unique<Workspace>(problem, std::move(modes), options)) {
+  BUMPFOIL_ASSERT(problem->contacts() > 0);
 }
 
 NewtonSolver::~NewtonSolver() = default;
@@ -89,49 +99,54 @@ SolveReport NewtonSolver::solve(const ContactLoading& loading, const ContactStat
   BUMPFOIL_ASSERT(&state != &previous);  // friction refers to `previous` throughout
   Workspace& w = *workspace_;
   SolveReport report;
-  report.converged =
-      w.problem.law ? w.solve_law(loading, previous, state, report) : w.solve_linear(loading, previous, state, report);
+  const Task task{loading, previous, state, report.cost};
+  if (w.problem.law) {
+    report.status = w.solve_law(task);
+  } else {
+    report.status = w.solve_linear(task) ? Status::converged : Status::no_modes;
+  }
   return report;
 }
 
-bool NewtonSolver::Workspace::solve_linear(const ContactLoading& loading, const ContactState& previous,
-                                           ContactState& state, SolveReport& report) {
-  state = previous;
-  trial = previous.mode;
-  if (iterate_modes(loading, previous, state, report)) return true;
-  if (follow_events(loading, previous, state, report)) return true;
+bool NewtonSolver::Workspace::solve_linear(const Task& task) {
+  task.state = task.previous;
+  trial = task.previous.mode;
+  if (iterate_modes(task)) return true;
+  if (follow_events(task)) return true;
   for (const InteriorStart& start : interior_starts) {
-    if (interior_point(loading, previous, start, state, report)) return true;
+    if (interior_point(task, start)) return true;
   }
   return false;
 }
 
 /// Newton's method on the elastic law, each step with exact contacts. The modes of an iterate are the first guess of
 /// the next: they rarely change after the first.
-bool NewtonSolver::Workspace::solve_law(const ContactLoading& loading, const ContactState& previous,
-                                        ContactState& state, SolveReport& report) {
+Status NewtonSolver::Workspace::solve_law(const Task& task) {
   const ElasticLaw& law = *problem.law;
-  ContactState begin = previous;
-  Vector iterate = previous.x;
+  ContactState begin = task.previous;
+  Vector iterate = task.previous.x;
   Vector forces = law.forces(iterate);
-  ContactLoading linearised = loading;
+  ContactLoading linearised = task.loading;
+  const Task linear{linearised, begin, task.state, task.cost};
   const auto linearise = [&](const BlockTridiagonal& K) {
     modes->set_elasticity(K);
     interior.set_elasticity(K);
-    linearised.load = loading.load + K.multiply(iterate) - forces;
+    linearised.load = task.loading.load + K.multiply(iterate) - forces;
   };
   for (int i = 0; i < options.max_tangents; ++i) {
     linearise(law.tangent(iterate));
-    if (!solve_linear(linearised, begin, state, report)) {
+    if (!solve_linear(linear)) {
       linearise(law.stable_tangent(iterate));
-      if (!solve_linear(linearised, begin, state, report)) return false;
+      if (!solve_linear(linear)) return Status::no_modes;
     }
-    iterate = state.x;
+    iterate = task.state.x;
     forces = law.forces(iterate);
-    if (contact_residuals(problem, forces, loading, previous.x, state).within(options.law_tolerance)) return true;
-    begin.mode = state.mode;
+    if (contact_residuals(problem, forces, task.loading, task.previous.x, task.state).within(options.law_tolerance)) {
+      return Status::converged;
+    }
+    begin.mode = task.state.mode;
   }
-  return false;
+  return Status::no_tangent;
 }
 
 /// Collects the contacts whose inequalities `state`, solved for its modes, does not obey.
@@ -149,20 +164,18 @@ void NewtonSolver::Workspace::find_changes(const ContactState& previous, const C
 
 /// Exact solve for the modes in `trial`; collects the contacts that contradict them.
 /// @return false if there is no such state
-bool NewtonSolver::Workspace::try_modes(const ContactLoading& loading, const ContactState& previous,
-                                        ContactState& state, SolveReport& report) {
+bool NewtonSolver::Workspace::try_modes(const Task& task) {
   changes.clear();
-  if (!solve_modes(*modes, trial, loading, previous.x, state, report)) return false;
-  find_changes(previous, state);
+  if (!solve_modes(*modes, trial, task.loading, task.previous.x, task.state, task.cost)) return false;
+  find_changes(task.previous, task.state);
   return true;
 }
 
 /// Exact solves from the modes in `trial`, until no contact contradicts its mode or the rounds are spent.
-bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const ContactState& previous,
-                                            ContactState& state, SolveReport& report) {
+bool NewtonSolver::Workspace::iterate_modes(const Task& task) {
   PivotingRule rule(options.max_mode_updates);
   first_contradictions = std::numeric_limits<std::ptrdiff_t>::max();
-  for (bool first = true; try_modes(loading, previous, state, report); first = false) {
+  for (bool first = true; try_modes(task); first = false) {
     if (changes.empty()) return true;
     if (first) first_contradictions = std::ssize(changes);
     if (!rule.apply(changes, trial)) return false;
@@ -171,9 +184,8 @@ bool NewtonSolver::Workspace::iterate_modes(const ContactLoading& loading, const
 }
 
 /// The same with fewer changes per round, for modes that are right but for roundings and small forces.
-bool NewtonSolver::Workspace::settle_runs(const ContactLoading& loading, const ContactState& previous, int rounds,
-                                          ContactState& state, SolveReport& report) {
-  while (try_modes(loading, previous, state, report)) {
+bool NewtonSolver::Workspace::settle_runs(const Task& task, int rounds) {
+  while (try_modes(task)) {
     if (changes.empty()) return true;
     if (rounds-- == 0) return false;
     worst_of_runs.apply(changes, trial);
@@ -184,38 +196,37 @@ bool NewtonSolver::Workspace::settle_runs(const ContactLoading& loading, const C
 /// Modes at the end of the event-by-event path as a guess: the increment differs from the path only where a contact
 /// slips to and fro on the way. Only where few contacts contradict the modes of the last increment: an event changes
 /// one of them.
-bool NewtonSolver::Workspace::follow_events(const ContactLoading& loading, const ContactState& previous,
-                                            ContactState& state, SolveReport& report) {
+bool NewtonSolver::Workspace::follow_events(const Task& task) {
   if (first_contradictions > options.max_events) return false;
-  path_end = previous;
-  modes->loading_of(previous, path_begin);
-  follower.set_out(path_begin, loading, previous.mode);
-  const FollowReport followed = follower.follow_to(1.0, path_end);
-  report += followed.solve;
+  path_end = task.previous;
+  modes->loading_of(task.previous, path.begin);
+  path.end = task.loading;
+  follower.set_out(path, task.previous.mode);
+  const EventProgress followed = follower.follow_to(1.0, path_end);
+  task.cost += followed.cost;
   if (!followed.arrived) return false;
   trial = path_end.mode;
-  return iterate_modes(loading, previous, state, report);
+  return iterate_modes(task);
 }
 
 /// Modes that the iterates of the interior-point method show, tried whenever they have come to rest.
-bool NewtonSolver::Workspace::interior_point(const ContactLoading& loading, const ContactState& previous,
-                                             const InteriorStart& start, ContactState& state, SolveReport& report) {
-  interior.start(loading, previous, start.spread, start.reach);
+bool NewtonSolver::Workspace::interior_point(const Task& task, const InteriorStart& start) {
+  interior.start(task.loading, task.previous, start.spread, start.reach);
   bool tried = true;  // the modes of the last increment, which the interior point begins with
   bool moves = true;
   for (int i = 0; i < options.max_interior_steps && moves; ++i) {
     moves = interior.step();
-    ++report.outer_iterations;
-    ++report.factorisations;
-    report.iterations += interior.solves();
+    ++task.cost.outer_iterations;
+    ++task.cost.factorisations;
+    task.cost.iterations += interior.solves();
     if (interior.changed_modes() > 0) tried = false;
     if (interior.changed_modes() > 0 || tried) continue;
     trial = interior.modes();
-    if (settle_runs(loading, previous, rounds_on_the_way, state, report)) return true;
+    if (settle_runs(task, rounds_on_the_way)) return true;
     tried = true;
   }
   trial = interior.modes();
-  return options.max_interior_steps > 0 && settle_runs(loading, previous, rounds_at_the_end, state, report);
+  return options.max_interior_steps > 0 && settle_runs(task, rounds_at_the_end);
 }
 
 }  // namespace bumpfoil

@@ -31,13 +31,13 @@ inline ContactTrial trial_of(const CoulombContact& contact, const ContactState& 
 /// @return false if there is no such state
 [[nodiscard]] inline bool solve_modes(ModeSystem& system, const std::vector<ContactMode>& mode,
                                       const ContactLoading& loading, const Vector& previous_x, ContactState& state,
-                                      SolveReport& report) {
+                                      SolveCost& cost) {
   const int factorisations = system.factorisations();
   const bool regular = system.set_modes(mode);
-  report.factorisations += system.factorisations() - factorisations;
+  cost.factorisations += system.factorisations() - factorisations;
   if (!regular) return false;
   system.solve(loading, previous_x, state);
-  ++report.iterations;
+  ++cost.iterations;
   return state.x.allFinite();
 }
 

@@ -41,10 +41,10 @@ struct UzawaSolver::Workspace {
 
   void begin(const ContactLoading& loading, const ContactState& previous);
   bool update_contacts(const ContactLoading& loading, bool one_at_a_time);
-  bool find_normal_forces(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
-  bool find_friction(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
+  bool find_normal_forces(const ContactLoading& loading, const ContactState& previous, SolveCost& cost);
+  bool find_friction(const ContactLoading& loading, const ContactState& previous, SolveCost& cost);
   int update_friction(const ContactState& previous);
-  bool newton(const ContactLoading& loading, const ContactState& previous, SolveReport& report);
+  bool newton(const ContactLoading& loading, const ContactState& previous, SolveCost& cost);
   double step_length(const ContactLoading& loading, const ContactState& previous);
   void evaluate(const ContactLoading& loading, const ContactState& previous);
   void store(const ContactLoading& loading, ContactState& state) const;
@@ -84,12 +84,12 @@ UzawaSolver::~UzawaSolver() = default;
 
 SolveReport UzawaSolver::solve(const ContactLoading& loading, const ContactState& previous, ContactState& state) {
   Workspace& w = *workspace_;
-  SolveReport report;
+  SolveReport report{.status = Status::iterations_spent, .cost = {}};
   w.begin(loading, previous);
   for (int update = 0; update < w.options.max_contact_updates; ++update) {
-    if (!w.find_normal_forces(loading, previous, report)) break;
+    if (!w.find_normal_forces(loading, previous, report.cost)) break;
     if (!w.update_contacts(loading, update >= whole_updates)) {
-      report.converged = true;
+      report.status = Status::converged;
       break;
     }
   }
@@ -141,15 +141,15 @@ bool UzawaSolver::Workspace::update_contacts(const ContactLoading& loading, bool
 
 /// Moves the multipliers of closed contacts until the gaps vanish.
 bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, const ContactState& previous,
-                                                SolveReport& report) {
+                                                SolveCost& cost) {
   for (int update = 0; update < options.max_multiplier_updates; ++update) {
     if (update < free_updates) {
       for (FrictionState& state : friction) state = {.sticks = true, .changes = 0};
     } else {
       for (FrictionState& state : friction) state.changes = state.sticks ? max_changes - 1 : max_changes;
     }
-    if (!find_friction(loading, previous, report)) return false;
-    ++report.outer_iterations;
+    if (!find_friction(loading, previous, cost)) return false;
+    ++cost.outer_iterations;
     // p = lambda - eps_alm g are the forces in balance with x, and the next multipliers.
     double moved = 0.0;
     for_each_contact(problem, [&](const CoulombContact& c) {
@@ -163,9 +163,9 @@ bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, c
 
 /// Finds which contacts stick, for the current multipliers.
 bool UzawaSolver::Workspace::find_friction(const ContactLoading& loading, const ContactState& previous,
-                                           SolveReport& report) {
+                                           SolveCost& cost) {
   for (int update = 0; update < options.max_friction_updates; ++update) {
-    if (!newton(loading, previous, report)) return false;
+    if (!newton(loading, previous, cost)) return false;
     if (update_friction(previous) == 0) return true;
   }
   return false;
@@ -192,14 +192,14 @@ int UzawaSolver::Workspace::update_friction(const ContactState& previous) {
 }
 
 /// Displacements for the current multipliers and sticking contacts: the minimum of a convex energy.
-bool UzawaSolver::Workspace::newton(const ContactLoading& loading, const ContactState& previous, SolveReport& report) {
+bool UzawaSolver::Workspace::newton(const ContactLoading& loading, const ContactState& previous, SolveCost& cost) {
   evaluate(loading, previous);
   for (int i = 0; i < options.max_newton_steps; ++i) {
     if (!system->set_stiffness(normal_stiffness, tangential_stiffness)) return false;
-    ++report.factorisations;
+    ++cost.factorisations;
     step = -gradient;
     system->solve_in_place(step);
-    ++report.iterations;
+    ++cost.iterations;
     if (!step.allFinite()) return false;
     x_start = x;
     x += step_length(loading, previous) * step;

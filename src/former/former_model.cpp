@@ -44,7 +44,7 @@ Vector list_or_zeros(const std::vector<double>& list, int size) {
 }
 
 /// Gaps that the contacts have to close; infinite for crests that the journal does not reach.
-ContactLoading loading_at(const FormerModel& model, const Eigen::Vector2d& position) {
+ContactLoading loading_under(const FormerModel& model, const Eigen::Vector2d& position) {
   ContactLoading loading{.initial_gap = Vector(model.problem.contacts()), .load = Vector::Zero(model.problem.K.rows())};
   const Vector gap = former_crest_gaps(model, position);
   for (Eigen::Index i = 0; i < gap.size(); ++i) {
@@ -61,7 +61,7 @@ FormerModel make_former_model(const Case& input) {
   const int bumps = input.bump_foil.bumps;
   FormerModel model;
   model.bearing = input.bearing;
-  const FoilDesign foils = make_bearing_foils(input);
+  const FoilDesign foils = make_bearing_design(input);
   model.structure = make_foil_structure(foils);
   model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
   model.height_errors = list_or_zeros(input.bump_foil.height_errors, bumps);
@@ -90,7 +90,7 @@ ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2
   // Friction knows the size of N alone; the difference to N is taken into account as a load on the balance.
   ContactState judged = state;
   judged.normal_force = state.normal_force.cwiseAbs();
-  ContactLoading balanced = loading_at(model, position);
+  ContactLoading balanced = loading_under(model, position);
   balanced.load +=
       contact_forces(model.problem, state.normal_force - judged.normal_force, Vector::Zero(model.problem.contacts()));
   return contact_residuals(model.problem, elastic_response(model.structure, state.x).forces, balanced,
@@ -124,7 +124,7 @@ FormerSolver::FormerSolver(const FormerModel& model)
       penalties_(make_penalty_system(model.problem)) {}
 
 FormerSolution FormerSolver::solve(const Eigen::Vector2d& position) {
-  const ContactLoading loading = loading_at(model_, position);
+  const ContactLoading loading = loading_under(model_, position);
   FormerSolution solution;
   ContactState& state = solution.state;
   state = ContactState::unstressed(model_.problem);
@@ -132,7 +132,8 @@ FormerSolution FormerSolver::solve(const Eigen::Vector2d& position) {
     const bool held = std::isfinite(loading.initial_gap[static_cast<Eigen::Index>(c)]);
     state.mode[c] = held ? ContactMode::stick : ContactMode::open;
   }
-  solution.report.converged = iterate_modes(loading, rounds_at_first, solution) || approach(loading, solution);
+  const bool solved = iterate_modes(loading, rounds_at_first, solution) || approach(loading, solution);
+  solution.report.status = solved ? Status::converged : Status::no_modes;
   solution.residuals = former_residuals(model_, position, state);
   state.gap(Eigen::seqN(FormerModel::crest, model_.bumps(), 2)) =
       former_crest_gaps(model_, position) + state.x(Eigen::seqN(model_.structure.dofs.crest_v, model_.bumps(), 4));
@@ -155,9 +156,9 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
     });
     const int factorisations = modes_->factorisations();
     if (!modes_->set_modes(of_system)) return false;
-    solution.report.factorisations += modes_->factorisations() - factorisations;
+    solution.report.cost.factorisations += modes_->factorisations() - factorisations;
     modes_->solve(loading, unstressed, state);
-    ++solution.report.iterations;
+    ++solution.report.cost.iterations;
     const double negligible =
         force_tolerance * std::max(model_.problem.least_reference_force(), state.normal_force.cwiseAbs().maxCoeff());
     bool changed = false;
@@ -171,14 +172,15 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
         if (std::abs(friction) - c.f * std::abs(normal) <= negligible) return;
         m = slip_mode(-friction);
         sense[c.index] = normal;
-      } else if (std::abs(normal) <= negligible) {
-        return;
-      } else if ((normal > 0.0) != (sense[c.index] > 0.0)) {
-        sense[c.index] = normal;
-      } else if (std::abs(u) > displacement_tolerance && m != slip_mode(u)) {
-        m = ContactMode::stick;
       } else {
-        return;
+        if (std::abs(normal) <= negligible) return;
+        if ((normal > 0.0) != (sense[c.index] > 0.0)) {
+          sense[c.index] = normal;
+        } else if (std::abs(u) > displacement_tolerance && m != slip_mode(u)) {
+          m = ContactMode::stick;
+        } else {
+          return;
+        }
       }
       changed = true;
     });
@@ -193,8 +195,8 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
 bool FormerSolver::approach(const ContactLoading& loading, FormerSolution& solution) {
   TrescaState s(model_.problem.contacts(), model_.problem.K.rows());
   for (int outer = 0; outer < max_outer_iterations; ++outer) {
-    if (!minimise(loading, s, solution.report)) return false;
-    ++solution.report.outer_iterations;
+    if (!minimise(loading, s, solution.report.cost)) return false;
+    ++solution.report.cost.outer_iterations;
     for_each_contact(model_.problem, [&](const CoulombContact& c) {
       const Eigen::Index i = c.index;
       ContactMode& m = solution.state.mode[static_cast<std::size_t>(i)];
@@ -210,15 +212,15 @@ bool FormerSolver::approach(const ContactLoading& loading, FormerSolution& solut
 }
 
 /// Displacements for the multipliers and friction bounds of `s`, by Newton's method.
-bool FormerSolver::minimise(const ContactLoading& loading, TrescaState& s, SolveReport& report) {
+bool FormerSolver::minimise(const ContactLoading& loading, TrescaState& s, SolveCost& cost) {
   evaluate(loading, s);
   for (int step_number = 0; step_number < max_newton_steps; ++step_number) {
     if (!penalties_->set_stiffness(s.normal_stiffness, s.tangential_stiffness)) return false;
-    ++report.factorisations;
+    ++cost.factorisations;
     const Vector start = s.x;
     Vector step = -s.gradient;
     penalties_->solve_in_place(step);
-    ++report.iterations;
+    ++cost.iterations;
     // The slope of the energy along the step rises: halve until it is not far above zero.
     const double slope = step.dot(s.gradient);
     for (double length = 1.0; length > 1e-9; length *= 0.5) {

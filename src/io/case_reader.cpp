@@ -36,7 +36,7 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
   }
   std::vector<Fault> faults = find_faults(input);
   if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame)
-    faults = find_truss_faults(make_bearing_foils(input));
+    faults = find_truss_faults(make_bearing_design(input));
   for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;

@@ -5,33 +5,39 @@
 #include <cmath>
 #include <iterator>
 
+#include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/summary.hpp"
-#include "io/result_columns.hpp"
 
 namespace bumpfoil {
+namespace {
+
+void append(std::string& out, double value, const Form& form) {
+  if (!std::isfinite(value)) return;
+  if (!form.words.empty()) {
+    out += form.words[static_cast<std::size_t>(value)];
+  } else {
+    fmt::format_to(std::back_inserter(out), "{:.17g}", value);
+  }
+}
+
+}  // namespace
 
 std::string cycle_csv(const CycleResult& result) {
   const bool is_strip = result.experiment == Experiment::strip;
-  std::string out = is_strip ? "cycle,increment,branch" : "direction_deg,increment,branch";
-  for (const IncrementColumn& column : increment_columns(result.experiment))
-    out += ',' + name_with_unit(column.name, column.unit);
-  out += ",iterations,substeps\n";
-  const auto append = [&out](double value) {
-    if (std::isfinite(value)) fmt::format_to(std::back_inserter(out), "{:.17g}", value);
-    out += ',';
-  };
+  std::vector<IncrementQuantity> columns = increment_quantities(result.experiment);
+  std::erase_if(columns, [](const IncrementQuantity& column) { return !column.in_csv; });
+  std::string out = is_strip ? "cycle,increment" : "direction_deg,increment";
+  for (const IncrementQuantity& column : columns) out += ',' + key_of(column.name, column.unit);
   double number = 0.0;
   for (const Cycle& cycle : result.cycles) {
     number += 1.0;
     for (const Increment& increment : cycle.increments) {
-      append(is_strip ? number : to_degrees(cycle.direction));
-      fmt::format_to(std::back_inserter(out), "{},{},", increment.index,
-                     increment.branch == Branch::loading ? "loading" : "unloading");
-      for (const IncrementColumn& column : increment_columns(result.experiment)) append(column.value(increment));
-      fmt::format_to(std::back_inserter(out), "{},{}\n", increment.solve.iterations, increment.substeps);
+      fmt::format_to(std::back_inserter(out), "\n{:.17g},{}", is_strip ? number : to_degrees(cycle.direction),
+                     increment.index);
+      for (const IncrementQuantity& column : columns) append(out += ',', column.value(increment), column.form);
     }
   }
-  return out;
+  return out + '\n';
 }
 
 }  // namespace bumpfoil

@@ -8,7 +8,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/cycle_csv.hpp"
-#include "io/result_columns.hpp"
+#include "bumpfoil/io/result_names.hpp"
 
 namespace bumpfoil {
 namespace {

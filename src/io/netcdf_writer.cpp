@@ -1,13 +1,33 @@
 #include "io/netcdf_writer.hpp"
 
+#include <fmt/ranges.h>
+#include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <numeric>
 
 namespace bumpfoil {
 namespace {
+
+using netCDF::NcType;
+using netCDF::NcVar;
+using Flag = signed char;
+
+NcType type_of(const Form& form) {
+  if (form.kind == Form::real) return netCDF::ncDouble;
+  return form.kind == Form::whole ? NcType(netCDF::ncInt) : NcType(netCDF::ncByte);
+}
+
+/// What stands for an absent number: the default of netCDF, said aloud. All are exact in binary64.
+double fill_of(const NcType& type) {
+  if (type == netCDF::ncDouble) return NC_FILL_DOUBLE;
+  return type == netCDF::ncInt ? NC_FILL_INT : NC_FILL_BYTE;
+}
 
 /// An empty file of HDF5 1.8 whose root group keeps variables and attributes in the order in which they are added. The
 /// files that nc_create_mem makes do not, and take no attributes beyond 64 kB.
@@ -33,6 +53,54 @@ NewNetcdf::NewNetcdf() {
   std::copy(empty.begin(), empty.end(), static_cast<char*>(image.memory));
   // The image is its own from here on. The name only has to be one.
   netCDF::ncCheck(nc_open_memio("result.nc", NC_NETCDF4 | NC_WRITE, &image, &id_), __FILE__, __LINE__);
+  root_ = netCDF::NcGroup(id_);
+}
+
+void NewNetcdf::add_text(const std::string& name, std::string_view text) {
+  if (!text.empty()) root_.putAtt(name, std::string(text));
+}
+
+NcVar NewNetcdf::define(const VariableMeaning& meaning, const Dims& dims) {
+  const NcVar variable = root_.addVar(meaning.name, type_of(meaning.form), dims);
+  variable.putAtt("long_name", meaning.long_name);
+  if (!meaning.unit.empty()) variable.putAtt("units", meaning.unit);
+  if (!meaning.form.words.empty()) {
+    std::vector<Flag> values(meaning.form.words.size());
+    std::iota(values.begin(), values.end(), Flag{0});
+    variable.putAtt("flag_values", netCDF::ncByte, values.size(), values.data());
+    variable.putAtt("flag_meanings", fmt::format("{}", fmt::join(meaning.form.words, " ")));
+  }
+  return variable;
+}
+
+NcVar NewNetcdf::add(const VariableMeaning& meaning, const Dims& dims) {
+  const NcVar variable = define(meaning, dims);
+  const double fill = fill_of(variable.getType());
+  switch (meaning.form.kind) {
+    case Form::real:
+      variable.setFill(true, fill);
+      break;
+    case Form::whole:
+      variable.setFill(true, static_cast<int>(fill));
+      break;
+    case Form::truth:
+    case Form::flag:
+      variable.setFill(true, static_cast<Flag>(fill));
+      break;
+  }
+  return variable;
+}
+
+void NewNetcdf::put(const NcVar& variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
+                    std::vector<double> values) {
+  const double fill = fill_of(variable.getType());
+  std::replace_if(
+      values.begin(), values.end(), [](double value) { return !std::isfinite(value); }, fill);
+  variable.putVar(start, count, values.data());
+}
+
+void NewNetcdf::put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values) {
+  define(meaning, dims).putVar(values.data());
 }
 
 std::string NewNetcdf::close() {

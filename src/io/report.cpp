@@ -11,6 +11,7 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
 #include "io/binary_file.hpp"
 #include "io/case_json.hpp"
 #include "io/result_reader.hpp"
@@ -37,6 +38,21 @@ void require_intact(const fs::path& path, std::string_view bytes, const StoredSu
   if (bytes.size() != size)
     refuse_damaged(path, fmt::format("it has {} bytes, where summary.json lists {}", bytes.size(), size));
   if (xxh3_128(bytes) != checksum) refuse_damaged(path, "its checksum is not the one that summary.json lists");
+}
+
+/// What the tables of the page say: of each quantity its key in summary.json, words and unit.
+Json quantities_json(std::string_view kind) {
+  const Experiment experiment = kind == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
+  Json json = Json::array();
+  for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
+    if (quantity.label.empty()) continue;
+    json.push_back({{"key", key_of(quantity.name, quantity.unit)},
+                    {"label", quantity.label},
+                    {"unit", quantity.unit == "1" ? "" : quantity.unit},
+                    {"whole", quantity.form.kind == Form::whole},
+                    {"of_solver", quantity.of_solver}});
+  }
+  return json;
 }
 
 /// What a folder shows. @throws Error (file)
@@ -74,6 +90,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   require_same_run(summary, result, summary_path.string());
   Json run{{"name", fs::absolute(folder).lexically_normal().string()}, {"summary", summary.json}};
   run.update(result);
+  run["quantities"] = quantities_json(run["kind"].get<std::string>());
   return run;
 }
 

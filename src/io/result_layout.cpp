@@ -39,9 +39,9 @@ ResultLayout layout_of_bearing(const Case& input) {
   const Vector theta = crest_angles(input);
   const Vector foot_theta = foot_angles(input);
   ResultLayout layout = layout_of_foil(input);
-  layout.loop = {"direction", "degree", "direction of the push, from X towards Y", {}};
-  for (const double direction : input.cycle.directions) layout.loop.values.push_back(to_degrees(direction));
-  layout.increments = static_cast<std::size_t>(2 * input.cycle.steps + 1);
+  layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
+  for (const double direction : input.cycle.directions) layout.cycles.values.push_back(to_degrees(direction));
+  layout.increments = 2 * static_cast<std::size_t>(input.cycle.steps) + 1;
   layout.feet = static_cast<std::size_t>(foot_theta.size());
   layout.scalars.insert(
       layout.scalars.end(),
@@ -56,21 +56,18 @@ ResultLayout layout_of_bearing(const Case& input) {
                      to_vector(polar_angles(input.bearing, foot_theta))}};
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
-  layout.pressing = "journal";
-  layout.over_crest = "top foil";
-  layout.carrying = "sleeve";
   return layout;
 }
 
 ResultLayout layout_of_strip(const Case& input) {
   const StripSettings& strip = *input.strip;
   const Case cut = cut_to_strip(input);
-  const FoilDesign foils = make_strip_foils(input);
+  const FoilDesign foils = make_strip_design(input);
   const Vector feet = foot_positions(foils);
   ResultLayout layout = layout_of_foil(cut);
-  layout.loop = {"cycle", "1", "cycle of the plate", {}};
-  for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.loop.values.push_back(cycle);
-  layout.increments = static_cast<std::size_t>((strip.preload ? 4 : 2) * strip.steps + 1);
+  layout.cycles = {"cycle", "1", "cycle of the plate", {}};
+  for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.cycles.values.push_back(cycle);
+  layout.increments = std::size_t{strip.preload ? 4U : 2U} * static_cast<std::size_t>(strip.steps) + 1;
   layout.feet = static_cast<std::size_t>(feet.size());
   layout.at_bumps.push_back({"crest_position", "m", "place of the crest along the strip, from the weld or its like",
                              to_vector(crest_positions(foils))});
@@ -78,9 +75,6 @@ ResultLayout layout_of_strip(const Case& input) {
       {"foot_position", "m", "place of the foot along the strip, from the weld or its like", to_vector(feet)}};
   layout.bump_coordinates = "crest_position";
   layout.foot_coordinates = "foot_position";
-  layout.pressing = "plate";
-  layout.over_crest = strip.top_foil ? "top foil" : "plate";
-  layout.carrying = "base";
   return layout;
 }
 

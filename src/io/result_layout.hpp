@@ -19,8 +19,8 @@ struct NamedNumbers {
 
 /// What result.nc of a bearing and of a strip call and place differently.
 struct ResultLayout {
-  NamedNumbers loop;         ///< coordinate of the loops: directions, or cycles of a strip, begun or not
-  std::size_t increments{};  ///< of a loop
+  NamedNumbers cycles;       ///< their coordinate: directions, or numbers of a strip's cycles, begun or not
+  std::size_t increments{};  ///< of a cycle
   std::size_t bumps{};
   std::size_t feet{};
   std::vector<NamedNumbers> scalars;   ///< geometry
@@ -28,9 +28,6 @@ struct ResultLayout {
   std::vector<NamedNumbers> at_feet;   ///< one per foot
   std::string bump_coordinates;        ///< those of them that say where a bump is
   std::string foot_coordinates;
-  std::string pressing;    ///< journal or plate
-  std::string over_crest;  ///< what touches the crests
-  std::string carrying;    ///< sleeve or base
 };
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment);

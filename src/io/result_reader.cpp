@@ -24,65 +24,66 @@ bool is_left_out(std::string_view name) {
   return name.starts_with("gap_") || name.starts_with("stress_") || name == "friction_force_journal_top";
 }
 
-/// Of the loops: directions of a bearing, cycles of a strip.
-std::string loop_dimension(std::string_view kind) {
+/// Of the cycles: a bearing has one per direction.
+std::string cycle_dimension(std::string_view kind) {
   return kind == "strip" ? "cycle" : "direction";
 }
 
-bool is_field(const StoredVariable& variable, std::string_view loop) {
-  return variable.has_dims({loop, "increment", "bump"}) || variable.has_dims({loop, "increment", "foot"});
+bool is_field(const StoredVariable& variable, std::string_view cycle) {
+  return variable.has_dims({cycle, "increment", "bump"}) || variable.has_dims({cycle, "increment", "foot"});
 }
 
-/// Reads one loop after the other.
-class LoopReader {
+/// Reads one cycle after the other.
+class CycleReader {
  public:
-  LoopReader(const NetcdfImage& file, const std::string& loop_dimension, std::size_t most_values)
+  CycleReader(const NetcdfImage& file, const std::string& cycle_dimension, std::size_t most_values)
       : file_(file),
-        loop_(loop_dimension),
+        cycle_(cycle_dimension),
         increments_(file.size_of("increment")),
-        displacement_(file.variable("displacement", {loop_, "increment"})),
-        loops_(file.numbers(file.variable(loop_, {loop_}))),
+        force_(file.variable("force_direct", {cycle_, "increment"})),
+        cycles_(file.numbers(file.variable(cycle_, {cycle_}))),
         branches_(read_branches()),
         stride_(std::max<std::size_t>(1, (field_values() + most_values - 1) / most_values)) {
+    static_cast<void>(file_.variable("displacement", {cycle_, "increment"}));
     if (increments_ == 0) file_.refuse("increment", "is empty");
-    if (loops_.empty()) file_.refuse(loop_, "is empty");
-    if (std::any_of(loops_.begin(), loops_.end(), [](double at) { return std::isnan(at); })) {
-      file_.refuse(loop_, "has a value that is no number");
+    if (cycles_.empty()) file_.refuse(cycle_, "is empty");
+    if (std::any_of(cycles_.begin(), cycles_.end(), [](double at) { return std::isnan(at); })) {
+      file_.refuse(cycle_, "has a value that is no number");
     }
   }
 
-  [[nodiscard]] std::size_t size() const { return loops_.size(); }
+  [[nodiscard]] std::size_t size() const { return cycles_.size(); }
   [[nodiscard]] std::size_t last_increment() const { return increments_ - 1; }
 
-  [[nodiscard]] Json read(std::size_t loop) const {
-    const std::vector<double> displacement = file_.numbers(displacement_, {loop, 0}, {1, increments_});
-    const auto end = std::find_if(displacement.begin(), displacement.end(), [](double d) { return std::isnan(d); });
-    const std::vector<std::size_t> kept =
-        kept_of(static_cast<std::size_t>(end - displacement.begin()), branches_[loop]);
-    Json json{{"at", loops_[loop]}, {"increments", kept}, {"series", Json::object()}, {"fields", Json::object()}};
+  [[nodiscard]] Json read(std::size_t cycle) const {
+    // Of an increment that failed the displacement is known, the force is not.
+    const std::vector<double> force = file_.numbers(force_, {cycle, 0}, {1, increments_});
+    const auto end = std::find_if(force.begin(), force.end(), [](double f) { return std::isnan(f); });
+    const std::vector<std::size_t> kept = kept_of(static_cast<std::size_t>(end - force.begin()), branches_[cycle]);
+    Json json{{"at", cycles_[cycle]}, {"increments", kept}, {"series", Json::object()}, {"fields", Json::object()}};
     for (const auto& [name, variable] : file_.variables()) {
-      if (variable.has_dims({loop_, "increment"})) {
-        json["series"][name] = encoded(variable, loop, kept, 1);
-      } else if (is_field(variable, loop_) && !is_left_out(name)) {
+      if (variable.has_dims({cycle_, "increment"})) {
+        json["series"][name] = encoded(variable, cycle, kept, 1);
+      } else if (is_field(variable, cycle_) && !is_left_out(name)) {
         json["fields"][name] = {{"at", variable.dims[2]},
-                                {"values", encoded(variable, loop, kept, variable.extents[2])}};
+                                {"values", encoded(variable, cycle, kept, variable.extents[2])}};
       }
     }
     return json;
   }
 
  private:
-  /// Increments per branch of every loop; 0 of one that was not begun.
+  /// Increments per branch of every cycle; 0 of one that was not begun.
   [[nodiscard]] std::vector<std::size_t> read_branches() const {
-    const std::vector<double> steps = file_.numbers(file_.variable("steps", {loop_}));
+    const std::vector<double> steps = file_.numbers(file_.variable("steps", {cycle_}));
     std::vector<std::size_t> branches;
     for (const double number : steps) {
       // Out and back; a strip about a preload also to the other side and back.
       const auto all = static_cast<double>(increments_) - 1.0;
       const bool fits =
-          number == std::floor(number) && (number * 2.0 == all || (loop_ == "cycle" && number * 4.0 == all));
+          number == std::floor(number) && (number * 2.0 == all || (cycle_ == "cycle" && number * 4.0 == all));
       if (!std::isnan(number) && !fits) {
-        file_.refuse("steps", fmt::format("is {} for loops of {} increments", number, increments_));
+        file_.refuse("steps", fmt::format("is {} for cycles of {} increments", number, increments_));
       }
       branches.push_back(std::isnan(number) ? 0 : static_cast<std::size_t>(number));
     }
@@ -93,7 +94,7 @@ class LoopReader {
   [[nodiscard]] std::size_t field_values() const {
     std::size_t count = 0;
     for (const auto& [name, variable] : file_.variables()) {
-      if (!is_field(variable, loop_) || is_left_out(name)) continue;
+      if (!is_field(variable, cycle_) || is_left_out(name)) continue;
       count += variable.extents[0] * variable.extents[1] * variable.extents[2];
     }
     return count;
@@ -101,7 +102,7 @@ class LoopReader {
 
   /// Every n-th increment of each branch; those at which branches end are kept themselves, and so is the last one.
   [[nodiscard]] std::vector<std::size_t> kept_of(std::size_t reached, std::size_t branch) const {
-    if (reached > 0 && branch == 0) file_.refuse("steps", "is missing for a loop that was begun");
+    if (reached > 0 && branch == 0) file_.refuse("steps", "is missing for a cycle that was begun");
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < reached; ++i) {
       if (i % branch % stride_ == 0 || i + 1 == reached) kept.push_back(i);
@@ -109,10 +110,10 @@ class LoopReader {
     return kept;
   }
 
-  [[nodiscard]] std::string encoded(const StoredVariable& variable, std::size_t loop,
+  [[nodiscard]] std::string encoded(const StoredVariable& variable, std::size_t cycle,
                                     const std::vector<std::size_t>& kept, std::size_t width) const {
     if (kept.empty()) return "";
-    std::vector<std::size_t> start{loop, 0, 0};
+    std::vector<std::size_t> start{cycle, 0, 0};
     std::vector<std::size_t> count{1, kept.back() + 1, width};
     start.resize(variable.extents.size());
     count.resize(start.size());
@@ -131,10 +132,10 @@ class LoopReader {
   }
 
   const NetcdfImage& file_;
-  std::string loop_;
+  std::string cycle_;
   std::size_t increments_;
-  const StoredVariable& displacement_;
-  std::vector<double> loops_;
+  const StoredVariable& force_;
+  std::vector<double> cycles_;
   std::vector<std::size_t> branches_;
   std::size_t stride_;
 };
@@ -173,17 +174,17 @@ std::string kind_of(const NetcdfImage& file) {
 Json read_result(std::string bytes, const std::string& name, std::size_t most_values) {
   const NetcdfImage file(std::move(bytes), name);
   const std::string kind = kind_of(file);
-  const LoopReader reader(file, loop_dimension(kind), most_values);
+  const CycleReader reader(file, cycle_dimension(kind), most_values);
   Json nodes = Json::object();
   for (const char* node : {"bump", "foot"}) nodes[node] = file.size_of(node);
-  Json loops = Json::array();
-  for (std::size_t i = 0; i < reader.size(); ++i) loops.push_back(reader.read(i));
+  Json cycles = Json::array();
+  for (std::size_t i = 0; i < reader.size(); ++i) cycles.push_back(reader.read(i));
   return {{"kind", kind},
           {"attributes", file.texts()},
           {"geometry", geometry_of(file)},
           {"nodes", nodes},
           {"last_increment", reader.last_increment()},
-          {"loops", loops}};
+          {"loops", cycles}};
 }
 
 }  // namespace bumpfoil

@@ -5,26 +5,32 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <optional>
-#include <vector>
 
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "io/case_json.hpp"
-#include "io/result_columns.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json value(const std::optional<double>& number) {
-  return number && std::isfinite(*number) ? Json(*number) : Json();
-}
-
-Json value(const Vector& numbers) {
-  return std::vector<double>(numbers.begin(), numbers.end());
+Json value_json(double value, const Form& form = {}) {
+  if (!std::isfinite(value)) return {};
+  switch (form.kind) {
+    case Form::real:
+      return value;
+    case Form::whole:
+      return static_cast<int>(value);
+    case Form::truth:
+      return value != 0.0;
+    case Form::flag:
+      return form.words[static_cast<std::size_t>(value)];
+  }
+  return {};
 }
 
 /// Where and when the largest stress acts.
@@ -36,35 +42,30 @@ Json peak_json(const std::optional<StressPeak>& peak) {
           {"displacement_m", peak->displacement}};
 }
 
-Json cycle_json(const Case& input, Experiment experiment, std::size_t number, const Cycle& cycle) {
-  const auto loads = [&cycle](InterfaceFields Increment::*interface) {
-    if (!cycle.turning_point) return Json();
-    const Vector& normal_force = (cycle.at_turning_point().*interface).normal_force;
-    return normal_force.size() > 0 ? value(normal_force) : Json();
-  };
+Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
+  const Cycle& cycle = result.cycles[i];
   Json json;
-  if (experiment == Experiment::strip) {
-    json["cycle"] = number;
+  if (result.experiment == Experiment::strip) {
+    json["cycle"] = i + 1;
   } else {
     json["direction_deg"] = to_degrees(cycle.direction);
   }
-  json["amplitude_m"] = cycle.amplitude;
-  json["steps"] = cycle.steps;
-  json["converged"] = cycle.converged;
-  for (const CycleColumn& column : cycle_columns(experiment)) {
-    json[name_with_unit(column.name, column.unit)] = value(column.value(cycle));
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
+    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, input), quantity.form);
   }
+  const std::optional<Failure> failure = failure_of(input, result, i);
+  const bool located = failure && failure->increment;
+  json["failed_increment"] = located ? Json(*failure->increment) : Json();
+  json["failed_displacement_m"] = located ? value_json(failure->displacement) : Json();
+  json["reason"] = failure ? Json(failure->reason) : Json();
   for (const StressedFoil& foil : stressed_foils()) {
-    const std::optional<bool> above = above_yield(foil, input, cycle);
     json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(cycle.*foil.peak);
-    json[fmt::format("above_yield_{}", foil.name)] = above ? Json(*above) : Json();
   }
-  json["bump_loads_N"] = loads(&Increment::top_bump);
-  json["foot_loads_N"] = loads(&Increment::bump_sleeve);
-  json["journal_loads_N"] = loads(&Increment::journal_top);
-  json["iterations"] = cycle.total().iterations;
-  json["factorisations"] = cycle.total().factorisations;
-  json["substeps"] = cycle.substeps();
+  for (const LoadQuantity& quantity : load_quantities()) {
+    Json& values = json[key_of(quantity.name, quantity.unit)];
+    if (!cycle.turning_point) continue;
+    for (const double load : (*cycle.turning_point).*quantity.loads) values.push_back(value_json(load));
+  }
   return json;
 }
 
@@ -77,18 +78,6 @@ Json files_json(const Manifest& manifest) {
 }
 
 }  // namespace
-
-std::string_view name_of(RunStatus status) {
-  switch (status) {
-    case RunStatus::complete:
-      return "complete";
-    case RunStatus::failed:
-      return "failed";
-    case RunStatus::interrupted:
-      return "interrupted";
-  }
-  return "";
-}
 
 double to_degrees(double angle) {
   const double degrees = angle * (180.0 / std::numbers::pi);
@@ -110,9 +99,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   json["run_id"] = manifest.run_id;
   json["files"] = files_json(manifest);
   json["cycles"] = Json::array();
-  for (const Cycle& cycle : result.cycles) {
-    json["cycles"].push_back(cycle_json(input, result.experiment, json["cycles"].size() + 1, cycle));
-  }
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) json["cycles"].push_back(cycle_json(input, result, i));
   return sealed(dump_json(json, 2) + '\n');
 }
 

@@ -14,7 +14,7 @@ BumpShape nominal_bump(const BumpFoil& foil) {
           .thickness = foil.thickness};
 }
 
-FoilDesign make_bearing_foils(const Case& input) {
+FoilDesign make_bearing_design(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
   FoilDesign foils{.model = foil.model,
                    .geometry = foil.geometry,
@@ -42,8 +42,8 @@ FoilDesign make_bearing_foils(const Case& input) {
   return foils;
 }
 
-FoilDesign make_strip_foils(const Case& input) {
-  FoilDesign foils = make_bearing_foils(cut_to_strip(input));
+FoilDesign make_strip_design(const Case& input) {
+  FoilDesign foils = make_bearing_design(cut_to_strip(input));
   foils.radius.reset();
   foils.welded = input.strip->weld == StripWeld::one_end;
   if (!input.strip->top_foil) foils.top_foil.reset();
@@ -51,11 +51,11 @@ FoilDesign make_strip_foils(const Case& input) {
 }
 
 Vector crest_angles(const Case& input) {
-  return crest_positions(make_bearing_foils(input)) / input.bearing.radius;
+  return crest_positions(make_bearing_design(input)) / input.bearing.radius;
 }
 
 Vector foot_angles(const Case& input) {
-  return foot_positions(make_bearing_foils(input)) / input.bearing.radius;
+  return foot_positions(make_bearing_design(input)) / input.bearing.radius;
 }
 
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {

@@ -122,8 +122,12 @@ Vector top_foil_moments(const TopFoilMoments& form, const Vector& u) {
 }
 
 Vector top_foil_loads(const TopFoilMoments& form, const Vector& u) {
+  return loads_of_moments(form, top_foil_moments(form, u));
+}
+
+Vector loads_of_moments(const TopFoilMoments& form, const Vector& moment) {
   const Eigen::Index n = form.size();
-  const Vector moment = top_foil_moments(form, u);
+  BUMPFOIL_ASSERT(moment.size() == n);
   Vector load(n);
   for (Eigen::Index j = 1; j <= n; ++j) {  // crest j
     const double at = j < n ? moment[j] : 0.0;

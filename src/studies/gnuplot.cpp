@@ -30,6 +30,7 @@ PlotStatus run_gnuplot(const std::filesystem::path& script, const std::map<std::
   }
   words.push_back(script.string());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 

@@ -4,13 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/studies/study_tables.hpp"
 #include "io/toml_document.hpp"
 #include "studies/study_library.hpp"
 
@@ -112,11 +110,10 @@ void add_sweep(DescriptionReader& sweep, const std::vector<std::string>& common,
 }
 
 StudyTableKind table_kind(const DescriptionReader& reader, std::string_view name) {
-  using enum StudyTableKind;
-  for (const StudyTableKind kind : {loops, quantities, loads, heights, foils, contacts}) {
-    if (name_of(kind) == name) return kind;
-  }
-  reader.fail("tables", fmt::format("there is no table \"{}\"", name));
+  const auto& names = enum_names<StudyTableKind>;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) reader.fail("tables", fmt::format("there is no table \"{}\"", name));
+  return static_cast<StudyTableKind>(found - names.begin());
 }
 
 const StudyText& text_of(std::string_view study) {

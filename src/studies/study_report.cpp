@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/failures.hpp"
 #include "io/case_json.hpp"
 
 namespace bumpfoil {
@@ -33,11 +34,15 @@ Json table_json(const StudyTable& table) {
 
 StudyOutcome outcome_of(const Study& study, const std::vector<StudyRunResult>& results) {
   StudyOutcome outcome{.name = study.name, .title = study.title, .runs = results.size()};
-  for (const StudyRunResult& run : results) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const StudyRunResult& run = results[i];
     outcome.converged = outcome.converged && run.result.converged();
+    for (const std::string& line : failure_lines(run.input, run.result)) {
+      outcome.failures.push_back(fmt::format("{}/{}: {}", study.name, study.runs[i].name, line));
+    }
     for (const Cycle& cycle : run.result.cycles) {
       outcome.increments += cycle.increments.size();
-      const double residual = cycle.max_residual();
+      const double residual = cycle.max_residual;
       if (!std::isnan(outcome.max_residual) && !(residual <= outcome.max_residual)) outcome.max_residual = residual;
     }
   }

@@ -8,18 +8,19 @@
 #include <iterator>
 #include <utility>
 
+#include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "io/result_columns.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// What `quantities` has of a cycle: the time that it took says nothing about the bearing.
-std::vector<CycleColumn> quantities_of_cycle() {
-  std::vector<CycleColumn> columns;
-  std::copy_if(cycle_columns().begin(), cycle_columns().end(), std::back_inserter(columns),
-               [](const CycleColumn& column) { return column.name != "wall_time"; });
-  return columns;
+/// What `quantities` has of a cycle: numbers that say something about the bearing, not about how it was computed.
+std::vector<CycleQuantity> quantities_of_cycle() {
+  std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::cycle);
+  std::erase_if(quantities, [](const CycleQuantity& quantity) {
+    return quantity.form.kind != Form::real || quantity.name == "amplitude" || quantity.name == "wall_time";
+  });
+  return quantities;
 }
 
 using Row = std::vector<TableCell>;
@@ -35,27 +36,8 @@ void append(Row& row, std::initializer_list<TableCell> cells) {
   row.insert(row.end(), cells);
 }
 
-void append(Row& row, const std::optional<double>& number) {
-  TableCell& cell = row.emplace_back();
-  if (number) cell = *number;
-}
-
-std::string_view branch_name(const Increment& increment) {
-  return increment.branch == Branch::loading ? "loading" : "unloading";
-}
-
-std::string mode_name(ContactMode mode) {
-  switch (mode) {
-    case ContactMode::open:
-      return "open";
-    case ContactMode::stick:
-      return "stick";
-    case ContactMode::slip_forward:
-      return "slip_forward";
-    case ContactMode::slip_backward:
-      return "slip_backward";
-  }
-  return "";
+std::string word_of(ContactMode mode) {
+  return std::string(name_of(mode));
 }
 
 bool is_closed(ContactMode mode) {
@@ -66,8 +48,8 @@ void write_loops(const Study& /*study*/, const StudyRun& run, const StudyRunResu
   for (const Cycle& cycle : result.result.cycles) {
     for (const Increment& increment : cycle.increments) {
       Row& row = table.rows.emplace_back(row_of(run, cycle));
-      append(row, {increment.index, std::string(branch_name(increment)), increment.displacement, increment.force_direct,
-                   increment.force_cross});
+      append(row, {increment.index, std::string(name_of(increment.branch)), increment.displacement,
+                   increment.force_direct, increment.force_cross});
     }
   }
 }
@@ -75,20 +57,18 @@ void write_loops(const Study& /*study*/, const StudyRun& run, const StudyRunResu
 void write_quantities(const Study& study, const StudyRun& run, const StudyRunResult& result, StudyTable& table) {
   for (const Cycle& cycle : result.result.cycles) {
     Row& row = table.rows.emplace_back(row_of(run, cycle));
-    if (!study.parameter.empty()) append(row, run.parameter);
-    for (const CycleColumn& column : quantities_of_cycle()) {
-      append(row, column.value(cycle));
-    }
+    if (!study.parameter.empty()) append(row, {run.parameter ? TableCell(*run.parameter) : TableCell()});
+    for (const CycleQuantity& quantity : quantities_of_cycle()) append(row, {quantity.value(cycle, result.input)});
   }
 }
 
 void write_loads(const Study& /*study*/, const StudyRun& run, const StudyRunResult& result, StudyTable& table) {
   for (const Cycle& cycle : result.result.cycles) {
     if (!cycle.turning_point) continue;
-    const Increment& increment = cycle.at_turning_point();
+    const TurningPoint& turn = *cycle.turning_point;
     for (int bump = 0; bump < result.input.bump_foil.bumps; ++bump) {
       Row& row = table.rows.emplace_back(row_of(run, cycle));
-      append(row, {bump + 1, increment.journal_top.normal_force[bump], increment.top_bump.normal_force[bump]});
+      append(row, {bump + 1, turn.journal_loads[bump], turn.bump_loads[bump]});
     }
   }
 }
@@ -126,55 +106,55 @@ void write_foils(const Study& study, const StudyRun& run, const StudyRunResult& 
   const Eigen::Matrix2Xd normals = outward_normals(phi);
   const double nominal = nominal_height(input);
   for (const Cycle& cycle : result.result.cycles) {
-    for (const int index : study.increments) {
-      if (index >= static_cast<int>(cycle.increments.size())) continue;
-      const Increment& at = cycle.increments[static_cast<std::size_t>(index)];
+    const FoilFields& fields = cycle.fields;
+    for (const int i : study.increments) {
+      if (i >= fields.increments()) continue;
+      const Increment& at = cycle.increments[static_cast<std::size_t>(i)];
       const Vector journal = journal_gaps(input.bearing.radial_clearance, normals, {at.x, at.y});
-      const Eigen::Index feet = at.foot_v.size() / theta.size();
+      const Eigen::Index feet = fields.foot_v.cols() / theta.size();
       for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
         const Eigen::Index foot = feet * (bump + 1) - 1;
-        const auto place = static_cast<std::size_t>(bump);
         Row& row = table.rows.emplace_back(row_of(run, cycle));
-        append(row, {index, at.displacement, bump + 1, to_degrees(theta[bump]), to_degrees(phi[bump])});
-        append(row, {nominal + journal[bump], nominal - at.top_displacement[bump],
-                     nominal + height_error(input, bump) - at.crest_v[bump], at.bump_sleeve.gap[foot]});
-        append(row, {at.journal_top.gap[bump], at.top_bump.gap[bump], at.bump_sleeve.gap[foot]});
-        append(row,
-               {at.journal_top.normal_force[bump], at.top_bump.normal_force[bump], at.bump_sleeve.normal_force[foot]});
-        append(row, {mode_name(at.journal_top.mode[place]), mode_name(at.top_bump.mode[place]),
-                     mode_name(at.bump_sleeve.mode[static_cast<std::size_t>(foot)])});
+        append(row, {i, at.displacement, bump + 1, to_degrees(theta[bump]), to_degrees(phi[bump])});
+        append(row, {nominal + journal[bump], nominal - fields.top_displacement(i, bump),
+                     nominal + height_error(input, bump) - fields.crest_v(i, bump), fields.bump_sleeve.gap(i, foot)});
+        append(row, {fields.journal_top.gap(i, bump), fields.top_bump.gap(i, bump), fields.bump_sleeve.gap(i, foot),
+                     fields.journal_top.normal_force(i, bump), fields.top_bump.normal_force(i, bump),
+                     fields.bump_sleeve.normal_force(i, foot)});
+        append(row, {word_of(fields.journal_top.mode(i, bump)), word_of(fields.top_bump.mode(i, bump)),
+                     word_of(fields.bump_sleeve.mode(i, foot))});
       }
     }
   }
 }
 
 /// Closed and slipping contacts of an interface, and those that opened and closed since the increment before.
-void append_counts(const InterfaceFields& now, const InterfaceFields* before, Row& row) {
+void append_counts(const ModeMatrix& modes, Eigen::Index increment, Row& row) {
   int closed = 0;
   int slipping = 0;
   int newly_open = 0;
   int newly_closed = 0;
-  for (std::size_t i = 0; i < now.mode.size(); ++i) {
-    const ContactMode mode = now.mode[i];
+  for (Eigen::Index i = 0; i < modes.cols(); ++i) {
+    const ContactMode mode = modes(increment, i);
     closed += is_closed(mode) ? 1 : 0;
     slipping += mode == ContactMode::slip_forward || mode == ContactMode::slip_backward ? 1 : 0;
-    if (before == nullptr) continue;
-    newly_open += !is_closed(mode) && is_closed(before->mode[i]) ? 1 : 0;
-    newly_closed += is_closed(mode) && !is_closed(before->mode[i]) ? 1 : 0;
+    if (increment == 0) continue;
+    const bool was_closed = is_closed(modes(increment - 1, i));
+    newly_open += !is_closed(mode) && was_closed ? 1 : 0;
+    newly_closed += is_closed(mode) && !was_closed ? 1 : 0;
   }
   append(row, {closed, slipping, newly_open, newly_closed});
 }
 
 void write_contacts(const Study& /*study*/, const StudyRun& run, const StudyRunResult& result, StudyTable& table) {
   for (const Cycle& cycle : result.result.cycles) {
-    const Increment* before = nullptr;
-    for (const Increment& now : cycle.increments) {
+    for (Eigen::Index i = 0; i < cycle.fields.increments(); ++i) {
+      const Increment& now = cycle.increments[static_cast<std::size_t>(i)];
       Row& row = table.rows.emplace_back(row_of(run, cycle));
-      append(row, {now.index, std::string(branch_name(now)), now.displacement});
-      for (const auto interface : {&Increment::journal_top, &Increment::top_bump, &Increment::bump_sleeve}) {
-        append_counts(now.*interface, before == nullptr ? nullptr : &(before->*interface), row);
+      append(row, {now.index, std::string(name_of(now.branch)), now.displacement});
+      for (const auto interface : {&FoilFields::journal_top, &FoilFields::top_bump, &FoilFields::bump_sleeve}) {
+        append_counts((cycle.fields.*interface).mode, i, row);
       }
-      before = &now;
     }
   }
 }
@@ -184,7 +164,7 @@ std::vector<std::string> quantity_columns(const Study& study) {
   if (!study.parameter.empty()) {
     columns.push_back(study.parameter_unit.empty() ? study.parameter : study.parameter + '_' + study.parameter_unit);
   }
-  for (const CycleColumn& column : quantities_of_cycle()) columns.push_back(name_with_unit(column.name, column.unit));
+  for (const CycleQuantity& quantity : quantities_of_cycle()) columns.push_back(key_of(quantity.name, quantity.unit));
   return columns;
 }
 
@@ -208,9 +188,9 @@ std::pair<std::vector<std::string>, RowWriter> layout(StudyTableKind kind, const
               write_foils};
     case StudyTableKind::contacts: {
       std::vector<std::string> columns{"increment", "branch", "displacement_m"};
-      for (const std::string interface : {"journal_top", "top_bump", "bump_sleeve"}) {
+      for (const std::string_view interface : enum_names<Interface>) {
         for (const std::string count : {"closed_", "slipping_", "newly_open_", "newly_closed_"}) {
-          columns.push_back(count + interface);
+          columns.push_back(count + std::string(interface));
         }
       }
       return {std::move(columns), write_contacts};
@@ -220,24 +200,6 @@ std::pair<std::vector<std::string>, RowWriter> layout(StudyTableKind kind, const
 }
 
 }  // namespace
-
-std::string_view name_of(StudyTableKind kind) {
-  switch (kind) {
-    case StudyTableKind::loops:
-      return "loops";
-    case StudyTableKind::quantities:
-      return "quantities";
-    case StudyTableKind::loads:
-      return "loads";
-    case StudyTableKind::heights:
-      return "heights";
-    case StudyTableKind::foils:
-      return "foils";
-    case StudyTableKind::contacts:
-      return "contacts";
-  }
-  return "";
-}
 
 StudyTable make_study_table(StudyTableKind kind, const Study& study, const std::vector<StudyRunResult>& results) {
   const auto [columns, write] = layout(kind, study);

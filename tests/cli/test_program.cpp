@@ -149,6 +149,14 @@ TEST_F(Program, CompressesAStrip) {
   const Outcome beyond = run(strip + std::vector<std::string>{"--set", "strip.load=1 MN", "--force"});
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(summary().at("status"), "failed");
+  EXPECT_EQ(beyond.errors.find("bumpfoil: cycle 1, increment 1 of 8, "), 0U) << beyond.errors;
+  EXPECT_NE(beyond.errors.find(": the load is not met before the bumps are pressed flat; the results in " + results_ +
+                               " are partial, and flagged so\n"),
+            std::string::npos);
+  const json failed = summary().at("cycles").at(0);
+  EXPECT_EQ(failed.at("status"), "load_out_of_reach");
+  EXPECT_EQ(failed.at("failed_increment"), 1);
+  EXPECT_EQ(failed.at("reason"), "the load is not met before the bumps are pressed flat");
 }
 
 TEST_F(Program, InitListsTheKeys) {

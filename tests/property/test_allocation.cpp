@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cstddef>
+#include <memory>
 
+#include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "support/random_problem.hpp"
 
@@ -54,7 +57,7 @@ Counted count_second_solve(const RandomProblem& random) {
   const ContactState start = ContactState::unstressed(random.problem);
   ContactState previous = start;
   ContactState state = start;
-  EXPECT_TRUE(solver.solve(random.first, start, previous).converged);
+  EXPECT_TRUE(solver.solve(random.first, start, previous).converged());
   state = previous;
   const long before = allocations;
   Counted counted;
@@ -67,7 +70,7 @@ Counted count_second_solve(const RandomProblem& random) {
 TEST(Allocation, NewtonSolverAllocatesOnlyInItsFirstSolve) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Counted counted = count_second_solve(make_random_problem(seed, 12, 6, 0.3));
-    EXPECT_TRUE(counted.report.converged);
+    EXPECT_TRUE(counted.report.converged());
     EXPECT_EQ(counted.allocations, 0) << "seed " << seed;
   }
 }
@@ -77,10 +80,22 @@ TEST(Allocation, NeitherDoItsOtherMethods) {
   int helped = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Counted counted = count_second_solve(make_random_problem(seed, 20, 6, 1.0));
-    if (counted.report.outer_iterations > 0) ++helped;
-    EXPECT_EQ(counted.allocations, 0) << "seed " << seed << ", " << counted.report.outer_iterations << " steps";
+    if (counted.report.cost.outer_iterations > 0) ++helped;
+    EXPECT_EQ(counted.allocations, 0) << "seed " << seed << ", " << counted.report.cost.outer_iterations << " steps";
   }
   EXPECT_GE(helped, 1);
+}
+
+/// Ensembles keep a runner per thread, and the foils are shared: what a runner holds is its workspace.
+TEST(Allocation, ARunnerHoldsLessThan200Kilobytes) {
+  Case input = reference_case();
+  const SharedFoils foils = make_bearing_foils(input);
+  for (const SolverName solver : {SolverName::newton, SolverName::events}) {
+    const std::size_t before = mallinfo2().uordblks;
+    const auto runner = std::make_unique<CycleRunner>(foils, SolverSettings{.name = solver, .uzawa = {}});
+    EXPECT_LT(mallinfo2().uordblks - before, 200'000U);
+    EXPECT_GT(mallinfo2().uordblks - before, 20'000U);  // the factors of 26 blocks alone take more
+  }
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 void expect_solved(const Case& input) {
   const Cycle cycle = run_single_cycle(input, input.cycle.directions.front());
   ASSERT_EQ(first_failure(cycle), "");
-  EXPECT_EQ(cycle.substeps(), 0);
-  EXPECT_LE(cycle.total().iterations, 50 * cycle.due);
+  EXPECT_EQ(cycle.substeps, 0);
+  EXPECT_LE(cycle.cost.iterations, 50 * cycle.due);
   EXPECT_GT(cycle.turning_point->max_force, 0.0);
 }
 

@@ -33,8 +33,8 @@ struct Solved {
 Solved solve(const RandomProblem& random) {
   NewtonSolver solver(random.problem);
   Solved solved;
-  RC_ASSERT(solver.solve(random.first, ContactState::unstressed(random.problem), solved.before).converged);
-  RC_ASSERT(solver.solve(random.second, solved.before, solved.after).converged);
+  RC_ASSERT(solver.solve(random.first, ContactState::unstressed(random.problem), solved.before).converged());
+  RC_ASSERT(solver.solve(random.second, solved.before, solved.after).converged());
   return solved;
 }
 
@@ -122,7 +122,7 @@ RC_GTEST_PROP(RandomContacts, HeldContactsDoNotCreep, ()) {
   const Solved solved = solve(random);
   NewtonSolver solver(random.problem);
   ContactState held;
-  RC_ASSERT(solver.solve(random.second, solved.after, held).converged);
+  RC_ASSERT(solver.solve(random.second, solved.after, held).converged());
   RC_ASSERT(distance(held.x, solved.after.x) <= 1e-15 + 1e-11 * solved.after.x.cwiseAbs().maxCoeff());
 }
 

@@ -25,6 +25,7 @@ CASE = ROOT / "examples/gen1.toml"
 STEPS = 10
 # Ends of the names in summary.json and cycle.csv, and the units they stand for.
 UNITS = {"_N_per_m": "N/m", "_Pa": "Pa", "_deg": "degree", "_N": "N", "_J": "J", "_m": "m", "_s": "s"}
+FAILURE = ("failed_increment", "failed_displacement_m", "reason")
 MODES = "open stick slip_forward slip_backward"
 
 
@@ -78,7 +79,7 @@ class Read(unittest.TestCase):
     def test_every_column_of_the_csv(self):
         for column in self.rows[0]:
             name, unit = split_unit(column)
-            if name in ("direction", "increment", "branch"):
+            if name in ("direction", "increment", "branch", "status"):
                 continue
             variable = self.result[name]
             self.assertEqual(variable.dims, ("direction", "increment"))
@@ -87,15 +88,22 @@ class Read(unittest.TestCase):
         branch = [row["branch"] for row in self.rows[: 2 * STEPS + 1]]
         meanings = self.result.branch.attrs["flag_meanings"].split()
         self.assertEqual([meanings[int(flag)] for flag in self.result.branch[0]], branch)
+        meanings = self.result.increment_status.attrs["flag_meanings"].split()
+        flags = self.result.increment_status.values.ravel()
+        self.assertEqual([meanings[int(flag)] for flag in flags], [row["status"] for row in self.rows])
 
     def test_every_quantity_of_the_summary(self):
         names = {"iterations": "total_iterations", "factorisations": "total_factorisations", "substeps": "total_substeps"}
         for key in self.summary["cycles"][0]:
-            if key.endswith("_at"):  # places are found in the stresses of result.nc
+            # Places are found in the stresses of result.nc, failures in the statuses of the increments.
+            if key.endswith("_at") or key in FAILURE:
                 continue
             name, unit = split_unit(key)
-            expected = np.array([cycle[key] for cycle in self.summary["cycles"]], dtype=float)
             variable = self.result[names.get(name, name)]
+            values = [cycle[key] for cycle in self.summary["cycles"]]
+            if key == "status":
+                values = [variable.attrs["flag_meanings"].split().index(word) for word in values]
+            expected = np.array(values, dtype=float)
             np.testing.assert_array_equal(variable.astype(float), expected, key)
             self.assertEqual(variable.attrs.get("units", "1"), unit)
 
@@ -210,21 +218,60 @@ class Partial(unittest.TestCase):
                 self.assertEqual(reached.sum(), (folder / "cycle.csv").read_bytes().count(b"\n") - 1)
 
 
+    def test_a_failed_run_says_what_where_and_why(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            strip = ["strip.bumps=3", "strip.steps=4", "strip.load=1 MN"]  # beyond what flat bumps carry
+            options = [word for key in strip for word in ("--set", key)]
+            done = subprocess.run([PROGRAM, "strip", CASE, "-o", folder, *options], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            cycle = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["cycles"][0]
+            rows = list(csv.DictReader((folder / "strip.csv").read_text(encoding="utf-8").splitlines()))
+            failed = cycle["failed_increment"]
+            self.assertEqual(len(rows), failed + 1)
+            self.assertEqual(rows[-1]["status"], cycle["status"])
+            self.assertEqual(rows[-1]["force_direct_N"], "")
+            self.assertEqual({row["status"] for row in rows[:-1]}, {"converged"})
+            with xarray.open_dataset(folder / "result.nc") as result:
+                meanings = result.increment_status.attrs["flag_meanings"].split()
+                self.assertEqual(meanings[int(result.increment_status[0, failed])], cycle["status"])
+                self.assertEqual(meanings[int(result.status[0])], cycle["status"])
+                self.assertEqual(float(result.displacement[0, failed]), cycle["failed_displacement_m"])
+                self.assertTrue(np.isnan(result.force_direct[0, failed]))
+                sentence = result.attrs["status_message"]
+            self.assertIn(f"increment {failed} of ", sentence)
+            self.assertTrue(sentence.endswith(cycle["reason"]))
+            self.assertIn(f"bumpfoil: {sentence}; the results in {folder} are partial, and flagged so", done.stderr)
+
+
 class Documentation(unittest.TestCase):
     TEXT = (ROOT / "docs/results.md").read_text(encoding="utf-8")
 
-    def test_every_variable_is_documented_with_dimensions_and_units(self):
-        rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \|", self.TEXT, re.MULTILINE)
-        documented = {name: (dims.strip(), unit) for name, dims, unit in rows}
+    def test_every_variable_is_documented_with_dimensions_units_and_meaning(self):
+        rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \| (.*) \|$", self.TEXT, re.MULTILINE)
+        documented = {name: (dims.strip(), unit, meaning) for name, dims, unit, meaning in rows}
         with tempfile.TemporaryDirectory() as directory:
             run_cycle(Path(directory) / "results", "--solver", "events")
             with xarray.open_dataset(Path(directory) / "results/result.nc") as result:
                 written = {
-                    str(name): (", ".join(variable.dims), variable.attrs.get("units", "flag"))
+                    str(name): (
+                        ", ".join(variable.dims),
+                        variable.attrs.get("units", "flag"),
+                        variable.attrs["long_name"],
+                    )
                     for name, variable in result.variables.items()
                 }
                 attributes = set(result.attrs)
+            keys = json.loads((Path(directory) / "results/summary.json").read_text(encoding="utf-8"))["cycles"][0]
+            columns = (Path(directory) / "results/cycle.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
         self.assertEqual(documented, written)
+        # Keys and columns mean what the variables mean.
+        meanings = dict(re.findall(r"^\| `(\w+)` \| ([^|]*) \|$", self.TEXT, re.MULTILINE))
+        for key in [*keys, *columns]:
+            name = split_unit(key)[0]
+            candidates = {meaning for prefix in ("", "total_", "increment_") for meaning in written.get(prefix + name, ())[2:]}
+            if key in meanings and candidates:
+                self.assertIn(meanings[key], candidates, key)
         for name in attributes | {"status_message"}:
             self.assertIn(f"`{name}`", self.TEXT)
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/model/geometry.hpp"
 #include "support/long_bearing.hpp"
 #include "support/reference_cycles.hpp"
 
@@ -41,9 +42,16 @@ Case random_case(std::uint64_t number) {
 CycleResult failed_at_increment_three(CycleResult result) {
   result.cycles.resize(1);
   Cycle& cycle = result.cycles.front();
-  cycle.converged = false;
+  cycle.status = Status::no_modes;
   cycle.increments.resize(4);
-  cycle.increments.back().solve.converged = false;
+  Increment& last = cycle.increments.back();
+  Step failed;
+  failed.status = cycle.status;
+  failed.state.excitation.position = {last.x, last.y};
+  last = failed_increment(failed, unit_vector(cycle.direction));
+  last.index = 3;
+  cycle.fields.truncate(3);
+  cycle.turns.clear();
   cycle.turning_point.reset();
   cycle.loop_energy.reset();
   cycle.loss_factor.reset();
@@ -60,15 +68,15 @@ Case long_bearing(int bumps, int steps) {
 std::string first_failure(const Cycle& cycle) {
   for (const Increment& increment : cycle.increments) {
     const ContactResiduals& r = increment.residuals;
-    if (increment.solve.converged && r.within(1e-9, 1e-12)) continue;
+    if (increment.converged() && r.within(1e-9, 1e-12)) continue;
     return fmt::format(
         "increment {}: converged {}, equilibrium {:.2g}, penetration {:.2g} m, slip in stick {:.2g} m, "
         "complementarity {:.2g}, cone {:.2g}",
-        increment.index, increment.solve.converged, r.equilibrium, r.penetration, r.slip_in_stick, r.complementarity,
+        increment.index, increment.converged(), r.equilibrium, r.penetration, r.slip_in_stick, r.complementarity,
         r.cone);
   }
   const auto all = static_cast<std::size_t>(2 * cycle.steps + 1);
-  if (cycle.increments.size() != all || !cycle.converged) {
+  if (cycle.increments.size() != all || !cycle.converged()) {
     return fmt::format("stopped after {} of {} increments", cycle.increments.size(), all);
   }
   return {};

@@ -5,30 +5,31 @@
 #include <cmath>
 #include <utility>
 
-#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 
 namespace bumpfoil {
 
 InteriorPointRun run_interior_point_alone(const Case& input, int increments) {
-  const FoilModel model = make_bearing_model(input);
-  NewtonSolver solver(model.problem, {.max_mode_updates = 0, .max_events = 0});
-  ContactState previous = ContactState::unstressed(model.problem);
+  const Foils foils = *make_bearing_foils(input);
+  NewtonSolver solver(foils.problem, {.max_mode_updates = 0, .max_events = 0});
+  ContactState previous = ContactState::unstressed(foils.problem);
   ContactState state;
   const double phi = input.cycle.directions.front();
   InteriorPointRun run;
   for (int k = 0; k <= 2 * increments; ++k) {
     const double displacement = input.cycle.amplitude * (k <= increments ? k : 2 * increments - k) / increments;
-    const ContactLoading loading = loading_at(model, {displacement * std::cos(phi), displacement * std::sin(phi)});
+    const ContactLoading loading =
+        loading_under(foils, {.position = {displacement * std::cos(phi), displacement * std::sin(phi)}});
     const SolveReport report = solver.solve(loading, previous, state);
-    const Vector elastic_force = model.problem.K.multiply(state.x);
-    if (!report.converged || !contact_residuals(model.problem, elastic_force, loading, previous.x, state).within()) {
+    const Vector elastic_force = foils.problem.K.multiply(state.x);
+    if (!report.converged() || !contact_residuals(foils.problem, elastic_force, loading, previous.x, state).within()) {
       run.failure = fmt::format("{}, increment {} of {}", input.title, k, 2 * increments);
       return run;
     }
     ++run.increments;
-    run.steps += report.outer_iterations;
+    run.steps += report.cost.outer_iterations;
     std::swap(previous, state);
   }
   return run;

@@ -16,19 +16,18 @@ UzawaDeviation compare_uzawa(Case input, const CycleResult& exact, const UzawaPa
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {
     const Cycle& cycle = result.cycles[i];
     const Cycle& reference = exact.cycles[i];
-    const SolveReport total = cycle.total();
     increments += cycle.increments.size();
-    deviation.solves_per_increment += total.iterations;
-    deviation.updates_per_increment += total.outer_iterations;
-    deviation.halvings += cycle.substeps();
-    if (!cycle.converged) {
+    deviation.solves_per_increment += cycle.cost.iterations;
+    deviation.updates_per_increment += cycle.cost.outer_iterations;
+    deviation.halvings += cycle.substeps;
+    if (!cycle.converged()) {
       ++deviation.failures;
       continue;
     }
     const double force = reference.turning_point->max_force;
     deviation.max_force = std::max(deviation.max_force, std::abs(cycle.turning_point->max_force / force - 1.0));
     // Without friction both loops are zero to rounding; the work of the push is then the measure.
-    const double work = reference.at_turning_point().work;
+    const double work = reference.turns.front().work;
     const double energy = *reference.loop_energy > 1e-9 * work ? *reference.loop_energy : work;
     deviation.loop_energy =
         std::max(deviation.loop_energy, std::abs(*cycle.loop_energy - *reference.loop_energy) / energy);

@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 #include "bumpfoil/structure/truss.hpp"
 #include "support/dense_contacts.hpp"
+#include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 
 /// States of the reference cycles against dense matrices: truss and inverted compliance of the top foil, unknowns
@@ -21,7 +22,7 @@ DenseContacts dense_bearing(const Case& input) {
   const int bumps = input.bump_foil.bumps;
   const BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
   BlockTridiagonal bump_foil(bumps, 4);
-  assemble_springs(make_truss_springs(make_truss_constants(make_bearing_foils(input)), dofs), bump_foil);
+  assemble_springs(make_truss_springs(make_truss_constants(make_bearing_design(input)), dofs), bump_foil);
   const Eigen::Index n = Eigen::Index{5} * bumps;
   const Eigen::Index contacts = Eigen::Index{3} * bumps;
   DenseContacts dense{.K = Matrix::Zero(n, n),
@@ -29,7 +30,7 @@ DenseContacts dense_bearing(const Case& input) {
                       .tangential = Matrix::Zero(contacts, n),
                       .friction = Vector::Zero(contacts)};
   dense.K.topLeftCorner(4 * bumps, 4 * bumps) = bump_foil.dense();
-  dense.K.bottomRightCorner(bumps, bumps) = top_foil_stiffness(make_top_foil_beam(make_bearing_foils(input)));
+  dense.K.bottomRightCorner(bumps, bumps) = top_foil_stiffness(make_top_foil_beam(make_bearing_design(input)));
   for (Eigen::Index i = 0; i < bumps; ++i) {
     const Eigen::Index top = 4 * bumps + i;
     dense.normal(3 * i, top) = 1.0;
@@ -59,7 +60,7 @@ Vector to_vector(const std::vector<double>& values) {
 }
 
 /// Unknowns of dense_bearing at an increment.
-Vector displacements(const Increment& increment) {
+Vector displacements(const FullIncrement& increment) {
   const Eigen::Index bumps = increment.crest_u.size();
   Vector x(5 * bumps);
   for (Eigen::Index i = 0; i < bumps; ++i) {
@@ -74,17 +75,18 @@ class DenseForm : public testing::TestWithParam<std::size_t> {};
 TEST_P(DenseForm, SolvesTheSameModesToTheSameState) {
   const Case& input = reference_cycles().at(GetParam()).input;
   const Cycle cycle = run_cycles(input).cycles.front();
-  ASSERT_TRUE(cycle.converged);
-  const FoilModel model = make_bearing_model(input);
+  ASSERT_TRUE(cycle.converged());
+  const Foils foils = *make_bearing_foils(input);
   const DenseContacts dense = dense_bearing(input);
-  const double largest_force = cycle.at_turning_point().journal_top.normal_force.maxCoeff();
-  const double largest_displacement = displacements(cycle.at_turning_point()).cwiseAbs().maxCoeff();
+  const double largest_force = turning_increment(cycle).journal_top.normal_force.maxCoeff();
+  const double largest_displacement = displacements(turning_increment(cycle)).cwiseAbs().maxCoeff();
   for (std::size_t k = 9; k < cycle.increments.size(); k += 16) {
-    const Increment& now = cycle.increments[k];
+    const FullIncrement now = increment_at(cycle, static_cast<int>(k));
     const std::vector<ContactMode> mode = interleave(now.journal_top.mode, now.top_bump.mode, now.bump_sleeve.mode);
-    const ContactLoading at = loading_at(model, {now.x, now.y});
+    const ContactLoading at = loading_under(foils, {.position = {now.x, now.y}});
     const ContactLoading loading{.initial_gap = at.initial_gap, .load = Vector::Zero(dense.K.rows())};
-    const DenseState expected = solve_dense(dense, loading, displacements(cycle.increments[k - 1]), mode);
+    const DenseState expected =
+        solve_dense(dense, loading, displacements(increment_at(cycle, static_cast<int>(k) - 1)), mode);
     // Inverting the compliance loses 5 digits of 16.
     EXPECT_LT(
         (to_vector(interleave(now.journal_top.normal_force, now.top_bump.normal_force, now.bump_sleeve.normal_force)) -

@@ -4,6 +4,7 @@
 
 #include "bumpfoil/analysis/strip.hpp"
 #include "support/fe_records.hpp"
+#include "support/full_increment.hpp"
 
 /// The frame against strips of solid elements: docs/verification/fe_strip.md.
 namespace bumpfoil {
@@ -49,10 +50,10 @@ TEST(FeStrip, FrameIsWithinThePagesBounds) {
                              (fe.top_foil ? ", top foil" : "") + (fe.large_displacements ? ", large" : ", small") +
                              (fe.contact_at_nodes ? ", at nodes" : "");
     const Cycle frame = press_frame(fe);
-    ASSERT_TRUE(frame.converged) << name;
+    ASSERT_TRUE(frame.converged()) << name;
     const Bounds bounds = bounds_for(fe);
     EXPECT_NEAR(frame.turning_point->max_force, fe.max_force, bounds.force * fe.max_force) << name;
-    const Increment& pressed = frame.at_turning_point();
+    const FullIncrement pressed = turning_increment(frame);
     const Vector& loads = fe.top_foil ? pressed.journal_top.normal_force : pressed.top_bump.normal_force;
     for (Eigen::Index bump = 0; bump < fe.bumps; ++bump) {
       EXPECT_NEAR(loads[bump], fe.bump_loads[bump], bounds.loads * fe.bump_loads[bump])

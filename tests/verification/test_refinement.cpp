@@ -29,12 +29,12 @@ TEST(Refinement, ConvergesAtFirstOrderInEveryDirection) {
   for (const double direction : input.cycle.directions) {
     input.cycle.steps = 1600;
     const Cycle fine = run_single_cycle(input, direction);
-    ASSERT_TRUE(fine.converged);
+    ASSERT_TRUE(fine.converged());
     double last_loop_error = *fine.loop_energy;
     for (const int steps : {25, 100, 400}) {
       input.cycle.steps = steps;
       const Cycle cycle = run_single_cycle(input, direction);
-      ASSERT_TRUE(cycle.converged);
+      ASSERT_TRUE(cycle.converged());
       // Single forces jump about below this bound as contacts change in one increment or the next.
       EXPECT_LT(largest_difference(cycle, fine), 0.7 * fine.turning_point->max_force / steps)
           << "direction " << direction << ", " << steps << " steps";

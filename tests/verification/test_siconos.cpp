@@ -58,7 +58,7 @@ TEST(Siconos, FindsTheSameForcesAndModes) {
     for (const std::size_t increment : {0U, 1U}) {
       const ContactState previous = state;
       const ContactLoading& loading = increment == 0 ? random.first : random.second;
-      ASSERT_TRUE(solver.solve(loading, previous, state).converged);
+      ASSERT_TRUE(solver.solve(loading, previous, state).converged());
       const Vector normal = to_vector(row.at("normal_N").at(increment));
       const Vector friction = to_vector(row.at("friction_N").at(increment));
       EXPECT_TRUE(solve_it(problem, loading, previous.x, normal, friction)) << row;

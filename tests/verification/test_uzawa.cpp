@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "bumpfoil/analysis/foil_model.hpp"
+#include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/uzawa_comparison.hpp"
@@ -59,24 +59,24 @@ INSTANTIATE_TEST_SUITE_P(Entries, UzawaStudy,
                                          Entry{{.tau_f = 1e-8}, true, 1, &UzawaDeviation::loop_energy, 1.001e-2}));
 
 TEST(UzawaHold, NothingCreepsInABearingThatIsHeld) {
-  const FoilModel model = make_bearing_model(uzawa_study_case());
+  const Foils foils = *make_bearing_foils(uzawa_study_case());
   const UzawaParameters given;
-  UzawaSolver solver(model.problem,
+  UzawaSolver solver(foils.problem,
                      {.eps_alm = given.eps_alm, .eps_f = given.eps_f, .eps_r = given.eps_r, .tau_f = given.tau_f});
-  ContactState state = ContactState::unstressed(model.problem);
+  ContactState state = ContactState::unstressed(foils.problem);
   ContactLoading loading;
   for (int step = 0; step <= 50; ++step) {
     const ContactState previous = state;
-    loading = loading_at(model, Eigen::Vector2d(0.0, step * 1e-6));
-    ASSERT_TRUE(solver.solve(loading, previous, state).converged);
+    loading = loading_under(foils, {.position = Eigen::Vector2d(0.0, step * 1e-6)});
+    ASSERT_TRUE(solver.solve(loading, previous, state).converged());
   }
   const ContactState reached = state;
   for (int increment = 0; increment < 100; ++increment) {
     const ContactState previous = state;
-    ASSERT_TRUE(solver.solve(loading, previous, state).converged);
+    ASSERT_TRUE(solver.solve(loading, previous, state).converged());
   }
   const Vector crept =
-      tangential_displacements(model.problem, state.x) - tangential_displacements(model.problem, reached.x);
+      tangential_displacements(foils.problem, state.x) - tangential_displacements(foils.problem, reached.x);
   // Springs started anew at each increment would go some F / eps_f = 1 N / 1e10 N/m a hundred times over, 1e-8 m; what
   // is left is the multipliers' tolerance, 1e-6 of 100 N over the 2 MN/m of a bump.
   EXPECT_LT(crept.cwiseAbs().maxCoeff(), 1e-10);

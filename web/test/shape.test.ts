@@ -36,6 +36,7 @@ function run(feet: number): Run {
     },
     nodes: { bump: 2, foot: feet },
     last_increment: 2,
+    quantities: [],
     loops: [
       {
         at: 270,

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/analysis/fields.hpp"
+#include "bumpfoil/analysis/foil_stepper.hpp"
 #include "bumpfoil/analysis/increment.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
-
-enum class Interface { journal_top, top_bump, bump_sleeve };
 
 /// A change of mode of one contact, as the event-driven solver saw it.
 struct CycleEvent {
@@ -21,12 +21,6 @@ struct CycleEvent {
   ContactMode to{};
 };
 
-/// Tangent stiffnesses d(F.n)/ds at a state, N/m; absent where the closed contacts leave the foils loose.
-struct TangentStiffnesses {
-  std::optional<double> loading;    ///< slipping contacts go on slipping
-  std::optional<double> unloading;  ///< all closed contacts stick
-};
-
 /// Response at the turning point: present once the run got that far.
 struct TurningPoint {
   double max_force{};       ///< direct force at full displacement, N
@@ -34,6 +28,9 @@ struct TurningPoint {
   double elastic_energy{};  ///< J
   TangentStiffnesses tangent;
   double secant_stiffness{};  ///< max_force / amplitude, N/m
+  Vector journal_loads;       ///< N, per bump; empty where there is no top foil
+  Vector bump_loads;          ///< on the crests, N, per bump
+  Vector foot_loads;          ///< N, per foot
 };
 
 /// Where a foil is bent most.
@@ -55,19 +52,24 @@ struct StressPeak {
   bool operator==(const StressPeak&) const = default;
 };
 
-/// A loop and what is derived from it: push and pull of the journal in one direction, or one cycle of a strip between
-/// plates, along the direction 0. Of a bearing, increment 0 is the assembly at the centred journal, solved in one step
-/// from the unstressed foils. Quantities that could not be computed are absent.
+/// Push and pull of the journal in one direction, or one cycle of a strip between plates, along the direction 0, and
+/// what is derived from it. Of a bearing, increment 0 is the assembly at the centred journal, solved in one step from
+/// the unstressed foils. Quantities that could not be computed are absent.
 struct Cycle {
-  double direction{};                 ///< rad
-  double amplitude{};                 ///< displacement from the start to the turning point, m
-  int steps{};                        ///< from the start to the turning point
-  int due{};                          ///< increments of the whole loop, the first included
-  bool converged{};                   ///< all increments are there, and each meets the bound of its solver
-  std::vector<Increment> increments;  ///< fewer than are due after a numerical failure or an interruption
+  double direction{};                ///< rad
+  double amplitude{};                ///< displacement from the start to the turning point, m
+  int steps{};                       ///< from the start to the turning point
+  int due{};                         ///< increments of the whole cycle, the first included
+  Status status{Status::converged};  ///< of the whole: that of the increment that ended it, or `interrupted`
 
+  /// All that were taken, unless quantities alone were asked for. Where a cycle fails, the last is the one that failed.
+  std::vector<Increment> increments;
+  FoilFields fields;               ///< one row per increment that was solved; empty with quantities alone
   std::vector<CycleEvent> events;  ///< only from the event-driven solver
+  std::optional<Increment> start;  ///< increment 0
+  std::vector<Increment> turns;    ///< ends of the legs that were reached; the first is the turning point
 
+  double initial_journal_load{};  ///< sum of journal loads at increment 0, N
   double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
   std::optional<TurningPoint> turning_point;
   std::optional<double> loop_energy;           ///< closed integral of F.dx by the trapezoidal rule, J
@@ -77,14 +79,13 @@ struct Cycle {
   std::optional<double> clearance_10N;         ///< m
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
+  double max_residual{};                       ///< equilibrium, largest of all increments that were judged
+  SolveCost cost;                              ///< of all increments
+  int substeps{};                              ///< of all increments
   double wall_time{};                          ///< s
 
-  /// Increment at full displacement; only where turning_point is present.
-  [[nodiscard]] const Increment& at_turning_point() const { return increments[static_cast<std::size_t>(steps)]; }
-  [[nodiscard]] double initial_journal_load() const;  ///< sum of journal loads at increment 0, N
-  [[nodiscard]] double max_residual() const;          ///< equilibrium, largest of all increments
-  [[nodiscard]] SolveReport total() const;            ///< sum over increments
-  [[nodiscard]] int substeps() const;                 ///< sum over increments
+  /// All increments are there, and each meets the bounds of its solver.
+  [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
 /// What was done to the foils.
@@ -99,8 +100,29 @@ struct CycleResult {
 };
 
 /// Called after every increment with the fraction of the whole run that is done, 0..1; returning false stops the run
-/// (the cycles so far are returned, flagged as not converged).
+/// (the cycles so far are returned, flagged as interrupted).
 using ProgressCallback = std::function<bool(double)>;
+
+/// What is kept of a cycle beside its quantities.
+enum class Recording {
+  everything,  ///< increments and fields; every increment is judged by its residuals
+  quantities,  ///< nothing: increment 0, those where legs end and the last are judged; no stresses
+};
+
+/// Runs cycles of one bearing: foils shared with others, states of its own.
+class CycleRunner {
+ public:
+  CycleRunner(SharedFoils foils, const SolverSettings& settings);
+
+  /// Push and pull along `direction` (rad) from the unstressed foils. Numerical failures are reported in the result.
+  /// @param centre  excitation at the centred journal: its position is taken from there
+  [[nodiscard]] Cycle run(double direction, double amplitude, int steps, Recording recording = Recording::everything,
+                          const ProgressCallback& progress = {}, const Excitation& centre = {});
+
+ private:
+  FoilStepper stepper_;
+  Step step_;
+};
 
 /// Runs the cycles of a case, each from the unstressed foils. Numerical failures are reported in the result.
 /// @throws Error (input) if the case cannot be built.

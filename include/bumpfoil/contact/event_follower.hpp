@@ -4,25 +4,17 @@
 #include <vector>
 
 #include "bumpfoil/contact/linear_systems.hpp"
-#include "bumpfoil/contact/solver.hpp"
+#include "bumpfoil/contact/path_follower.hpp"
 
 namespace bumpfoil {
 
-/// A change of mode of one contact.
-struct ContactEvent {
-  double fraction{};  ///< where on the path it happened, 0 at its start and 1 at its end
-  int contact{};
-  ContactMode from{};
-  ContactMode to{};
-};
-
 /// How far a path was followed.
-struct FollowReport {
+struct EventProgress {
   bool arrived{};             ///< false where the modes after an event could not be found
   double fraction{};          ///< of the whole path that lies behind, 0..1
   int events{};               ///< places where a contact changed its mode on the way
-  double jump_dissipation{};  ///< see IncrementReport
-  SolveReport solve;
+  double jump_dissipation{};  ///< see FollowReport
+  SolveCost cost;
 };
 
 /// Settings of following.
@@ -43,13 +35,14 @@ struct FollowOptions {
 class EventFollower {
  public:
   /// @param modes  linear system of the problem; may be shared with other solvers that are not at work meanwhile
-  EventFollower(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes,
+  EventFollower(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
                 const FollowOptions& options = FollowOptions());
   ~EventFollower();
 
-  /// Begins the path from the loading `from` straight to the loading `to`.
-  /// @param mode  modes to begin with: those of the state that `from` led to, or a better guess
-  void set_out(const ContactLoading& from, const ContactLoading& to, const std::vector<ContactMode>& mode);
+  /// Begins a path, or goes on along it with other modes.
+  /// @param mode   modes to begin with: those of the state at `start`, or a better guess
+  /// @param start  fraction of the path that lies behind
+  void set_out(const LoadingPath& path, const std::vector<ContactMode>& mode, double start = 0.0);
 
   /// Goes on along the path. Where it does not arrive, the path must be set out on again, with better modes.
   /// @param fraction  of the whole path where to halt; not before the last
@@ -57,8 +50,8 @@ class EventFollower {
   ///   last event that was reached
   /// @param visit     receives the linear pieces, both ends with the modes of the piece; may be empty
   /// @param events    receives the changes of mode in their order; may be null
-  [[nodiscard]] FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit = {},
-                                       std::vector<ContactEvent>* events = nullptr);
+  [[nodiscard]] EventProgress follow_to(double fraction, ContactState& state, const PartVisitor& visit = {},
+                                        std::vector<ContactEvent>* events = nullptr);
 
  private:
   struct Workspace;

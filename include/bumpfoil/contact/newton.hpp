@@ -50,7 +50,10 @@ struct NewtonOptions {
 /// The problem must have contacts.
 class NewtonSolver final : public ContactSolver {
  public:
-  explicit NewtonSolver(const ContactProblem& problem, const NewtonOptions& options = NewtonOptions());
+  explicit NewtonSolver(const SharedProblem& problem, const NewtonOptions& options = NewtonOptions());
+  /// @param modes  linear system of the problem; may be shared with others that are not at work meanwhile
+  NewtonSolver(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
+               const NewtonOptions& options = NewtonOptions());
   ~NewtonSolver() override;
 
   /// Takes another K of the same form, symmetric or not. Not for problems with a law, whose tangents take its place.
@@ -60,6 +63,7 @@ class NewtonSolver final : public ContactSolver {
                                   ContactState& state) override;
 
  private:
+  struct Task;
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
 };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
@@ -61,6 +63,21 @@ struct ContactProblem {
   /// The force that tolerances relative to the largest refer to where the largest is less, N: where hardly anything is
   /// loaded they would be relative to roundings. 1 N as in ContactResiduals, less for problems made for less than 10 N.
   [[nodiscard]] double least_reference_force() const { return std::min(1.0, 0.1 * force_scale); }
+};
+
+/// A contact problem that several solvers look at: made once, never changed, and alive as long as one of them is.
+class SharedProblem {
+ public:
+  /// Shares a copy of `problem`.
+  SharedProblem(const ContactProblem& problem) : problem_(std::make_shared<const ContactProblem>(problem)) {}
+  /// Shares what somebody else holds already.
+  explicit SharedProblem(std::shared_ptr<const ContactProblem> problem) : problem_(std::move(problem)) {}
+
+  const ContactProblem& operator*() const { return *problem_; }
+  const ContactProblem* operator->() const { return problem_.get(); }
+
+ private:
+  std::shared_ptr<const ContactProblem> problem_;
 };
 
 /// What drives the problem at one increment. A plain value; between two increments it may be interpolated.

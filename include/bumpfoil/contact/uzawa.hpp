@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "bumpfoil/contact/linear_systems.hpp"
@@ -61,6 +62,12 @@ class UzawaSolver final : public ContactSolver {
  public:
   UzawaSolver(const ContactProblem& problem, const UzawaOptions& options);
   ~UzawaSolver() override;
+
+  /// Its states are judged by what is said above, not by ContactResiduals.
+  [[nodiscard]] SolverBounds bounds() const override {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    return {.force = none, .displacement = none, .load = 1e-5};
+  }
 
   [[nodiscard]] SolveReport solve(const ContactLoading& loading, const ContactState& previous,
                                   ContactState& state) override;

@@ -57,8 +57,8 @@ class BlockTridiagonalLU {
 
   /// Overwrites the right-hand side `x` by the solution.
   void solve_in_place(Vector& x) const {
-    const int n = size();
-    BUMPFOIL_ASSERT(x.size() == Eigen::Index{blocks()} * n);
+    const Eigen::Index n = size();
+    BUMPFOIL_ASSERT(x.size() == blocks() * n);
     double* part = x.data();
     for (std::size_t i = 0; i < factors_.size(); ++i, part += n) {
       if (i > 0) subtract_product(lower_[i], part - n, part);
@@ -93,59 +93,59 @@ class BlockTridiagonalLU {
   // Plain loops over a number of rows that the compiler knows: for blocks of ten rows they leave the general
   // factorisations and products of a matrix library behind by a factor of about four.
 
-  [[nodiscard]] int size() const { return B == Eigen::Dynamic ? block_size_ : B; }
+  [[nodiscard]] Eigen::Index size() const { return B == Eigen::Dynamic ? block_size_ : B; }
 
   /// row -= sum over k < count of factors[k] * (row k of `rows`), all rows as long as a block. Known lengths are summed
   /// in registers.
-  void subtract_rows(const double* factors, const double* rows, int count, double* row) const {
+  void subtract_rows(const double* factors, const double* rows, Eigen::Index count, double* row) const {
     if constexpr (B == Eigen::Dynamic) {
-      for (int k = 0; k < count; ++k) {
-        for (int c = 0; c < block_size_; ++c) row[c] -= factors[k] * rows[k * block_size_ + c];
+      for (Eigen::Index k = 0; k < count; ++k) {
+        for (Eigen::Index c = 0; c < block_size_; ++c) row[c] -= factors[k] * rows[k * block_size_ + c];
       }
     } else {
       double sum[B];
-      for (int c = 0; c < B; ++c) sum[c] = row[c];
-      for (int k = 0; k < count; ++k) {
-        for (int c = 0; c < B; ++c) sum[c] -= factors[k] * rows[k * B + c];
+      for (Eigen::Index c = 0; c < B; ++c) sum[c] = row[c];
+      for (Eigen::Index k = 0; k < count; ++k) {
+        for (Eigen::Index c = 0; c < B; ++c) sum[c] -= factors[k] * rows[k * B + c];
       }
-      for (int c = 0; c < B; ++c) row[c] = sum[c];
+      for (Eigen::Index c = 0; c < B; ++c) row[c] = sum[c];
     }
   }
 
   /// result -= a * b
   void subtract_product(const Block& a, const Block& b, Block& result) const {
-    const int n = size();
-    for (int r = 0; r < n; ++r) subtract_rows(a.data() + r * n, b.data(), n, result.data() + r * n);
+    const Eigen::Index n = size();
+    for (Eigen::Index r = 0; r < n; ++r) subtract_rows(a.data() + r * n, b.data(), n, result.data() + r * n);
   }
 
   /// y -= a x
   void subtract_product(const Block& a, const double* x, double* y) const {
-    const int n = size();
-    for (int r = 0; r < n; ++r) {
+    const Eigen::Index n = size();
+    for (Eigen::Index r = 0; r < n; ++r) {
       double sum = 0.0;
-      for (int c = 0; c < n; ++c) sum += a.data()[r * n + c] * x[c];
+      for (Eigen::Index c = 0; c < n; ++c) sum += a.data()[r * n + c] * x[c];
       y[r] -= sum;
     }
   }
 
   /// LU factors of block i in place with row exchanges; the diagonal keeps the inverse pivots.
   bool factor_block(std::size_t i) {
-    const int n = size();
+    const Eigen::Index n = size();
     double* a = factors_[i].data();
     int* pivot_row = pivot_rows_.data() + i * static_cast<std::size_t>(n);
-    for (int k = 0; k < n; ++k) {
-      int best = k;
-      for (int r = k + 1; r < n; ++r) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      Eigen::Index best = k;
+      for (Eigen::Index r = k + 1; r < n; ++r) {
         if (std::abs(a[r * n + k]) > std::abs(a[best * n + k])) best = r;
       }
-      pivot_row[k] = best;
+      pivot_row[k] = static_cast<int>(best);
       if (best != k) std::swap_ranges(a + k * n, a + (k + 1) * n, a + best * n);
       const double pivot = a[k * n + k];
       if (pivot == 0.0 || !std::isfinite(pivot)) return false;
       a[k * n + k] = 1.0 / pivot;
-      for (int r = k + 1; r < n; ++r) {
+      for (Eigen::Index r = k + 1; r < n; ++r) {
         const double factor = a[r * n + k] *= a[k * n + k];
-        for (int c = k + 1; c < n; ++c) a[r * n + c] -= factor * a[k * n + c];
+        for (Eigen::Index c = k + 1; c < n; ++c) a[r * n + c] -= factor * a[k * n + c];
       }
     }
     return true;
@@ -153,33 +153,33 @@ class BlockTridiagonalLU {
 
   /// X = (block i)^-1 X with the factors of block i.
   void solve_block(std::size_t i, Block& X) const {
-    const int n = size();
+    const Eigen::Index n = size();
     const double* a = factors_[i].data();
     const int* pivot_row = pivot_rows_.data() + i * static_cast<std::size_t>(n);
     double* x = X.data();
-    for (int k = 0; k < n; ++k) {
+    for (Eigen::Index k = 0; k < n; ++k) {
       if (pivot_row[k] != k) std::swap_ranges(x + k * n, x + (k + 1) * n, x + pivot_row[k] * n);
     }
-    for (int r = 1; r < n; ++r) subtract_rows(a + r * n, x, r, x + r * n);
-    for (int r = n - 1; r >= 0; --r) {
+    for (Eigen::Index r = 1; r < n; ++r) subtract_rows(a + r * n, x, r, x + r * n);
+    for (Eigen::Index r = n - 1; r >= 0; --r) {
       subtract_rows(a + r * n + r + 1, x + (r + 1) * n, n - 1 - r, x + r * n);
-      for (int c = 0; c < n; ++c) x[r * n + c] *= a[r * n + r];
+      for (Eigen::Index c = 0; c < n; ++c) x[r * n + c] *= a[r * n + r];
     }
   }
 
   /// The same for a vector.
   void solve_block(std::size_t i, double* x) const {
-    const int n = size();
+    const Eigen::Index n = size();
     const double* a = factors_[i].data();
     const int* pivot_row = pivot_rows_.data() + i * static_cast<std::size_t>(n);
-    for (int k = 0; k < n; ++k) {
+    for (Eigen::Index k = 0; k < n; ++k) {
       if (pivot_row[k] != k) std::swap(x[k], x[pivot_row[k]]);
     }
-    for (int r = 1; r < n; ++r) {
-      for (int k = 0; k < r; ++k) x[r] -= a[r * n + k] * x[k];
+    for (Eigen::Index r = 1; r < n; ++r) {
+      for (Eigen::Index k = 0; k < r; ++k) x[r] -= a[r * n + k] * x[k];
     }
-    for (int r = n - 1; r >= 0; --r) {
-      for (int k = r + 1; k < n; ++k) x[r] -= a[r * n + k] * x[k];
+    for (Eigen::Index r = n - 1; r >= 0; --r) {
+      for (Eigen::Index k = r + 1; k < n; ++k) x[r] -= a[r * n + k] * x[k];
       x[r] *= a[r * n + r];
     }
   }

@@ -76,7 +76,7 @@ class FormerSolver {
 
   bool iterate_modes(const ContactLoading& loading, int rounds, FormerSolution& solution);
   bool approach(const ContactLoading& loading, FormerSolution& solution);
-  bool minimise(const ContactLoading& loading, TrescaState& s, SolveReport& report);
+  bool minimise(const ContactLoading& loading, TrescaState& s, SolveCost& cost);
   void evaluate(const ContactLoading& loading, TrescaState& s);
 
   FormerModel model_;

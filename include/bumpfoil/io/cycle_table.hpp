@@ -8,9 +8,9 @@
 
 namespace bumpfoil {
 
-/// The derived quantities of the loops as a text table: quantities with their units down, loops across, six to a block;
-/// of many cycles of a strip the first and the last three. What is not known is a dash.
-std::string cycle_table(const CycleResult& result);
+/// The derived quantities of the cycles as a text table: quantities with their units down, cycles across, six to a
+/// block; of many cycles of a strip the first and the last three. What is not known is a dash.
+std::string cycle_table(const Case& input, const CycleResult& result);
 
 /// A sentence for every cycle and foil whose bending stress exceeds the yield stress that the case gives.
 std::vector<std::string> stress_warnings(const Case& input, const CycleResult& result);

@@ -29,7 +29,8 @@ struct ReadingOptions {
 /// case file by their paths (`{"bearing.radius": {"title": "Radius", "unit": "m"}, ...}`), and one object per folder:
 /// `name`, `kind`, `attributes` (global texts of result.nc), `summary` (summary.json as it is), `geometry` (variables
 /// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes), `last_increment`
-/// (that was asked for) and `loops`: the directions of a bearing or the cycles of a strip. A loop has `at` (the
+/// (that was asked for), `quantities` (`key` in the summary, `label`, `unit`, `whole`, `of_solver` of each that tables
+/// show) and `loops`: the cycles, one for each direction of a bearing. A cycle has `at` (the
 /// direction in degrees, or the number of the cycle), `increments` (numbers of those that are kept: all, or every n-th
 /// one of each branch, always with its ends), `series` (variables per increment) and `fields` (per increment and node:
 /// `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes; NaN and

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -17,8 +19,8 @@ enum class RunStatus {
   interrupted,  ///< stopped by the user or the system: the results are partial
 };
 
-/// "complete", "failed" or "interrupted".
-std::string_view name_of(RunStatus status);
+template <>
+inline constexpr auto enum_names<RunStatus> = std::to_array<std::string_view>({"complete", "failed", "interrupted"});
 
 /// A file beside summary.json.
 struct FileChecksum {

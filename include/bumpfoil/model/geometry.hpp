@@ -13,10 +13,10 @@ BumpShape nominal_bump(const BumpFoil& foil);
 
 /// Foils of the bearing of a case. Every bump is the nominal one, and height errors act through the gaps alone, unless
 /// `stiffness_follows_height` gives each bump a rise of its own. The case must be valid.
-FoilDesign make_bearing_foils(const Case& input);
+FoilDesign make_bearing_design(const Case& input);
 
 /// Foils of the strip of a case, flat and cut to its bumps. The case must be valid and have a strip.
-FoilDesign make_strip_foils(const Case& input);
+FoilDesign make_strip_design(const Case& input);
 
 /// Angles of the crests from the weld along the foil, their places over R, rad: theta_i = (i - 1/2) p / R for equal
 /// pitches.

@@ -71,6 +71,9 @@ Vector top_foil_moments(const TopFoilMoments& form, const Vector& u);
 /// Loads K_t u on the crests of the welded foil (N entries, N, outward) that hold the displacements `u` (m).
 Vector top_foil_loads(const TopFoilMoments& form, const Vector& u);
 
+/// Loads D M on the crests (N entries, N, outward) that moments M_0..M_{N-1} (N m) balance.
+Vector loads_of_moments(const TopFoilMoments& form, const Vector& moment);
+
 /// Solves the symmetric positive definite tridiagonal system with main and side diagonal in O(n), without pivoting.
 Vector solve_tridiagonal(Vector diagonal, const Vector& off, Vector right);
 

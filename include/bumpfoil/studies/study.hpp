@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -19,6 +21,11 @@ struct StudyRun {
 
 /// What a study takes from the results of its runs; see studies/study_tables.hpp.
 enum class StudyTableKind { loops, quantities, loads, heights, foils, contacts };
+
+/// As they are called in descriptions, and as their files without ".csv".
+template <>
+inline constexpr auto enum_names<StudyTableKind> = std::to_array<std::string_view>({"loops", "quantities", "loads",
+                                                                                    "heights", "foils", "contacts"});
 
 /// A table from elsewhere that a study compares with.
 struct StudyData {

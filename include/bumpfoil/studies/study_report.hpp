@@ -12,10 +12,11 @@ namespace bumpfoil {
 struct StudyOutcome {
   std::string name, title;
   std::size_t runs{};
-  std::size_t increments{};  ///< of all runs
-  double max_residual{};     ///< largest of all runs
-  bool converged{true};      ///< all of them
-  double wall_time{};        ///< s, with the files and the picture
+  std::size_t increments{};             ///< of all runs
+  double max_residual{};                ///< largest of all runs
+  bool converged{true};                 ///< all of them
+  double wall_time{};                   ///< s, with the files and the picture
+  std::vector<std::string> failures{};  ///< study, run and failure_lines() of each
 };
 
 /// Counts what the runs of a study took; the time is left to the caller.

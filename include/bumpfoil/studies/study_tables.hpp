@@ -28,9 +28,6 @@ struct StudyTable {
   std::vector<std::vector<TableCell>> rows;
 };
 
-/// As it is called in descriptions, and as its file without ".csv".
-std::string_view name_of(StudyTableKind kind);
-
 /// A table of the results of a study, SI. The first column is always `run`.
 ///
 /// | table | one row for each |

@@ -4,11 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
-#include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "support/dense_contacts.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
@@ -16,65 +15,146 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Increments 10 um apart with these direct forces; the last `unloading` of them unload.
-std::vector<Increment> increments(const std::vector<double>& forces, std::size_t unloading = 0) {
-  std::vector<Increment> out;
+/// Where increments 10 um apart with these direct forces first pass 5 N.
+std::optional<double> clearance(const std::vector<double>& forces) {
+  Clearance search(5.0);
   for (std::size_t k = 0; k < forces.size(); ++k) {
     Increment next;
     next.displacement = 1e-5 * static_cast<double>(k);
     next.force_direct = forces[k];
-    next.branch = k + unloading < forces.size() ? Branch::loading : Branch::unloading;
-    out.push_back(next);
+    search.add(next);
   }
-  return out;
+  return search.displacement();
 }
 
-TEST(ClearanceAt, IsLinearBetweenIncrements) {
-  EXPECT_DOUBLE_EQ(*clearance_at(increments({0.0, 2.0, 10.0}), 5.0), 1e-5 + 3.0 / 8.0 * 1e-5);
-  EXPECT_DOUBLE_EQ(*clearance_at(increments({0.0, 5.0, 10.0}), 5.0), 1e-5);
-  EXPECT_DOUBLE_EQ(*clearance_at(increments({-4.0, 6.0}), 5.0), 0.9e-5);
+TEST(Clearance, IsLinearBetweenIncrements) {
+  EXPECT_DOUBLE_EQ(*clearance({0.0, 2.0, 10.0}), 1e-5 + 3.0 / 8.0 * 1e-5);
+  EXPECT_DOUBLE_EQ(*clearance({0.0, 5.0, 10.0}), 1e-5);
+  EXPECT_DOUBLE_EQ(*clearance({-4.0, 6.0}), 0.9e-5);
 }
 
-TEST(ClearanceAt, TakesTheFirstUpwardCrossing) {
-  EXPECT_DOUBLE_EQ(*clearance_at(increments({0.0, 10.0, 0.0, 10.0}), 5.0), 0.5e-5);
+TEST(Clearance, TakesTheFirstUpwardCrossing) {
+  EXPECT_DOUBLE_EQ(*clearance({0.0, 10.0, 0.0, 10.0}), 0.5e-5);
 }
 
-TEST(ClearanceAt, IsZeroAboveFromTheStartAndAbsentIfNeverReached) {
-  EXPECT_EQ(clearance_at(increments({5.0, 3.0, 10.0}), 5.0), 0.0);
-  EXPECT_EQ(clearance_at(increments({0.0, 4.9}), 5.0), std::nullopt);
-  EXPECT_EQ(clearance_at(increments({0.0, 4.0, 10.0}, 1), 5.0), std::nullopt);  // only while unloading
-  EXPECT_EQ(clearance_at({}, 5.0), std::nullopt);
+TEST(Clearance, IsZeroAboveFromTheStartAndAbsentIfNeverReached) {
+  EXPECT_EQ(clearance({5.0, 3.0, 10.0}), 0.0);
+  EXPECT_EQ(clearance({0.0, 4.9}), std::nullopt);
+  EXPECT_EQ(clearance({}), std::nullopt);
+}
+
+/// A cycle of two steps per branch whose increments have these forces; `taken` of them are there.
+Cycle fed(const std::vector<double>& forces, std::size_t taken) {
+  Cycle cycle;
+  cycle.amplitude = 2e-5;
+  cycle.steps = 2;
+  cycle.due = 5;
+  CycleQuantities quantities(cycle);
+  for (std::size_t k = 0; k < taken; ++k) {
+    Increment next;
+    next.index = static_cast<int>(k);
+    next.displacement = 1e-5 * static_cast<double>(k <= 2 ? k : 4 - k);
+    next.force_direct = forces[k];
+    next.elastic_energy = 1e-3 * static_cast<double>(k <= 2 ? k : 4 - k);
+    next.work = 1e-4 * static_cast<double>(k);
+    next.residuals.equilibrium = 1e-12 * static_cast<double>(k);
+    next.cost = {.iterations = 2, .factorisations = 1, .outer_iterations = 0};
+    quantities.add(next, true, k == 2 || k == 4);
+    if (k == 2) quantities.turn({});
+  }
+  quantities.finish();
+  return cycle;
+}
+
+TEST(CycleQuantities, FollowFromTheIncrementsThatPass) {
+  const Cycle cycle = fed({0.0, 4.0, 20.0, 8.0, 0.0}, 5);
+  EXPECT_TRUE(cycle.converged());
+  EXPECT_EQ(cycle.turning_point->max_force, 20.0);
+  EXPECT_DOUBLE_EQ(cycle.turning_point->secant_stiffness, 20.0 / 2e-5);
+  EXPECT_EQ(cycle.turns.size(), 2U);
+  EXPECT_EQ(cycle.start->index, 0);
+  EXPECT_DOUBLE_EQ(*cycle.loop_energy, 4e-4);
+  EXPECT_DOUBLE_EQ(*cycle.loss_factor, 4e-4 / (2.0 * pi * 2e-3));
+  EXPECT_DOUBLE_EQ(*cycle.clearance_5N, 1e-5 + 1.0 / 16.0 * 1e-5);
+  EXPECT_EQ(cycle.cost.iterations, 10);
+  EXPECT_EQ(cycle.cost.factorisations, 5);
+  EXPECT_EQ(cycle.max_residual, 4e-12);
+}
+
+TEST(CycleQuantities, LeaveOutWhatNeedsTheWholeCycle) {
+  EXPECT_EQ(fed({0.0, 4.0, 20.0, 8.0, 0.0}, 4).loop_energy, std::nullopt);
+  EXPECT_TRUE(fed({0.0, 4.0, 20.0, 8.0, 0.0}, 4).turning_point);
+  EXPECT_EQ(fed({0.0, 4.0, 20.0, 8.0, 0.0}, 2).turning_point, std::nullopt);
+}
+
+TEST(CycleQuantities, SeekClearancesOnTheLoadingBranchAlone) {
+  EXPECT_EQ(fed({0.0, 3.0, 4.0, 8.0, 0.0}, 5).clearance_5N, std::nullopt);
+}
+
+TEST(CycleQuantities, KeepTheStatusOfTheIncrementThatFailed) {
+  Cycle cycle;
+  cycle.due = 3;
+  CycleQuantities quantities(cycle);
+  Increment next;
+  quantities.add(next, true, false);
+  next.status = Status::no_modes;
+  next.cost.iterations = 7;
+  quantities.add(next, false, false);
+  quantities.finish();
+  EXPECT_EQ(cycle.status, Status::no_modes);
+  EXPECT_EQ(cycle.cost.iterations, 7);  // what failed was paid for, too
+  EXPECT_EQ(cycle.loop_energy, std::nullopt);
+}
+
+TEST(CycleQuantities, DoNotTakeAnUnknownResidualForASmallOne) {
+  for (const bool known : {true, false}) {
+    Cycle cycle;
+    cycle.due = 3;
+    CycleQuantities quantities(cycle);
+    Increment next;
+    for (const double residual : {1e-12, known ? 3e-12 : std::nan(""), 2e-12}) {
+      next.residuals.equilibrium = residual;
+      quantities.add(next, true, false);
+    }
+    if (known) {
+      EXPECT_EQ(cycle.max_residual, 3e-12);
+    } else {
+      EXPECT_TRUE(std::isnan(cycle.max_residual));
+    }
+  }
 }
 
 TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   Case input = case_with_given_constants();
-  const FoilModel model = make_bearing_model(input);
+  const SharedFoils foils = make_bearing_foils(input);
+  const Vector clear = Vector::Constant(26, input.bearing.radial_clearance);
   const Vector at_rest = Vector::Zero(26);
   // Towards crest 5 exactly: the clearance; half-way between two crests: a little more.
   const double pitch_angle = input.bump_foil.pitch / input.bearing.radius;
-  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.normals, at_rest, unit_vector(pi - 4.5 * pitch_angle)),
-              31.8e-6, 1e-18);
-  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.normals, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
+  EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, at_rest, unit_vector(pi - 4.5 * pitch_angle)), 31.8e-6,
+              1e-18);
+  EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, at_rest, unit_vector(pi - 5.0 * pitch_angle)),
               31.8e-6 / std::cos(0.5 * pitch_angle), 1e-18);
 }
 
 TEST(FirstContact, SeesTheTopFoilWhereItStands) {
-  const FoilModel model = make_bearing_model(case_with_given_constants());
+  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  const Vector clear = Vector::Constant(26, foils->clearance);
   Vector displaced = Vector::Zero(26);
   displaced[12] = -10e-6;  // inward
-  const Eigen::Vector2d towards = model.normals.col(12);
-  EXPECT_NEAR(*first_contact_displacement(model.clearance, model.normals, displaced, towards), 21.8e-6, 1e-18);
+  const Eigen::Vector2d towards = foils->normals.col(12);
+  EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, displaced, towards), 21.8e-6, 1e-18);
   displaced[12] = -31.8e-6;
-  EXPECT_EQ(first_contact_displacement(model.clearance, model.normals, displaced, towards), 0.0);
+  EXPECT_EQ(first_contact_displacement(clear, foils->normals, displaced, towards), 0.0);
 }
 
 TEST(FirstContact, IsAbsentWhereNoCrestFacesTheDirection) {
   Case input = case_with_given_constants();
   input.bump_foil.bumps = 6;  // 82 degrees from the weld on
-  const FoilModel model = make_bearing_model(input);
-  EXPECT_EQ(first_contact_displacement(model.clearance, model.normals, Vector::Zero(6), unit_vector(0.0)),
-            std::nullopt);
-  EXPECT_TRUE(first_contact_displacement(model.clearance, model.normals, Vector::Zero(6), unit_vector(pi)).has_value());
+  const SharedFoils foils = make_bearing_foils(input);
+  const Vector clear = Vector::Constant(6, foils->clearance);
+  EXPECT_EQ(first_contact_displacement(clear, foils->normals, Vector::Zero(6), unit_vector(0.0)), std::nullopt);
+  EXPECT_TRUE(first_contact_displacement(clear, foils->normals, Vector::Zero(6), unit_vector(pi)).has_value());
 }
 
 TEST(LossFactor, ComparesTheLoopWithTheEnergyStored) {
@@ -84,82 +164,40 @@ TEST(LossFactor, ComparesTheLoopWithTheEnergyStored) {
   EXPECT_EQ(loss_factor(1.0, std::nan("")), std::nullopt);
 }
 
-/// The reference bearing pushed to 2.5 clearances along n.
-class Pushed : public testing::TestWithParam<double> {
- protected:
-  void SetUp() override {
-    for (int k = 0; k <= 50; ++k) {
-      const ContactState previous = state;
-      ASSERT_TRUE(solver.solve(loading_at(model, k * 1.59e-6 * n), previous, state).converged);
-    }
+/// Increments with these stresses, one row each, 1 um apart.
+struct Stressed {
+  StressFields fields;
+  std::vector<Increment> increments;
+
+  void add(const FoilStress& stress) {
+    const auto row = static_cast<Eigen::Index>(increments.size());
+    Increment next;
+    next.index = static_cast<int>(row);
+    next.displacement = 1e-6 * static_cast<double>(row);
+    increments.push_back(next);
+    const auto append = [row](FieldMatrix& field, const Vector& values) {
+      field.conservativeResize(row + 1, values.size());
+      field.row(row) = values.transpose();
+    };
+    append(fields.top_weld, stress.top_weld ? Vector::Constant(1, *stress.top_weld) : Vector());
+    append(fields.top_crest, stress.top_crest);
+    append(fields.bump_weld, stress.bump_weld ? Vector::Constant(1, *stress.bump_weld) : Vector());
+    append(fields.bump_crest, stress.bump_crest);
+    append(fields.bump_foot, stress.bump_foot);
+    append(fields.bump_largest, stress.bump_largest);
   }
-
-  [[nodiscard]] double force(const Vector& normal_force) const { return holding_force(model, normal_force).dot(n); }
-
-  /// Slope of the force when the journal moves by `step` from where it is.
-  double slope(double step) {
-    ContactState moved;
-    EXPECT_TRUE(solver.solve(loading_at(model, (79.5e-6 + step) * n), state, moved).converged);
-    return (force(moved.normal_force) - force(state.normal_force)) / step;
-  }
-
-  const FoilModel model = make_bearing_model(case_with_given_constants());
-  const Eigen::Vector2d n = unit_vector(GetParam());
-  NewtonSolver solver{model.problem};
-  ContactState state = ContactState::unstressed(model.problem);
 };
 
-TEST_P(Pushed, TangentsAreTheSlopesOfSmallSteps) {
-  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, n);
-  constexpr double step = 1e-11;  // short of the next event
-  EXPECT_NEAR(slope(step), tangent.loading.value(), 1e-4 * *tangent.loading);
-  // A few lightly loaded contacts lose their grip at once as the journal turns back; by definition they are stuck.
-  EXPECT_NEAR(slope(-step), tangent.unloading.value(), 0.01 * *tangent.unloading);
-  EXPECT_GT(*tangent.unloading, 1.5 * *tangent.loading);
+std::optional<StressPeak> top_peak(const std::vector<FoilStress>& stresses) {
+  Stressed stressed;
+  for (const FoilStress& stress : stresses) stressed.add(stress);
+  return top_foil_peak(stressed.fields, stressed.increments);
 }
 
-TEST_P(Pushed, UnloadingTangentHoldsEveryClosedContact) {
-  std::vector<ContactMode> mode = state.mode;
-  for (ContactMode& m : mode) m = m == ContactMode::open ? m : ContactMode::stick;
-  const DenseState rate = solve_dense(make_dense(model.problem), loading_rate(model, n), 0.0 * state.x, mode);
-  const double expected = force(rate.normal_force);
-  EXPECT_NEAR(tangent_stiffnesses(model, state, n).unloading.value(), expected, 1e-9 * expected);
-}
-
-INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.0, 4.0));
-
-TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
-  const FoilModel model = make_bearing_model(case_with_given_constants());
-  ContactState state = ContactState::unstressed(model.problem);
-  state.mode.assign(78, ContactMode::stick);
-  for (std::size_t i = 0; i < 26; ++i) state.mode[3 * i] = ContactMode::open;
-  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
-  EXPECT_EQ(tangent.loading, 0.0);
-  EXPECT_EQ(tangent.unloading, 0.0);
-}
-
-TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
-  FoilModel model = make_bearing_model(case_with_given_constants());
-  // No spring holds crest 8 along the foil any more.
-  model.problem.K.diagonal[7].row(0).setZero();
-  model.problem.K.diagonal[7].col(0).setZero();
-  model.problem.K.upper[6].col(0).setZero();
-  model.problem.K.upper[7].row(0).setZero();
-  model.structure.K = model.problem.K;
-  ContactState state = ContactState::unstressed(model.problem);
-  state.mode.assign(78, ContactMode::open);
-  const TangentStiffnesses tangent = tangent_stiffnesses(model, state, unit_vector(0.0));
-  EXPECT_EQ(tangent.loading, std::nullopt);
-  EXPECT_EQ(tangent.unloading, std::nullopt);
-}
-
-/// An increment with these stresses and no others.
-Increment stressed(int index, const FoilStress& stress) {
-  Increment increment;
-  increment.index = index;
-  increment.displacement = 1e-6 * index;
-  increment.stress = stress;
-  return increment;
+std::optional<StressPeak> bump_peak(const std::vector<FoilStress>& stresses) {
+  Stressed stressed;
+  for (const FoilStress& stress : stresses) stressed.add(stress);
+  return bump_foil_peak(stressed.fields, stressed.increments);
 }
 
 TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
@@ -176,23 +214,23 @@ TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
   FoilStress higher = high;
   higher.bump_largest[1] = 8.0;
 
-  const StressPeak top = top_foil_peak({stressed(0, low), stressed(1, high), stressed(2, high)}).value();
+  const StressPeak top = top_peak({low, high, high}).value();
   EXPECT_EQ(top.stress, 9.0);
   EXPECT_EQ(top.place, StressPlace::crest);
   EXPECT_EQ(top.bump, 1);
   EXPECT_EQ(top.increment, 1);  // where it acts first
   EXPECT_EQ(top.displacement, 1e-6);
-  EXPECT_EQ(top_foil_peak({stressed(0, low)})->place, StressPlace::weld);
-  EXPECT_EQ(top_foil_peak({stressed(0, low)})->bump, -1);
+  EXPECT_EQ(top_peak({low})->place, StressPlace::weld);
+  EXPECT_EQ(top_peak({low})->bump, -1);
 
-  const StressPeak crest = bump_foil_peak({stressed(0, low)}).value();
+  const StressPeak crest = bump_peak({low}).value();
   EXPECT_EQ(crest.place, StressPlace::crest);  // not the arc, which is no larger
   EXPECT_EQ(crest.bump, 1);
-  const StressPeak foot = bump_foil_peak({stressed(0, low), stressed(1, high)}).value();
+  const StressPeak foot = bump_peak({low, high}).value();
   EXPECT_EQ(foot.place, StressPlace::foot);
   EXPECT_EQ(foot.bump, 1);
-  EXPECT_EQ(bump_foil_peak({stressed(0, higher)})->place, StressPlace::arc);
-  EXPECT_EQ(bump_foil_peak({stressed(0, FoilStress{})}), std::nullopt);
+  EXPECT_EQ(bump_peak({higher})->place, StressPlace::arc);
+  EXPECT_EQ(bump_peak({FoilStress{}}), std::nullopt);
 }
 
 }  // namespace

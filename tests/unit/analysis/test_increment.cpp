@@ -2,72 +2,35 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "bumpfoil/model/geometry.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// A made-up state of the reference bearing: bump 3 pressed, everything else open.
+const Eigen::Vector2d up(0.0, 1.0);
+
+/// A made-up step of the reference bearing: bump 3 pressed, everything else open.
 struct Example {
-  FoilModel model = make_bearing_model(case_with_given_constants());
-  ContactState state = ContactState::unstressed(model.problem);
-  Eigen::Vector2d position{1e-6, 0.0};
-  ContactLoading loading = loading_at(model, position);
-  Vector previous_x = state.x;
+  SharedFoils foils = make_bearing_foils(case_with_given_constants());
+  Step step;
 
   Example() {
-    state.gap.setConstant(5e-6);
-    for (const int contact : {6, 7, 8}) state.gap[contact] = 0.0;
-    state.normal_force.segment(6, 3) << 20.0, 15.0, 1e-12;
-    state.friction_force[7] = -1.5;
-    state.mode[6] = ContactMode::stick;
-    state.mode[7] = ContactMode::slip_forward;
-    state.mode[8] = ContactMode::stick;
-    const int block = model.problem.K.block_size();
-    state.x[2 * block + model.structure.dofs.crest_u] = 1e-7;
-    state.x[2 * block + model.structure.dofs.foot_v[0]] = -3e-7;
-    state.x[2 * block + model.structure.dofs.top_u] = 4e-7;
-  }
-
-  Increment record() const {
-    return record_increment(model, position, Eigen::Vector2d(0.0, 1.0), loading, previous_x, state);
+    step.state = FoilState::unstressed(*foils);
+    step.state.excitation.position = {1e-6, 2e-6};
+    step.state.contacts.normal_force[6] = 20.0;
+    step.state.work = 3.0;
+    step.state.dissipated_energy = 2.0;
+    step.cost.iterations = 5;
+    step.substeps = 1;
   }
 };
 
-TEST(RecordIncrement, SortsFieldsByInterfaceAndBump) {
-  const Increment increment = Example().record();
-  EXPECT_EQ(increment.crest_u[2], 1e-7);
-  EXPECT_EQ(increment.foot_v[2], -3e-7);
-  EXPECT_EQ(increment.top_displacement[2], 4e-7);
-  EXPECT_EQ(increment.crest_u.cwiseAbs().sum(), 1e-7);
-  EXPECT_EQ(increment.journal_top.normal_force[2], 20.0);
-  EXPECT_EQ(increment.top_bump.normal_force[2], 15.0);
-  EXPECT_EQ(increment.top_bump.friction_force[2], -1.5);
-  EXPECT_EQ(increment.top_bump.mode[2], ContactMode::slip_forward);
-  EXPECT_EQ(increment.top_bump.gap[2], 0.0);
-  EXPECT_EQ(increment.top_bump.gap[3], 5e-6);
-  EXPECT_EQ(increment.top_bump.mode[3], ContactMode::open);
-}
-
-TEST(RecordIncrement, ReportsAContactWithoutLoadAsOpen) {
-  const Increment increment = Example().record();
-  EXPECT_EQ(increment.bump_sleeve.mode[2], ContactMode::open);  // 1e-12 N is below 1e-9 of 20 N
-  EXPECT_EQ(increment.bump_sleeve.normal_force[2], 0.0);
-}
-
-TEST(RecordIncrement, FrictionlessContactsSlipTheWayTheyMove) {
-  Example example;
-  for (ContactPair& pair : example.model.problem.pairs) pair.friction_coefficient = 0.0;
-  example.state.mode[7] = ContactMode::stick;  // what a solver keeps for a frictionless contact
-  EXPECT_EQ(example.record().top_bump.mode[2], ContactMode::slip_forward);
-  example.previous_x = example.state.x;
-  EXPECT_EQ(example.record().top_bump.mode[2], ContactMode::stick);
-}
-
-TEST(RecordIncrement, ResolvesTheForceOnTheJournal) {
+TEST(PlaceIncrement, ResolvesTheForceOnTheJournal) {
   const Example example;
-  const Increment increment = example.record();
+  const Increment increment = place_increment(*example.foils, example.step, up);
   const Case input = case_with_given_constants();
   const double phi = polar_angles(input.bearing, crest_angles(input))[2];
   EXPECT_NEAR(increment.force_x, 20.0 * std::cos(phi), 1e-13);
@@ -76,9 +39,44 @@ TEST(RecordIncrement, ResolvesTheForceOnTheJournal) {
   EXPECT_EQ(increment.force_cross, -increment.force_x);  // n turned by +90 deg is -X
 }
 
-TEST(RecordIncrement, JudgesTheState) {
+TEST(PlaceIncrement, CopiesPlaceEnergiesAndCost) {
+  const Example example;
+  const Increment increment = place_increment(*example.foils, example.step, up);
+  EXPECT_EQ(increment.x, 1e-6);
+  EXPECT_EQ(increment.y, 2e-6);
+  EXPECT_EQ(increment.displacement, 2e-6);
+  EXPECT_EQ(increment.work, 3.0);
+  EXPECT_EQ(increment.dissipated_energy, 2.0);
+  EXPECT_EQ(increment.cost.iterations, 5);
+  EXPECT_EQ(increment.substeps, 1);
+  EXPECT_TRUE(std::isnan(increment.elastic_energy));  // until it is judged
+  EXPECT_FALSE(increment.residuals.within());
+}
+
+TEST(Judge, FindsEnergyAndResiduals) {
+  Example example;
+  example.step.state.contacts.x[0] = 1e-6;
+  Increment increment = place_increment(*example.foils, example.step, up);
+  judge(*example.foils, example.step.state, increment);
+  const Vector& x = example.step.state.contacts.x;
+  EXPECT_DOUBLE_EQ(increment.elastic_energy, elastic_response(example.foils->structure, x).energy);
   // Made-up forces balance nothing.
-  EXPECT_GT(Example().record().residuals.equilibrium, 0.1);
+  EXPECT_GT(increment.residuals.equilibrium, 0.1);
+}
+
+TEST(FailedIncrement, KnowsItsPlaceAndItsReasonAlone) {
+  Example example;
+  example.step.status = Status::no_modes;
+  const Increment increment = failed_increment(example.step, up);
+  EXPECT_EQ(increment.status, Status::no_modes);
+  EXPECT_FALSE(increment.converged());
+  EXPECT_EQ(increment.displacement, 2e-6);
+  EXPECT_EQ(increment.cost.iterations, 5);
+  for (const double value :
+       {increment.force_x, increment.force_y, increment.force_direct, increment.force_cross, increment.elastic_energy,
+        increment.dissipated_energy, increment.work, increment.residuals.equilibrium}) {
+    EXPECT_TRUE(std::isnan(value));
+  }
 }
 
 }  // namespace

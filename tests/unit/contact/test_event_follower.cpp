@@ -23,7 +23,7 @@ struct Path {
 
   void to(const ContactLoading& end) {
     events.clear();
-    follower.set_out(begin, end, state.mode);
+    follower.set_out({begin, end}, state.mode);
     report = follower.follow_to(1.0, state, {}, &events);
     ASSERT_TRUE(report.arrived);
     begin = end;
@@ -33,7 +33,7 @@ struct Path {
   EventFollower follower;
   ContactState state;
   ContactLoading begin;  ///< where the state is
-  FollowReport report;
+  EventProgress report;
   std::vector<ContactEvent> events;
 };
 
@@ -82,8 +82,8 @@ TEST(EventFollower, AnOpenContactHasNoFriction) {
   ContactState state = ContactState::unstressed(block);
   state.x[1] = state.gap[0] = 1e-6;
   state.friction_force[0] = -5.0;
-  follower.set_out(toy::pull(5.0, -1.0), toy::pull(5.0, -2.0), state.mode);
-  const FollowReport report = follower.follow_to(0.5, state);
+  follower.set_out({toy::pull(5.0, -1.0), toy::pull(5.0, -2.0)}, state.mode);
+  const EventProgress report = follower.follow_to(0.5, state);
   ASSERT_TRUE(report.arrived);
   EXPECT_EQ(state.friction_force[0], 0.0);
   EXPECT_NEAR(state.x[0], 2.5e-6, 1e-17);
@@ -111,13 +111,15 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
   ContactState state = path.state;
   Vector x = state.x;
   int pieces = 0;
-  const auto visit = [&](const ContactState& begin, const ContactState& end) {
+  const auto visit = [&](const ResponsePart& part) {
+    const auto& [begin, end, linear] = part;
+    EXPECT_TRUE(linear);
     EXPECT_EQ(begin.x, x);
     EXPECT_EQ(begin.mode, state.mode);
     x = end.x;
     ++pieces;
   };
-  path.follower.set_out(random.first, random.second, state.mode);
+  path.follower.set_out({random.first, random.second}, state.mode);
   ASSERT_TRUE(path.follower.follow_to(1.0, state, visit).arrived);
   EXPECT_EQ(x, state.x);
   EXPECT_GT(pieces, 3);
@@ -131,18 +133,20 @@ TEST(EventFollower, EveryEventIsASolution) {
     ContactState state = ContactState::unstressed(random.problem);
     NewtonSolver solver(random.problem);
     const ContactState start = state;
-    ASSERT_TRUE(solver.solve(random.first, start, state).converged);
-    const auto visit = [&](const ContactState& begin, const ContactState& end) {
+    ASSERT_TRUE(solver.solve(random.first, start, state).converged());
+    const auto visit = [&](const ResponsePart& part) {
+      const auto& [begin, end, linear] = part;
+      EXPECT_TRUE(linear);
       // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
       const Vector initial_gap = end.gap - contact_gaps(random.problem, Vector::Zero(end.gap.size()), end.x);
       const double fraction = (initial_gap - random.first.initial_gap).norm() /
                               (random.second.initial_gap - random.first.initial_gap).norm();
-      const ContactLoading loading = interpolate(random.first, random.second, fraction);
+      const ContactLoading loading = LoadingPath{random.first, random.second}.at(fraction);
       const ContactResiduals residuals =
           contact_residuals(random.problem, random.problem.K.multiply(end.x), loading, begin.x, end);
       EXPECT_TRUE(residuals.within()) << "seed " << seed << " at " << fraction;
     };
-    follower.set_out(random.first, random.second, state.mode);
+    follower.set_out({random.first, random.second}, state.mode);
     EXPECT_TRUE(follower.follow_to(1.0, state, visit).arrived) << seed;
   }
 }
@@ -167,30 +171,30 @@ TEST(EventFollower, HaltsAnywhereOnTheWay) {
   direct.to(random.second);
 
   halting.events.clear();
-  halting.follower.set_out(random.first, random.second, halting.state.mode);
+  halting.follower.set_out({random.first, random.second}, halting.state.mode);
   constexpr int halts = 500;
   int solves = 0;
   int events = 0;
   for (int k = 1; k <= halts; ++k) {
     const double fraction = static_cast<double>(k) / halts;
     const Vector before = halting.state.x;
-    const FollowReport report = halting.follower.follow_to(fraction, halting.state, {}, &halting.events);
+    const EventProgress report = halting.follower.follow_to(fraction, halting.state, {}, &halting.events);
     ASSERT_TRUE(report.arrived);
     EXPECT_EQ(report.fraction, fraction);
-    solves += report.solve.iterations;
+    solves += report.cost.iterations;
     events += report.events;
     if (k > 1 && report.events == 0) {
-      EXPECT_EQ(report.solve.iterations, 0);
+      EXPECT_EQ(report.cost.iterations, 0);
     }
     const ContactResiduals residuals =
         contact_residuals(random.problem, random.problem.K.multiply(halting.state.x),
-                          interpolate(random.first, random.second, fraction), before, halting.state);
+                          LoadingPath{random.first, random.second}.at(fraction), before, halting.state);
     EXPECT_LT(residuals.equilibrium, 1e-12);
     EXPECT_LT(residuals.penetration, 1e-15);
     EXPECT_LT(residuals.complementarity, 1e-12);
   }
   EXPECT_EQ(halting.state.x, direct.state.x);
-  EXPECT_EQ(solves, direct.report.solve.iterations);
+  EXPECT_EQ(solves, direct.report.cost.iterations);
   EXPECT_EQ(events, direct.report.events);
   EXPECT_EQ(halting.events.size(), direct.events.size());
 }
@@ -200,7 +204,7 @@ TEST(EventFollower, StopsWhereItCannotGoOn) {
   ContactLoading broken = toy::pull(10.0, 40.0);
   broken.load[0] = std::numeric_limits<double>::quiet_NaN();
   const auto arrives = [](EventFollower& follower, const ContactLoading& end, ContactState& state) {
-    follower.set_out(toy::pull(0.0, 40.0), end, state.mode);
+    follower.set_out({toy::pull(0.0, 40.0), end}, state.mode);
     return follower.follow_to(1.0, state).arrived;
   };
   EventFollower follower(block, make_mode_system(block));

@@ -10,22 +10,22 @@ namespace bumpfoil {
 namespace {
 
 /// A whole path at once.
-IncrementReport advance(EventStepper& stepper, const ContactLoading& from, const ContactLoading& to,
-                        ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events) {
-  stepper.set_out(from, to, state);
-  return stepper.advance_to(1.0, state, visit, events);
+FollowReport follow(EventStepper& stepper, const ContactLoading& from, const ContactLoading& to, ContactState& state,
+                    const PartVisitor& visit, std::vector<ContactEvent>& events) {
+  stepper.set_out({from, to}, state);
+  return stepper.follow_to(1.0, state, visit, events);
 }
 
 TEST(EventStepper, FractionsRunFromBeginToEndOfTheStep) {
   EventStepper stepper(toy::dragged_block());
   ContactState state = ContactState::unstressed(toy::dragged_block());
   std::vector<ContactEvent> events;
-  ASSERT_TRUE(advance(stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).solve.converged);
+  ASSERT_TRUE(follow(stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).converged());
   events.clear();
   // There and back: slips at 20 N, sticks at once on the way back, slips back when 40 N are taken.
-  ASSERT_TRUE(advance(stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).solve.converged);
-  const IncrementReport back = advance(stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
-  EXPECT_TRUE(back.solve.converged);
+  ASSERT_TRUE(follow(stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).converged());
+  const FollowReport back = follow(stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
+  EXPECT_TRUE(back.converged());
   EXPECT_EQ(back.substeps, 0);
   ASSERT_EQ(events.size(), 3U);
   EXPECT_NEAR(events[0].fraction, 20.0 / 30.0, 1e-12);
@@ -41,16 +41,18 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
   std::vector<ContactEvent> events;
   const ContactLoading apart{.initial_gap = Eigen::Vector2d(10e-6, 4e-6), .load = Vector::Zero(2)};
   const ContactLoading pressed{.initial_gap = Eigen::Vector2d(-2e-6, -3e-6), .load = Vector::Zero(2)};
-  ASSERT_TRUE(advance(stepper, apart, apart, state, {}, events).solve.converged);
+  ASSERT_TRUE(follow(stepper, apart, apart, state, {}, events).converged());
   Vector joint = state.x;
   int parts = 0;
-  const auto visit = [&](const ContactState& begin, const ContactState& end) {
+  const auto visit = [&](const ResponsePart& part) {
+    const ContactState& begin = part.begin;
+    const ContactState& end = part.end;
     EXPECT_EQ(begin.x, joint);
     joint = end.x;
     ++parts;
   };
   events.clear();
-  ASSERT_TRUE(advance(stepper, apart, pressed, state, visit, events).solve.converged);
+  ASSERT_TRUE(follow(stepper, apart, pressed, state, visit, events).converged());
   EXPECT_EQ(joint, state.x);
   EXPECT_EQ(parts, 3);  // two contacts close on the way
   EXPECT_EQ(events.size(), 2U);
@@ -66,12 +68,14 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
     NewtonSolver newton(problem);
     const ContactState unstressed = ContactState::unstressed(problem);
     ContactState state = unstressed;
-    if (!newton.solve(random.first, unstressed, state).converged) continue;  // so much friction has no sure method
+    if (!newton.solve(random.first, unstressed, state).converged()) continue;  // so much friction has no sure method
     EventStepper stepper(problem);
-    stepper.set_out(random.first, random.second, state);
+    stepper.set_out({random.first, random.second}, state);
     Vector joint = state.x;
     std::vector<ContactMode> modes = state.mode;
-    const auto visit = [&](const ContactState& begin, const ContactState& end) {
+    const auto visit = [&](const ResponsePart& part) {
+      const ContactState& begin = part.begin;
+      const ContactState& end = part.end;
       EXPECT_EQ(begin.x, joint) << seed;
       joint = end.x;
       // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
@@ -79,12 +83,12 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
       const double fraction = (initial_gap - random.first.initial_gap).norm() /
                               (random.second.initial_gap - random.first.initial_gap).norm();
       const ContactResiduals residuals = contact_residuals(
-          problem, problem.K.multiply(end.x), interpolate(random.first, random.second, fraction), begin.x, end);
+          problem, problem.K.multiply(end.x), LoadingPath{random.first, random.second}.at(fraction), begin.x, end);
       EXPECT_TRUE(residuals.within()) << seed << " at " << fraction;
     };
     std::vector<ContactEvent> events;
-    const IncrementReport report = stepper.advance_to(1.0, state, visit, events);
-    if (!report.solve.converged) continue;
+    const FollowReport report = stepper.follow_to(1.0, state, visit, events);
+    if (!report.converged()) continue;
     substeps += report.substeps;
     EXPECT_EQ(state.x, joint) << seed;
     for (std::size_t i = 1; i < events.size(); ++i) EXPECT_LE(events[i - 1].fraction, events[i].fraction) << seed;

@@ -20,7 +20,7 @@ struct LoadPath {
   void load(const ContactLoading& loading) {
     const ContactState previous = state;
     report = solver.solve(loading, previous, state);
-    ASSERT_TRUE(report.converged);
+    ASSERT_TRUE(report.converged());
     const Vector elastic = problem.law ? problem.law->forces(state.x) : problem.K.multiply(state.x);
     EXPECT_TRUE(contact_residuals(problem, elastic, loading, previous.x, state).within());
     EXPECT_LT((state.gap - contact_gaps(problem, loading.initial_gap, state.x)).cwiseAbs().maxCoeff(), 1e-18);
@@ -156,14 +156,14 @@ TEST(NewtonSolver, ResultDoesNotDependOnTheMethod) {
     const ContactState start = ContactState::unstressed(random.problem);
     ContactState state, other;
     NewtonSolver solver(random.problem, {.max_mode_updates = 100});
-    ASSERT_TRUE(solver.solve(random.first, start, state).converged) << seed;
+    ASSERT_TRUE(solver.solve(random.first, start, state).converged()) << seed;
     for (const Method* method : {&event_path, &interior_point}) {
       NewtonSolver by_method(random.problem, method->options);
       const SolveReport report = by_method.solve(random.first, start, other);
-      ASSERT_TRUE(report.converged) << seed << method->name;
+      ASSERT_TRUE(report.converged()) << seed << method->name;
       if (method == &interior_point) {
-        EXPECT_GT(report.outer_iterations, 0) << seed;
-      } else if (report.outer_iterations == 0) {
+        EXPECT_GT(report.cost.outer_iterations, 0) << seed;
+      } else if (report.cost.outer_iterations == 0) {
         ++followed;
       }
       EXPECT_LT((other.x - state.x).norm(), 1e-11 * state.x.norm()) << seed << method->name;
@@ -210,13 +210,13 @@ TEST(NewtonSolver, ResultMayOverwriteWhatItIsGiven) {
   NewtonSolver solver(random.problem);
   const ContactState start = ContactState::unstressed(random.problem);
   ContactState clean;
-  ASSERT_TRUE(solver.solve(random.first, start, clean).converged);
+  ASSERT_TRUE(solver.solve(random.first, start, clean).converged());
   ContactState poisoned{.x = Vector::Constant(99, std::numeric_limits<double>::quiet_NaN()),
                         .gap = {},
                         .normal_force = Vector::Constant(1, std::numeric_limits<double>::infinity()),
                         .friction_force = {},
                         .mode = {ContactMode::slip_backward}};
-  ASSERT_TRUE(solver.solve(random.first, start, poisoned).converged);
+  ASSERT_TRUE(solver.solve(random.first, start, poisoned).converged());
   EXPECT_EQ(poisoned.x, clean.x);
   EXPECT_EQ(poisoned.gap, clean.gap);
   EXPECT_EQ(poisoned.normal_force, clean.normal_force);
@@ -228,8 +228,8 @@ TEST(NewtonSolver, FailsOnWhatIsNotANumberAndRecovers) {
   broken.initial_gap[3] = std::numeric_limits<double>::quiet_NaN();
   NewtonSolver solver(random.problem);
   ContactState state;
-  EXPECT_FALSE(solver.solve(broken, ContactState::unstressed(random.problem), state).converged);
-  EXPECT_TRUE(solver.solve(random.first, ContactState::unstressed(random.problem), state).converged);
+  EXPECT_FALSE(solver.solve(broken, ContactState::unstressed(random.problem), state).converged());
+  EXPECT_TRUE(solver.solve(random.first, ContactState::unstressed(random.problem), state).converged());
 }
 
 /// Friction coefficient 1 in strongly coupled problems: modes cycle and paths end, so that the last of the three
@@ -245,15 +245,15 @@ TEST(NewtonSolver, InteriorPointSolvesWhatIsLeft) {
           .within();
     };
     NewtonSolver crippled(random.problem, {.max_events = 1000, .max_interior_steps = 0});
-    if (crippled.solve(random.first, start, state).converged) {
+    if (crippled.solve(random.first, start, state).converged()) {
       EXPECT_TRUE(solved()) << seed;
       continue;
     }
     ++left;
     NewtonSolver solver(random.problem);
     const SolveReport report = solver.solve(random.first, start, state);
-    EXPECT_TRUE(report.converged) << seed;
-    EXPECT_GE(report.outer_iterations, 1) << seed;
+    EXPECT_TRUE(report.converged()) << seed;
+    EXPECT_GE(report.cost.outer_iterations, 1) << seed;
     EXPECT_TRUE(solved()) << seed;
   }
   EXPECT_GE(left, 5);  // 10 when this was written; which they are depends on roundings
@@ -278,8 +278,8 @@ TEST(NewtonSolver, MeetsAHardeningSpring) {
   EXPECT_NEAR(run.state.x[0], 1e-5, 1e-15);
   EXPECT_NEAR(run.state.friction_force[0], -20.0, 1e-12);
   EXPECT_EQ(run.state.mode[0], ContactMode::slip_forward);
-  EXPECT_LE(run.report.iterations, 8);  // quadratic once the block slips
-  run.load(toy::pull(30.0, 40.0));      // holds: the spring pulls back with 10 N
+  EXPECT_LE(run.report.cost.iterations, 8);  // quadratic once the block slips
+  run.load(toy::pull(30.0, 40.0));           // holds: the spring pulls back with 10 N
   EXPECT_EQ(run.state.mode[0], ContactMode::stick);
   EXPECT_NEAR(run.state.friction_force[0], 10.0, 1e-9);
   run.load(toy::pull(0.0, 40.0));  // 20 N hold: z (1 + z^2) = 1
@@ -351,10 +351,10 @@ TEST(NewtonSolver, SaysThatALawWasNotMet) {
   NewtonSolver solver(problem);
   const ContactLoading loading{.initial_gap = Vector::Constant(1, 1.0), .load = Vector::Zero(1)};
   ContactState state;
-  EXPECT_FALSE(solver.solve(loading, ContactState::unstressed(problem), state).converged);
+  EXPECT_FALSE(solver.solve(loading, ContactState::unstressed(problem), state).converged());
   problem.law->forces = [](const Vector&) { return Vector::Constant(1, std::numeric_limits<double>::quiet_NaN()); };
   NewtonSolver without_numbers(problem);
-  EXPECT_FALSE(without_numbers.solve(loading, ContactState::unstressed(problem), state).converged);
+  EXPECT_FALSE(without_numbers.solve(loading, ContactState::unstressed(problem), state).converged());
 }
 
 /// Thirty blocks land at once, five of them pulled: held as they are pulled by less than friction bears, those are
@@ -374,7 +374,7 @@ TEST(NewtonSolver, FollowsEventsOnlyWhereFewContactsContradictAtFirst) {
   for (const int max_events : {20, 30}) {
     LoadPath run(problem, {.max_mode_updates = 1, .max_events = max_events});
     run.load(loading);
-    EXPECT_EQ(run.report.outer_iterations == 0, max_events == 30);
+    EXPECT_EQ(run.report.cost.outer_iterations == 0, max_events == 30);
     EXPECT_NEAR(run.state.friction_force[0], -15.0, 1e-12);
   }
 }
@@ -397,9 +397,9 @@ TEST(NewtonSolver, CountsNoSolvesOfSingularSystems) {
   NewtonSolver solver(loose);
   ContactState state;
   const SolveReport report = solver.solve(toy::pull(15.0, 40.0), ContactState::unstressed(loose), state);
-  EXPECT_FALSE(report.converged);
-  EXPECT_EQ(report.iterations, 0);
-  EXPECT_GE(report.factorisations, 4);  // the modes, and the interior point from each of its three starts
+  EXPECT_FALSE(report.converged());
+  EXPECT_EQ(report.cost.iterations, 0);
+  EXPECT_GE(report.cost.factorisations, 4);  // the modes, and the interior point from each of its three starts
 }
 
 TEST(NewtonSolver, NeedsContacts) {
@@ -411,9 +411,9 @@ TEST(NewtonSolver, NeedsContacts) {
 TEST(NewtonSolver, CountsWhatItDid) {
   LoadPath run(toy::dragged_block());
   run.load(toy::pull(15.0, 40.0));
-  EXPECT_GE(run.report.iterations, 1);
-  EXPECT_LE(run.report.iterations, 3);
-  EXPECT_EQ(run.report.outer_iterations, 0);
+  EXPECT_GE(run.report.cost.iterations, 1);
+  EXPECT_LE(run.report.cost.iterations, 3);
+  EXPECT_EQ(run.report.cost.outer_iterations, 0);
 }
 
 }  // namespace

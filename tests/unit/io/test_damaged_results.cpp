@@ -46,6 +46,7 @@ struct SmallFile {
       {"foot", {.type = NC_INT, .dims = {"foot"}, .values = {1, 2, 3}}},
       {"steps", {.type = NC_INT, .dims = {"direction"}, .values = {2, 2}}},
       {"displacement", {.dims = {"direction", "increment"}, .values = {0, 1, 2, 1, 0, 0, 1, 2, 1, 0}}},
+      {"force_direct", {.dims = {"direction", "increment"}, .values = {0, 1, 2, 1, 0, 0, 1, 2, 1, 0}}},
       {"crest_v", {.dims = {"direction", "increment", "bump"}, .values = std::vector<double>(30, 1.0)}},
       {"bump_rise", {.values = {1e-3}}},
       {"height_error", {.dims = {"bump"}, .values = {0, 0, 0}}}};
@@ -190,13 +191,15 @@ TEST(DamagedResult, StepsThatDoNotFitTheLoops) {
 
 TEST(DamagedResult, DimensionsThatAreNotDue) {
   EXPECT_EQ(fault_of([](SmallFile& file) {
-              file.variables["displacement"] = {.dims = {"direction", "increment", "bump"},
+              file.variables["force_direct"] = {.dims = {"direction", "increment", "bump"},
                                                 .values = std::vector<double>(30)};
             }),
-            "/result.nc: displacement: has the dimensions (direction, increment, bump), where (direction, increment) "
+            "/result.nc: force_direct: has the dimensions (direction, increment, bump), where (direction, increment) "
             "are due");
-  EXPECT_EQ(fault_of([](SmallFile& file) { file.variables["displacement"] = {.dims = {}, .values = {1.0}}; }),
-            "/result.nc: displacement: has the dimensions (), where (direction, increment) are due");
+  for (const std::string name : {"displacement", "force_direct"}) {
+    EXPECT_EQ(fault_of([&](SmallFile& file) { file.variables[name] = {.dims = {}, .values = {1.0}}; }),
+              "/result.nc: " + name + ": has the dimensions (), where (direction, increment) are due");
+  }
   EXPECT_EQ(fault_of([](SmallFile& file) {
               file.variables["direction"] = {.dims = {"bump"}, .values = {1, 2, 3}};
             }),
@@ -234,6 +237,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
                   {"direction", {.dims = {"direction"}, .values = {0.0, 90.0}}},
                   {"steps", {.type = NC_INT, .dims = {"direction"}, .values = {1000, 1000}}},
                   {"displacement", {.dims = {"direction", "increment"}, .values = std::vector<double>(4002)}},
+                  {"force_direct", {.dims = {"direction", "increment"}, .values = std::vector<double>(4002)}},
                   {"crest_v", {.dims = {"direction", "increment", "bump"}, .values = {}, .chunk = {1, 2'001, 2'000}}}};
             }).find("/result.nc: crest_v: is declared "),
             std::string::npos);  // 32 MB in a file of 40 kB: deflate could have done it
@@ -241,7 +245,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
               file.dims["increment"] = 2'001;
               file.dims["bump"] = 9'000;
               file.variables["increment"] = {.type = NC_INT, .dims = {"bump"}};
-              file.variables.erase("displacement");
+              file.variables.erase("force_direct");
               file.variables.erase("height_error");
               file.variables["bump"] = {.dims = {"bump"}, .values = std::vector<double>(9'000)};
               file.variables["crest_v"] = {
@@ -254,7 +258,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
 }
 
 TEST(DamagedResult, FillValuesThatAreNotOne) {
-  for (const char* name : {"displacement", "crest_v", "bump_rise"}) {
+  for (const char* name : {"displacement", "force_direct", "crest_v", "bump_rise"}) {
     EXPECT_EQ(fault_of([&](SmallFile& file) { file.variables[name].fill.assign(1000, 1.0); }),
               std::string("/result.nc: ") + name +
                   ": has 1000 values of its type in _FillValue, where one of its own type is due");
@@ -320,6 +324,12 @@ TEST(DamagedSummary, KeysThatAreMissingOrOfAnotherType) {
     EXPECT_EQ(fault_of_summary(summary).find(std::string("/summary.json: ") + key + ": is n"), 0U) << key;
   }
   json summary = small_summary();
+  summary["cycles"][1]["status"] = "tired";
+  EXPECT_EQ(fault_of_summary(summary).find("/summary.json: status: is none of converged, no_modes, "), 0U);
+  summary = small_summary();
+  summary["cycles"][1]["amplitude_m"] = nullptr;  // under load control, before it is known
+  EXPECT_EQ(fault_of_summary(summary), "");
+  summary = small_summary();
   summary["schema"] = "bumpfoil-summary/9";
   EXPECT_EQ(fault_of_summary(summary),
             "/summary.json: schema: is \"bumpfoil-summary/9\", which this version cannot read");

@@ -16,6 +16,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
@@ -35,6 +36,13 @@ Case short_case() {
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[2] = 10e-6;
   return input;
+}
+
+/// A cycle that ended before it began.
+Cycle ended(Status status) {
+  Cycle cycle;
+  cycle.status = status;
+  return cycle;
 }
 
 /// A result as its readers find it.
@@ -96,14 +104,17 @@ TEST(ResultNetcdf, HoldsEveryIncrementToTheLastBit) {
       EXPECT_EQ(file.at("dissipated_energy", {d, i}), expected.dissipated_energy);
       EXPECT_EQ(file.at("work", {d, i}), expected.work);
       EXPECT_EQ(file.at("residual", {d, i}), expected.residuals.equilibrium);
-      EXPECT_EQ(file.at("iterations", {d, i}), expected.solve.iterations);
-      EXPECT_EQ(file.at("factorisations", {d, i}), expected.solve.factorisations);
+      EXPECT_EQ(file.at("iterations", {d, i}), expected.cost.iterations);
+      EXPECT_EQ(file.at("factorisations", {d, i}), expected.cost.factorisations);
       EXPECT_EQ(file.at("substeps", {d, i}), expected.substeps);
       EXPECT_EQ(file.at("branch", {d, i}), i <= 5 ? 0 : 1);
       EXPECT_EQ(file.at("increment_converged", {d, i}), 1);
+      EXPECT_EQ(file.at("increment_status", {d, i}), 0);
     }
   }
   EXPECT_EQ(file.attribute("branch", "flag_meanings"), "loading unloading");
+  EXPECT_EQ(file.attribute("increment_status", "flag_meanings"), file.attribute("status", "flag_meanings"));
+  EXPECT_TRUE(file.attribute("status", "flag_meanings").starts_with("converged no_modes "));
 }
 
 TEST(ResultNetcdf, HoldsEveryBumpAndFoot) {
@@ -116,14 +127,15 @@ TEST(ResultNetcdf, HoldsEveryBumpAndFoot) {
   ASSERT_EQ(file.file().getDim("foot").getSize(), 52U);
   const std::size_t d = 1;
   const std::size_t i = 4;
-  const Increment& expected = result.cycles[d].increments[i];
+  const FoilFields& expected = result.cycles[d].fields;
+  const TurningPoint& turn = *result.cycles[d].turning_point;
   const auto expect_interface = [&](const std::string& name, const InterfaceFields& fields) {
-    for (Eigen::Index k = 0; k < fields.gap.size(); ++k) {
+    for (Eigen::Index k = 0; k < fields.gap.cols(); ++k) {
       const auto place = static_cast<std::size_t>(k);
-      EXPECT_EQ(file.at("gap_" + name, {d, i, place}), fields.gap[k]);
-      EXPECT_EQ(file.at("normal_force_" + name, {d, i, place}), fields.normal_force[k]);
-      EXPECT_EQ(file.at("friction_force_" + name, {d, i, place}), fields.friction_force[k]);
-      EXPECT_EQ(file.at("state_" + name, {d, i, place}), static_cast<int>(fields.mode[place]));
+      EXPECT_EQ(file.at("gap_" + name, {d, i, place}), fields.gap(4, k));
+      EXPECT_EQ(file.at("normal_force_" + name, {d, i, place}), fields.normal_force(4, k));
+      EXPECT_EQ(file.at("friction_force_" + name, {d, i, place}), fields.friction_force(4, k));
+      EXPECT_EQ(file.at("state_" + name, {d, i, place}), static_cast<int>(fields.mode(4, k)));
     }
     EXPECT_EQ(file.attribute("state_" + name, "flag_meanings"), "open stick slip_forward slip_backward");
     std::vector<signed char> values(4);
@@ -135,21 +147,21 @@ TEST(ResultNetcdf, HoldsEveryBumpAndFoot) {
   expect_interface("bump_sleeve", expected.bump_sleeve);
   for (std::size_t k = 0; k < 52; ++k) {
     const auto place = static_cast<Eigen::Index>(k);
-    EXPECT_EQ(file.at("foot_u", {d, i, k}), expected.foot_u[place]);
-    EXPECT_EQ(file.at("foot_v", {d, i, k}), expected.foot_v[place]);
+    EXPECT_EQ(file.at("foot_u", {d, i, k}), expected.foot_u(4, place));
+    EXPECT_EQ(file.at("foot_v", {d, i, k}), expected.foot_v(4, place));
     EXPECT_EQ(file.at("foot_theta", {k}), foot_angles(input)[place]);
-    EXPECT_EQ(file.at("foot_loads", {d, k}), result.cycles[d].at_turning_point().bump_sleeve.normal_force[place]);
+    EXPECT_EQ(file.at("foot_loads", {d, k}), turn.foot_loads[place]);
     if (k >= 26) continue;
-    EXPECT_EQ(file.at("crest_u", {d, i, k}), expected.crest_u[place]);
-    EXPECT_EQ(file.at("crest_v", {d, i, k}), expected.crest_v[place]);
-    EXPECT_EQ(file.at("top_displacement", {d, i, k}), expected.top_displacement[place]);
+    EXPECT_EQ(file.at("crest_u", {d, i, k}), expected.crest_u(4, place));
+    EXPECT_EQ(file.at("crest_v", {d, i, k}), expected.crest_v(4, place));
+    EXPECT_EQ(file.at("top_displacement", {d, i, k}), expected.top_displacement(4, place));
     EXPECT_EQ(file.at("theta", {k}), crest_angles(input)[place]);
     EXPECT_EQ(file.at("phi", {k}), polar_angles(input.bearing, crest_angles(input))[place]);
     EXPECT_EQ(file.at("height_error", {k}), input.bump_foil.height_errors[k]);
     EXPECT_EQ(file.at("sleeve_gap", {k}), 0.0);
     EXPECT_EQ(file.at("bump", {k}), static_cast<double>(k + 1));
-    EXPECT_EQ(file.at("bump_loads", {d, k}), result.cycles[d].at_turning_point().top_bump.normal_force[place]);
-    EXPECT_EQ(file.at("journal_loads", {d, k}), result.cycles[d].at_turning_point().journal_top.normal_force[place]);
+    EXPECT_EQ(file.at("bump_loads", {d, k}), turn.bump_loads[place]);
+    EXPECT_EQ(file.at("journal_loads", {d, k}), turn.journal_loads[place]);
   }
 }
 
@@ -225,7 +237,7 @@ TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   const CycleResult result = failed_at_increment_three(run_cycles(short_case()));
   const OpenedResult file(result, short_case(), RunStatus::failed);
   EXPECT_EQ(file.attribute("status"), "partial");
-  EXPECT_NE(file.attribute("status_message").find("did not converge"), std::string::npos);
+  EXPECT_EQ(file.attribute("status_message"), failure_lines(short_case(), result).at(0));
   // It is as large as the whole would be.
   EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
   EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
@@ -246,7 +258,16 @@ TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   }
   EXPECT_EQ(file.at("initial_force", {0}), result.cycles[0].increments[0].force_direct);
   EXPECT_EQ(file.at("initial_force", {1}), NC_FILL_DOUBLE);
-  EXPECT_EQ(file.at("force_direct", {0, 3}), result.cycles[0].increments[3].force_direct);
+  // Of the increment that failed nothing is known but where it led, what it cost and why.
+  EXPECT_EQ(file.at("displacement", {0, 3}), result.cycles[0].increments[3].displacement);
+  EXPECT_EQ(file.at("force_direct", {0, 3}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("residual", {0, 3}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("crest_v", {0, 3, 0}), NC_FILL_DOUBLE);
+  EXPECT_EQ(file.at("increment_status", {0, 2}), 0);
+  EXPECT_EQ(file.at("increment_status", {0, 3}), static_cast<int>(result.cycles[0].status));
+  EXPECT_EQ(file.at("increment_status", {0, 4}), NC_FILL_BYTE);
+  EXPECT_EQ(file.at("status", {0}), static_cast<int>(result.cycles[0].status));
+  EXPECT_EQ(file.at("status", {1}), NC_FILL_BYTE);  // never begun
   EXPECT_EQ(file.at("increment_converged", {0, 2}), 1);
   EXPECT_EQ(file.at("increment_converged", {0, 3}), 0);
   // Readers are told which number is none.
@@ -256,7 +277,8 @@ TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
 }
 
 TEST(ResultNetcdf, AnInterruptedRunSaysSo) {
-  const OpenedResult file({.solver = SolverName::newton, .cycles = {Cycle{}}}, short_case(), RunStatus::interrupted);
+  const OpenedResult file({.solver = SolverName::newton, .cycles = {ended(Status::interrupted)}}, short_case(),
+                          RunStatus::interrupted);
   EXPECT_EQ(file.attribute("status"), "partial");
   EXPECT_NE(file.attribute("status_message").find("interrupted"), std::string::npos);
   EXPECT_EQ(file.at("force_direct", {0, 0}), NC_FILL_DOUBLE);
@@ -266,9 +288,9 @@ TEST(ResultNetcdf, AnInterruptedRunSaysSo) {
 TEST(ResultNetcdf, NeverHoldsNanAsANumber) {
   CycleResult result = run_cycles(short_case());
   result.cycles[0].increments[2].force_x = std::numeric_limits<double>::quiet_NaN();
-  result.cycles[0].increments[2].crest_v[7] = std::numeric_limits<double>::infinity();
+  result.cycles[0].fields.crest_v(2, 7) = std::numeric_limits<double>::infinity();
   result.cycles[0].turning_point->max_force = std::numeric_limits<double>::quiet_NaN();
-  result.cycles[0].increments[5].top_bump.normal_force[4] = std::numeric_limits<double>::quiet_NaN();
+  result.cycles[0].turning_point->bump_loads[4] = std::numeric_limits<double>::quiet_NaN();
   const OpenedResult file(result);
   EXPECT_EQ(file.at("force_x", {0, 2}), NC_FILL_DOUBLE);
   EXPECT_EQ(file.at("crest_v", {0, 2, 7}), NC_FILL_DOUBLE);

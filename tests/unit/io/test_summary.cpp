@@ -11,6 +11,8 @@
 
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/result_names.hpp"
+#include "support/bearing_cases.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -59,6 +61,10 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
                                    "amplitude_m",
                                    "steps",
                                    "converged",
+                                   "status",
+                                   "failed_increment",
+                                   "failed_displacement_m",
+                                   "reason",
                                    "max_force_N",
                                    "cross_force_at_max_N",
                                    "initial_force_N",
@@ -96,6 +102,9 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
 
   // Written with as many digits as it takes to read the same double back.
   EXPECT_EQ(cycle.at("direction_deg"), 90.0);
+  EXPECT_EQ(cycle.at("converged"), true);
+  EXPECT_EQ(cycle.at("status"), "converged");
+  for (const char* key : {"failed_increment", "failed_displacement_m", "reason"}) EXPECT_TRUE(cycle.at(key).is_null());
   EXPECT_EQ(cycle.at("max_force_N"), expected.turning_point->max_force);
   EXPECT_EQ(cycle.at("cross_force_at_max_N"), expected.turning_point->cross_force);
   EXPECT_EQ(cycle.at("tangent_stiffness_loading_N_per_m"), expected.turning_point->tangent.loading.value());
@@ -105,14 +114,12 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("loop_energy_J"), *expected.loop_energy);
   EXPECT_EQ(cycle.at("loss_factor"), *expected.loss_factor);
   EXPECT_EQ(cycle.at("first_contact_m"), *expected.first_contact);
-  EXPECT_EQ(cycle.at("iterations"), expected.total().iterations);
-  EXPECT_EQ(cycle.at("factorisations"), expected.total().factorisations);
+  EXPECT_EQ(cycle.at("iterations"), expected.cost.iterations);
+  EXPECT_EQ(cycle.at("factorisations"), expected.cost.factorisations);
   EXPECT_EQ(cycle.at("bump_loads_N").size(), 26U);
   EXPECT_EQ(cycle.at("foot_loads_N").size(), 26U);
   // Loads are those at full displacement.
-  EXPECT_EQ(sum(cycle.at("journal_loads_N")),
-            sum(json(std::vector<double>(expected.increments[5].journal_top.normal_force.begin(),
-                                         expected.increments[5].journal_top.normal_force.end()))));
+  EXPECT_EQ(sum(cycle.at("journal_loads_N")), expected.fields.journal_top.normal_force.row(5).sum());
 }
 
 TEST(SummaryJson, SaysWhereAFoilIsBentMost) {
@@ -143,6 +150,9 @@ TEST(SummaryJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
   EXPECT_EQ(before.at("status"), "interrupted");
   ASSERT_EQ(before.at("cycles").size(), 1U);
   EXPECT_EQ(before.at("cycles")[0].at("converged"), false);
+  EXPECT_EQ(before.at("cycles")[0].at("status"), "interrupted");
+  EXPECT_TRUE(before.at("cycles")[0].at("failed_increment").is_null());
+  EXPECT_EQ(before.at("cycles")[0].at("reason"), "the run was interrupted");
   EXPECT_TRUE(before.at("cycles")[0].at("max_force_N").is_null());
   EXPECT_TRUE(before.at("cycles")[0].at("bump_loads_N").is_null());
   EXPECT_TRUE(before.at("cycles")[0].at("loop_energy_J").is_null());
@@ -152,6 +162,17 @@ TEST(SummaryJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
   EXPECT_EQ(after.at("status"), "failed");
   EXPECT_TRUE(after.at("cycles")[0].at("max_force_N").is_number());
   EXPECT_TRUE(after.at("cycles")[0].at("loop_energy_J").is_null());
+}
+
+TEST(SummaryJson, SaysWhatFailedWhereAndWhy) {
+  const CycleResult result = failed_at_increment_three(run_cycles(short_case()));
+  const json cycle = json::parse(summary_json(short_case(), result, RunStatus::failed, {})).at("cycles").at(0);
+  const Cycle& failed = result.cycles[0];
+  EXPECT_EQ(cycle.at("converged"), false);
+  EXPECT_EQ(cycle.at("status"), name_of(failed.status));
+  EXPECT_EQ(cycle.at("failed_increment"), 3);
+  EXPECT_EQ(cycle.at("failed_displacement_m"), failed.increments[3].displacement);
+  EXPECT_EQ(cycle.at("reason"), explanation(failed.status));
 }
 
 TEST(SummaryJson, NeverHoldsNanAsANumber) {

@@ -87,22 +87,22 @@ TEST(UnitVector, IsExactAlongTheAxes) {
 TEST(BearingFoils, HaveTheNominalBumpEverywhere) {
   Case input = reference_case();
   input.bump_foil.height_errors = std::vector<double>(26, 5e-6);  // gaps alone
-  const FoilDesign foils = make_bearing_foils(input);
+  const FoilDesign foils = make_bearing_design(input);
   EXPECT_EQ(foils.bumps, std::vector<BumpShape>(26, nominal_bump(input.bump_foil)));
   EXPECT_EQ(foils.radius, input.bearing.radius);
   EXPECT_TRUE(foils.welded);
   EXPECT_TRUE(foils.top_foil);
   input.bump_foil.model = BumpFoilModel::former;
-  EXPECT_FALSE(make_bearing_foils(input).top_foil);
+  EXPECT_FALSE(make_bearing_design(input).top_foil);
 }
 
 TEST(BearingFoils, FollowTheHeightErrorsWhereStiffnessDoes) {
   Case input = reference_case();
   input.bump_foil.bumps = 3;
   input.bump_foil.stiffness_follows_height = true;
-  EXPECT_DOUBLE_EQ(make_bearing_foils(input).bumps[2].rise, 0.406e-3);
+  EXPECT_DOUBLE_EQ(make_bearing_design(input).bumps[2].rise, 0.406e-3);
   input.bump_foil.height_errors = {0.0, 20e-6, -15e-6};
-  const FoilDesign foils = make_bearing_foils(input);
+  const FoilDesign foils = make_bearing_design(input);
   ASSERT_EQ(foils.bumps.size(), 3U);
   EXPECT_DOUBLE_EQ(foils.bumps[0].rise, 0.406e-3);
   EXPECT_DOUBLE_EQ(foils.bumps[1].rise, 0.426e-3);
@@ -113,15 +113,15 @@ TEST(BearingFoils, FollowTheHeightErrorsWhereStiffnessDoes) {
 TEST(StripFoils, AreFlatAndCutToTheStrip) {
   Case input = reference_case();
   input.strip = {.bumps = 4, .weld = StripWeld::none, .top_foil = false, .amplitude = {}};
-  const FoilDesign bare = make_strip_foils(input);
+  const FoilDesign bare = make_strip_design(input);
   EXPECT_EQ(bare.bumps.size(), 4U);
   EXPECT_FALSE(bare.radius);
   EXPECT_FALSE(bare.welded);
   EXPECT_FALSE(bare.top_foil);
   input.strip->weld = StripWeld::one_end;
   input.strip->top_foil = true;
-  EXPECT_TRUE(make_strip_foils(input).welded);
-  EXPECT_TRUE(make_strip_foils(input).top_foil);
+  EXPECT_TRUE(make_strip_design(input).welded);
+  EXPECT_TRUE(make_strip_design(input).top_foil);
 }
 
 }  // namespace

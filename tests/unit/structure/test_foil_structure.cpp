@@ -36,12 +36,12 @@ auto every(const FoilStructure& structure, int dof) {
 TEST(FoilStructure, SolvesTheTopFoilLikeItsCompliance) {
   for (const int bumps : {1, 2, 3, 26, 60}) {
     const Case input = given_constants(bumps);
-    const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
+    const FoilStructure structure = make_foil_structure(make_bearing_design(input));
     const Vector load = Vector::LinSpaced(bumps, 1.0, -2.0);
     Vector right = Vector::Zero(structure.K.rows());
     right(every(structure, structure.dofs.top_u)) = load;
     const Vector x = structure.K.dense().partialPivLu().solve(right);
-    const Vector expected = top_foil_compliance(make_top_foil_beam(make_bearing_foils(input))) * load;
+    const Vector expected = top_foil_compliance(make_top_foil_beam(make_bearing_design(input))) * load;
     // cond of the foil, 4e6 at 60 bumps, times the rounding unit.
     EXPECT_LT((x(every(structure, structure.dofs.top_u)) - expected).norm(), 1e-9 * expected.norm()) << bumps;
   }
@@ -49,8 +49,8 @@ TEST(FoilStructure, SolvesTheTopFoilLikeItsCompliance) {
 
 TEST(FoilStructure, MomentsAreScaledByThePitchAndTheBendingStiffness) {
   const Case input = given_constants(26);
-  const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
-  const TopFoilBeam beam = make_top_foil_beam(make_bearing_foils(input));
+  const FoilStructure structure = make_foil_structure(make_bearing_design(input));
+  const TopFoilBeam beam = make_top_foil_beam(make_bearing_design(input));
   Vector right = Vector::Zero(structure.K.rows());
   right(every(structure, structure.dofs.top_u)).setOnes();
   const Vector x = structure.K.dense().partialPivLu().solve(right);
@@ -65,17 +65,17 @@ TEST(FoilStructure, MomentsAreScaledByThePitchAndTheBendingStiffness) {
 TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
   for (const int bumps : {1, 2, 26}) {
     const Case input = given_constants(bumps);
-    const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
+    const FoilStructure structure = make_foil_structure(make_bearing_design(input));
     const Vector x = any_displacements(structure);
     const Vector forces = elastic_response(structure, x).forces;
 
     const Vector top =
-        top_foil_loads(make_top_foil_moments(make_bearing_foils(input)), x(every(structure, structure.dofs.top_u)));
+        top_foil_loads(make_top_foil_moments(make_bearing_design(input)), x(every(structure, structure.dofs.top_u)));
     EXPECT_LT((forces(every(structure, structure.dofs.top_u)) - top).norm(), 1e-12 * top.norm()) << bumps;
     EXPECT_EQ(forces(every(structure, structure.dofs.top_moment)).norm(), 0.0);
 
     const std::vector<Spring> springs =
-        make_truss_springs(make_truss_constants(make_bearing_foils(input)), structure.dofs);
+        make_truss_springs(make_truss_constants(make_bearing_design(input)), structure.dofs);
     const double truss_energy = spring_energy(springs, structure.dofs.size, x);
     const double top_energy = 0.5 * top.dot(x(every(structure, structure.dofs.top_u)));
     EXPECT_NEAR(elastic_response(structure, x).energy, truss_energy + top_energy, 1e-13 * truss_energy);
@@ -84,7 +84,7 @@ TEST(FoilStructure, ForcesAreThoseOfTheTwoFoils) {
 }
 
 TEST(FoilStructure, ForcesDoNotDependOnTheMomentsGiven) {
-  const FoilStructure structure = make_foil_structure(make_bearing_foils(given_constants(5)));
+  const FoilStructure structure = make_foil_structure(make_bearing_design(given_constants(5)));
   Vector x = any_displacements(structure);
   const Vector forces = elastic_response(structure, x).forces;
   x(every(structure, structure.dofs.top_moment)).setConstant(1.0);
@@ -92,7 +92,7 @@ TEST(FoilStructure, ForcesDoNotDependOnTheMomentsGiven) {
 }
 
 TEST(FoilStructure, IsWellScaledAndQuasidefinite) {
-  const FoilStructure structure = make_foil_structure(make_bearing_foils(given_constants(26)));
+  const FoilStructure structure = make_foil_structure(make_bearing_design(given_constants(26)));
   const Matrix K = structure.K.dense();
   const Vector modes = K.selfadjointView<Eigen::Lower>().eigenvalues();
   EXPECT_EQ((modes.array() < 0.0).count(), 26);  // one per moment
@@ -114,17 +114,17 @@ TEST(FoilStructure, FrameModelHasTheSameTopFoil) {
     Case input = given_constants(5);
     input.bump_foil.model = BumpFoilModel::frame;
     input.bump_foil.weld_at = weld_at;
-    const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
+    const FoilStructure structure = make_foil_structure(make_bearing_design(input));
     EXPECT_EQ(structure.dofs.size, 11);
     EXPECT_EQ(structure.dofs.feet(), 2);
     const Vector x = any_displacements(structure);
     const Vector forces = elastic_response(structure, x).forces;
 
     BlockTridiagonal bump_foil(5, structure.dofs.size);
-    assemble_frame(make_frame_model(make_bearing_foils(input)), bump_foil);
+    assemble_frame(make_frame_model(make_bearing_design(input)), bump_foil);
     Vector expected = bump_foil.multiply(x);
     expected(every(structure, structure.dofs.top_u)) =
-        top_foil_loads(make_top_foil_moments(make_bearing_foils(input)), x(every(structure, structure.dofs.top_u)));
+        top_foil_loads(make_top_foil_moments(make_bearing_design(input)), x(every(structure, structure.dofs.top_u)));
     EXPECT_LT((forces - expected).norm(), 1e-13 * expected.norm());
     const Vector top = expected(every(structure, structure.dofs.top_u));
     EXPECT_LT((forces(every(structure, structure.dofs.top_u)) - top).norm(), 1e-12 * top.norm());
@@ -137,7 +137,7 @@ FoilStructure frame_structure(Geometry geometry, WeldPosition weld_at) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.geometry = geometry;
   input.bump_foil.weld_at = weld_at;
-  return make_foil_structure(make_bearing_foils(input));
+  return make_foil_structure(make_bearing_design(input));
 }
 
 TEST(LargeDisplacements, TangentAndEnergyBelongToTheForces) {
@@ -194,7 +194,7 @@ TEST(LargeDisplacements, LeaveTheTopFoilLinear) {
 
 TEST(FoilStructure, OfDifferentBumpsIsTheSumOfItsFoils) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
-    FoilDesign foils = make_bearing_foils(reference_case());
+    FoilDesign foils = make_bearing_design(reference_case());
     foils.model = model;
     foils.bumps.resize(3);
     foils.bumps[1] = {.pitch = 5e-3, .half_length = 2e-3, .rise = 0.5e-3, .thickness = 0.11e-3};
@@ -217,7 +217,7 @@ TEST(FoilStructure, OfDifferentBumpsIsTheSumOfItsFoils) {
 }
 
 TEST(LargeDisplacements, OfDifferentBumpsAreSmallNearTheUndeformedFoils) {
-  FoilDesign foils = make_bearing_foils(reference_case());
+  FoilDesign foils = make_bearing_design(reference_case());
   foils.model = BumpFoilModel::frame;
   foils.bumps.resize(3);
   foils.bumps[1].thickness = 0.12e-3;
@@ -234,7 +234,7 @@ TEST(LargeDisplacements, OfDifferentBumpsAreSmallNearTheUndeformedFoils) {
 TEST(FoilStructure, FormerModelHasNoTopFoil) {
   Case input = given_constants(3);
   input.bump_foil.model = BumpFoilModel::former;
-  const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
+  const FoilStructure structure = make_foil_structure(make_bearing_design(input));
   EXPECT_EQ(structure.dofs.size, 4);
   EXPECT_EQ(structure.dofs.top_u, -1);
   const Vector x = any_displacements(structure);
@@ -245,8 +245,8 @@ TEST(FoilStructure, KeepsUnusedPlacesApart) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = given_constants(3);
     input.bump_foil.model = model;
-    const FoilStructure with = make_foil_structure(make_bearing_foils(input));
-    FoilDesign without_top_foil = make_bearing_foils(input);
+    const FoilStructure with = make_foil_structure(make_bearing_design(input));
+    FoilDesign without_top_foil = make_bearing_design(input);
     without_top_foil.top_foil.reset();
     const FoilStructure without = make_foil_structure(without_top_foil);
     EXPECT_EQ(without.dofs.top_u, -1);
@@ -269,7 +269,7 @@ TEST(FoilStructure, WithoutAWeldIsHeldLooselyAndNotAtAllInside) {
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     Case input = given_constants(4);
     input.bump_foil.model = model;
-    FoilDesign foils = make_bearing_foils(input);
+    FoilDesign foils = make_bearing_design(input);
     foils.radius.reset();
     foils.welded = false;
     const FoilStructure structure = make_foil_structure(foils);

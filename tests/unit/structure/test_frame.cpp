@@ -19,7 +19,7 @@ FoilDesign frame_foils(int bumps, WeldPosition weld_at) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.bumps = bumps;
   input.bump_foil.weld_at = weld_at;
-  return make_bearing_foils(input);
+  return make_bearing_design(input);
 }
 
 /// The bump foil alone, dense, without the places of the top foil: 9 unknowns per bump.

@@ -114,13 +114,13 @@ TEST(Identification, CellIsThatOfALongFrame) {
   Case input = reference_case();
   input.bump_foil.bumps = 12;
   const double cell = make_bump_cell(make_bump_arc(nominal_bump(input.bump_foil)), foil).crest_stiffness();
-  const Vector loads = frame_crest_loads(make_bearing_foils(input));
+  const Vector loads = frame_crest_loads(make_bearing_design(input));
   EXPECT_NEAR(loads[6], cell, 1e-4 * cell);  // the ends are felt by less than a tenth per bump
 }
 
 /// Twelve bumps of one shape, then twelve of another.
 FoilDesign two_groups() {
-  FoilDesign foils = make_bearing_foils(reference_case());
+  FoilDesign foils = make_bearing_design(reference_case());
   foils.bumps.resize(24);
   for (std::size_t n = 12; n < 24; ++n) {
     foils.bumps[n] = {.pitch = 5e-3, .half_length = 2e-3, .rise = 0.5e-3, .thickness = 0.12e-3};
@@ -200,7 +200,7 @@ TEST(TrussConstants, FaultsNameTheBump) {
 TEST(Identification, FirstBumpOfTrussAndFrameAreEquallyStiff) {
   Case input = reference_case();
   input.bump_foil.bumps = 1;
-  const std::vector<TrussConstants> truss = make_truss_constants(make_bearing_foils(input));
+  const std::vector<TrussConstants> truss = make_truss_constants(make_bearing_design(input));
   const BumpDofs dofs{.size = 4, .crest_u = 0, .crest_v = 1, .foot_u = {2}, .foot_v = {3}};
   BlockTridiagonal K(1, 4);
   assemble_springs(make_truss_springs(truss, dofs), K);
@@ -208,7 +208,7 @@ TEST(Identification, FirstBumpOfTrussAndFrameAreEquallyStiff) {
   const double stiffness = 1.0 / sliding.inverse()(1, 1);
 
   // The frame from a weld to the next mid-flat; half a flat is added by hand after the arc.
-  const FrameModel model = make_frame_model(make_bearing_foils(input));
+  const FrameModel model = make_frame_model(make_bearing_design(input));
   BlockTridiagonal frame(1, 11);
   assemble_frame(model, frame);
   Matrix dense = Matrix::Zero(12, 12);
@@ -225,10 +225,10 @@ TEST(Identification, FirstBumpOfTrussAndFrameAreEquallyStiff) {
 
 TEST(TrussConstants, GivenOnesReplaceTheIdentifiedOnes) {
   Case input = reference_case();
-  const TrussConstants identified = make_truss_constants(make_bearing_foils(input)).at(7);
+  const TrussConstants identified = make_truss_constants(make_bearing_design(input)).at(7);
   input.bump_foil.truss.k2 = 4e6;
   input.bump_foil.truss.theta_d = 0.3;
-  const TrussConstants mixed = make_truss_constants(make_bearing_foils(input)).at(7);
+  const TrussConstants mixed = make_truss_constants(make_bearing_design(input)).at(7);
   EXPECT_EQ(mixed.k1, identified.k1);
   EXPECT_EQ(mixed.k2, 4e6);
   EXPECT_EQ(mixed.k3, identified.k3);
@@ -240,7 +240,7 @@ TEST(TrussConstants, ShapesThatATrussCannotFollowAreRefusedWithAdvice) {
   Case input = reference_case();
   input.bump_foil.pitch = input.bump_foil.length + 4e-3;  // flats longer than the bumps: k2 < 0
   try {
-    make_truss_constants(make_bearing_foils(input));
+    make_truss_constants(make_bearing_design(input));
     FAIL() << "accepted";
   } catch (const Error& error) {
     ASSERT_EQ(error.faults().size(), 1U);
@@ -248,10 +248,10 @@ TEST(TrussConstants, ShapesThatATrussCannotFollowAreRefusedWithAdvice) {
     EXPECT_EQ(error.faults()[0].key, "bump_foil.truss.k2");
     EXPECT_NE(error.faults()[0].advice.find("frame"), std::string::npos);
   }
-  EXPECT_EQ(find_truss_faults(make_bearing_foils(input)).size(), 1U);
-  EXPECT_TRUE(find_truss_faults(make_bearing_foils(reference_case())).empty());
+  EXPECT_EQ(find_truss_faults(make_bearing_design(input)).size(), 1U);
+  EXPECT_TRUE(find_truss_faults(make_bearing_design(reference_case())).empty());
   input.bump_foil.truss.k2 = 1e6;
-  EXPECT_EQ(make_truss_constants(make_bearing_foils(input)).front().k2, 1e6);
+  EXPECT_EQ(make_truss_constants(make_bearing_design(input)).front().k2, 1e6);
 }
 
 }  // namespace

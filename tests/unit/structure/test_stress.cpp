@@ -20,7 +20,7 @@ Case small_case(BumpFoilModel model, int bumps) {
 
 /// Unknowns under these loads on the top foil, one per crest.
 Vector under_top_loads(const Case& input, const Vector& loads) {
-  const FoilStructure structure = make_foil_structure(make_bearing_foils(input));
+  const FoilStructure structure = make_foil_structure(make_bearing_design(input));
   Vector right = Vector::Zero(structure.K.rows());
   right(Eigen::seqN(structure.dofs.top_u, structure.bumps(), structure.dofs.size)) = loads;
   return structure.K.dense().partialPivLu().solve(right);
@@ -31,7 +31,7 @@ TEST(FoilStress, OfTheTopFoilIsThatOfAStaticallyDeterminateCantilever) {
   for (const int bumps : {1, 2, 4}) {
     const Case input = small_case(BumpFoilModel::truss, bumps);
     const FoilStress stress =
-        foil_stress(make_stress_model(make_bearing_foils(input)), under_top_loads(input, loads.head(bumps)));
+        foil_stress(make_stress_model(make_bearing_design(input)), under_top_loads(input, loads.head(bumps)));
     const Vector theta = crest_angles(input);
     const auto expected = [&](double at) {
       double moment = 0.0;
@@ -55,8 +55,8 @@ TEST(FoilStress, OfTheFrameStandsFootByFoot) {
   Vector x = Vector::Zero(3 * 11);
   x[11 + 3] = 1e-6;  // the second crest along the foil, so that both of its feet differ
   x[11 + 4] = -5e-6;
-  const FoilStress stress = foil_stress(make_stress_model(make_bearing_foils(input)), x);
-  const FrameStress frame = frame_stress(make_frame_model(make_bearing_foils(input)), x);
+  const FoilStress stress = foil_stress(make_stress_model(make_bearing_design(input)), x);
+  const FrameStress frame = frame_stress(make_frame_model(make_bearing_design(input)), x);
   EXPECT_EQ(stress.bump_crest, frame.crest);
   EXPECT_EQ(stress.bump_largest, frame.largest);
   EXPECT_EQ(stress.bump_weld, frame.weld);
@@ -71,7 +71,7 @@ TEST(FoilStress, OfTheFrameStandsFootByFoot) {
 
 TEST(FoilStress, OfALooseStripStandsBumpByBump) {
   // The block before bump 1 is a foot alone: what stands in the others' places there is no moment.
-  FoilDesign foils = make_bearing_foils(small_case(BumpFoilModel::truss, 3));
+  FoilDesign foils = make_bearing_design(small_case(BumpFoilModel::truss, 3));
   foils.radius.reset();
   foils.welded = false;
   const StressModel model = make_stress_model(foils);
@@ -96,13 +96,13 @@ TEST(FoilStress, OfALooseStripStandsBumpByBump) {
 
 TEST(FoilStress, IsAbsentWhereTheModelKnowsNone) {
   const FoilStress truss =
-      foil_stress(make_stress_model(make_bearing_foils(small_case(BumpFoilModel::truss, 2))), Vector::Zero(12));
+      foil_stress(make_stress_model(make_bearing_design(small_case(BumpFoilModel::truss, 2))), Vector::Zero(12));
   EXPECT_EQ(truss.bump_crest.size(), 0);
   EXPECT_EQ(truss.bump_foot.size(), 0);
   EXPECT_FALSE(truss.bump_weld);
   EXPECT_EQ(truss.top_crest.size(), 2);
   const FoilStress former =
-      foil_stress(make_stress_model(make_bearing_foils(small_case(BumpFoilModel::former, 2))), Vector::Zero(8));
+      foil_stress(make_stress_model(make_bearing_design(small_case(BumpFoilModel::former, 2))), Vector::Zero(8));
   EXPECT_EQ(former.top_crest.size(), 0);
   EXPECT_FALSE(former.top_weld);
 }

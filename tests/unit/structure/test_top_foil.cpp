@@ -20,7 +20,7 @@ TopFoilBeam reference_beam(int crests) {
   Case input = reference_case();
   input.bearing.radius *= (crests - 0.5) / 25.5;
   input.bump_foil.bumps = crests;
-  return make_top_foil_beam(make_bearing_foils(input));
+  return make_top_foil_beam(make_bearing_design(input));
 }
 
 /// The compliance as printed (sign turned), in long double: 2048 times finer than the code under test.
@@ -140,7 +140,7 @@ TEST(TopFoilMoments, AreThoseOfTheStaticallyDeterminateCantilever) {
 }
 
 TEST(TopFoilMoments, SoftestAndStiffestModeOfTheReferenceFoil) {
-  const Matrix K = moment_stiffness(make_top_foil_moments(make_bearing_foils(reference_case())));
+  const Matrix K = moment_stiffness(make_top_foil_moments(make_bearing_design(reference_case())));
   const Eigen::SelfAdjointEigenSolver<Matrix> modes(K);
   EXPECT_NEAR(modes.eigenvalues().minCoeff(), 4.88, 0.005);  // known to three digits
   EXPECT_NEAR(modes.eigenvalues().maxCoeff(), 6.43e5, 0.005e5);
@@ -157,7 +157,7 @@ TEST(SolveTridiagonal, MatchesADenseSolve) {
 }
 
 TEST(TopFoilOfADesign, RestsOnCrestsAtTheirOwnPlaces) {
-  FoilDesign foils = make_bearing_foils(reference_case());
+  FoilDesign foils = make_bearing_design(reference_case());
   foils.bumps[3].pitch = 6e-3;
   foils.bumps[9].pitch = 3e-3;
   const Matrix expected = top_foil_compliance({.radius = *foils.radius,
@@ -168,7 +168,7 @@ TEST(TopFoilOfADesign, RestsOnCrestsAtTheirOwnPlaces) {
 }
 
 TEST(TopFoilOfADesign, FlatOneHasTheFlexibilityOfACantilever) {
-  FoilDesign foils = make_bearing_foils(reference_case());
+  FoilDesign foils = make_bearing_design(reference_case());
   foils.radius.reset();
   foils.bumps.resize(4);
   foils.bumps[1].pitch = 6e-3;
@@ -190,7 +190,7 @@ TEST(TopFoilOfADesign, FlatOneHasTheFlexibilityOfACantilever) {
 }
 
 TEST(TopFoilOfADesign, MomentsAreScaledByTheReferenceLength) {
-  FoilDesign foils = make_bearing_foils(reference_case());
+  FoilDesign foils = make_bearing_design(reference_case());
   foils.bumps[0].pitch = 2e-3;
   EXPECT_DOUBLE_EQ(top_moment_scale(foils), make_top_foil_section(foils).bending_stiffness / 4e-6);
 }

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support/bearing_cases.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -35,8 +37,18 @@ TEST(StudyReport, CountsWhatWasRun) {
   EXPECT_TRUE(outcome.converged);
   EXPECT_GT(outcome.max_residual, 0.0);
   EXPECT_LT(outcome.max_residual, 1e-9);  // bound of the solver
-  results[0].result.cycles[2].converged = false;
+  results[0].result.cycles[2].status = Status::no_modes;
   EXPECT_FALSE(outcome_of(study, results).converged);
+}
+
+TEST(StudyReport, NamesTheRunOfEveryFailure) {
+  const Study study = short_study();
+  std::vector<StudyRunResult> results = results_of(study);
+  EXPECT_TRUE(outcome_of(study, results).failures.empty());
+  results[0].result = failed_at_increment_three(results[0].result);
+  const std::vector<std::string> failures = outcome_of(study, results).failures;
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_EQ(failures[0].find("short/one: +X, increment 3 of 4, "), 0U) << failures[0];
 }
 
 TEST(StudyReport, TableHasALinePerStudy) {

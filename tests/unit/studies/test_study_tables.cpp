@@ -42,6 +42,8 @@ class StudyTables : public ::testing::Test {
     return results_[run].result.cycles[0].increments[index];
   }
 
+  [[nodiscard]] const FoilFields& fields(std::size_t run) const { return results_[run].result.cycles[0].fields; }
+
   static const TableCell& cell(const StudyTable& table, std::size_t row, const std::string& column) {
     const auto found = std::find(table.columns.begin(), table.columns.end(), column);
     EXPECT_NE(found, table.columns.end()) << column;
@@ -83,8 +85,8 @@ TEST_F(StudyTables, LoadsAreThoseAtFullDisplacement) {
   const StudyTable table = make(StudyTableKind::loads);
   ASSERT_EQ(table.rows.size(), 2U * 26U);
   EXPECT_EQ(whole(table, 26 + 12, "bump"), 13);
-  EXPECT_EQ(number(table, 26 + 12, "bump_load_N"), increment(1, 3).top_bump.normal_force[12]);
-  EXPECT_EQ(number(table, 26 + 12, "journal_load_N"), increment(1, 3).journal_top.normal_force[12]);
+  EXPECT_EQ(number(table, 26 + 12, "bump_load_N"), fields(1).top_bump.normal_force(3, 12));
+  EXPECT_EQ(number(table, 26 + 12, "journal_load_N"), fields(1).journal_top.normal_force(3, 12));
 }
 
 TEST_F(StudyTables, HeightsTellWhatTheJournalMeets) {
@@ -112,7 +114,7 @@ TEST_F(StudyTables, FoilsAreDrawnFromTheirGaps) {
   const std::size_t row = 26 + 12;  // first run, full displacement, bump 13
   EXPECT_EQ(whole(table, row, "increment"), 3);
   EXPECT_EQ(word(table, row, "state_journal_top"), "stick");
-  EXPECT_EQ(number(table, row, "normal_force_bump_sleeve_N"), increment(0, 3).bump_sleeve.normal_force[12]);
+  EXPECT_EQ(number(table, row, "normal_force_bump_sleeve_N"), fields(0).bump_sleeve.normal_force(3, 12));
   EXPECT_EQ(word(table, 0, "state_journal_top"), "open");
 }
 
@@ -120,8 +122,8 @@ TEST_F(StudyTables, ContactsAreCounted) {
   const StudyTable table = make(StudyTableKind::contacts);
   ASSERT_EQ(table.rows.size(), 2U * 7U);
   const auto closed = [this](std::size_t index) {
-    const std::vector<ContactMode>& mode = increment(1, index).journal_top.mode;
-    return static_cast<int>(std::count_if(mode.begin(), mode.end(), [](auto m) { return m != ContactMode::open; }));
+    const auto modes = fields(1).journal_top.mode.row(static_cast<Eigen::Index>(index));
+    return static_cast<int>(std::count_if(modes.begin(), modes.end(), [](auto m) { return m != ContactMode::open; }));
   };
   for (std::size_t i = 0; i < 7; ++i) {
     EXPECT_EQ(whole(table, 7 + i, "closed_journal_top"), closed(i));

@@ -63,7 +63,7 @@ export function player(selection: Selection): HTMLElement {
     play.textContent = frame === 0 ? '▶' : '❚❚';
     play.setAttribute('aria-label', frame === 0 ? 'Play the cycle' : 'Pause');
     if (loop.size === 0) {
-      readout.textContent = `${loop.name} was not begun`;
+      readout.textContent = loop.summary ? `${loop.name}: no increment converged` : `${loop.name} was not begun`;
       return;
     }
     const branch = loop.isLoading(index) ? 'loading' : 'unloading';

@@ -19,7 +19,19 @@ export interface RunData {
   geometry: Record<string, number | null | (number | null)[]>;
   nodes: { bump: number; foot: number };
   last_increment: number;
+  /** What tables show of the summary, in their order. */
+  quantities: Quantity[];
   loops: LoopData[];
+}
+
+export interface Quantity {
+  /** In the summary of a cycle. */
+  key: string;
+  label: string;
+  unit: string;
+  whole: boolean;
+  /** Says how the cycle was computed. */
+  of_solver: boolean;
 }
 
 /** Values are base64: of binary32, of signed bytes for states and other flags. */
@@ -46,5 +58,5 @@ export interface CycleSummary {
   amplitude_m: number;
   steps: number;
   converged: boolean;
-  [key: string]: number | boolean | null | (number | null)[];
+  [key: string]: string | number | boolean | null | (number | null)[];
 }

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bumpfoil/analysis/foil_state.hpp"
+
+namespace bumpfoil {
+
+/// A quantity over increments (rows) and bumps or feet (columns).
+using FieldMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ModeMatrix = Eigen::Matrix<ContactMode, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+enum class Interface { journal_top, top_bump, bump_sleeve };
+
+/// One interface: column i belongs to bump i or, at the sleeve, to foot i. Without columns where there is none.
+struct InterfaceFields {
+  FieldMatrix gap;             ///< m, 0 where closed
+  FieldMatrix normal_force;    ///< N, compression >= 0
+  FieldMatrix friction_force;  ///< N, on the bump-foil node, positive away from the weld; zero at the journal
+  ModeMatrix mode;
+
+  void resize(Eigen::Index increments, Eigen::Index columns);
+  /// Keeps the first increments.
+  void truncate(Eigen::Index increments);
+};
+
+/// Bending stress, Pa; without columns where a model knows none, see FoilStress.
+struct StressFields {
+  FieldMatrix top_weld;   ///< one column
+  FieldMatrix top_crest;  ///< per bump
+  FieldMatrix bump_weld;  ///< one column
+  FieldMatrix bump_crest;
+  FieldMatrix bump_foot;  ///< per foot
+  FieldMatrix bump_largest;
+};
+
+/// Everything known of the foils at every increment that was recorded.
+struct FoilFields {
+  FieldMatrix top_displacement;  ///< u_t, m, per bump; without columns where there is no top foil
+  FieldMatrix crest_u, crest_v;  ///< m, per bump
+  FieldMatrix foot_u, foot_v;    ///< m, per foot
+  InterfaceFields journal_top;   ///< per bump
+  InterfaceFields top_bump;      ///< per bump
+  InterfaceFields bump_sleeve;   ///< per foot
+  StressFields stress;
+
+  [[nodiscard]] Eigen::Index increments() const { return crest_u.rows(); }
+  /// Keeps the first increments.
+  void truncate(Eigen::Index increments);
+};
+
+/// Loads of one interface at a state, N: what is reported as open carries nothing.
+Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface);
+
+/// Fields for `increments` increments of the foils, to be filled by record().
+FoilFields make_fields(const Foils& foils, int increments);
+
+/// Writes the fields of a state into row `increment`.
+void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields);
+
+}  // namespace bumpfoil

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/contact/path_follower.hpp"
+
+namespace bumpfoil {
+
+/// All that an increment leaves to the next: a plain value, to be copied, kept and gone back to.
+struct FoilState {
+  Excitation excitation;       ///< that the foils are in balance with
+  ContactLoading loading;      ///< the same as it was solved for: gaps and loads of the contact problem
+  ContactState contacts;       ///< displacements, forces and modes; friction refers to them
+  Vector slip_origin;          ///< unknowns that the slip of the last part of the last increment is measured from
+  double work{};               ///< of the pressing body since the count began, see gap_work(), J
+  double dissipated_energy{};  ///< by friction since then, J
+
+  /// Unstressed foils before their assembly.
+  static FoilState unstressed(const Foils& foils);
+};
+
+/// An increment as it was taken: where it led, what happened on the way, what it cost and how it ended.
+struct Step {
+  Status status{Status::converged};
+  FoilState state;  ///< new; after a failure it means nothing but where the increment was to lead
+  /// Positions that the path which the increment is a part of runs between, m.
+  Eigen::Vector2d path_begin{0.0, 0.0}, path_end{0.0, 0.0};
+  std::vector<ContactEvent> events;  ///< of the increment, with fractions of that path; only where they are followed
+  SolveCost cost;
+  int substeps{};    ///< extra solves because the increment had to be halved
+  bool is_linear{};  ///< in pieces, so that W = E_end - E_begin + D holds to rounding
+
+  [[nodiscard]] bool converged() const { return status == Status::converged; }
+};
+
+}  // namespace bumpfoil

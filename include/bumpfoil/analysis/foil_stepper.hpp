@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "bumpfoil/analysis/foil_state.hpp"
+#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Tangent stiffnesses d(F.n)/ds at a state, N/m; absent where the closed contacts leave the foils loose.
+struct TangentStiffnesses {
+  std::optional<double> loading;    ///< slipping contacts go on slipping
+  std::optional<double> unloading;  ///< all closed contacts stick
+};
+
+/// The same for motion in any direction: dF/d(x, y), entry (i, j) = dF_i/dx_j, N/m.
+struct TangentMatrices {
+  std::optional<Eigen::Matrix2d> loading;
+  std::optional<Eigen::Matrix2d> unloading;
+
+  /// n . K n for the unit vector n.
+  [[nodiscard]] TangentStiffnesses along(const Eigen::Vector2d& direction) const;
+};
+
+/// The solver of a case, made for a problem of its own or somebody else's.
+/// @param modes  linear system of the problem, which the follower shares with its caller
+std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
+                                                 const std::shared_ptr<ModeSystem>& modes);
+
+/// Takes foils from state to state. It holds the solver of a case and its workspace, and nothing of the states: those
+/// belong to the caller, who keeps the new one or the old one. One thread at a time; as many steppers as threads share
+/// the foils.
+///
+/// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
+class FoilStepper {
+ public:
+  FoilStepper(SharedFoils foils, const SolverSettings& settings);
+  ~FoilStepper();
+
+  /// From the unstressed foils in one step. Work starts at zero; the dissipation is that of the assembly.
+  void assemble(const Excitation& excitation, Step& step);
+
+  /// One increment from `from` straight to the excitation `to`.
+  void advance(const FoilState& from, const Excitation& to, Step& step);
+
+  /// Begins the straight path from `from` to the excitation `end`. Increments of one path cost the event-driven solver
+  /// less than paths of one increment.
+  void set_out(const FoilState& from, const Excitation& end);
+
+  /// One increment, on to `fraction` of the path that was set out on.
+  /// @param from      where the last increment ended, or the path began; to leave the path, set out again
+  /// @param fraction  beyond the last
+  void advance_to(double fraction, const FoilState& from, Step& step);
+
+  /// From the contact modes of `state` and the tangent of the foils.
+  [[nodiscard]] TangentMatrices tangents(const FoilState& state);
+
+  [[nodiscard]] const Foils& foils() const { return *foils_; }
+  /// What converged states meet.
+  [[nodiscard]] SolverBounds bounds() const { return follower_->bounds(); }
+
+ private:
+  SharedFoils foils_;
+  std::shared_ptr<ModeSystem> modes_;  ///< shared with the follower: no other is made for tangents
+  std::unique_ptr<PathFollower> follower_;
+  Excitation path_begin_, path_end_;
+  ContactState rate_;
+};
+
+}  // namespace bumpfoil

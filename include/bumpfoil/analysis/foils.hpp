@@ -1,0 +1,91 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/structure/foil_structure.hpp"
+#include "bumpfoil/structure/stress.hpp"
+
+namespace bumpfoil {
+
+/// Foils ready to be loaded: elastic foils and the contacts between the body that presses on them (the journal of a
+/// bearing, the plate of a strip), the foils, and what carries them (sleeve, base). Never changed once they are made,
+/// so that any number of runs and threads may share them.
+///
+/// The pressing body stands at a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a
+/// bump with the normal n. The plate of a strip moves along X, and all its normals are (1, 0).
+///
+/// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
+/// Without a top foil the first is missing, and the second is that of the plate with the crest.
+struct Foils {
+  FoilStructure structure;
+  StressModel stress;
+  ContactProblem problem;
+  double clearance{};        ///< gap between the pressing body, at the origin, and the undeformed foils, m
+  Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
+  Vector assembled_gap;      ///< g0 of each contact without the pressing body, m: height errors and sleeve gaps
+
+  [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
+  [[nodiscard]] int top_bump() const {
+    return has_top_foil() ? 1 : 0;
+  }  ///< place of the contact in the block of a bump
+  [[nodiscard]] int first_foot() const { return top_bump() + 1; }
+  [[nodiscard]] int contacts_per_block() const { return static_cast<int>(problem.pairs.size()); }
+  [[nodiscard]] int bumps() const { return structure.bumps(); }
+  [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }
+  /// Contacts of the pressing body, the first of each bump: entries of a vector of all contacts.
+  [[nodiscard]] auto pressed() const {
+    return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block(), Eigen::Index{bumps()},
+                       Eigen::Index{contacts_per_block()});
+  }
+  /// Displacements of the top foil over each bump: entries of a vector of all unknowns. Only where there is one.
+  [[nodiscard]] auto top_foil() const {
+    const Eigen::Index size = structure.dofs.size;
+    return Eigen::seqN(structure.first_bump * size + structure.dofs.top_u, Eigen::Index{bumps()}, size);
+  }
+};
+
+using SharedFoils = std::shared_ptr<const Foils>;
+
+/// What drives an increment. A plain value.
+struct Excitation {
+  Eigen::Vector2d position{0.0, 0.0};  ///< of the pressing body, m
+  /// Added to the initial gap of each contact, m: sampled errors of heights, sleeve and journal. Empty: none.
+  Vector gap_offset{};
+  /// Forces on the top foil over each crest, N, positive outward: what loads between the crests come to there, see
+  /// crest_loads() in structure/span_loads.hpp. Empty: none.
+  Vector top_load{};
+};
+
+/// The law that a contact problem of the foils needs: absent where K says all.
+std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
+
+/// The foils of a bearing, pressed by its journal.
+/// @throws Error (input) if the case cannot be built.
+SharedFoils make_bearing_foils(const Case& input);
+
+/// The strip of a case between its plate and the base: flat foils, without clearance.
+/// @throws Error (input) if the case cannot be built, or has no strip, or is of the former model.
+SharedFoils make_strip_foils(const Case& input);
+
+/// Gaps and loads under an excitation with the pressing body at `position`:
+///
+///     g_r = r_i + u_t,   g_t = -height_error_i - u_t + v_crest,   g_b = sleeve_gap_i - v_foot
+///
+/// [Arghir2019, Eqs. 1-4]; without a top foil r_i - height_error_i + v_crest in place of the first two. Its gap offsets
+/// are added, its loads act on the top foil.
+ContactLoading loading_under(const Foils& foils, const Excitation& excitation);
+
+/// Rate of loading_under per metre of displacement along the unit vector `direction`.
+ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction);
+
+/// Loads of the pressing body on the foils, N, one per bump.
+Vector pressing_loads(const Foils& foils, const Vector& normal_force);
+
+/// Force that holds the pressing body, N.
+Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
+
+}  // namespace bumpfoil

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bumpfoil/analysis/increment.hpp"
+
+namespace bumpfoil {
+
+/// What of the pressing body is prescribed.
+enum class Control {
+  position,  ///< where it is, m
+  load,      ///< the force that holds it, N
+};
+
+/// Where increments are counted from and which way they go: place(s) = base + s direction, a position or a load.
+struct Line {
+  Eigen::Vector2d base{0.0, 0.0};
+  Eigen::Vector2d direction{1.0, 0.0};  ///< unit vector
+
+  [[nodiscard]] Eigen::Vector2d place(double s) const { return base + s * direction; }
+};
+
+/// A straight part of a program, in equal increments.
+struct Leg {
+  Branch branch{Branch::loading};
+  Control control{Control::position};
+  Line line{};
+  double begin{};  ///< s on the line, m or N: where the leg before ends
+  double end{};
+  int steps{};
+
+  /// s where increment 0..steps leads.
+  [[nodiscard]] double target(int step) const { return (begin * (steps - step) + end * step) / steps; }
+};
+
+/// What is done to foils, leg after leg.
+using Program = std::vector<Leg>;
+
+/// From `origin` to `origin + amplitude` in `steps` and back in as many.
+Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps);
+
+/// From `origin` up by `amplitude` in `steps`, down through `origin` as far in twice as many, and back.
+Program swing(Control control, const Line& line, double origin, double amplitude, int steps);
+
+/// Increments of a program, the one that it starts from included.
+int increments_of(const Program& program);
+
+}  // namespace bumpfoil

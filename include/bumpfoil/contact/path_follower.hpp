@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/contact/solver.hpp"
+
+namespace bumpfoil {
+
+/// A straight piece of loading.
+struct LoadingPath {
+  ContactLoading begin, end;
+
+  /// (1 - fraction) begin + fraction end.
+  [[nodiscard]] ContactLoading at(double fraction) const;
+  /// The same into `loading`, whose storage is reused.
+  void at(double fraction, ContactLoading& loading) const;
+};
+
+/// A change of mode of one contact.
+struct ContactEvent {
+  double fraction{};  ///< of the path, 0 at its begin and 1 at its end
+  int contact{};
+  ContactMode from{};
+  ContactMode to{};
+};
+
+/// A part of the response to a path; parts join.
+struct ResponsePart {
+  const ContactState& begin;
+  const ContactState& end;
+  /// Forces and displacements vary linearly from begin to end, and the energies of all parts balance; otherwise the
+  /// part is an increment, and the friction of its end acts throughout.
+  bool linear;
+};
+
+using PartVisitor = std::function<void(const ResponsePart&)>;
+
+/// How following a path to some place ended.
+struct FollowReport {
+  Status status{Status::converged};
+  SolveCost cost;
+  int substeps{};             ///< solves that the path asked for beyond those of the increments that were wanted
+  double jump_dissipation{};  ///< given off, beyond friction, where the response jumped, J; only where events are seen
+
+  [[nodiscard]] bool converged() const { return status == Status::converged; }
+};
+
+/// Follows the response along straight paths of loading.
+class PathFollower {
+ public:
+  virtual ~PathFollower() = default;
+
+  /// What converged states meet.
+  [[nodiscard]] virtual SolverBounds bounds() const = 0;
+
+  /// One step from the unstressed foils to the first loading.
+  [[nodiscard]] virtual SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
+                                             ContactState& state) = 0;
+
+  /// Begins a path; `state` is the response to its begin.
+  virtual void set_out(const LoadingPath& path, const ContactState& state) = 0;
+
+  /// The path that was set out on last.
+  [[nodiscard]] virtual const LoadingPath& path() const = 0;
+
+  /// Goes on to `fraction` of the path, beyond the last. A failure ends the path.
+  /// @param state   where the last call ended, or the path began; on failure the last part that was found
+  /// @param visit   receives the parts of the response; may be empty
+  /// @param events  receives the changes of mode where the follower sees them
+  [[nodiscard]] virtual FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                               std::vector<ContactEvent>& events) = 0;
+};
+
+/// Takes each increment by one solve of `solver`. Where that fails, the state is restored, the increment is halved and
+/// both halves are taken in turn, up to `max_halvings` times over.
+std::unique_ptr<PathFollower> make_increment_follower(std::unique_ptr<ContactSolver> solver, int max_halvings = 8);
+
+}  // namespace bumpfoil

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "bumpfoil/core/enum_names.hpp"
+
+namespace bumpfoil {
+
+/// How an increment, or a run of increments, ended: the same in memory, in result files, on the terminal and in the
+/// report.
+enum class Status : std::uint8_t {
+  converged,             ///< the state obeys every equation and inequality within the bounds of its solver
+  no_modes,              ///< no contact modes were found whose exact solution contradicts none of their inequalities
+  no_tangent,            ///< large displacements: no tangents led to elastic forces that balance the contact forces
+  iterations_spent,      ///< `uzawa`: a loop ended before its residual had fallen to its tolerance
+  energy_defect,         ///< `events`: a part of the path that had to be taken blindly breaks W = E - E0 + D
+  residual_above_bound,  ///< the solver called the state converged, but ContactResiduals exceeds its bounds
+  load_out_of_reach,     ///< the load is not met before the pressing body has gone as far as it may
+  load_not_met,          ///< the load was bracketed, but the search ended before it was met
+  interrupted,           ///< the run was stopped from outside
+};
+
+/// As files spell it.
+template <>
+inline constexpr auto enum_names<Status> = std::to_array<std::string_view>({"converged", "no_modes", "no_tangent",
+                                                                            "iterations_spent", "energy_defect",
+                                                                            "residual_above_bound", "load_out_of_reach",
+                                                                            "load_not_met", "interrupted"});
+
+/// What happened, in words that complete "increment 37: ...".
+std::string_view explanation(Status status);
+
+}  // namespace bumpfoil

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/io/result_names.hpp"
+#include "bumpfoil/model/case.hpp"
+
+/// Every quantity of a result, described once: what readers are told about it, and where it comes from. All files, the
+/// table on the terminal and the report take it from here; what is added here is in all of them.
+namespace bumpfoil {
+
+// All quantities have a `name`, that of the variable in result.nc; a `unit` as UDUNITS spells it, "1" where there is
+// none, empty for words; a `long_name`, which spelled() completes; and a Form.
+
+/// As what values are written.
+struct Form {
+  enum Kind {
+    real,
+    whole,
+    truth,  ///< no or yes, as 0 or 1
+    flag,   ///< one of some words, as 0, 1, 2, ...
+  } kind{real};
+  std::span<const std::string_view> words{};  ///< of truths and flags
+};
+
+template <typename Enum>
+inline constexpr Form flags{Form::flag, enum_names<Enum>};
+
+/// Words in which results of a bearing and of a strip differ.
+struct Wording {
+  std::string_view pressing;    ///< journal or plate
+  std::string_view over_crest;  ///< what touches the crests
+  std::string_view carrying;    ///< sleeve or base
+  std::string_view along;       ///< which way displacements and forces count
+  std::string_view start;       ///< where increment 0 is
+};
+Wording wording_of(const Case& input, Experiment experiment);
+
+/// A long name with {pressing}, {over_crest}, {carrying}, {along} and {start} in these words.
+std::string spelled(std::string_view long_name, const Wording& wording);
+
+/// Results that have a quantity.
+enum class Within { both, cycle, strip };
+
+/// Of one increment. Values that are not known are not numbers.
+struct IncrementQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const Increment&);
+  Form form{};
+  bool in_csv{true};  ///< beside result.nc
+  Within within{Within::both};
+};
+
+/// How the terminal shows a number.
+struct ShownUnit {
+  std::string_view name;
+  double size{};  ///< SI
+};
+
+/// Of one cycle; a key of summary.json, too.
+struct CycleQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const Cycle&, const Case&);
+  Form form{};
+  std::string_view label{};  ///< in tables for people; empty where it is in the files only
+  ShownUnit shown{};         ///< on the terminal; a size of 0 where it is not
+  bool of_solver{};          ///< says how it was computed
+  Within within{Within::both};
+};
+
+/// What the columns of a field stand for.
+enum class Node { foil, bump, foot };
+
+/// Of the foils at one increment: a matrix of increments and nodes, see FoilFields. No columns where it is not known.
+struct FieldQuantity {
+  std::string_view name, unit, long_name;
+  Node node;
+  FieldMatrix (*values)(const FoilFields&);
+  Form form{};
+};
+
+/// Loads at full displacement, one per node; a key of summary.json, too.
+struct LoadQuantity {
+  std::string_view name, unit, long_name;
+  Node node;
+  Vector TurningPoint::*loads;
+};
+
+/// Of one change of state of a contact.
+struct EventQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const CycleEvent&);
+  Form form{};
+};
+
+/// In the order of files and tables.
+std::vector<IncrementQuantity> increment_quantities(Experiment experiment);
+std::vector<CycleQuantity> cycle_quantities(Experiment experiment);
+std::span<const FieldQuantity> field_quantities();
+std::span<const LoadQuantity> load_quantities();
+std::span<const EventQuantity> event_quantities();
+
+/// A column of CSV or key of JSON carries its unit at its end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
+/// What tells variables of increments and cycles apart falls away: "iterations" for `total_iterations`, "status" for
+/// `increment_status`.
+std::string key_of(std::string_view name, std::string_view unit);
+
+/// A foil whose stress is compared with its yield stress.
+struct StressedFoil {
+  std::string_view name;
+  std::string_view long_name;
+  std::optional<StressPeak> Cycle::*peak;
+  std::optional<double> (*yield_stress)(const Case&);
+};
+std::span<const StressedFoil> stressed_foils();
+
+/// Whether the stress of a foil exceeds its yield stress in a cycle: 0 or 1, not a number where one of them is not
+/// known.
+double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input);
+
+}  // namespace bumpfoil

@@ -1,0 +1,172 @@
+#include "bumpfoil/analysis/fields.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/residual.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A contact is reported open where its load is below this part of the largest, or below that part of the scale of
+/// forces: where nothing is loaded, the largest is a rounding itself.
+constexpr double open_load = 1e-9;
+constexpr double rounded_load = 1e-12;
+
+/// Contacts of one interface: those from `first` on of every block, `count` of each, from block `first_block` on.
+struct InterfacePlace {
+  int first_block{};
+  int first{};
+  int count{};
+
+  [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
+    return Eigen::Index{foils.problem.K.blocks() - first_block} * count;
+  }
+  [[nodiscard]] Eigen::Index contact(const Foils& foils, Eigen::Index column) const {
+    return (first_block + column / count) * foils.contacts_per_block() + first + column % count;
+  }
+};
+
+InterfacePlace place_of(const Foils& foils, Interface interface) {
+  switch (interface) {
+    case Interface::journal_top:
+      return {.first_block = foils.structure.first_bump, .first = 0, .count = foils.has_top_foil() ? 1 : 0};
+    case Interface::top_bump:
+      return {.first_block = foils.structure.first_bump, .first = foils.top_bump(), .count = 1};
+    case Interface::bump_sleeve:
+      break;
+  }
+  return {.first_block = 0, .first = foils.first_foot(), .count = foils.feet_per_block()};
+}
+
+/// Loads up to this are none, N.
+double open_threshold(const Foils& foils, const ContactState& state) {
+  return std::max(open_load * state.normal_force.maxCoeff(), rounded_load * foils.problem.force_scale);
+}
+
+/// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
+ContactMode reported_mode(const CoulombContact& contact, const FoilState& state, double threshold) {
+  if (state.contacts.normal_force[contact.index] <= threshold) return ContactMode::open;
+  if (contact.pair.tangential < 0 || contact.f > 0.0) {
+    return state.contacts.mode[static_cast<std::size_t>(contact.index)];
+  }
+  const double slip = contact.tangential(state.contacts.x) - contact.tangential(state.slip_origin);
+  return slip > displacement_resolution    ? ContactMode::slip_forward
+         : slip < -displacement_resolution ? ContactMode::slip_backward
+                                           : ContactMode::stick;
+}
+
+void record_interface(const Foils& foils, const FoilState& state, Interface interface, Eigen::Index increment,
+                      InterfaceFields& fields) {
+  const InterfacePlace place = place_of(foils, interface);
+  const double threshold = open_threshold(foils, state.contacts);
+  const int block_size = foils.problem.K.block_size();
+  for (Eigen::Index i = 0; i < fields.gap.cols(); ++i) {
+    const Eigen::Index c = place.contact(foils, i);
+    const ContactPair& pair = foils.problem.pairs[static_cast<std::size_t>(c % foils.contacts_per_block())];
+    const CoulombContact contact{pair, pair.tangential >= 0 ? pair.friction_coefficient : 0.0,
+                                 c / foils.contacts_per_block() * block_size, c};
+    const ContactMode mode = reported_mode(contact, state, threshold);
+    const bool open = mode == ContactMode::open;
+    fields.gap(increment, i) = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;
+    fields.normal_force(increment, i) = open ? 0.0 : state.contacts.normal_force[c];
+    fields.friction_force(increment, i) = open ? 0.0 : state.contacts.friction_force[c];
+    fields.mode(increment, i) = mode;
+  }
+}
+
+void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
+  const FoilStress stress = foil_stress(foils.stress, x);
+  const auto put = [increment](FieldMatrix& field, const Vector& values) {
+    if (values.size() > 0) field.row(increment) = values.transpose();
+  };
+  if (stress.top_weld) fields.top_weld(increment, 0) = *stress.top_weld;
+  if (stress.bump_weld) fields.bump_weld(increment, 0) = *stress.bump_weld;
+  put(fields.top_crest, stress.top_crest);
+  put(fields.bump_crest, stress.bump_crest);
+  put(fields.bump_foot, stress.bump_foot);
+  put(fields.bump_largest, stress.bump_largest);
+}
+
+StressFields make_stress_fields(const Foils& foils, int increments) {
+  const FoilStress none = foil_stress(foils.stress, Vector::Zero(foils.problem.K.rows()));
+  return {.top_weld = FieldMatrix(increments, none.top_weld ? 1 : 0),
+          .top_crest = FieldMatrix(increments, none.top_crest.size()),
+          .bump_weld = FieldMatrix(increments, none.bump_weld ? 1 : 0),
+          .bump_crest = FieldMatrix(increments, none.bump_crest.size()),
+          .bump_foot = FieldMatrix(increments, none.bump_foot.size()),
+          .bump_largest = FieldMatrix(increments, none.bump_largest.size())};
+}
+
+}  // namespace
+
+void InterfaceFields::resize(Eigen::Index increments, Eigen::Index columns) {
+  for (FieldMatrix* field : {&gap, &normal_force, &friction_force}) field->resize(increments, columns);
+  mode.resize(increments, columns);
+}
+
+void InterfaceFields::truncate(Eigen::Index increments) {
+  for (FieldMatrix* field : {&gap, &normal_force, &friction_force}) {
+    field->conservativeResize(increments, Eigen::NoChange);
+  }
+  mode.conservativeResize(increments, Eigen::NoChange);
+}
+
+void FoilFields::truncate(Eigen::Index increments) {
+  for (FieldMatrix* field :
+       {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &stress.top_weld, &stress.top_crest, &stress.bump_weld,
+        &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
+    field->conservativeResize(increments, Eigen::NoChange);
+  }
+  for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
+}
+
+Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface) {
+  const InterfacePlace place = place_of(foils, interface);
+  const double threshold = open_threshold(foils, state);
+  Vector loads(place.columns(foils));
+  for (Eigen::Index i = 0; i < loads.size(); ++i) {
+    const double load = state.normal_force[place.contact(foils, i)];
+    loads[i] = load <= threshold ? 0.0 : load;
+  }
+  return loads;
+}
+
+FoilFields make_fields(const Foils& foils, int increments) {
+  const Eigen::Index bumps = foils.bumps();
+  const Eigen::Index feet = place_of(foils, Interface::bump_sleeve).columns(foils);
+  FoilFields fields;
+  fields.top_displacement.resize(increments, foils.has_top_foil() ? bumps : 0);
+  for (FieldMatrix* field : {&fields.crest_u, &fields.crest_v}) field->resize(increments, bumps);
+  for (FieldMatrix* field : {&fields.foot_u, &fields.foot_v}) field->resize(increments, feet);
+  fields.journal_top.resize(increments, foils.has_top_foil() ? bumps : 0);
+  fields.top_bump.resize(increments, bumps);
+  fields.bump_sleeve.resize(increments, feet);
+  fields.stress = make_stress_fields(foils, increments);
+  return fields;
+}
+
+void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields) {
+  const Vector& x = state.contacts.x;
+  const BumpDofs& dofs = foils.structure.dofs;
+  const Eigen::Index size = dofs.size;
+  for (Eigen::Index i = 0; i < foils.bumps(); ++i) {
+    const auto bump = x.segment((foils.structure.first_bump + i) * size, size);
+    if (foils.has_top_foil()) fields.top_displacement(increment, i) = bump[dofs.top_u];
+    fields.crest_u(increment, i) = bump[dofs.crest_u];
+    fields.crest_v(increment, i) = bump[dofs.crest_v];
+  }
+  const Eigen::Index feet = dofs.feet();
+  for (Eigen::Index i = 0; i < fields.foot_u.cols(); ++i) {
+    const auto foot = static_cast<std::size_t>(i % feet);
+    fields.foot_u(increment, i) = x[i / feet * size + dofs.foot_u[foot]];
+    fields.foot_v(increment, i) = x[i / feet * size + dofs.foot_v[foot]];
+  }
+  record_interface(foils, state, Interface::journal_top, increment, fields.journal_top);
+  record_interface(foils, state, Interface::top_bump, increment, fields.top_bump);
+  record_interface(foils, state, Interface::bump_sleeve, increment, fields.bump_sleeve);
+  record_stress(foils, x, increment, fields.stress);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,103 @@
+#include "bumpfoil/analysis/foils.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/single_bump.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// @param input  its gaps and friction, of the bumps of `design`
+Foils make_foils(const Case& input, const FoilDesign& design) {
+  Foils foils;
+  foils.structure = make_foil_structure(design);
+  foils.stress = make_stress_model(design);
+
+  const BumpDofs& dofs = foils.structure.dofs;
+  foils.problem.K = foils.structure.K;
+  foils.problem.law = elastic_law(foils.structure);
+  foils.problem.force_scale = bump_force_scale(design);
+  if (design.top_foil) foils.problem.pairs.push_back({.plus = dofs.top_u});
+  foils.problem.pairs.push_back({.plus = dofs.crest_v,
+                                 .minus = dofs.top_u,
+                                 .tangential = dofs.crest_u,
+                                 .friction_coefficient = input.friction.top_bump});
+  for (std::size_t foot = 0; foot < dofs.foot_u.size(); ++foot) {
+    foils.problem.pairs.push_back({.minus = dofs.foot_v[foot],
+                                   .tangential = dofs.foot_u[foot],
+                                   .friction_coefficient = input.friction.bump_sleeve});
+  }
+
+  // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of it stays in place.
+  foils.assembled_gap.setZero(foils.problem.contacts());
+  const Eigen::Index stride = foils.contacts_per_block();
+  for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
+    const Eigen::Index first = (foils.structure.first_bump + bump) * stride;
+    const auto i = static_cast<std::size_t>(bump);
+    if (!input.bump_foil.height_errors.empty()) {
+      foils.assembled_gap[first + foils.top_bump()] = -input.bump_foil.height_errors[i];
+    }
+    if (!input.bump_foil.sleeve_gaps.empty()) {
+      foils.assembled_gap.segment(first + foils.first_foot(), dofs.feet()).setConstant(input.bump_foil.sleeve_gaps[i]);
+    }
+  }
+  return foils;
+}
+
+}  // namespace
+
+std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
+  if (!structure.large_displacements) return std::nullopt;
+  const auto shared = std::make_shared<const FoilStructure>(structure);
+  return ElasticLaw{.forces = [shared](const Vector& x) { return internal_forces(*shared, x); },
+                    .tangent = [shared](const Vector& x) { return tangent_stiffness(*shared, x); },
+                    .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
+}
+
+SharedFoils make_bearing_foils(const Case& input) {
+  require_valid(input);
+  Foils foils = make_foils(input, make_bearing_design(input));
+  foils.clearance = input.bearing.radial_clearance;
+  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
+  return std::make_shared<const Foils>(std::move(foils));
+}
+
+SharedFoils make_strip_foils(const Case& input) {
+  require_valid(input);
+  if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
+  Foils foils = make_foils(cut_to_strip(input), make_strip_design(input));
+  foils.normals = outward_normals(Vector::Zero(foils.bumps()));
+  return std::make_shared<const Foils>(std::move(foils));
+}
+
+ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
+  ContactLoading loading{.initial_gap = foils.assembled_gap, .load = Vector::Zero(foils.problem.K.rows())};
+  loading.initial_gap(foils.pressed()) += journal_gaps(foils.clearance, foils.normals, excitation.position);
+  if (excitation.gap_offset.size() > 0) loading.initial_gap += excitation.gap_offset;
+  if (excitation.top_load.size() > 0) {
+    BUMPFOIL_ASSERT(foils.has_top_foil());
+    loading.load(foils.top_foil()) = excitation.top_load;
+  }
+  return loading;
+}
+
+ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction) {
+  ContactLoading rate = ContactLoading::none(foils.problem);
+  rate.initial_gap(foils.pressed()) = journal_gaps(0.0, foils.normals, direction);
+  return rate;
+}
+
+Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
+  return normal_force(foils.pressed());
+}
+
+Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
+  return journal_force(foils.normals, pressing_loads(foils, normal_force));
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bumpfoil/analysis/foil_stepper.hpp"
+
+namespace bumpfoil {
+
+/// One increment from `from` to where the force that holds the pressing body is `load` (N): the body is free to go
+/// there in the plane, or along the one normal that all bumps of a strip have. Every try is one increment from `from`.
+///
+/// Along a line the response to one increment is piecewise linear in its length: Newton's method with the tangent of
+/// the modes that it ends with, inside a bracket that shrinks, takes a few tries. In the plane Newton's method starts
+/// where the load is met along its own direction, and its steps are halved while they lead away from the load.
+/// @param load   not zero: under no load the place would not be determined
+/// @param reach  the load is not looked for beyond this displacement from the origin, m
+/// @param step   receives the result; statuses load_out_of_reach and load_not_met, and those of the increments
+void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double reach,
+                     Step& step);
+
+}  // namespace bumpfoil

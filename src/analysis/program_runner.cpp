@@ -1,0 +1,46 @@
+#include "analysis/program_runner.hpp"
+
+#include <utility>
+
+#include "analysis/load_search.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A load of zero stands for this part of the largest of its leg: where nothing is touched the place would not be
+/// determined.
+constexpr double least_load = 1e-6;
+
+Eigen::Vector2d never_zero(const Eigen::Vector2d& load, const Leg& leg) {
+  const Eigen::Vector2d begin = leg.line.place(leg.begin);
+  const Eigen::Vector2d end = leg.line.place(leg.end);
+  const Eigen::Vector2d least = least_load * (end.norm() > begin.norm() ? end : begin);
+  return load.norm() < least.norm() ? least : load;
+}
+
+}  // namespace
+
+void ProgramRunner::try_next(Step& step) {
+  const Leg& next = leg();
+  const Eigen::Vector2d place = next.line.place(target());
+  if (next.control == Control::load) {
+    advance_to_load(stepper_, state_, never_zero(place, next), reach_, step);
+    return;
+  }
+  if (taken_ == 0) {
+    Excitation end = state_.excitation;
+    end.position = next.line.place(next.end);
+    stepper_.set_out(state_, end);
+  }
+  stepper_.advance_to(static_cast<double>(taken_ + 1) / next.steps, state_, step);
+  step.state.excitation.position = place;
+}
+
+void ProgramRunner::commit(Step& step) {
+  std::swap(state_, step.state);
+  if (++taken_ < leg().steps) return;
+  ++leg_;
+  taken_ = 0;
+}
+
+}  // namespace bumpfoil

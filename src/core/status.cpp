@@ -1,0 +1,24 @@
+#include "bumpfoil/core/status.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::array<std::string_view, enum_names<Status>.size()> explanations{
+    "converged",
+    "no contact modes were found that contradict none of their conditions",
+    "no equilibrium was found for large displacements: the foils may have snapped to another shape",
+    "the iterations of the solver ended before its tolerances were met",
+    "the response could not be followed without breaking the balance of energies",
+    "the residuals of the state exceed the bounds of its solver",
+    "the load is not met before the bumps are pressed flat",
+    "the position that meets the load was not found",
+    "the run was interrupted",
+};
+
+}  // namespace
+
+std::string_view explanation(Status status) {
+  return explanations.at(static_cast<std::size_t>(status));
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,367 @@
+#include "bumpfoil/io/result_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+
+namespace bumpfoil {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+constexpr Form real{};
+constexpr Form whole{Form::whole};
+constexpr std::array<std::string_view, 2> truth_words{"no", "yes"};
+constexpr Form truth{Form::truth, truth_words};
+
+constexpr ShownUnit newtons{"N", 1.0};
+constexpr ShownUnit micrometres{"um", 1e-6};
+constexpr ShownUnit millijoules{"mJ", 1e-3};
+constexpr ShownUnit stiffness{"MN/m", 1e6};
+constexpr ShownUnit megapascals{"MPa", 1e6};
+constexpr ShownUnit plain{"", 1.0};
+
+template <auto Increment::*member>
+double of(const Increment& increment) {
+  return static_cast<double>(increment.*member);
+}
+
+template <int SolveCost::*member>
+double cost(const Increment& increment) {
+  return increment.cost.*member;
+}
+
+template <auto CycleEvent::*member>
+double of_event(const CycleEvent& event) {
+  return static_cast<double>(event.*member);
+}
+
+template <auto Cycle::*member>
+double of_cycle(const Cycle& cycle, const Case& /*input*/) {
+  return static_cast<double>(cycle.*member);
+}
+
+template <std::optional<double> Cycle::*member>
+double derived(const Cycle& cycle, const Case& /*input*/) {
+  return (cycle.*member).value_or(absent);
+}
+
+template <int SolveCost::*member>
+double total(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.cost.*member;
+}
+
+template <double Increment::*member>
+double at_start(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.start ? (*cycle.start).*member : absent;
+}
+
+/// Quantities of a cycle that mean nothing before it was begun.
+template <double Cycle::*member>
+double once_begun(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.start ? cycle.*member : absent;
+}
+
+template <double TurningPoint::*member>
+double at_turn(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.turning_point ? (*cycle.turning_point).*member : absent;
+}
+
+template <std::optional<double> TangentStiffnesses::*member>
+double tangent(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.turning_point ? (cycle.turning_point->tangent.*member).value_or(absent) : absent;
+}
+
+template <std::optional<StressPeak> Cycle::*member>
+double peak(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.*member ? (*(cycle.*member)).stress : absent;
+}
+
+template <std::size_t foil>
+double yields(const Cycle& cycle, const Case& input) {
+  return above_yield(stressed_foils()[foil], cycle, input);
+}
+
+/// Under load control it is what the cycle finds out.
+double strip_amplitude(const Cycle& cycle, const Case& input) {
+  const bool known = cycle.turning_point || input.strip->amplitude.control == PlateControl::displacement;
+  return known ? cycle.amplitude : absent;
+}
+
+template <auto FoilFields::*member>
+FieldMatrix field(const FoilFields& fields) {
+  return fields.*member;
+}
+
+template <FieldMatrix StressFields::*member>
+FieldMatrix stress(const FoilFields& fields) {
+  return fields.stress.*member;
+}
+
+template <InterfaceFields FoilFields::*interface, FieldMatrix InterfaceFields::*member>
+FieldMatrix contact(const FoilFields& fields) {
+  return fields.*interface.*member;
+}
+
+template <InterfaceFields FoilFields::*interface>
+FieldMatrix state(const FoilFields& fields) {
+  return (fields.*interface).mode.unaryExpr([](ContactMode mode) { return static_cast<double>(mode); });
+}
+
+// What tells some quantities from others: results of which command have them, and that they say how it was computed.
+constexpr IncrementQuantity bearing(IncrementQuantity quantity) {
+  quantity.within = Within::cycle;
+  return quantity;
+}
+constexpr CycleQuantity bearing(CycleQuantity quantity) {
+  quantity.within = Within::cycle;
+  return quantity;
+}
+constexpr CycleQuantity strip(CycleQuantity quantity) {
+  quantity.within = Within::strip;
+  return quantity;
+}
+constexpr CycleQuantity solver(CycleQuantity quantity) {
+  quantity.of_solver = true;
+  return quantity;
+}
+
+constexpr auto increment_table = std::to_array<IncrementQuantity>({
+    {"branch", "", "branch of the cycle", of<&Increment::branch>, flags<Branch>},
+    {"displacement", "m", "displacement of the {pressing} {along}", of<&Increment::displacement>},
+    bearing({"x", "m", "journal centre, X", of<&Increment::x>}),
+    bearing({"y", "m", "journal centre, Y", of<&Increment::y>}),
+    bearing({"force_x", "N", "force that holds the journal, X", of<&Increment::force_x>}),
+    bearing({"force_y", "N", "force that holds the journal, Y", of<&Increment::force_y>}),
+    {"force_direct", "N", "force that holds the {pressing}, {along}", of<&Increment::force_direct>},
+    bearing({"force_cross", "N", "force that holds the journal, 90 degrees ahead of the direction",
+             of<&Increment::force_cross>}),
+    {"elastic_energy", "J", "elastic energy of the foils", of<&Increment::elastic_energy>},
+    {"dissipated_energy", "J",
+     "energy dissipated since increment 0: by friction and, with `events`, where the foils snap",
+     of<&Increment::dissipated_energy>},
+    {"work", "J", "work of the {pressing} since increment 0", of<&Increment::work>},
+    {"residual", "1", "largest unbalanced force over the largest contact force",
+     [](const Increment& increment) { return increment.residuals.equilibrium; }},
+    {"iterations", "1", "linear solves", cost<&SolveCost::iterations>, whole},
+    {"factorisations", "1", "factorisations of the system of equations", cost<&SolveCost::factorisations>, whole,
+     false},
+    {"substeps", "1", "extra solves because the increment had to be halved", of<&Increment::substeps>, whole},
+    {"increment_converged", "", "whether the increment meets the bounds of the solver",
+     [](const Increment& increment) { return increment.converged() ? 1.0 : 0.0; }, truth, false},
+    {"increment_status", "", "how the increment ended", of<&Increment::status>, flags<Status>},
+});
+
+constexpr auto cycle_table = std::to_array<CycleQuantity>({
+    bearing({"amplitude", "m", "full displacement", of_cycle<&Cycle::amplitude>}),
+    strip({"amplitude", "m", "displacement from the start to full displacement or load", strip_amplitude, real,
+           "amplitude", micrometres}),
+    solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"}),
+    solver({"converged", "", "whether every increment of the cycle is there and converged",
+            [](const Cycle& cycle, const Case&) { return cycle.converged() ? 1.0 : 0.0; }, truth, "converged", plain}),
+    solver({"status", "", "how the cycle ended", of_cycle<&Cycle::status>, flags<Status>, "status"}),
+    {"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>, real, "maximum force",
+     newtons},
+    bearing({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>, real,
+             "cross force there", newtons}),
+    strip({"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, real,
+           "displacement at the start", micrometres}),
+    {"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real, "force at the start",
+     newtons},
+    bearing({"initial_force_x", "N", "force {start}, X", at_start<&Increment::force_x>}),
+    bearing({"initial_force_y", "N", "force {start}, Y", at_start<&Increment::force_y>}),
+    bearing({"initial_journal_load", "N", "sum of the loads of the journal on the top foil {start}",
+             once_begun<&Cycle::initial_journal_load>, real, "sum of journal loads at the start"}),
+    {"initial_elastic_energy", "J", "elastic energy {start}", at_start<&Increment::elastic_energy>, real,
+     "elastic energy at the start"},
+    {"assembly_dissipation", "J", "energy dissipated by the assembly", once_begun<&Cycle::assembly_dissipation>, real,
+     "dissipated by the assembly"},
+    bearing({"secant_stiffness", "N/m", "maximum force over amplitude", at_turn<&TurningPoint::secant_stiffness>, real,
+             "secant stiffness", stiffness}),
+    strip({"secant_stiffness", "N/m", "range of the force over range of the displacement",
+           at_turn<&TurningPoint::secant_stiffness>, real, "secant stiffness", stiffness}),
+    {"tangent_stiffness_loading", "N/m", "tangent stiffness at full displacement, slipping contacts going on to slip",
+     tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness},
+    {"tangent_stiffness_unloading", "N/m", "tangent stiffness at full displacement, all closed contacts sticking",
+     tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", stiffness},
+    {"loop_energy", "J", "closed integral of force over displacement, trapezoidal rule", derived<&Cycle::loop_energy>,
+     real, "loop energy", millijoules},
+    {"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>, real,
+     "elastic energy at full displacement"},
+    bearing({"loss_factor", "1",
+             "loop energy over 2 pi times the elastic energy stored between start and full displacement",
+             derived<&Cycle::loss_factor>, real, "loss factor", plain}),
+    strip({"loss_factor", "1",
+           "loop energy over 2 pi times the elastic energy stored between start and full displacement, about a preload "
+           "1/2 secant stiffness amplitude^2",
+           derived<&Cycle::loss_factor>, real, "loss factor", plain}),
+    bearing({"first_contact", "m", "displacement at which the journal first touches the top foil",
+             derived<&Cycle::first_contact>, real, "first contact", micrometres}),
+    bearing({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
+             derived<&Cycle::clearance_5N>, real, "clearance at 5 N", micrometres}),
+    bearing({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
+             derived<&Cycle::clearance_10N>, real, "clearance at 10 N", micrometres}),
+    {"max_stress_top_foil", "Pa", "largest bending stress of the top foil over all increments",
+     peak<&Cycle::top_foil_stress>, real, "highest stress, top foil", megapascals},
+    {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil over all increments",
+     peak<&Cycle::bump_foil_stress>, real, "highest stress, bump foil", megapascals},
+    {"above_yield_top_foil", "", "whether the stress of the top foil exceeds its yield stress", yields<0>, truth},
+    {"above_yield_bump_foil", "", "whether the stress of the bump foil exceeds its yield stress", yields<1>, truth},
+    solver({"total_iterations", "1", "linear solves (back-substitutions) of all increments",
+            total<&SolveCost::iterations>, whole, "linear solves", plain}),
+    solver({"total_factorisations", "1", "factorisations of all increments; kept ones serve many",
+            total<&SolveCost::factorisations>, whole, "factorisations", plain}),
+    solver({"total_substeps", "1", "extra solves of all increments because they had to be halved",
+            of_cycle<&Cycle::substeps>, whole, "halved increments", plain}),
+    solver({"max_residual", "1", "largest residual of all increments", once_begun<&Cycle::max_residual>, real,
+            "largest residual", plain}),
+    solver({"wall_time", "s", "time that the cycle took", of_cycle<&Cycle::wall_time>, real, "time", {"ms", 1e-3}}),
+});
+
+constexpr auto field_table = std::to_array<FieldQuantity>({
+    {"top_displacement", "m", "radial displacement of the top foil over the bump, positive outward", Node::bump,
+     field<&FoilFields::top_displacement>},
+    {"crest_u", "m", "tangential displacement of the crest, positive away from the weld", Node::bump,
+     field<&FoilFields::crest_u>},
+    {"crest_v", "m", "radial displacement of the crest, positive outward", Node::bump, field<&FoilFields::crest_v>},
+    {"foot_u", "m", "tangential displacement of the foot, positive away from the weld", Node::foot,
+     field<&FoilFields::foot_u>},
+    {"foot_v", "m", "radial displacement of the foot, positive outward", Node::foot, field<&FoilFields::foot_v>},
+    {"gap_journal_top", "m", "gap between {pressing} and top foil, 0 where closed", Node::bump,
+     contact<&FoilFields::journal_top, &InterfaceFields::gap>},
+    {"gap_top_bump", "m", "gap between {over_crest} and crest, 0 where closed", Node::bump,
+     contact<&FoilFields::top_bump, &InterfaceFields::gap>},
+    {"gap_bump_sleeve", "m", "gap between foot and {carrying}, 0 where closed", Node::foot,
+     contact<&FoilFields::bump_sleeve, &InterfaceFields::gap>},
+    {"normal_force_journal_top", "N", "compression between {pressing} and top foil", Node::bump,
+     contact<&FoilFields::journal_top, &InterfaceFields::normal_force>},
+    {"normal_force_top_bump", "N", "compression between {over_crest} and crest", Node::bump,
+     contact<&FoilFields::top_bump, &InterfaceFields::normal_force>},
+    {"normal_force_bump_sleeve", "N", "compression between foot and {carrying}", Node::foot,
+     contact<&FoilFields::bump_sleeve, &InterfaceFields::normal_force>},
+    {"friction_force_journal_top", "N", "friction of the {pressing} on the top foil, which is zero", Node::bump,
+     contact<&FoilFields::journal_top, &InterfaceFields::friction_force>},
+    {"friction_force_top_bump", "N", "friction of the {over_crest} on the crest, positive away from the weld",
+     Node::bump, contact<&FoilFields::top_bump, &InterfaceFields::friction_force>},
+    {"friction_force_bump_sleeve", "N", "friction of the {carrying} on the foot, positive away from the weld",
+     Node::foot, contact<&FoilFields::bump_sleeve, &InterfaceFields::friction_force>},
+    {"state_journal_top", "", "contact of {pressing} and top foil", Node::bump, state<&FoilFields::journal_top>,
+     flags<ContactMode>},
+    {"state_top_bump", "", "contact of {over_crest} and crest", Node::bump, state<&FoilFields::top_bump>,
+     flags<ContactMode>},
+    {"state_bump_sleeve", "", "contact of foot and {carrying}", Node::foot, state<&FoilFields::bump_sleeve>,
+     flags<ContactMode>},
+    {"stress_top_foil", "Pa", "bending stress of the top foil over the crest", Node::bump,
+     stress<&StressFields::top_crest>},
+    {"stress_bump_foil_crest", "Pa", "bending stress of the bump foil at the crest; frame only", Node::bump,
+     stress<&StressFields::bump_crest>},
+    {"stress_bump_foil_foot", "Pa", "bending stress of the bump foil at the end of the arc; frame only", Node::foot,
+     stress<&StressFields::bump_foot>},
+    {"stress_bump_foil", "Pa", "largest bending stress along the arc of the bump; frame only", Node::bump,
+     stress<&StressFields::bump_largest>},
+    {"stress_top_foil_weld", "Pa", "bending stress of the top foil where it is clamped", Node::foil,
+     stress<&StressFields::top_weld>},
+    {"stress_bump_foil_weld", "Pa", "bending stress of the bump foil where it is clamped; frame only", Node::foil,
+     stress<&StressFields::bump_weld>},
+});
+
+constexpr auto load_table = std::to_array<LoadQuantity>({
+    {"bump_loads", "N", "compression between {over_crest} and crest at full displacement", Node::bump,
+     &TurningPoint::bump_loads},
+    {"foot_loads", "N", "compression between foot and {carrying} at full displacement", Node::foot,
+     &TurningPoint::foot_loads},
+    {"journal_loads", "N", "compression between {pressing} and top foil at full displacement", Node::bump,
+     &TurningPoint::journal_loads},
+});
+
+constexpr auto event_table = std::to_array<EventQuantity>({
+    {"event_displacement", "m", "displacement of the {pressing} {along}", of_event<&CycleEvent::displacement>},
+    {"event_index", "1", "bump or, at the {carrying}, foot, counted from the weld",
+     [](const CycleEvent& event) { return event.index + 1.0; }, whole},
+    {"event_branch", "", "branch of the cycle", of_event<&CycleEvent::branch>, flags<Branch>},
+    {"event_interface", "", "interface of the contact", of_event<&CycleEvent::interface>, flags<Interface>},
+    {"event_from", "", "state of the contact before", of_event<&CycleEvent::from>, flags<ContactMode>},
+    {"event_to", "", "state of the contact after", of_event<&CycleEvent::to>, flags<ContactMode>},
+});
+
+constexpr std::array<StressedFoil, 2> foil_table{{
+    {"top_foil", "top foil", &Cycle::top_foil_stress, [](const Case& input) { return input.top_foil.yield_stress; }},
+    {"bump_foil", "bump foil", &Cycle::bump_foil_stress,
+     [](const Case& input) { return input.bump_foil.yield_stress; }},
+}};
+
+template <typename Table>
+auto those_of(const Table& table, Experiment experiment) {
+  const Within other = experiment == Experiment::strip ? Within::cycle : Within::strip;
+  std::vector<typename Table::value_type> quantities;
+  std::copy_if(table.begin(), table.end(), std::back_inserter(quantities),
+               [other](const auto& quantity) { return quantity.within != other; });
+  return quantities;
+}
+
+}  // namespace
+
+Wording wording_of(const Case& input, Experiment experiment) {
+  if (experiment == Experiment::cycle) {
+    return {"journal", "top foil", "sleeve", "along the direction", "at the centred journal"};
+  }
+  return {"plate", input.strip->top_foil ? "top foil" : "plate", "base", "towards the base", "at the start"};
+}
+
+std::string spelled(std::string_view long_name, const Wording& wording) {
+  return fmt::format(fmt::runtime(long_name), fmt::arg("pressing", wording.pressing),
+                     fmt::arg("over_crest", wording.over_crest), fmt::arg("carrying", wording.carrying),
+                     fmt::arg("along", wording.along), fmt::arg("start", wording.start));
+}
+
+std::vector<IncrementQuantity> increment_quantities(Experiment experiment) {
+  return those_of(increment_table, experiment);
+}
+
+std::vector<CycleQuantity> cycle_quantities(Experiment experiment) {
+  return those_of(cycle_table, experiment);
+}
+
+std::span<const FieldQuantity> field_quantities() {
+  return field_table;
+}
+
+std::span<const LoadQuantity> load_quantities() {
+  return load_table;
+}
+
+std::span<const EventQuantity> event_quantities() {
+  return event_table;
+}
+
+std::string key_of(std::string_view name, std::string_view unit) {
+  for (const std::string_view prefix : {"total_", "increment_"}) {
+    if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+  }
+  std::string key(name);
+  if (unit.empty() || unit == "1") return key;
+  key += '_';
+  for (const char letter : unit) {
+    if (letter == '/') {
+      key += "_per_";
+    } else {
+      key += letter;
+    }
+  }
+  return key;
+}
+
+std::span<const StressedFoil> stressed_foils() {
+  return foil_table;
+}
+
+double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input) {
+  const std::optional<StressPeak>& peak = cycle.*foil.peak;
+  const std::optional<double> yield_stress = foil.yield_stress(input);
+  if (!peak || !yield_stress) return absent;
+  return peak->stress > *yield_stress ? 1.0 : 0.0;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,27 @@
+#include "bumpfoil/io/result_names.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bumpfoil {
+namespace {
+
+TEST(ResultNames, AreThoseOfTheEnumerators) {
+  EXPECT_EQ(name_of(ContactMode::open), "open");
+  EXPECT_EQ(name_of(ContactMode::stick), "stick");
+  EXPECT_EQ(name_of(ContactMode::slip_forward), "slip_forward");
+  EXPECT_EQ(name_of(ContactMode::slip_backward), "slip_backward");
+  EXPECT_EQ(name_of(Branch::loading), "loading");
+  EXPECT_EQ(name_of(Branch::unloading), "unloading");
+  EXPECT_EQ(name_of(Interface::journal_top), "journal_top");
+  EXPECT_EQ(name_of(Interface::top_bump), "top_bump");
+  EXPECT_EQ(name_of(Interface::bump_sleeve), "bump_sleeve");
+  EXPECT_EQ(name_of(StressPlace::weld), "weld");
+  EXPECT_EQ(name_of(StressPlace::crest), "crest");
+  EXPECT_EQ(name_of(StressPlace::foot), "foot");
+  EXPECT_EQ(name_of(StressPlace::arc), "arc");
+  EXPECT_EQ(name_of(Experiment::cycle), "cycle");
+  EXPECT_EQ(name_of(Experiment::strip), "strip");
+}
+
+}  // namespace
+}  // namespace bumpfoil
