@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo paper test test-sanitized bench bench-peers verify-fe verify-siconos format clean
+.PHONY: help demo paper test test-sanitized lint bench bench-peers verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -38,10 +38,14 @@ test: ## install what is missing, build with assertions armed, run every test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
 
-test-sanitized: ## the same tests under the address and undefined-behaviour sanitizers
+test-sanitized: ## the tests of the code again, under the address and undefined-behaviour sanitizers
 	@scripts/require_packages.sh build plot test
 	$(call BUILD,dev)
 	ctest --preset dev --parallel $(JOBS)
+
+lint: ## install what is missing, let clang-tidy read the sources
+	@scripts/require_packages.sh build test bench lint
+	scripts/lint.sh
 
 bench: ## build and run the benchmarks; JSON in results/bench
 	@scripts/require_packages.sh build bench

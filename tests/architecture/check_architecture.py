@@ -43,6 +43,9 @@ IO_HEADERS = re.compile(
 MAY_PRINT = {"include/bumpfoil/core/assert.hpp", "apps/output.cpp", "apps/progress_bar.cpp"}
 PRINTING = re.compile(r"\b(?:stdout|stderr|cout|cerr|clog|fmt::print|v?f?printf|perror|puts|putchar)\b")
 
+# What the users of an installed library have: its public headers, the standard library and Eigen.
+PUBLIC_INCLUDE = re.compile(r'"bumpfoil/[^"]+|<[a-z_]+|<Eigen/\w+')
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
 OWN_NAME = re.compile(r"bumpfoil", re.IGNORECASE)
@@ -121,18 +124,27 @@ def check_sources(root):
                 yield f"{path}: header without #pragma once"
 
 
-def check_unit_tests(root):
-    """Every public header has a unit test of its name."""
+def check_public_headers(root):
+    """Every public header has a unit test of its name that includes it first, so that it is known to compile alone."""
     public = root / "include/bumpfoil"
-    tests = root / "tests/unit"
     for header in sorted(public.rglob("*.hpp")):
-        module = header.relative_to(public).parent
-        if not (tests / module / f"test_{header.stem}.cpp").exists():
-            yield f"{header.relative_to(root).as_posix()}: no unit test tests/unit/{module}/test_{header.stem}.cpp"
+        path = header.relative_to(root).as_posix()
+        text = header.read_text(encoding="utf-8")
+        for match in INCLUDE.finditer(text):
+            if not PUBLIC_INCLUDE.fullmatch("".join(match.groups())):
+                yield f"{path}:{line_of(text, match.start())}: users of the library have no {match.group(2)}"
+        name = header.relative_to(root / "include").as_posix()
+        test = f"tests/unit/{header.parent.relative_to(public)}/test_{header.stem}.cpp"
+        if not (root / test).exists():
+            yield f"{path}: no unit test {test}"
+            continue
+        first = INCLUDE.search((root / test).read_text(encoding="utf-8"))
+        if not first or first.group(2) != name:
+            yield f'{test}: must include "{name}" first, to show that it compiles alone'
 
 
 def find_faults(root):
-    return [*check_sources(root), *check_programs(root), *check_unit_tests(root)]
+    return [*check_sources(root), *check_programs(root), *check_public_headers(root)]
 
 
 if __name__ == "__main__":

@@ -94,6 +94,21 @@ class CheckArchitecture(unittest.TestCase):
         self.write("include/bumpfoil/model/case.hpp", "#pragma once\n")
         self.assert_one_fault("include/bumpfoil/model/case.hpp", "tests/unit/model/test_case.cpp")
 
+    def test_header_that_need_not_compile_alone(self):
+        self.write("tests/unit/core/test_vector.cpp", '#include <cmath>\n#include "bumpfoil/core/vector.hpp"\n')
+        self.assert_one_fault("tests/unit/core/test_vector.cpp", '"bumpfoil/core/vector.hpp" first')
+        self.write("tests/unit/core/test_vector.cpp", "int main() {}\n")
+        self.assert_one_fault("tests/unit/core/test_vector.cpp", '"bumpfoil/core/vector.hpp" first')
+
+    def test_public_header_with_what_users_have_not(self):
+        good = "#pragma once\n#include <Eigen/Core>\n#include <string_view>\n"
+        self.write("include/bumpfoil/core/vector.hpp", good)
+        self.assertEqual(find_faults(self.root), [])
+        self.write("include/bumpfoil/core/vector.hpp", good + '#include "core/detail.hpp"\n')
+        self.assert_one_fault("include/bumpfoil/core/vector.hpp:4", "have no core/detail.hpp")
+        self.write("include/bumpfoil/core/vector.hpp", good + "#include <fmt/format.h>\n")
+        self.assert_one_fault("include/bumpfoil/core/vector.hpp:4", "have no fmt/format.h")
+
 
 if __name__ == "__main__":
     unittest.main()

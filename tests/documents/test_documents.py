@@ -42,6 +42,26 @@ class Documents(unittest.TestCase):
         self.assertIn("Arghir2019", cited)
         self.assertEqual(cited, known)
 
+    def test_folders_of_contributing_are_there(self):
+        """A row of the table names folders and what is in them; folders in the text are at the top or modules."""
+        text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        folder = re.compile(r"`([\w./-]+)/`")
+        rows = re.findall(r"^\| (`[^|]*/`) \|(.*)$", text, re.MULTILINE)
+        self.assertGreater(len(rows), 5)
+        for first, second in rows:
+            for outer in folder.findall(first):
+                for inner in ["", *folder.findall(second)]:
+                    self.assertTrue((ROOT / outer / inner).is_dir(), f"CONTRIBUTING.md names {outer}/{inner}")
+        for name in folder.findall(re.sub(r"^\|.*$", "", text, flags=re.MULTILINE)):
+            self.assertTrue((ROOT / name).is_dir() or (ROOT / "src" / name).is_dir(), f"CONTRIBUTING.md names {name}/")
+
+    def test_contributing_names_every_module_and_folder(self):
+        text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        table = re.search(r"## Where things are\n(.*?)\nData flows", text, re.DOTALL).group(1)
+        for folder in [*(ROOT / "src").iterdir(), *(ROOT / "include/bumpfoil").iterdir(), *(ROOT / "tests").iterdir()]:
+            if folder.is_dir() and not folder.name.startswith(("_", ".")):
+                self.assertIn(f"`{folder.name}/`", table)
+
     def test_one_version(self):
         version = re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
         self.assertIn(f"version: {version}\n", (ROOT / "CITATION.cff").read_text(encoding="utf-8"))
