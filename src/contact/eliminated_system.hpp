@@ -91,7 +91,9 @@ struct Stiffness {
   }
 
   /// The block below the diagonal, in row b + 1.
-  [[nodiscard]] Block lower_block(std::size_t b) const { return lower.empty() ? Block(upper[b].transpose()) : lower[b]; }
+  [[nodiscard]] Block lower_block(std::size_t b) const {
+    return lower.empty() ? Block(upper[b].transpose()) : lower[b];
+  }
 
   int block_size;
   std::vector<Block> diagonal, upper;
@@ -150,5 +152,22 @@ class EliminatedSystem {
   Vector rhs_, imbalance_;
   Eigen::Matrix<double, B, B == Eigen::Dynamic ? Eigen::Dynamic : 3 * B> rows_;
 };
+
+/// The block sizes of the foil models get code of their own; any other size works, more slowly.
+template <template <int> class System, typename Interface>
+std::unique_ptr<Interface> make_for_block_size(const ContactProblem& problem) {
+  switch (problem.K.block_size()) {
+    case 6:
+      return std::make_unique<System<6>>(problem);
+    case 11:
+      return std::make_unique<System<11>>(problem);
+    case 14:  // the truss under a film of eight rows
+      return std::make_unique<System<14>>(problem);
+    case 22:  // of sixteen
+      return std::make_unique<System<22>>(problem);
+    default:
+      return std::make_unique<System<Eigen::Dynamic>>(problem);
+  }
+}
 
 }  // namespace bumpfoil

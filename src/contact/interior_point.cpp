@@ -36,7 +36,7 @@ double ComplementaryPair::longest(double fraction) const {
   return fraction;
 }
 
-void ComplementaryPair::advance(double fraction) {
+void ComplementaryPair::take(double fraction) {
   force += fraction * force_step;
   length += fraction * length_step;
 }
@@ -120,7 +120,7 @@ bool InteriorPoint::step() {
   const double product = mean_product(0.0);
   const double ratio = std::clamp(mean_product(longest_step(1.0)) / product, 0.0, 1.0);
   find_step(ratio * ratio * ratio * product, true);
-  advance(std::min(1.0, reach_ * longest_step(1.0 / reach_)));
+  take(std::min(1.0, reach_ * longest_step(1.0 / reach_)));
   return mean_product(0.0) > smallest_product * first_product_;  // false for what is not a number
 }
 
@@ -246,10 +246,10 @@ double InteriorPoint::longest_step(double fraction) {
   return fraction;
 }
 
-void InteriorPoint::advance(double fraction) {
+void InteriorPoint::take(double fraction) {
   remaining_ *= 1.0 - fraction;
   for (Contact& c : contacts_) {
-    for_each_pair(c, [&](ComplementaryPair& pair) { pair.advance(fraction); });
+    for_each_pair(c, [&](ComplementaryPair& pair) { pair.take(fraction); });
     if (c.f == 0.0) continue;
     // Keeps the sum of the margins at 2 f p where p has fallen by orders of magnitude.
     ComplementaryPair& smaller = c.forward.force < c.backward.force ? c.forward : c.backward;

@@ -26,7 +26,7 @@ struct ComplementaryPair {
   void take_length_from_force() { length_step = (deficit - length * force_step) / force; }
   /// Largest fraction of the step, up to `fraction`, that keeps both positive.
   [[nodiscard]] double longest(double fraction) const;
-  void advance(double fraction);
+  void take(double fraction);
   /// Whether a step to the product 0 takes the force away (> 0) or the length (< 0); 0 where it takes both, as of a
   /// contact that touches without force. The relative changes add up to -1 [ElBakry1994].
   [[nodiscard]] int trend() const;
@@ -87,7 +87,7 @@ class InteriorPoint {
   [[nodiscard]] static ContactMode closed_mode(const Contact& contact, ContactMode before);
   [[nodiscard]] double mean_product(double fraction);
   [[nodiscard]] double longest_step(double fraction);
-  void advance(double fraction);
+  void take(double fraction);
 
   SharedProblem problem_;
   std::unique_ptr<SoftContactSystem> system_;

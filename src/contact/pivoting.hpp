@@ -41,22 +41,6 @@ inline ContactTrial trial_of(const CoulombContact& contact, const ContactState& 
   return state.x.allFinite();
 }
 
-/// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
-inline double friction_sign(ContactMode mode) {
-  if (mode == ContactMode::slip_forward) return -1.0;
-  if (mode == ContactMode::slip_backward) return 1.0;
-  return 0.0;
-}
-
-inline bool slips(ContactMode mode) {
-  return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
-}
-
-/// Slip in the direction of `slip`, or against a friction force of opposite sign.
-inline ContactMode slip_mode(double slip) {
-  return slip > 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
-}
-
 /// The mode that a contact should be tried in next: its own where the trial obeys the inequalities of the mode.
 ///
 /// A contact that closes is tried slipping the way it moved while open, and one that sticks in tension only because it

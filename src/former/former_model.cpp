@@ -8,7 +8,6 @@
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
-#include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -29,6 +29,22 @@ struct CoulombContact {
   }
 };
 
+/// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
+inline double friction_sign(ContactMode mode) {
+  if (mode == ContactMode::slip_forward) return -1.0;
+  if (mode == ContactMode::slip_backward) return 1.0;
+  return 0.0;
+}
+
+inline bool slips(ContactMode mode) {
+  return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
+}
+
+/// Slip in the direction of `slip`, or against a friction force of opposite sign.
+inline ContactMode slip_mode(double slip) {
+  return slip > 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
+}
+
 /// Calls visit(CoulombContact) for every contact of `pairs` in blocks of `block_size` unknowns, `rows` in all, in the
 /// order of contact arrays.
 template <typename Visitor>

@@ -32,7 +32,7 @@ TEST(ComplementaryPair, StaysPositive) {
   EXPECT_DOUBLE_EQ(pair.product(0.25), 0.0);
   pair.length_step = 8e-6;
   EXPECT_DOUBLE_EQ(pair.longest(1.0), 0.5);
-  pair.advance(0.25);
+  pair.take(0.25);
   EXPECT_DOUBLE_EQ(pair.force, 1.5);
   EXPECT_DOUBLE_EQ(pair.length, 4e-6);
 }

@@ -181,12 +181,12 @@ TEST(NewtonSolver, TakesAnotherMatrixThatIsNotSymmetric) {
     NewtonSolver solver(random.problem);
     const ContactState unstressed = ContactState::unstressed(random.problem);
     ContactState state;
-    ASSERT_TRUE(solver.solve(random.first, unstressed, state).converged);
+    ASSERT_TRUE(solver.solve(random.first, unstressed, state).converged());
     BlockTridiagonal& K = random.problem.K;
     for (const Matrix& block : K.upper) K.lower.push_back(0.95 * block.transpose());
     K.diagonal[2](0, 4) += 1e5;
     solver.set_elasticity(K);
-    ASSERT_TRUE(solver.solve(random.first, unstressed, state).converged) << size;
+    ASSERT_TRUE(solver.solve(random.first, unstressed, state).converged()) << size;
     const ContactResiduals residuals =
         contact_residuals(random.problem, K.multiply(state.x), random.first, unstressed.x, state);
     EXPECT_TRUE(residuals.within()) << size;

@@ -1,0 +1,69 @@
+#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/block_tridiagonal_lu.hpp"
+#include "contact/eliminated_system.hpp"
+
+namespace bumpfoil {
+namespace {
+
+template <int B>
+class PenaltySystemOf final : public PenaltySystem {
+ public:
+  explicit PenaltySystemOf(const ContactProblem& problem)
+      : pairs_(problem.pairs),
+        K_(problem.K),
+        lu_(problem.K.blocks(), problem.K.block_size()),
+        product_(problem.K.rows()) {
+    set_elasticity(problem.K);
+  }
+
+  void set_elasticity(const BlockTridiagonal& K) final {
+    BUMPFOIL_ASSERT(K.blocks() == lu_.blocks());
+    K_.assign(K);
+    for (std::size_t b = 0; b < K_.upper.size(); ++b) {
+      lu_.upper(static_cast<int>(b)) = K_.upper[b];
+      lu_.lower(static_cast<int>(b) + 1) = K_.lower_block(b);
+    }
+  }
+
+  bool set_stiffness(const Vector& normal_stiffness, const Vector& tangential_stiffness) override {
+    Eigen::Index contact = 0;
+    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
+      auto& block = lu_.diagonal(static_cast<int>(b));
+      block = K_.diagonal[b];
+      for (const ContactPair& pair : pairs_) {
+        const double k = normal_stiffness[contact];
+        if (pair.plus >= 0) block(pair.plus, pair.plus) += k;
+        if (pair.minus >= 0) block(pair.minus, pair.minus) += k;
+        if (pair.plus >= 0 && pair.minus >= 0) {
+          block(pair.plus, pair.minus) -= k;
+          block(pair.minus, pair.plus) -= k;
+        }
+        if (pair.tangential >= 0) block(pair.tangential, pair.tangential) += tangential_stiffness[contact];
+        ++contact;
+      }
+    }
+    return lu_.factor();
+  }
+
+  void solve_in_place(Vector& x) override { lu_.solve_in_place(x); }
+
+  const Vector& multiply(const Vector& x) override {
+    K_.multiply(x, product_);
+    return product_;
+  }
+
+ private:
+  std::vector<ContactPair> pairs_;
+  Stiffness<B> K_;
+  BlockTridiagonalLU<B> lu_;
+  Vector product_;
+};
+
+}  // namespace
+
+std::unique_ptr<PenaltySystem> make_penalty_system(const ContactProblem& problem) {
+  return make_for_block_size<PenaltySystemOf, PenaltySystem>(problem);
+}
+
+}  // namespace bumpfoil
