@@ -38,9 +38,12 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
       break;
   }
   const UzawaParameters& given = settings.uzawa;
-  return make_increment_follower(std::make_unique<UzawaSolver>(
-      *problem,
-      UzawaOptions{.eps_alm = given.eps_alm, .eps_f = given.eps_f, .eps_r = given.eps_r, .tau_f = given.tau_f}));
+  UzawaOptions options = uzawa_options_for(*problem);
+  options.eps_alm = given.eps_alm.value_or(options.eps_alm);
+  options.eps_f = given.eps_f.value_or(options.eps_f);
+  options.eps_r = given.eps_r.value_or(options.eps_r);
+  options.tau_f = given.tau_f.value_or(options.tau_f);
+  return make_increment_follower(std::make_unique<UzawaSolver>(*problem, options));
 }
 
 TangentStiffnesses TangentMatrices::along(const Eigen::Vector2d& direction) const {

@@ -25,7 +25,33 @@ constexpr int free_updates = 20;
 /// Sets of closed contacts that are changed as a whole; after them one contact at a time.
 constexpr int whole_updates = 12;
 
+/// Stiffness of what meets at a contact with friction, across it, N/m: the mean of all of them. Unknowns that K says
+/// nothing of on its diagonal (a top foil in moments) are as stiff as their partner.
+double mean_contact_stiffness(const ContactProblem& problem) {
+  const auto stiffness = [&problem](int block, int unknown) {
+    return unknown < 0 ? 0.0 : problem.K.diagonal[static_cast<std::size_t>(block)](unknown, unknown);
+  };
+  double sum = 0.0;
+  int contacts = 0;
+  for (int block = 0; block < problem.K.blocks(); ++block) {
+    for (const ContactPair& pair : problem.pairs) {
+      if (pair.tangential < 0) continue;
+      sum += std::max(stiffness(block, pair.plus), stiffness(block, pair.minus));
+      ++contacts;
+    }
+  }
+  return contacts > 0 ? sum / contacts : 0.0;
+}
+
 }  // namespace
+
+UzawaOptions uzawa_options_for(const ContactProblem& problem) {
+  const double k = mean_contact_stiffness(problem);
+  BUMPFOIL_ASSERT(k > 0.0);
+  const double eps_alm = 4.5 * k;
+  const double length = 6.5e-6 * problem.force_scale / k;
+  return {.eps_alm = eps_alm, .eps_f = 1e2 * eps_alm, .eps_r = 1e4 * eps_alm, .tau_f = length, .gap_tolerance = length};
+}
 
 struct UzawaSolver::Workspace {
   Workspace(const ContactProblem& contact_problem, const UzawaOptions& uzawa_options)
@@ -113,7 +139,7 @@ void UzawaSolver::Workspace::begin(const ContactLoading& loading, const ContactS
 /// @return false if there are none
 bool UzawaSolver::Workspace::update_contacts(const ContactLoading& loading, bool one_at_a_time) {
   const double force_tolerance = options.multiplier_tolerance * force_scale();
-  const double gap_tolerance = force_tolerance / options.eps_alm;
+  const double gap_tolerance = std::max(options.gap_tolerance, force_tolerance / options.eps_alm);
   double worst = 1.0;
   Eigen::Index worst_contact = -1;
   bool changed = false;

@@ -100,16 +100,18 @@ void describe(CaseVisitor& keys, SolverSettings& solver) {
                "\"uzawa\" is the method of the 2019 paper, with the penalties below"},
               solver.name);
   UzawaParameters& uzawa = solver.uzawa;
-  keys.value(
-      {"eps_alm", defaulted, "Penalty, normal contacts", "penalty of the normal contacts", "100 MN/m", stiffness},
-      &uzawa.eps_alm);
-  keys.value({"eps_f", defaulted, "Penalty, sticking contacts", "penalty of sticking contacts", "10 GN/m", stiffness},
+  keys.value({"eps_alm", optional, "Penalty, normal contacts",
+              "penalty of the normal contacts; else from the stiffness", "100 MN/m", stiffness},
+             &uzawa.eps_alm);
+  keys.value({"eps_f", optional, "Penalty, sticking contacts", "penalty of sticking contacts; else from the stiffness",
+              "10 GN/m", stiffness},
              &uzawa.eps_f);
-  keys.value({"eps_r", defaulted, "Penalty, journal", "penalty of the journal's contact", "1 TN/m", stiffness},
+  keys.value({"eps_r", optional, "Penalty, journal", "penalty of the journal's contact; else from the stiffness",
+              "1 TN/m", stiffness},
              &uzawa.eps_r);
-  keys.value(
-      {"tau_f", defaulted, "Slip of half friction", "slip over which the friction force turns round", "0.1 nm", length},
-      &uzawa.tau_f);
+  keys.value({"tau_f", optional, "Slip of half friction",
+              "slip over which the friction force turns round; else from the stiffness", "0.1 nm", length},
+             &uzawa.tau_f);
 }
 
 void describe(CaseVisitor& keys, CycleSettings& cycle) {

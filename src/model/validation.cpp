@@ -214,10 +214,10 @@ void judge_truss(Judge& judge, const TrussOverrides& truss) {
 }
 
 void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
-  judge.within("solver.eps_alm", uzawa.eps_alm, stiffness_range);
-  judge.within("solver.eps_f", uzawa.eps_f, stiffness_range);
-  judge.within("solver.eps_r", uzawa.eps_r, stiffness_range);
-  judge.within("solver.tau_f", uzawa.tau_f, {1e-18, 1e-3, "m"});
+  if (uzawa.eps_alm) judge.within("solver.eps_alm", *uzawa.eps_alm, stiffness_range);
+  if (uzawa.eps_f) judge.within("solver.eps_f", *uzawa.eps_f, stiffness_range);
+  if (uzawa.eps_r) judge.within("solver.eps_r", *uzawa.eps_r, stiffness_range);
+  if (uzawa.tau_f) judge.within("solver.tau_f", *uzawa.tau_f, {1e-18, 1e-3, "m"});
 }
 
 /// Whether a run of so many increments and bumps can be kept in memory.

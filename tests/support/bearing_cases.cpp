@@ -39,6 +39,38 @@ Case random_case(std::uint64_t number) {
   return input;
 }
 
+Case random_foils(std::uint64_t number, BumpFoilModel model) {
+  std::mt19937_64 generator(number);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(generator);
+  };
+  const auto decades = [&](double low, double high) { return low * std::pow(high / low, uniform(0.0, 1.0)); };
+  Case input = reference_case();
+  input.title = fmt::format("random foils {}, {}", number, model == BumpFoilModel::frame ? "frame" : "truss");
+  BumpFoil& foil = input.bump_foil;
+  foil.model = model;
+  const int bumps = foil.bumps;
+  foil.bumps = 3 + static_cast<int>(uniform(0.0, 38.0));
+  input.bearing.radius *= static_cast<double>(foil.bumps) / bumps;  // the foils still go round once
+  foil.height_reference = HeightReference::midsurface;
+  foil.height = uniform(0.3e-3, 0.7e-3);
+  foil.thickness = decades(0.05e-3, 0.2e-3);
+  input.top_foil.thickness = decades(0.05e-3, 0.2e-3);
+  foil.youngs_modulus = input.top_foil.youngs_modulus = decades(70e9, 300e9);
+  input.bearing.axial_length = decades(10e-3, 100e-3);
+  input.bearing.radial_clearance = uniform(0.0, 60e-6);
+  const double friction = uniform(0.0, 1.0) < 0.2 ? 0.0 : 0.5;
+  input.friction.top_bump = friction * uniform(0.0, 1.0);
+  input.friction.bump_sleeve = friction * uniform(0.0, 1.0);
+  std::normal_distribution<double> scatter;
+  const double deviation = uniform(0.0, 1.0) < 0.3 ? 0.0 : uniform(0.0, 20e-6);
+  for (int bump = 0; bump < foil.bumps; ++bump) foil.height_errors.push_back(deviation * scatter(generator));
+  input.cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
+  input.cycle.amplitude = input.bearing.radial_clearance + uniform(5e-6, 50e-6);
+  input.cycle.steps = static_cast<int>(std::lround(decades(15.0, 60.0)));
+  return input;
+}
+
 CycleResult failed_at_increment_three(CycleResult result) {
   result.cycles.resize(1);
   Cycle& cycle = result.cycles.front();

@@ -15,6 +15,11 @@ Cycle run_single_cycle(Case input, double direction);
 /// number: friction 0..0.5 at each interface, normal height scatter up to 40 um, any direction, 25..400 steps.
 Case random_case(std::uint64_t number);
 
+/// Bearing with foils drawn at random, the same for the same number: 3..40 bumps of any rise, thickness, width and
+/// elasticity, clearance 0..60 um, friction 0..0.5 or none, height scatter up to 20 um or none, pushed up to 50 um into
+/// the foils in 15..60 steps.
+Case random_foils(std::uint64_t number, BumpFoilModel model);
+
 /// `result` as if its first direction had failed at increment 3, and the others had never begun.
 CycleResult failed_at_increment_three(CycleResult result);
 

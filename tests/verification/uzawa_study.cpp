@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
@@ -23,14 +24,16 @@ class Study {
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       all = worst(all, compare_uzawa(cases_[i], exact_[i], parameters));
     }
-    fmt::print("| {} | {:.0e} | {:.0e} | {:.0e} | {:.0e} | {:.3f} | {:.3f} | {:.0f} | {:.1f} | {} | {} |\n", label,
-               parameters.eps_alm, parameters.eps_f, parameters.eps_r, parameters.tau_f, 100.0 * all.max_force,
-               100.0 * all.loop_energy, all.solves_per_increment, all.updates_per_increment, all.halvings,
-               all.failures);
+    const auto given = [](std::optional<double> value) { return value ? fmt::format("{:.0e}", *value) : ""; };
+    fmt::print("| {} | {} | {} | {} | {} | {:.3f} | {:.3f} | {:.0f} | {:.1f} | {} | {} |\n", label,
+               given(parameters.eps_alm), given(parameters.eps_f), given(parameters.eps_r), given(parameters.tau_f),
+               100.0 * all.max_force, 100.0 * all.loop_energy, all.solves_per_increment, all.updates_per_increment,
+               all.halvings, all.failures);
     std::fflush(stdout);
   }
 
-  void vary(const char* label, double UzawaParameters::*parameter, const std::vector<double>& values) const {
+  void vary(const char* label, std::optional<double> UzawaParameters::*parameter,
+            const std::vector<double>& values) const {
     for (const double value : values) {
       UzawaParameters parameters;
       parameters.*parameter = value;

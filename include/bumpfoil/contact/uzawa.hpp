@@ -8,13 +8,16 @@
 
 namespace bumpfoil {
 
-/// Settings of the augmented Lagrangian solver. The four parameters have no defaults here: those of a case are in
-/// UzawaParameters, what each does to the result is in docs/verification/uzawa.md.
+/// Settings of the augmented Lagrangian solver. The four parameters have no defaults here: they belong to a problem,
+/// see uzawa_options_for(). What each does to the result is in docs/verification/uzawa.md.
 struct UzawaOptions {
   double eps_alm{};  ///< penalty of contacts between bodies that carry friction, N/m: sets the pace, not the result
   double eps_f{};    ///< stiffness of a sticking contact, N/m: it slips by the change of its friction force / eps_f
   double eps_r{};    ///< penalty of contacts without tangential unknown (the journal), N/m: penetration p / eps_r
   double tau_f{};    ///< slip at which the friction force has reached half its bound, m
+  /// An open contact may overlap by this much, m, or by what the multipliers' tolerance leaves of a closed one. Where
+  /// nothing is loaded the latter is less than the neighbours' roundings, and contacts would open and close in turn.
+  double gap_tolerance{};
 
   /// With F = max(largest contact force, ContactProblem::least_reference_force()):
   /// equilibrium: largest unbalanced force / F, where Newton's method ends.
@@ -29,6 +32,14 @@ struct UzawaOptions {
   int max_friction_updates{40};     ///< of sticking and slipping, for one set of multipliers
   int max_newton_steps{100};        ///< for one set of sticking contacts
 };
+
+/// The four parameters and the gap tolerance that suit a problem. With k the mean stiffness (diagonal of K) of what
+/// meets at a contact with friction, across it, and F = ContactProblem::force_scale,
+///
+///     eps_alm = 4.5 k,   eps_f = 100 eps_alm,   eps_r = 1e4 eps_alm,   tau_f = gap_tolerance = 6.5e-6 F / k
+///
+/// For the truss of the reference bearing k is 22 MN/m, F / k 15 um.
+UzawaOptions uzawa_options_for(const ContactProblem& problem);
 
 /// The method of [Arghir2019, Figs. 7, 8 and 17]: three nested loops round Newton's method.
 ///
@@ -52,7 +63,8 @@ struct UzawaOptions {
 /// What a converged state meets, with F as in UzawaOptions and e = multiplier_tolerance:
 ///
 ///     balance    (newton_tolerance + e) F
-///     gaps       |g| <= e F / eps_alm of closed contacts, -g = p / eps_r where eps_r acts; g >= -e F / eps_alm of open
+///     gaps       |g| <= e F / eps_alm of closed contacts, -g = p / eps_r where eps_r acts,
+///                g >= -max(e F / eps_alm, gap_tolerance) of open
 ///     stick      |t| <= f p (1 + cone_tolerance) + f e F,   |du| <= 2 f p / eps_f
 ///     slip       t opposes du and lacks f p (1 - (2/pi) atan(|du| / tau_f)) to its bound, up to f e F
 ///

@@ -70,12 +70,13 @@ struct Friction {
 };
 
 /// Parameters of the augmented Lagrangian method with penalty friction [Arghir2019, Eqs. 14-25]; see
-/// contact/uzawa.hpp for what each does and docs/verification/uzawa.md for how these defaults were found.
+/// contact/uzawa.hpp for what each does. Those that are absent follow from the stiffness of the foils, see
+/// uzawa_options_for() there.
 struct UzawaParameters {
-  double eps_alm{1e8};  ///< penalty of the normal contacts, N/m
-  double eps_f{1e10};   ///< penalty of sticking contacts, N/m
-  double eps_r{1e12};   ///< penalty of the journal contact, N/m
-  double tau_f{1e-10};  ///< slip over which the friction force turns round, m
+  std::optional<double> eps_alm{};  ///< penalty of the normal contacts, N/m
+  std::optional<double> eps_f{};    ///< penalty of sticking contacts, N/m
+  std::optional<double> eps_r{};    ///< penalty of the journal contact, N/m
+  std::optional<double> tau_f{};    ///< slip over which the friction force turns round, m
 
   bool operator==(const UzawaParameters&) const = default;
 };

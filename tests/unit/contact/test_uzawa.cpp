@@ -39,6 +39,27 @@ Solved solve(const ContactProblem& problem, const ContactLoading& loading, const
   return solved;
 }
 
+/// What meets across the contact has 1e6 N/m; problems are made for 10 N unless they say otherwise.
+TEST(UzawaOptions, FollowFromStiffnessAndForces) {
+  ContactProblem problem = point_over_wall();
+  problem.K.add(0, 0, 0, 0, 7e6);  // along the wall: of no account
+  const UzawaOptions found = uzawa_options_for(problem);
+  EXPECT_DOUBLE_EQ(found.eps_alm, 4.5e6);
+  EXPECT_DOUBLE_EQ(found.eps_f, 4.5e8);
+  EXPECT_DOUBLE_EQ(found.eps_r, 4.5e10);
+  EXPECT_DOUBLE_EQ(found.tau_f, 6.5e-11);
+  EXPECT_DOUBLE_EQ(found.gap_tolerance, 6.5e-11);
+  problem.force_scale = 40.0;
+  EXPECT_DOUBLE_EQ(uzawa_options_for(problem).tau_f, 2.6e-10);
+
+  // A top foil in moments has no stiffness on the diagonal, and a journal's contact does not count.
+  ContactProblem stacked;
+  stacked.K = BlockTridiagonal(1, 3);
+  stacked.K.add(0, 1, 0, 1, stiffness);
+  stacked.pairs = {{.plus = 2}, {.plus = 1, .minus = 2, .tangential = 0, .friction_coefficient = 0.3}};
+  EXPECT_DOUBLE_EQ(uzawa_options_for(stacked).eps_alm, 4.5e6);
+}
+
 TEST(Uzawa, HoldsAPointInsideTheCone) {
   const ContactProblem problem = point_over_wall();
   const auto [state, report] = solve(problem, pushed(2.0, 10.0), ContactState::unstressed(problem));
@@ -115,6 +136,20 @@ TEST(Uzawa, OpensAndClosesByTheGap) {
 
   const Solved touching = solve(problem, pushed(0.0, 10.0, 0.0), start);
   EXPECT_NEAR(touching.state.normal_force[0], 10.0, 1e-5);
+}
+
+/// 4 N bring the point 4 um down, a hundredth of a nanometre into the wall.
+TEST(Uzawa, LeavesOpenWhatOverlapsByLessThanItsTolerance) {
+  const ContactProblem problem = point_over_wall();
+  const ContactLoading loading = pushed(0.0, 4.0, 4e-6 - 1e-11);
+  const ContactState start = ContactState::unstressed(problem);
+  UzawaOptions tolerant = options;
+  tolerant.gap_tolerance = 1e-10;
+  EXPECT_EQ(solve(problem, loading, start, tolerant).state.mode[0], ContactMode::open);
+  tolerant.gap_tolerance = 1e-12;
+  EXPECT_NE(solve(problem, loading, start, tolerant).state.mode[0], ContactMode::open);
+  // Without one, what is left to a closed contact: 1e-6 * 1 N / eps_alm
+  EXPECT_NE(solve(problem, loading, start).state.mode[0], ContactMode::open);
 }
 
 TEST(Uzawa, ThePenaltyContactPenetratesByItsForce) {

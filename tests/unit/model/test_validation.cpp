@@ -102,10 +102,10 @@ TEST(FindFaults, WantsFinitePositiveSizes) {
       {"bump_foil.youngs_modulus", [](Case& c) -> double& { return c.bump_foil.youngs_modulus; }},
       {"top_foil.thickness", [](Case& c) -> double& { return c.top_foil.thickness; }},
       {"top_foil.youngs_modulus", [](Case& c) -> double& { return c.top_foil.youngs_modulus; }},
-      {"solver.eps_alm", [](Case& c) -> double& { return c.solver.uzawa.eps_alm; }},
-      {"solver.eps_f", [](Case& c) -> double& { return c.solver.uzawa.eps_f; }},
-      {"solver.eps_r", [](Case& c) -> double& { return c.solver.uzawa.eps_r; }},
-      {"solver.tau_f", [](Case& c) -> double& { return c.solver.uzawa.tau_f; }},
+      {"solver.eps_alm", [](Case& c) -> double& { return c.solver.uzawa.eps_alm.emplace(); }},
+      {"solver.eps_f", [](Case& c) -> double& { return c.solver.uzawa.eps_f.emplace(); }},
+      {"solver.eps_r", [](Case& c) -> double& { return c.solver.uzawa.eps_r.emplace(); }},
+      {"solver.tau_f", [](Case& c) -> double& { return c.solver.uzawa.tau_f.emplace(); }},
       {"cycle.amplitude", [](Case& c) -> double& { return c.cycle.amplitude; }},
   };
   for (const auto& [key, size] : sizes) {
