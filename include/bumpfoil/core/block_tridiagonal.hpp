@@ -8,8 +8,8 @@ namespace bumpfoil {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-/// Block-tridiagonal matrix of `blocks()` square blocks of `block_size()` rows: a plain value. Foil structures have this
-/// form because bump i is coupled to bumps i-1 and i+1 only. They are symmetric; what a gas film adds to them is not.
+/// Block-tridiagonal matrix of `blocks()` square blocks of `block_size()` rows: a plain value. Foil structures are so
+/// because bump i is coupled to bumps i-1 and i+1 only. They are symmetric; what a gas film adds to them is not.
 ///
 /// Row `block * block_size() + k` of the whole matrix is row k of a block.
 struct BlockTridiagonal {

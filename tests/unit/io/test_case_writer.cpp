@@ -146,7 +146,9 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   const Case input = parse_case(text, "template");
   EXPECT_EQ(input.bump_foil.truss.k4, 11.25e6);
   EXPECT_TRUE(input.bump_foil.truss.theta_d);
-  EXPECT_EQ(input.solver, SolverSettings{});  // the defaults that are shown are the defaults
+  // The penalties that are shown are those that follow from the stiffness of this bearing, to a round number.
+  const UzawaParameters shown{.eps_alm = 1e8, .eps_f = 1e10, .eps_r = 1e12, .tau_f = 1e-10};
+  EXPECT_EQ(input.solver, (SolverSettings{.name = SolverName::newton, .uzawa = shown}));
   ASSERT_TRUE(input.strip);
   EXPECT_EQ(input.strip->amplitude, (PlateTarget{PlateControl::displacement, 20e-6}));
   EXPECT_EQ(input.strip->preload, (PlateTarget{PlateControl::load, 50.0}));
