@@ -37,7 +37,7 @@ void increment(benchmark::State& bench) {
     if (k == 0) previous = unstressed;
     const SolveReport report = solver.solve(loadings[k], previous, state);
     if (!report.converged()) bench.SkipWithError("an increment failed");
-    linear_solves += cost.iterations;
+    linear_solves += report.cost.iterations;
     std::swap(previous, state);
     k = (k + 1) % loadings.size();
   }
