@@ -245,6 +245,7 @@ TEST(DamagedResult, SizesThatNoSuchFileHolds) {
               file.dims["increment"] = 2'001;
               file.dims["bump"] = 9'000;
               file.variables["increment"] = {.type = NC_INT, .dims = {"bump"}};
+              file.variables.erase("displacement");
               file.variables.erase("force_direct");
               file.variables.erase("height_error");
               file.variables["bump"] = {.dims = {"bump"}, .values = std::vector<double>(9'000)};
