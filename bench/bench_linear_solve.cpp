@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/foils.hpp"
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "support/long_bearing.hpp"
 
 namespace bumpfoil {

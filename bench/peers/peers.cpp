@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/foil_stepper.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #ifdef BUMPFOIL_PEERS_SICONOS

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "analysis/cycle_recorder.hpp"
+#include "analysis/former_cycle.hpp"
 #include "analysis/run_each_cycle.hpp"
-#include "bumpfoil/analysis/former_cycle.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {

@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/energy.hpp"
+#include "analysis/energy.hpp"
 
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "film/step_length.hpp"
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/analysis/energy.hpp"
-#include "bumpfoil/contact/events.hpp"
+#include "analysis/energy.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
 #include "bumpfoil/core/assert.hpp"
@@ -33,7 +33,7 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
     case SolverName::newton:
       return make_increment_follower(std::make_unique<NewtonSolver>(problem, modes));
     case SolverName::events:
-      return std::make_unique<EventStepper>(problem, modes);
+      return make_event_stepper(problem, modes);
     case SolverName::uzawa:
       break;
   }

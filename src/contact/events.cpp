@@ -1,11 +1,11 @@
-#include "bumpfoil/contact/events.hpp"
+#include "contact/events.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "bumpfoil/contact/piece_energy.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "contact/piece_energy.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -127,6 +127,11 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
   }
   report.status = Status::converged;
   return report;
+}
+
+std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem,
+                                                 const std::shared_ptr<ModeSystem>& modes) {
+  return std::make_unique<EventStepper>(problem, modes);
 }
 
 }  // namespace bumpfoil

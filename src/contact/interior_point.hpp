@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "contact/soft_contact_system.hpp"
 
 namespace bumpfoil {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "contact/eliminated_system.hpp"
 #include "contact/pivoting.hpp"

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
-#include "bumpfoil/contact/event_follower.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "contact/event_follower.hpp"
 #include "contact/interior_point.hpp"
 #include "contact/pivoting.hpp"
 

@@ -1,4 +1,4 @@
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/penalty_system.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
 #include "contact/eliminated_system.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/solver.hpp"
 
 namespace bumpfoil {

@@ -1,4 +1,4 @@
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "contact/soft_contact_system.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "contact/eliminated_system.hpp"
 

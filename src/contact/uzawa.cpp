@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/penalty_system.hpp"
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/film/column_chain.hpp"
+#include "film/column_chain.hpp"
 #include "film/foil_columns.hpp"
 
 namespace bumpfoil {

@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <memory>
 
-#include "bumpfoil/film/column_chain.hpp"
 #include "bumpfoil/film/film_solver.hpp"
+#include "film/column_chain.hpp"
 
 namespace bumpfoil {
 

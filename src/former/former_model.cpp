@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
+#include "bumpfoil/contact/penalty_system.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/single_bump.hpp"

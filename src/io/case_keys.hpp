@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "bumpfoil/io/units.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "io/units.hpp"
 
 namespace bumpfoil {
 

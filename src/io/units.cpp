@@ -1,4 +1,4 @@
-#include "bumpfoil/io/units.hpp"
+#include "io/units.hpp"
 
 #include <fmt/format.h>
 #include <udunits2.h>

@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "bumpfoil/analysis/foil_state.hpp"
-#include "bumpfoil/contact/linear_systems.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
+
+class ModeSystem;
 
 /// Tangent stiffnesses d(F.n)/ds at a state, N/m; absent where the closed contacts leave the foils loose.
 struct TangentStiffnesses {

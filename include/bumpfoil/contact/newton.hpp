@@ -2,10 +2,11 @@
 
 #include <memory>
 
-#include "bumpfoil/contact/linear_systems.hpp"
 #include "bumpfoil/contact/solver.hpp"
 
 namespace bumpfoil {
+
+class ModeSystem;
 
 /// Settings of the exact solver. The defaults suit foils of metal in the size range of turbomachinery.
 struct NewtonOptions {

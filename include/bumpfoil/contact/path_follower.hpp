@@ -8,6 +8,8 @@
 
 namespace bumpfoil {
 
+class ModeSystem;
+
 /// A straight piece of loading.
 struct LoadingPath {
   ContactLoading begin, end;
@@ -76,5 +78,17 @@ class PathFollower {
 /// Takes each increment by one solve of `solver`. Where that fails, the state is restored, the increment is halved and
 /// both halves are taken in turn, up to `max_halvings` times over.
 std::unique_ptr<PathFollower> make_increment_follower(std::unique_ptr<ContactSolver> solver, int max_halvings = 8);
+
+/// Goes along straight loading paths from event to event, exactly; where the next modes cannot be told, a small
+/// increment of the exact solver shows them. Where even these do not lead on, the increment stands in the response if
+/// that is straight there, W = E_end - E_begin + D; if not, it is halved until it is, or until it is no more than a
+/// place: there the response jumps, and what it gives off counts as dissipated. Shorter increments that the exact
+/// solver cannot take make the shortest that it can such a place. `substeps` counts the small increments that stand in
+/// the response; none in an exact one.
+///
+/// The elastic forces must be linear, and the problem must have contacts.
+/// @param modes  linear system of the problem; may be shared with others that are not at work meanwhile
+std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem,
+                                                 const std::shared_ptr<ModeSystem>& modes);
 
 }  // namespace bumpfoil

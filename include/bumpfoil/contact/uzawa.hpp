@@ -3,7 +3,6 @@
 #include <limits>
 #include <memory>
 
-#include "bumpfoil/contact/linear_systems.hpp"
 #include "bumpfoil/contact/solver.hpp"
 
 namespace bumpfoil {

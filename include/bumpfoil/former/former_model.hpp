@@ -3,13 +3,15 @@
 #include <memory>
 #include <optional>
 
-#include "bumpfoil/contact/linear_systems.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/contact/solver.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 
 namespace bumpfoil {
+
+class ModeSystem;
+class PenaltySystem;
 
 /// The former model of the bearing [LeLez2007], as [Arghir2019] compares itself with it: the truss alone, without top
 /// foil and without gaps that open. A plain value.

@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/former_cycle.hpp"
+#include "analysis/former_cycle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bumpfoil/contact/event_follower.hpp"
+#include "contact/event_follower.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "support/random_problem.hpp"

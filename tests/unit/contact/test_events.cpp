@@ -1,4 +1,4 @@
-#include "bumpfoil/contact/events.hpp"
+#include "contact/events.hpp"
 
 #include <gtest/gtest.h>
 

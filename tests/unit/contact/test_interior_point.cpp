@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "support/random_problem.hpp"
 #include "support/toy_problems.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/contact/events.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "support/toy_problems.hpp"
 
@@ -159,9 +159,9 @@ TEST(LoadingPath, IsStraightAndMeetsItsEnds) {
 TEST(PathFollower, SeesPartsAndEventsWhereItFollowsThem) {
   const ContactProblem problem = toy::dragged_block();
   const auto increments = make_increment_follower(std::make_unique<NewtonSolver>(problem));
-  EventStepper stepper(problem);
-  for (PathFollower* follower : std::vector<PathFollower*>{increments.get(), &stepper}) {
-    const bool sees_events = follower == &stepper;
+  const auto stepper = make_event_stepper(problem, make_mode_system(problem));
+  for (PathFollower* follower : std::vector<PathFollower*>{increments.get(), stepper.get()}) {
+    const bool sees_events = follower == stepper.get();
     const ContactState unstressed = ContactState::unstressed(problem);
     ContactState state = unstressed;
     ASSERT_TRUE(follower->assemble(toy::pull(0.0, 40.0), unstressed, state).converged());

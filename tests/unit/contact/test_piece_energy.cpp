@@ -1,4 +1,4 @@
-#include "bumpfoil/contact/piece_energy.hpp"
+#include "contact/piece_energy.hpp"
 
 #include <gtest/gtest.h>
 

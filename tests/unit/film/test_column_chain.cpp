@@ -1,4 +1,4 @@
-#include "bumpfoil/film/column_chain.hpp"
+#include "film/column_chain.hpp"
 
 #include <gtest/gtest.h>
 

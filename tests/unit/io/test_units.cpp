@@ -1,4 +1,4 @@
-#include "bumpfoil/io/units.hpp"
+#include "io/units.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "bumpfoil/contact/linear_systems.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
 
 namespace bumpfoil {

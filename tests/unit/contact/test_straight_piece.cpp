@@ -1,0 +1,84 @@
+#include "contact/straight_piece.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/contact/mode_system.hpp"
+#include "support/toy_problems.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// The block of toy::dragged_block(), pressed by 40 N (20 N of friction), from no pull towards `pull` along a spring of
+/// 2 N/um, the modes those of `mode`.
+StraightPiece block_pulled_to(double pull, ContactMode mode) {
+  const ContactProblem block = toy::dragged_block();
+  const auto modes = make_mode_system(block);
+  StraightPiece piece(block);
+  EXPECT_TRUE(modes->set_modes({mode}));
+  modes->solve(toy::pull(0.0, 40.0), Vector::Zero(2), piece.begin);
+  modes->solve(toy::pull(pull, 40.0), Vector::Zero(2), piece.target);
+  piece.measure_forces(block);
+  return piece;
+}
+
+TEST(StraightPiece, EndsWhereFrictionIsSpent) {
+  StraightPiece piece = block_pulled_to(50.0, ContactMode::stick);
+  piece.begin_fraction = 0.2;
+  piece.find_limits(toy::dragged_block());
+  ASSERT_EQ(piece.limits.size(), 1U);
+  EXPECT_EQ(piece.limits.front().to, ContactMode::slip_forward);
+  EXPECT_DOUBLE_EQ(piece.end_part, 0.4);  // 20 N of 50 N
+  EXPECT_DOUBLE_EQ(piece.end_fraction(), 0.2 + 0.4 * 0.8);
+  EXPECT_DOUBLE_EQ(piece.part_at(piece.end_fraction()), piece.end_part);
+
+  ContactState end = piece.begin;
+  piece.at(piece.end_part, end);
+  EXPECT_DOUBLE_EQ(end.friction_force[0], -20.0);
+  EXPECT_DOUBLE_EQ(end.normal_force[0], 40.0);
+  EXPECT_EQ(end.mode, piece.target.mode);
+}
+
+TEST(StraightPiece, ReachesTheEndOfThePathWhereNothingHappens) {
+  StraightPiece piece = block_pulled_to(10.0, ContactMode::stick);
+  piece.begin_fraction = 0.3;
+  piece.find_limits(toy::dragged_block());
+  EXPECT_TRUE(piece.limits.empty());
+  EXPECT_EQ(piece.end_part, 1.0);
+  EXPECT_EQ(piece.end_fraction(), 1.0);
+  EXPECT_EQ(piece.part_at(1.0), 1.0);
+}
+
+TEST(StraightPiece, ContradictsModesThatLeadAgainstTheirOwnSense) {
+  const ContactProblem block = toy::dragged_block();
+  std::vector<ModeChange> changes;
+  // A block that rests inside its cone has no choice.
+  block_pulled_to(50.0, ContactMode::stick).find_changes(block, changes);
+  EXPECT_TRUE(changes.empty());
+  // At its bound it has, and the pull takes it beyond.
+  StraightPiece at_bound = block_pulled_to(50.0, ContactMode::stick);
+  at_bound.at(0.4, at_bound.begin);
+  at_bound.find_changes(block, changes);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes.front().to, ContactMode::slip_forward);
+  // Slipping forward where it is pulled back: it sticks.
+  StraightPiece reversed = block_pulled_to(50.0, ContactMode::slip_forward);
+  std::swap(reversed.begin, reversed.target);
+  reversed.find_changes(block, changes);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes.front().to, ContactMode::stick);
+}
+
+TEST(StraightPiece, SeesWhetherItsBeginObeysItsModes) {
+  const ContactProblem block = toy::dragged_block();
+  StraightPiece piece = block_pulled_to(50.0, ContactMode::slip_forward);
+  EXPECT_TRUE(piece.begin_obeys_modes(block));
+  piece.begin.friction_force[0] += 1e-6;  // N of 40: far above the tolerance of 4e-10
+  EXPECT_FALSE(piece.begin_obeys_modes(block));
+  piece = block_pulled_to(50.0, ContactMode::stick);
+  EXPECT_TRUE(piece.begin_obeys_modes(block));
+  piece.begin.gap[0] = 1e-9;  // m, above the tolerance of 1e-13
+  EXPECT_FALSE(piece.begin_obeys_modes(block));
+}
+
+}  // namespace
+}  // namespace bumpfoil
