@@ -7,7 +7,6 @@
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
-#include "film/step_length.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -47,7 +46,6 @@ struct FilmBearingSolver::Workspace {
   void expand_step();
   std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck);
   bool find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report);
-  double longest_step(const FilmBearingState& state) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
   /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b that the film
   /// knows.
@@ -212,15 +210,6 @@ bool FilmBearingSolver::Workspace::find_step(const ContactState& previous, const
   return true;
 }
 
-/// The step cut so that P and H keep enough of what they are, and U does not go too far.
-double FilmBearingSolver::Workspace::longest_step(const FilmBearingState& state) const {
-  const FilmSolverOptions& newton = options.newton;
-  double fraction = longest_fraction(state.foil.film.pressure, step.film.pressure, newton.kept_fraction, 1.0);
-  fraction = longest_fraction(state.foil.film.thickness, step.film.thickness, newton.kept_fraction, fraction);
-  const double approach = step.lift.cwiseAbs().maxCoeff();
-  return approach * fraction > newton.largest_approach ? newton.largest_approach / approach : fraction;
-}
-
 void FilmBearingSolver::Workspace::take_step(double fraction, const FilmBearingState& from,
                                              FilmBearingState& to) const {
   to.position = from.position;
@@ -253,7 +242,7 @@ FilmReport FilmBearingSolver::Workspace::solve(const ReynoldsEquation& equation,
     const double norm = find_residual(equation, iterate);
     report.residual = norm;
     if (!system.linearise(equation, iterate.foil) || !find_step(previous, iterate, report)) return report;
-    const double fraction = longest_step(iterate);
+    const double fraction = longest_step(options.newton, iterate.foil.film, step.film);
     const double largest = std::max(step.film.pressure.cwiseAbs().maxCoeff(), step.lift.cwiseAbs().maxCoeff());
     if (fraction == 1.0 && largest < options.newton.step_tolerance) {
       take_step(1.0, iterate, trial);

@@ -5,7 +5,6 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "film/pressure_system.hpp"
-#include "film/step_length.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -32,6 +31,18 @@ void add_yield(const Foundation& foundation, const FilmMesh& mesh, const Matrix&
   }
 }
 
+double longest_step(const FilmSolverOptions& options, const FilmState& film, const FilmState& step) {
+  double fraction = 1.0;
+  const auto keep = [&](const Matrix& value, const Matrix& change) {
+    const double deepest = (change.array() / value.array()).minCoeff();
+    if (deepest * fraction < options.kept_fraction - 1.0) fraction = (options.kept_fraction - 1.0) / deepest;
+  };
+  keep(film.pressure, step.pressure);
+  keep(film.thickness, step.thickness);
+  const double approach = step.thickness.cwiseAbs().maxCoeff();
+  return approach * fraction > options.largest_approach ? options.largest_approach / approach : fraction;
+}
+
 struct FilmSolver::Workspace {
   Workspace(const FilmMesh& film_mesh, const Foundation& film_foundation, const FilmSolverOptions& solver_options)
       : mesh(film_mesh), foundation(film_foundation), options(solver_options), system(film_mesh) {}
@@ -48,7 +59,7 @@ struct FilmSolver::Workspace {
   FilmJacobian jacobian;
   Matrix residual;
   FilmState iterate, trial;
-  Matrix pressure_step, thickness_step;
+  FilmState step;
 };
 
 /// Residuals and the factored Jacobian at the iterate.
@@ -66,8 +77,8 @@ double FilmSolver::Workspace::residual_norm() const {
 
 /// Takes a part of the step into `trial`; returns the norm of the residuals there.
 double FilmSolver::Workspace::try_step(const ReynoldsEquation& equation, double fraction) {
-  trial.pressure = iterate.pressure + fraction * pressure_step;
-  trial.thickness = iterate.thickness + fraction * thickness_step;
+  trial.pressure = iterate.pressure + fraction * step.pressure;
+  trial.thickness = iterate.thickness + fraction * step.thickness;
   reynolds_residual(equation, trial, residual);
   return residual_norm();
 }
@@ -87,19 +98,15 @@ FilmReport FilmSolver::Workspace::solve(const ReynoldsEquation& equation, const 
     if (!linearise(equation)) return report;
     const double norm = residual_norm();
     report.residual = norm;
-    pressure_step.setZero(mesh.rows + 1, mesh.nodes());
-    system.solve(residual, pressure_step);
-    thickness_step.setZero(mesh.rows + 1, mesh.nodes());
-    add_yield(foundation, mesh, pressure_step, thickness_step);
-    double fraction = longest_fraction(iterate.pressure, pressure_step, options.kept_fraction, 1.0);
-    fraction = longest_fraction(iterate.thickness, thickness_step, options.kept_fraction, fraction);
-    const double approach = thickness_step.cwiseAbs().maxCoeff();
-    if (approach * fraction > options.largest_approach) fraction = options.largest_approach / approach;
-
-    const double largest = std::max(pressure_step.cwiseAbs().maxCoeff(), approach);
+    step.pressure.setZero(mesh.rows + 1, mesh.nodes());
+    system.solve(residual, step.pressure);
+    step.thickness.setZero(mesh.rows + 1, mesh.nodes());
+    add_yield(foundation, mesh, step.pressure, step.thickness);
+    const double fraction = longest_step(options, iterate, step);
+    const double largest = std::max(step.pressure.cwiseAbs().maxCoeff(), step.thickness.cwiseAbs().maxCoeff());
     if (fraction == 1.0 && largest < options.step_tolerance) {
-      film.pressure = iterate.pressure + pressure_step;
-      film.thickness = iterate.thickness + thickness_step;
+      film.pressure = iterate.pressure + step.pressure;
+      film.thickness = iterate.thickness + step.thickness;
       const bool touches = film.thickness.minCoeff() < options.thickness_floor;
       report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
       return report;

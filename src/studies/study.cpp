@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <set>
@@ -9,7 +10,6 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
-#include "io/toml_document.hpp"
 #include "studies/study_library.hpp"
 
 namespace bumpfoil {
@@ -79,6 +79,16 @@ class DescriptionReader {
   const toml::table& table_;
   std::set<std::string, std::less<>> known_;
 };
+
+/// @throws Error (input) at the first place that is no TOML.
+toml::table parse_description(std::string_view text, std::string_view study) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw Error(ErrorKind::input,
+                {{std::string(study), error.source().begin.line, "", "", std::string(error.description()), ""}});
+  }
+}
 
 /// Overrides with their line breaks, which --set does not take, made spaces.
 std::vector<std::string> overrides_of(DescriptionReader& reader, const std::vector<std::string>& common) {
@@ -181,7 +191,7 @@ Study make_study(std::string_view name) {
 }
 
 Study parse_study(std::string_view text, std::string_view name) {
-  const toml::table document = parse_toml(text, std::string(name));
+  const toml::table document = parse_description(text, name);
   DescriptionReader reader(name, document);
   Study study;
   study.name = name;

@@ -4,10 +4,11 @@
 
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/failures.hpp"
-#include "io/case_json.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -80,7 +81,7 @@ std::string study_json(const Study& study, const std::vector<StudyRunResult>& re
   }
   json["tables"] = Json::object();
   for (const StudyTable& table : tables) json["tables"][table.name] = table_json(table);
-  return dump_json(json, 1) + '\n';
+  return printable_json(json.dump(1)) + '\n';
 }
 
 }  // namespace bumpfoil

@@ -86,6 +86,21 @@ def check_includes(path, module, text):
             yield f"{where}: <{name}> belongs to io and the programs, not to {module}"
 
 
+def check_private_headers(root):
+    """What is inside a module is included by that module and by tests of it: all else uses its public headers."""
+    private = {header.relative_to(root / "src").as_posix() for header in (root / "src").rglob("*.hpp")}
+    for base in ("include", "src", "apps", "bench", "examples"):
+        for file in sorted((root / base).rglob("*.[ch]pp")):
+            path = file.relative_to(root).as_posix()
+            own_module = file.relative_to(root / base).parts[0] if base == "src" else None
+            text = file.read_text(encoding="utf-8")
+            for match in INCLUDE.finditer(text):
+                name = match.group(2)
+                module = name.split("/")[0]
+                if name in private and module != own_module:
+                    yield f'{path}:{line_of(text, match.start())}: "{name}" is private to {module}'
+
+
 def check_words(path, module, text):
     if module not in FOREIGN_WORDS:
         return
@@ -144,7 +159,12 @@ def check_public_headers(root):
 
 
 def find_faults(root):
-    return [*check_sources(root), *check_programs(root), *check_public_headers(root)]
+    return [
+        *check_sources(root),
+        *check_private_headers(root),
+        *check_programs(root),
+        *check_public_headers(root),
+    ]
 
 
 if __name__ == "__main__":

@@ -68,6 +68,19 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/io/report.cpp", '#include "bumpfoil/studies/study.hpp"\n')
         self.assert_one_fault("src/io/report.cpp:1", "io must not include studies")
 
+    def test_private_headers_stay_inside_their_module(self):
+        self.write("src/film/faces.hpp", "#pragma once\n")
+        self.write("src/film/film.cpp", '#include "film/faces.hpp"\n')
+        self.write("tests/unit/film/test_faces.cpp", '#include "film/faces.hpp"\n')
+        self.assertEqual(find_faults(self.root), [])
+        self.write("src/analysis/bearing.cpp", '#include <vector>\n#include "film/faces.hpp"\n')
+        self.assert_one_fault("src/analysis/bearing.cpp:2", '"film/faces.hpp" is private to film')
+
+    def test_programs_use_public_headers(self):
+        self.write("src/film/faces.hpp", "#pragma once\n")
+        self.write("bench/bench_film.cpp", '#include "film/faces.hpp"\n')
+        self.assert_one_fault("bench/bench_film.cpp:1", '"film/faces.hpp" is private to film')
+
     def test_printing_below_io(self):
         self.write("src/analysis/cycle.cpp", "#include <iostream>\n")
         self.assert_one_fault("<iostream>", "not to analysis")

@@ -41,6 +41,9 @@ struct FilmSolverOptions {
   int max_iterations{100};
 };
 
+/// Largest part of a step of Newton's method, at most 1, that takes no more from P and H than the options allow.
+double longest_step(const FilmSolverOptions& options, const FilmState& film, const FilmState& step);
+
 /// How a solve ended and what it cost.
 struct FilmReport {
   FilmStatus status{FilmStatus::not_converged};

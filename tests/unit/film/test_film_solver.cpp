@@ -34,6 +34,22 @@ TEST(Foundation, YieldsToTheMeanOverTheWidth) {
 }
 
 /// Films of every kind: the residual of each is zero to rounding, and H is what the foundation says.
+TEST(FilmSolver, CutsStepsThatTakeTooMuch) {
+  const FilmSolverOptions options;  // 0.3 are kept, H moves by 1 at most
+  const Matrix one = slotted.field(1.0);
+  const FilmState film{one, 2.0 * one};
+  FilmState step{0.0 * one, 0.0 * one};
+  step.pressure(2, 3) = 5.0;  // P may rise at will
+  EXPECT_EQ(longest_step(options, film, step), 1.0);
+  step.pressure(1, 7) = -1.4;
+  EXPECT_DOUBLE_EQ(longest_step(options, film, step), 0.5);  // 0.7 of 1.4
+  step.thickness(1, 9) = -3.5;
+  EXPECT_DOUBLE_EQ(longest_step(options, film, step), 1.0 / 3.5);
+  step.thickness(2, 9) = 8.0;
+  EXPECT_DOUBLE_EQ(longest_step(options, film, step), 0.125);
+  EXPECT_DOUBLE_EQ(longest_step({.kept_fraction = 0.9}, film, step), 0.1 / 1.75);  // H bounds it now
+}
+
 TEST(FilmSolver, SolvesTheEquations) {
   for (const FilmMesh& mesh : {slotted, make_closed_mesh(40, 5, 1.0), make_closed_mesh(40, 8, 0.5)}) {
     for (const FoundationKind kind : {FoundationKind::rigid, FoundationKind::pointwise, FoundationKind::axial_mean}) {

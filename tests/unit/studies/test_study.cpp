@@ -160,6 +160,16 @@ TEST(Study, WrongDescriptionsAreToldByKey) {
   EXPECT_EQ(key_of_fault("increments = [\"a\"]\n" + text), "increments");
 }
 
+TEST(Study, BrokenDescriptionsAreToldByLine) {
+  try {
+    (void)parse_study("title = \"a\"\nruns =", "broken");
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.faults().front().file, "broken");
+    EXPECT_EQ(error.faults().front().line, 2U);
+  }
+}
+
 TEST(Study, UnknownNamesAreTold) {
   EXPECT_THROW((void)make_study("figure9"), Error);
   StudyRun run{.name = "wrong", .label = "", .overrides = {"friction.coefficient=much"}, .parameter = {}};
