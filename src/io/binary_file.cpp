@@ -10,34 +10,17 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "io/posix_file.hpp"
 
 namespace bumpfoil {
-namespace {
-
-class Descriptor {
- public:
-  // A pipe without a writer must not hold up the program before it is found to be none of ours.
-  explicit Descriptor(const std::filesystem::path& path)
-      : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
-}  // namespace
 
 std::string read_binary_file(const std::filesystem::path& path) try {
   const auto fault = [&](std::string what, std::string advice = "") {
     return Error(ErrorKind::file, {{path.string(), 0, "", "", std::move(what), std::move(advice)}});
   };
   const auto unreadable = [&] { return fault("cannot be read: " + std::generic_category().message(errno)); };
-  const Descriptor file(path);
+  // A pipe without a writer must not hold up the program before it is found to be none of ours.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw unreadable();
   if (!S_ISREG(status.st_mode)) throw fault("is no ordinary file");

@@ -36,13 +36,11 @@ std::string commented(std::string_view prefix, const std::string& code, std::str
 }
 
 constexpr std::string_view template_head =
-    "# Case file of Bumpfoil. Quantities are texts with a unit (\"31.8 um\", \"214 GPa\", \"150 MN/m\", \"30 deg\") or "
-    "plain "
-    "numbers\n"
-    "# in SI (m, Pa, N/m, rad). Lines that begin with # are comments; keys that are commented out show their default "
-    "or "
-    "an\n"
-    "# example.\n\n";
+    R"(# Case file of Bumpfoil. Quantities are texts with a unit ("31.8 um", "214 GPa", "150 MN/m", "30 deg") or plain numbers
+# in SI (m, Pa, N/m, rad). Lines that begin with # are comments; keys that are commented out show their default or an
+# example.
+
+)";
 
 /// What a key holds where the case file does not give it.
 std::string default_of(const ListedKey& reference, const ListedKey& unset) {
@@ -55,13 +53,12 @@ std::string default_of(const ListedKey& reference, const ListedKey& unset) {
 }
 
 constexpr std::string_view reference_head =
-    "# Keys of the case file\n\n"
-    "A case file is TOML. Quantities are texts with a unit, such as `\"31.8 um\"`, or plain numbers in SI (m, N, N/m, "
-    "Pa, "
-    "rad).\n"
-    "`bumpfoil init` writes a commented file to start from, `bumpfoil check` says what is wrong with one, and `--set "
-    "table.key=value`\n"
-    "changes a key for one run. This page is what `bumpfoil init --keys` prints.\n";
+    R"(# Keys of the case file
+
+A case file is TOML. Quantities are texts with a unit, such as `"31.8 um"`, or plain numbers in SI (m, N, N/m, Pa, rad).
+`bumpfoil init` writes a commented file to start from, `bumpfoil check` says what is wrong with one, and `--set table.key=value`
+changes a key for one run. This page is what `bumpfoil init --keys` prints.
+)";
 
 }  // namespace
 
