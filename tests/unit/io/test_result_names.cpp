@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
 namespace bumpfoil {
 namespace {
 
@@ -21,6 +26,18 @@ TEST(ResultNames, AreThoseOfTheEnumerators) {
   EXPECT_EQ(name_of(StressPlace::arc), "arc");
   EXPECT_EQ(name_of(Experiment::cycle), "cycle");
   EXPECT_EQ(name_of(Experiment::strip), "strip");
+}
+
+/// The page counts the flags of contacts in a list of its own, in words for readers.
+TEST(ResultNames, OfContactsAreInTheOrderThatThePageHas) {
+  std::string list;
+  for (const std::string_view name : enum_names<ContactMode>) {
+    list += std::string(list.empty() ? "" : ", ") + '\'' + std::string(name) + '\'';
+  }
+  std::replace(list.begin(), list.end(), '_', ' ');
+  std::ifstream file("../web/src/data/run.ts");
+  const std::string source{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(source.find("export const contactStates = [" + list + "]"), std::string::npos) << list;
 }
 
 }  // namespace
