@@ -37,7 +37,7 @@ class TemporaryFile {
 
  private:
   static constexpr const char* suffix = ".tmp";
-  [[nodiscard]] std::string prefix() const { return "." + target_.filename().string() + "."; }
+  [[nodiscard]] std::string prefix() const { return fmt::format(".{}.", target_.filename().string()); }
   [[nodiscard]] fs::path folder() const { return target_.has_parent_path() ? target_.parent_path() : "."; }
 
   [[nodiscard]] FileDescriptor open() const {
