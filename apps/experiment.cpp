@@ -12,6 +12,7 @@
 #include "bumpfoil/io/cycle_table.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
@@ -70,7 +71,7 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
     print_output(cycle_table(input, result));
     print_output(fmt::format("\nsolver {}; results in {} (summary.json, {}.csv, result.nc)\n", name_of(result.solver),
                              place, experiment.name));
-    for (const std::string& warning : stress_warnings(input, result)) print_message("warning: " + warning);
+    for (const std::string& warning : warning_lines(input, result)) print_message("warning: " + warning);
   }
   const std::string partial = fmt::format("the results in {} are partial, and flagged so", place);
   for (const std::string& failure : failure_lines(input, result)) {

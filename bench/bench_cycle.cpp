@@ -73,7 +73,7 @@ void cycle_quantities(benchmark::State& bench, SolverName solver) {
   input.solver.name = solver;
   CycleRunner runner(make_bearing_foils(input), input.solver);
   for (auto _ : bench) {
-    const Cycle cycle = runner.run(0.0, input.cycle.amplitude, input.cycle.steps, Recording::quantities);
+    const Cycle cycle = runner.run(0.0, input.cycle, Recording::quantities);
     if (!cycle.converged()) bench.SkipWithError("the cycle failed");
     benchmark::DoNotOptimize(cycle.loop_energy);
   }

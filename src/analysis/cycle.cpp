@@ -17,24 +17,21 @@ bool CycleResult::converged() const {
 
 CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}
 
-Cycle CycleRunner::run(double direction, double amplitude, int steps, Recording recording,
+Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recording recording,
                        const ProgressCallback& progress, const Excitation& centre) {
   const auto begin = std::chrono::steady_clock::now();
   const Eigen::Vector2d normal = unit_vector(direction);
   Cycle cycle;
   cycle.direction = direction;
-  cycle.amplitude = amplitude;
-  cycle.steps = steps;
+  cycle.amplitude = settings.amplitude;
+  cycle.steps = settings.steps;
+  for (const double force : settings.clearance_forces) cycle.clearances.push_back({force, {}});
   stepper_.assemble(centre, step_);
   if (step_.converged()) {
-    const Foils& foils = stepper_.foils();
-    const Vector gaps = step_.state.loading.initial_gap(foils.pressed());
-    const Vector top_displacement = step_.state.contacts.x(foils.top_foil());
-    cycle.first_contact = first_contact_displacement(gaps, foils.normals, top_displacement, normal);
     cycle.assembly_dissipation = step_.state.dissipated_energy;
   }
   const CyclePlan plan{.program = push_and_pull(Control::position, {.base = centre.position, .direction = normal}, 0.0,
-                                                amplitude, steps),
+                                                settings.amplitude, settings.steps),
                        .recording = recording};
   cycle = run_cycle(stepper_, plan, std::move(cycle), step_, progress);
   cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -47,8 +44,7 @@ CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   const CycleSettings& settings = input.cycle;
   return run_each_cycle(Experiment::cycle, input, std::ssize(settings.directions), progress,
                         [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
-                          return runner.run(settings.directions[i], settings.amplitude, settings.steps,
-                                            Recording::everything, progress_of_cycle);
+                          return runner.run(settings.directions[i], settings, Recording::everything, progress_of_cycle);
                         });
 }
 

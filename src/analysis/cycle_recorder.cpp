@@ -87,7 +87,11 @@ class CycleRecorder {
     }
     if (next.converged() && judged) balance_.add(next, step.is_linear);
     if (count_ + 1 == cycle_.due && !balance_.holds()) next.status = Status::energy_defect;
-    quantities_.add(next, judged, ends_leg);
+    way_.clear();
+    for (const Waypoint& point : step.waypoints) {
+      way_.push_back({point.position.dot(normal_), cleared(point.force.dot(normal_), foils().roundings.force)});
+    }
+    quantities_.add(next, judged, ends_leg, way_);
     if (count_ == 0 && step.converged()) {
       cycle_.initial_journal_load = interface_loads(foils(), step.state.contacts, Interface::journal_top).sum();
     }
@@ -139,6 +143,7 @@ class CycleRecorder {
   EnergyBalance balance_;
   Cycle cycle_;
   CycleQuantities quantities_;
+  std::vector<LoadingCurve::Point> way_;
   int count_{};          ///< increments that passed
   Eigen::Index rows_{};  ///< of them with fields
 };
@@ -150,6 +155,11 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   const int due = increments_of(plan.program);
   const Eigen::Vector2d normal = unit_vector(cycle.direction);
   cycle.due = due;
+  if (cycle.course == Course::push && step.converged()) {
+    const Foils& foils = stepper.foils();
+    cycle.first_contact = first_contact_displacement(step.state.contacts.gap(foils.pressed()), foils.normals, normal);
+    if (cycle.first_contact) *cycle.first_contact += step.state.excitation.position.dot(normal);
+  }
   CycleRecorder recorder(stepper, plan.recording, std::move(cycle));
   int done = 0;
   const auto stopped = [&] { return progress && !progress(static_cast<double>(++done) / due); };

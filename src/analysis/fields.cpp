@@ -9,10 +9,9 @@
 namespace bumpfoil {
 namespace {
 
-/// A contact is reported open where its load is below this part of the largest, or below that part of the scale of
-/// forces: where nothing is loaded, the largest is a rounding itself.
+/// A contact is reported open where its load is below this part of the largest, or a rounding: where nothing is loaded,
+/// the largest is one itself.
 constexpr double open_load = 1e-9;
-constexpr double rounded_load = 1e-12;
 
 /// Contacts of one interface: those from `first` on of every block, `count` of each, from block `first_block` on.
 struct InterfacePlace {
@@ -42,7 +41,7 @@ InterfacePlace place_of(const Foils& foils, Interface interface) {
 
 /// Loads up to this are none, N.
 double open_threshold(const Foils& foils, const ContactState& state) {
-  return std::max(open_load * state.normal_force.maxCoeff(), rounded_load * foils.problem.force_scale);
+  return std::max(open_load * state.normal_force.maxCoeff(), foils.roundings.force);
 }
 
 /// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
@@ -78,11 +77,15 @@ void record_interface(const Foils& foils, const FoilState& state, Interface inte
 
 void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
   const FoilStress stress = foil_stress(foils.stress, x);
-  const auto put = [increment](FieldMatrix& field, const Vector& values) {
-    if (values.size() > 0) field.row(increment) = values.transpose();
+  const auto put = [&](FieldMatrix& field, const Vector& values) {
+    if (values.size() == 0) return;
+    field.row(increment) = values.unaryExpr([&](double s) { return cleared(s, foils.roundings.stress); }).transpose();
   };
-  if (stress.top_weld) fields.top_weld(increment, 0) = *stress.top_weld;
-  if (stress.bump_weld) fields.bump_weld(increment, 0) = *stress.bump_weld;
+  const auto put_one = [&](FieldMatrix& field, const std::optional<double>& value) {
+    if (value) put(field, Vector::Constant(1, *value));
+  };
+  put_one(fields.top_weld, stress.top_weld);
+  put_one(fields.bump_weld, stress.bump_weld);
   put(fields.top_crest, stress.top_crest);
   put(fields.bump_crest, stress.bump_crest);
   put(fields.bump_foot, stress.bump_foot);
@@ -115,8 +118,8 @@ void InterfaceFields::truncate(Eigen::Index increments) {
 
 void FoilFields::truncate(Eigen::Index increments) {
   for (FieldMatrix* field :
-       {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &stress.top_weld, &stress.top_crest, &stress.bump_weld,
-        &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
+       {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &stress.top_weld, &stress.top_crest,
+        &stress.bump_weld, &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
     field->conservativeResize(increments, Eigen::NoChange);
   }
   for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
@@ -138,13 +141,27 @@ FoilFields make_fields(const Foils& foils, int increments) {
   const Eigen::Index feet = place_of(foils, Interface::bump_sleeve).columns(foils);
   FoilFields fields;
   fields.top_displacement.resize(increments, foils.has_top_foil() ? bumps : 0);
-  for (FieldMatrix* field : {&fields.crest_u, &fields.crest_v}) field->resize(increments, bumps);
+  for (FieldMatrix* field : {&fields.crest_u, &fields.crest_v, &fields.compression}) field->resize(increments, bumps);
   for (FieldMatrix* field : {&fields.foot_u, &fields.foot_v}) field->resize(increments, feet);
   fields.journal_top.resize(increments, foils.has_top_foil() ? bumps : 0);
   fields.top_bump.resize(increments, bumps);
   fields.bump_sleeve.resize(increments, feet);
   fields.stress = make_stress_fields(foils, increments);
   return fields;
+}
+
+Vector bump_compression(const FoilStructure& structure, const Vector& x) {
+  const BumpDofs& dofs = structure.dofs;
+  const Eigen::Index size = dofs.size;
+  Vector compression(structure.bumps());
+  for (Eigen::Index i = 0; i < compression.size(); ++i) {
+    const Eigen::Index block = structure.first_bump + i;
+    const auto foot = [&](Eigen::Index of_block, int v) { return of_block < 0 ? 0.0 : x[of_block * size + v]; };
+    // A block that has one foot shares the other with the block before.
+    const double before = foot(dofs.feet() > 1 ? block : block - 1, dofs.foot_v.front());
+    compression[i] = x[block * size + dofs.crest_v] - 0.5 * (before + foot(block, dofs.foot_v.back()));
+  }
+  return compression;
 }
 
 void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields) {
@@ -163,6 +180,7 @@ void record(const Foils& foils, const FoilState& state, Eigen::Index increment, 
     fields.foot_u(increment, i) = x[i / feet * size + dofs.foot_u[foot]];
     fields.foot_v(increment, i) = x[i / feet * size + dofs.foot_v[foot]];
   }
+  fields.compression.row(increment) = bump_compression(foils.structure, x);
   record_interface(foils, state, Interface::journal_top, increment, fields.journal_top);
   record_interface(foils, state, Interface::top_bump, increment, fields.top_bump);
   record_interface(foils, state, Interface::bump_sleeve, increment, fields.bump_sleeve);

@@ -76,6 +76,7 @@ void FoilStepper::assemble(const Excitation& excitation, Step& step) {
   step.state.loading = loading_under(*foils_, excitation);
   step.path_begin = step.path_end = excitation.position;
   step.events.clear();
+  step.waypoints.clear();
   step.substeps = 0;
   step.is_linear = false;
   const SolveReport solve = follower_->assemble(step.state.loading, unstressed.contacts, step.state.contacts);
@@ -99,6 +100,7 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
   step.path_begin = path_begin_.position;
   step.path_end = path_end_.position;
   step.events.clear();
+  step.waypoints.clear();
   step.is_linear = true;
   const ContactProblem& problem = foils_->problem;
   const auto visit = [&](const ResponsePart& part) {
@@ -106,6 +108,10 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
     const Vector& end = part.end.normal_force;
     step.state.slip_origin = part.begin.x;
     step.is_linear = step.is_linear && part.linear;
+    if (part.fraction < fraction) {
+      step.waypoints.push_back({(1.0 - part.fraction) * path_begin_.position + part.fraction * path_end_.position,
+                                holding_force(*foils_, end)});
+    }
     step.state.work += gap_work(problem, part.begin, part.end);
     step.state.dissipated_energy += part.linear
                                         ? friction_dissipation(problem, 0.5 * (begin + end), part.begin.x, part.end.x)

@@ -37,6 +37,7 @@ void record(const FormerModel& model, const Eigen::Vector2d& position, const Con
     fields.foot_v(increment, i) = bump[dofs.foot_v.front()];
     fields.top_displacement(increment, i) = -std::min(0.0, crest_gaps[i]);
   }
+  fields.compression.row(increment) = bump_compression(model.structure, state.x);
   record_contacts(model, state, FormerModel::crest, increment, fields.top_bump);
   record_contacts(model, state, FormerModel::foot, increment, fields.bump_sleeve);
   record_contacts(model, state, FormerModel::crest, increment, fields.journal_top);
@@ -49,8 +50,8 @@ void record(const FormerModel& model, const Eigen::Vector2d& position, const Con
 
 FoilFields make_former_fields(const FormerModel& model, int increments) {
   FoilFields fields;
-  for (FieldMatrix* field :
-       {&fields.top_displacement, &fields.crest_u, &fields.crest_v, &fields.foot_u, &fields.foot_v}) {
+  for (FieldMatrix* field : {&fields.top_displacement, &fields.crest_u, &fields.crest_v, &fields.foot_u, &fields.foot_v,
+                             &fields.compression}) {
     field->resize(increments, model.bumps());
   }
   for (InterfaceFields* interface : {&fields.journal_top, &fields.top_bump, &fields.bump_sleeve}) {
@@ -87,9 +88,10 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
   cycle.direction = direction;
   cycle.amplitude = settings.amplitude;
   cycle.steps = settings.steps;
+  for (const double force : settings.clearance_forces) cycle.clearances.push_back({force, {}});
   cycle.due = increments_of(program);
   const Vector gaps = former_crest_gaps(model, Eigen::Vector2d::Zero());
-  cycle.first_contact = first_contact_displacement(gaps, model.normals, Vector::Zero(gaps.size()), normal);
+  cycle.first_contact = first_contact_displacement(gaps, model.normals, normal);
   cycle.fields = make_former_fields(model, cycle.due);
   CycleQuantities quantities(cycle);
 

@@ -31,18 +31,19 @@ Increment place(const Step& step, const Eigen::Vector2d& direction) {
 Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction) {
   Increment increment = place(step, direction);
   const Eigen::Vector2d force = holding_force(foils, step.state.contacts.normal_force);
-  increment.force_x = force.x();
-  increment.force_y = force.y();
-  increment.force_direct = force.dot(direction);
-  increment.force_cross = force.dot(Eigen::Vector2d(-direction.y(), direction.x()));
-  increment.dissipated_energy = step.state.dissipated_energy;
-  increment.work = step.state.work;
+  const auto force_along = [&](const Eigen::Vector2d& axis) { return cleared(force.dot(axis), foils.roundings.force); };
+  increment.force_x = force_along(Eigen::Vector2d::UnitX());
+  increment.force_y = force_along(Eigen::Vector2d::UnitY());
+  increment.force_direct = force_along(direction);
+  increment.force_cross = force_along({-direction.y(), direction.x()});
+  increment.dissipated_energy = cleared(step.state.dissipated_energy, foils.roundings.energy);
+  increment.work = cleared(step.state.work, foils.roundings.energy);
   return increment;
 }
 
 void judge(const Foils& foils, const FoilState& state, Increment& increment) {
   const ElasticResponse elastic = elastic_response(foils.structure, state.contacts.x);
-  increment.elastic_energy = elastic.energy;
+  increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
   increment.residuals =
       contact_residuals(foils.problem, elastic.forces, state.loading, state.slip_origin, state.contacts);
 }

@@ -6,7 +6,6 @@
 #include "analysis/cycle_recorder.hpp"
 #include "analysis/program_runner.hpp"
 #include "analysis/run_each_cycle.hpp"
-#include "bumpfoil/analysis/cycle_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
@@ -56,19 +55,6 @@ double origin_of(const StripSettings& strip, const Step& start) {
   return start.state.excitation.position.x();
 }
 
-/// Quantities of a cycle that a strip defines in its own way, once it got to the turning point.
-void derive_strip_quantities(const StripSettings& strip, Cycle& cycle) {
-  if (!cycle.turning_point) return;
-  const Increment& top = cycle.turns.front();
-  const Increment& bottom = strip.preload && cycle.turns.size() > 1 ? cycle.turns[1] : *cycle.start;
-  cycle.turning_point->secant_stiffness =
-      (top.force_direct - bottom.force_direct) / (top.displacement - bottom.displacement);
-  if (strip.preload && cycle.loop_energy) {
-    const double stored = 0.5 * cycle.turning_point->secant_stiffness * cycle.amplitude * cycle.amplitude;
-    cycle.loss_factor = loss_factor(*cycle.loop_energy, stored);
-  }
-}
-
 }  // namespace
 
 CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
@@ -82,6 +68,7 @@ CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
       Experiment::strip, input, strip.cycles, progress, [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
         const auto begin = std::chrono::steady_clock::now();
         Cycle cycle;
+        cycle.course = strip.preload ? Course::swing : Course::push;
         cycle.amplitude = strip.amplitude.value;
         cycle.steps = strip.steps;
         if (i == 0) {
@@ -93,7 +80,6 @@ CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
           start_anew(step);
         }
         cycle = run_cycle(stepper, plan, std::move(cycle), step, progress_of_cycle);
-        derive_strip_quantities(strip, cycle);
         cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return cycle;
       });

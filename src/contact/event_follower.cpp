@@ -154,7 +154,7 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
   }
   state.mode = mode;
   if (solved) {
-    if (visit) visit({.begin = state, .end = piece.begin, .linear = true});
+    if (visit) visit({.begin = state, .end = piece.begin, .fraction = reached, .linear = true});
     state = piece.begin;
   } else {
     piece.begin = state;
@@ -204,11 +204,12 @@ EventProgress EventFollower::follow_to(double fraction, ContactState& state, con
     const StraightPiece& piece = w.piece;
     const double event = piece.end_fraction();
     report.arrived = fraction <= event;
+    const double end = report.arrived ? fraction : event;
     piece.at(report.arrived ? piece.part_at(fraction) : piece.end_part, w.next);
-    if (visit) visit({.begin = state, .end = w.next, .linear = true});
+    if (visit) visit({.begin = state, .end = w.next, .fraction = end, .linear = true});
     std::swap(state, w.next);
     events_here = event > w.reached ? 0 : events_here + 1;
-    w.reached = report.arrived ? fraction : event;
+    w.reached = end;
     // Contacts that go on changing at one place would do so for ever.
     if (report.arrived || w.events_passed == w.options.max_events || events_here > w.problem.contacts()) break;
     w.flip_at_event(state);

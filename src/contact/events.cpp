@@ -110,7 +110,7 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
       probe = std::max(shortest, 0.5 * (end - before));
       continue;
     }
-    if (visit) visit({.begin = state, .end = probed, .linear = true});
+    if (visit) visit({.begin = state, .end = probed, .fraction = end, .linear = true});
     for (std::size_t c = 0; c < probed.mode.size(); ++c) {
       if (state.mode[c] != probed.mode[c]) {
         events.push_back({end, static_cast<int>(c), state.mode[c], probed.mode[c]});

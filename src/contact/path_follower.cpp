@@ -39,7 +39,7 @@ class IncrementFollower final : public PathFollower {
     report.cost += solve.cost;
     report.status = solve.status;
     if (solve.converged()) {
-      if (visit) visit({.begin = state, .end = next_, .linear = false});
+      if (visit) visit({.begin = state, .end = next_, .fraction = fraction, .linear = false});
       std::swap(state, next_);
       reached_ = fraction;
       return;

@@ -121,6 +121,9 @@ void describe(CaseVisitor& keys, CycleSettings& cycle) {
   keys.value({"amplitude", required, "Amplitude", "how far the journal is pushed", "79.5 um", length},
              &cycle.amplitude);
   keys.value({"steps", defaulted, "Increments per branch", "equal increments each way"}, &cycle.steps);
+  keys.value({"clearance_forces", defaulted, "Clearances at",
+              "forces at which a push test would take the journal for touching", "[\"5 N\", \"10 N\"]", force},
+             &cycle.clearance_forces);
 }
 
 void describe(CaseVisitor& keys, StripSettings& strip) {

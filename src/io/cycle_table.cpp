@@ -20,16 +20,6 @@ constexpr std::size_t name_width = 30;
 constexpr std::size_t unit_width = 7;
 constexpr std::size_t column_width = 13;
 
-/// A foil that bears less is straight but for roundings, Pa.
-constexpr double no_stress = 1.0;
-
-/// "crest 3", "weld".
-std::string place_text(const std::optional<StressPeak>& peak) {
-  if (!peak || peak->stress < no_stress) return "-";
-  return peak->bump < 0 ? std::string(name_of(peak->place))
-                        : fmt::format("{} {}", name_of(peak->place), peak->bump + 1);
-}
-
 /// Cycles that are shown: all directions; of many of a strip the first and the last, which tell how it settles.
 std::vector<std::size_t> shown_cycles(const CycleResult& result) {
   std::vector<std::size_t> shown(result.cycles.size());
@@ -41,7 +31,7 @@ std::vector<std::size_t> shown_cycles(const CycleResult& result) {
 }
 
 struct Row {
-  std::string_view name;
+  std::string name;
   std::string_view unit;
   std::function<std::string(const Cycle&)> cell;
 };
@@ -49,8 +39,19 @@ struct Row {
 std::string cell_text(const CycleQuantity& quantity, double value) {
   if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
   if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
-  if (quantity.unit == "Pa" && value < no_stress) value = 0.0;
   return number_text(value, quantity.shown.size);
+}
+
+/// Where the direct force first reaches each of the thresholds of the case.
+std::vector<Row> rows_of_clearances(const Case& input) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < input.cycle.clearance_forces.size(); ++i) {
+    rows.push_back(
+        {fmt::format("clearance at {:.4g} N", input.cycle.clearance_forces[i]), "um", [i](const Cycle& cycle) {
+           return i < cycle.clearances.size() ? number_text(cycle.clearances[i].displacement, 1e-6) : "-";
+         }});
+  }
+  return rows;
 }
 
 /// Rows of the quantities that say how the cycle was computed, or of the others.
@@ -58,12 +59,15 @@ std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solve
   std::vector<Row> rows;
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.shown.size == 0.0 || quantity.of_solver != of_solver) continue;
-    rows.push_back({quantity.label, quantity.shown.name, [quantity, &input](const Cycle& cycle) {
+    rows.push_back({std::string(quantity.label), quantity.shown.name, [quantity, &input](const Cycle& cycle) {
                       return cell_text(quantity, quantity.value(cycle, input));
                     }});
     for (const StressedFoil& foil : stressed_foils()) {
       if (quantity.name != fmt::format("max_stress_{}", foil.name)) continue;
-      rows.push_back({"  at", "", [peak = foil.peak](const Cycle& cycle) { return place_text(cycle.*peak); }});
+      rows.push_back({"  at", "", [peak = foil.peak](const Cycle& cycle) {
+                        const std::optional<StressPeak>& highest = cycle.*peak;
+                        return highest && highest->stress > 0.0 ? place_text(*highest) : "-";
+                      }});
     }
   }
   return rows;
@@ -87,25 +91,12 @@ std::vector<Row> rows_of_highest_load() {
 
 }  // namespace
 
-std::vector<std::string> stress_warnings(const Case& input, const CycleResult& result) {
-  std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < result.cycles.size(); ++i) {
-    for (const StressedFoil& foil : stressed_foils()) {
-      if (above_yield(foil, result.cycles[i], input) != 1.0) continue;
-      const StressPeak& peak = *(result.cycles[i].*foil.peak);
-      warnings.push_back(fmt::format(
-          "{}: the {} yields: its bending stress reaches {:.4g} MPa ({}, increment {}), its yield stress is {:.4g} MPa",
-          cycle_name(result, i), foil.long_name, 1e-6 * peak.stress, place_text(peak), peak.increment,
-          1e-6 * *foil.yield_stress(input)));
-    }
-  }
-  return warnings;
-}
-
 std::string cycle_table(const Case& input, const CycleResult& result) {
   const std::vector<std::size_t> shown = shown_cycles(result);
   std::vector<Row> rows = rows_of(input, result.experiment, false);
-  for (const std::vector<Row>& more : {rows_of_highest_load(), rows_of(input, result.experiment, true)}) {
+  const std::vector<Row> clearances =
+      result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<Row>{};
+  for (const std::vector<Row>& more : {clearances, rows_of_highest_load(), rows_of(input, result.experiment, true)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::string out;

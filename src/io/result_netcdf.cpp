@@ -15,6 +15,7 @@
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/result_layout.hpp"
@@ -113,6 +114,24 @@ class ResultWriter {
     }
   }
 
+  /// Displacements at which thresholds of the force are reached.
+  void write_clearances() {
+    const std::vector<double>& forces = input_.cycle.clearance_forces;
+    if (result_.experiment == Experiment::strip || forces.empty()) return;
+    const NcDim threshold = file_.add_dim("clearance_force", forces.size());
+    file_.put_all({"clearance_force", "N", "force at which a push test would take the journal for touching"},
+                  {threshold}, forces);
+    const NcVar variable = file_.add(
+        {"clearance", "m", "displacement at which the direct force first reaches the threshold"}, {cycle_, threshold});
+    for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
+      std::vector<double> values(forces.size(), absent);
+      const std::vector<Clearance>& found = result_.cycles[i].clearances;
+      std::transform(found.begin(), found.end(), values.begin(),
+                     [](const Clearance& clearance) { return clearance.displacement.value_or(absent); });
+      put_rows(variable, i, {forces.size()}, std::move(values));
+    }
+  }
+
   /// Changes of mode, where the solver followed them.
   void write_events() {
     std::vector<double> cycles;
@@ -191,7 +210,7 @@ void write_provenance(NewNetcdf& file, const Case& input, const CycleResult& res
                       const Provenance& provenance, std::string_view run_id) {
   const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   file.add_text("Conventions", "CF-1.8");
-  file.add_text("schema", "bumpfoil-result/1");
+  file.add_text("schema", "bumpfoil-result/2");
   file.add_text("title", input.title);
   file.add_text("source", fmt::format("bumpfoil {} ({})", version(), commit()));
   file.add_text("history", fmt::format("{}: {}", date, provenance.command_line));
@@ -202,6 +221,7 @@ void write_provenance(NewNetcdf& file, const Case& input, const CycleResult& res
   file.add_text("solver", name_of(result.solver));
   file.add_text("status", status == RunStatus::complete ? "complete" : "partial");
   file.add_text("status_message", message_of(input, result, status));
+  file.add_text("warnings", fmt::format("{}", fmt::join(warning_lines(input, result), "\n")));
   file.add_text("case_text", provenance.case_text);
   file.add_text("case_understood", case_to_toml(input));
 }
@@ -217,6 +237,7 @@ std::string result_netcdf(const Case& input, const CycleResult& result, RunStatu
     writer.write_coordinates();
     writer.write_geometry();
     writer.write_cycles();
+    writer.write_clearances();
     writer.write_increments();
     writer.write_fields();
     writer.write_events();

@@ -154,6 +154,10 @@ constexpr auto increment_table = std::to_array<IncrementQuantity>({
     {"increment_status", "", "how the increment ended", of<&Increment::status>, flags<Status>},
 });
 
+constexpr std::string_view loaded_stiffness_text =
+    "range of the force over that of the displacement: of a push from the take-up point to full displacement, about a "
+    "preload from turning point to turning point";
+
 constexpr auto cycle_table = std::to_array<CycleQuantity>({
     bearing({"amplitude", "m", "full displacement", of_cycle<&Cycle::amplitude>}),
     strip({"amplitude", "m", "displacement from the start to full displacement or load", strip_amplitude, real,
@@ -178,10 +182,10 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
      "elastic energy at the start"},
     {"assembly_dissipation", "J", "energy dissipated by the assembly", once_begun<&Cycle::assembly_dissipation>, real,
      "dissipated by the assembly"},
-    bearing({"secant_stiffness", "N/m", "maximum force over amplitude", at_turn<&TurningPoint::secant_stiffness>, real,
-             "secant stiffness", stiffness}),
-    strip({"secant_stiffness", "N/m", "range of the force over range of the displacement",
-           at_turn<&TurningPoint::secant_stiffness>, real, "secant stiffness", stiffness}),
+    {"loaded_stiffness", "N/m", loaded_stiffness_text, derived<&Cycle::loaded_stiffness>, real, "loaded stiffness",
+     stiffness},
+    {"secant_stiffness", "N/m", "maximum force over displacement, free travel included",
+     derived<&Cycle::secant_stiffness>, real, "secant with free travel", stiffness},
     {"tangent_stiffness_loading", "N/m", "tangent stiffness at full displacement, slipping contacts going on to slip",
      tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness},
     {"tangent_stiffness_unloading", "N/m", "tangent stiffness at full displacement, all closed contacts sticking",
@@ -190,19 +194,22 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
      real, "loop energy", millijoules},
     {"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>, real,
      "elastic energy at full displacement"},
-    bearing({"loss_factor", "1",
-             "loop energy over 2 pi times the elastic energy stored between start and full displacement",
-             derived<&Cycle::loss_factor>, real, "loss factor", plain}),
-    strip({"loss_factor", "1",
-           "loop energy over 2 pi times the elastic energy stored between start and full displacement, about a preload "
-           "1/2 secant stiffness amplitude^2",
-           derived<&Cycle::loss_factor>, real, "loss factor", plain}),
+    {"loss_factor", "1",
+     "loop energy over (pi K X^2): K loaded stiffness, X half the displacement that it is taken over",
+     derived<&Cycle::loss_factor>, real, "loss factor", plain},
+    {"specific_damping_capacity", "1", "loop energy over the elastic energy stored between start and full displacement",
+     derived<&Cycle::specific_damping_capacity>, real, "specific damping capacity"},
     bearing({"first_contact", "m", "displacement at which the journal first touches the top foil",
              derived<&Cycle::first_contact>, real, "first contact", micrometres}),
+    {"take_up", "m", "displacement at which the force last rises through 1 % of its maximum", derived<&Cycle::take_up>,
+     real, "take-up point", micrometres},
     bearing({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
-             derived<&Cycle::clearance_5N>, real, "clearance at 5 N", micrometres}),
+             derived<&Cycle::clearance_5N>}),
     bearing({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
-             derived<&Cycle::clearance_10N>, real, "clearance at 10 N", micrometres}),
+             derived<&Cycle::clearance_10N>}),
+    {"max_compression", "m", "largest compression of a bump over all increments",
+     [](const Cycle& cycle, const Case&) { return cycle.compression ? cycle.compression->compression : absent; }, real,
+     "highest compression", micrometres},
     {"max_stress_top_foil", "Pa", "largest bending stress of the top foil over all increments",
      peak<&Cycle::top_foil_stress>, real, "highest stress, top foil", megapascals},
     {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil over all increments",
@@ -229,6 +236,8 @@ constexpr auto field_table = std::to_array<FieldQuantity>({
     {"foot_u", "m", "tangential displacement of the foot, positive away from the weld", Node::foot,
      field<&FoilFields::foot_u>},
     {"foot_v", "m", "radial displacement of the foot, positive outward", Node::foot, field<&FoilFields::foot_v>},
+    {"compression", "m", "radial approach of the crest of the bump and its feet", Node::bump,
+     field<&FoilFields::compression>},
     {"gap_journal_top", "m", "gap between {pressing} and top foil, 0 where closed", Node::bump,
      contact<&FoilFields::journal_top, &InterfaceFields::gap>},
     {"gap_top_bump", "m", "gap between {over_crest} and crest, 0 where closed", Node::bump,
@@ -355,6 +364,10 @@ std::string key_of(std::string_view name, std::string_view unit) {
 
 std::span<const StressedFoil> stressed_foils() {
   return foil_table;
+}
+
+std::string place_text(const StressPeak& peak) {
+  return peak.bump < 0 ? std::string(name_of(peak.place)) : fmt::format("{} {}", name_of(peak.place), peak.bump + 1);
 }
 
 double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input) {

@@ -21,7 +21,8 @@ using Flag = signed char;
 
 /// Fields that the page does not show.
 bool is_left_out(std::string_view name) {
-  return name.starts_with("gap_") || name.starts_with("stress_") || name == "friction_force_journal_top";
+  return name.starts_with("gap_") || name.starts_with("stress_") || name == "friction_force_journal_top" ||
+         name == "compression";
 }
 
 /// Of the cycles: a bearing has one per direction.
@@ -159,7 +160,8 @@ std::string kind_of(const NetcdfImage& file) {
     const auto found = texts.find(name);
     return found != texts.end() ? found->second : std::string();
   };
-  if (text("schema") != "bumpfoil-result/1") file.refuse("", "is no result of this program");
+  if (text("schema") != "bumpfoil-result/1" && text("schema") != "bumpfoil-result/2")
+    file.refuse("", "is no result of this program");
   std::string kind = text("bumpfoil_command");
   // Results that were written before there were others do not say what they are.
   if (kind.empty()) kind = "cycle";

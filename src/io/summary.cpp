@@ -10,6 +10,7 @@
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "io/case_json.hpp"
 
@@ -53,6 +54,12 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
     json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, input), quantity.form);
   }
+  json["clearances"] = Json::array();
+  for (const Clearance& clearance : cycle.clearances) {
+    json["clearances"].push_back({{"force_N", clearance.force},
+                                  {"displacement_m", clearance.displacement ? Json(*clearance.displacement) : Json()}});
+  }
+  json["warnings"] = warnings_of(input, result, i);
   const std::optional<Failure> failure = failure_of(input, result, i);
   const bool located = failure && failure->increment;
   json["failed_increment"] = located ? Json(*failure->increment) : Json();
@@ -87,7 +94,7 @@ double to_degrees(double angle) {
 
 std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest) {
   Json json;
-  json["schema"] = "bumpfoil-summary/1";
+  json["schema"] = "bumpfoil-summary/2";
   // Before all texts of users, which could hold the same.
   json["xxh3_128"] = blank_checksum;
   json["command"] = name_of(result.experiment);

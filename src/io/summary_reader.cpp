@@ -71,6 +71,9 @@ class SummaryChecker {
       const std::string key = key_of(quantity.name, quantity.unit);
       if (cycle.contains(key)) check_value(key, cycle[key], quantity.form);
     }
+    for (const char* key : {"clearances", "warnings", "loop_energies_J"}) {
+      if (cycle.contains(key) && !cycle[key].is_array()) refuse(key, "is no list");
+    }
     // Of a cycle that is there they are known.
     if (cycle["steps"].is_null()) refuse("steps", "is no whole number");
     if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");
@@ -113,9 +116,9 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   StoredSummary summary{checker.parse(text), {}, {}, {}};
   const Json& json = summary.json;
   if (!json.is_object() || !json.contains("schema")) checker.refuse("", "is no summary of this program");
-  if (checker.text(json, "schema") != "bumpfoil-summary/1") {
-    checker.refuse("schema",
-                   fmt::format("is \"{}\", which this version cannot read", printable(checker.text(json, "schema"))));
+  const std::string schema = checker.text(json, "schema");
+  if (schema != "bumpfoil-summary/1" && schema != "bumpfoil-summary/2") {
+    checker.refuse("schema", fmt::format("is \"{}\", which this version cannot read", printable(schema)));
   }
   for (const char* key : {"version", "commit", "solver", "status"}) static_cast<void>(checker.text(json, key));
   const std::string command = checker.text(json, "command");

@@ -263,6 +263,9 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   const bool steps =
       judge.require(cycle.steps >= 1 && cycle.steps <= most_steps, "cycle.steps", std::to_string(cycle.steps),
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+  for (std::size_t i = 0; i < cycle.clearance_forces.size(); ++i) {
+    judge.within(fmt::format("cycle.clearance_forces[{}]", i + 1), cycle.clearance_forces[i], load_range);
+  }
   if (!bumps || !steps) return;
   const auto increments = std::int64_t{2} * cycle.steps * std::ssize(cycle.directions);
   judge_memory(judge, "cycle.steps", cycle.steps, increments, input.bump_foil.bumps);

@@ -127,7 +127,7 @@ TEST_F(Program, GoesFromInitOverCheckToCycle) {
 
 TEST_F(Program, CompressesAStrip) {
   const std::vector<std::string> strip{"strip", case_path_,      "-o",    results_,
-                                       "--set", "strip.bumps=3", "--set", "strip.steps=4"};
+                                       "--set", "strip.bumps=4", "--set", "strip.steps=4"};
   const Outcome missing = run({"strip", case_path_, "-o", results_});
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_NE(missing.errors.find("add [strip]"), std::string::npos);

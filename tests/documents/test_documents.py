@@ -101,7 +101,7 @@ class Readme(unittest.TestCase):
             names[round(cycle["direction_deg"])]: [
                 f"{cycle['max_force_N']:.0f}",
                 f"{cycle['cross_force_at_max_N']:.0f}",
-                f"{cycle['secant_stiffness_N_per_m'] * 1e-6:.2f}",
+                f"{cycle['loaded_stiffness_N_per_m'] * 1e-6:.2f}",
                 f"{cycle['loop_energy_J'] * 1e3:.2f}",
                 f"{cycle['loss_factor']:.3f}",
             ]

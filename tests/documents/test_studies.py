@@ -331,7 +331,7 @@ def tables():
     force, loop = ("max_force_N", 1, 0), ("loop_energy_J", 1e3, 2)
     scatter_columns = [
         force,
-        ("secant_stiffness_N_per_m", 1e-6, 2),
+        ("loaded_stiffness_N_per_m", 1e-6, 2),
         ("tangent_stiffness_loading_N_per_m", 1e-6, 1),
         ("cross_force_at_max_N", 1, 0),
         loop,

@@ -68,7 +68,8 @@ class Read(unittest.TestCase):
 
     def test_dimensions_and_coordinates(self):
         self.assertEqual(
-            dict(self.result.sizes), {"direction": 4, "increment": 2 * STEPS + 1, "bump": 26, "foot": 26}
+            dict(self.result.sizes),
+            {"direction": 4, "increment": 2 * STEPS + 1, "bump": 26, "foot": 26, "clearance_force": 2},
         )
         np.testing.assert_array_equal(self.result.direction, [0, 180, 90, 270])
         np.testing.assert_array_equal(self.result.increment, np.arange(2 * STEPS + 1))
@@ -96,7 +97,7 @@ class Read(unittest.TestCase):
         names = {"iterations": "total_iterations", "factorisations": "total_factorisations", "substeps": "total_substeps"}
         for key in self.summary["cycles"][0]:
             # Places are found in the stresses of result.nc, failures in the statuses of the increments.
-            if key.endswith("_at") or key in FAILURE:
+            if key.endswith("_at") or key in (*FAILURE, "clearances", "warnings"):
                 continue
             name, unit = split_unit(key)
             variable = self.result[names.get(name, name)]
@@ -106,6 +107,13 @@ class Read(unittest.TestCase):
             expected = np.array(values, dtype=float)
             np.testing.assert_array_equal(variable.astype(float), expected, key)
             self.assertEqual(variable.attrs.get("units", "1"), unit)
+
+    def test_clearances(self):
+        np.testing.assert_array_equal(self.result.clearance_force, [5, 10])
+        self.assertEqual(self.result.clearance_force.units, "N")
+        for cycle, row in zip(self.summary["cycles"], self.result.clearance):
+            self.assertEqual([c["force_N"] for c in cycle["clearances"]], [5, 10])
+            np.testing.assert_array_equal([c["displacement_m"] for c in cycle["clearances"]], row)
 
     def test_loads_and_forces_agree(self):
         turning = self.result.isel(increment=STEPS)

@@ -27,10 +27,9 @@ struct TurningPoint {
   double cross_force{};     ///< N
   double elastic_energy{};  ///< J
   TangentStiffnesses tangent;
-  double secant_stiffness{};  ///< max_force / amplitude, N/m
-  Vector journal_loads;       ///< N, per bump; empty where there is no top foil
-  Vector bump_loads;          ///< on the crests, N, per bump
-  Vector foot_loads;          ///< N, per foot
+  Vector journal_loads;  ///< N, per bump; empty where there is no top foil
+  Vector bump_loads;     ///< on the crests, N, per bump
+  Vector foot_loads;     ///< N, per foot
 };
 
 /// Where a foil is bent most.
@@ -52,11 +51,36 @@ struct StressPeak {
   bool operator==(const StressPeak&) const = default;
 };
 
+/// The largest compression of a bump during a cycle, and where and when it is reached first.
+struct CompressionPeak {
+  double compression{};   ///< see bump_compression(), m
+  int bump{};             ///< from 0
+  int increment{};        ///< of the cycle
+  double displacement{};  ///< at that increment, m
+
+  bool operator==(const CompressionPeak&) const = default;
+};
+
+/// Displacement at which the direct force first rises through a threshold, counted from the centred journal.
+struct Clearance {
+  double force{};                      ///< threshold, N
+  std::optional<double> displacement;  ///< m; 0 if it lies above from the start, absent if it never gets there
+
+  bool operator==(const Clearance&) const = default;
+};
+
+/// How a cycle goes round.
+enum class Course {
+  push,   ///< from its start to full displacement and back
+  swing,  ///< through its start as far to the other side, and back
+};
+
 /// Push and pull of the journal in one direction, or one cycle of a strip between plates, along the direction 0, and
 /// what is derived from it. Of a bearing, increment 0 is the assembly at the centred journal, solved in one step from
 /// the unstressed foils. Quantities that could not be computed are absent.
 struct Cycle {
-  double direction{};                ///< rad
+  double direction{};  ///< rad
+  Course course{Course::push};
   double amplitude{};                ///< displacement from the start to the turning point, m
   int steps{};                       ///< from the start to the turning point
   int due{};                         ///< increments of the whole cycle, the first included
@@ -72,13 +96,24 @@ struct Cycle {
   double initial_journal_load{};  ///< sum of journal loads at increment 0, N
   double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
   std::optional<TurningPoint> turning_point;
-  std::optional<double> loop_energy;           ///< closed integral of F.dx by the trapezoidal rule, J
-  std::optional<double> loss_factor;           ///< loop energy / (2 pi (E_max - E0)); absent where nothing was deformed
-  std::optional<double> first_contact;         ///< m; absent if no bump faces the direction
-  std::optional<double> clearance_5N;          ///< displacement of the first upward crossing of 5 N, m; absent if never
+  std::optional<double> loop_energy;  ///< closed integral of F.dx by the trapezoidal rule, J
+  /// Range of the force over that of the displacement, N/m: of a push from the take-up point, of a swing from turning
+  /// point to turning point. Absent unless positive.
+  std::optional<double> loaded_stiffness;
+  std::optional<double> secant_stiffness;  ///< of a push: maximum force over the displacement there, N/m
+  /// Loop energy / (pi K X^2), K the loaded stiffness and X half the range of the displacement that K is taken over.
+  std::optional<double> loss_factor;
+  std::optional<double> specific_damping_capacity;  ///< loop energy / (E_max - E0); absent where nothing was stored
+  std::optional<double> first_contact;              ///< of a push, m; absent if no bump faces the direction
+  /// Of a push: where the direct force last rises through 1 % of its maximum, m. Under scatter the first touch lies
+  /// micrometres before any load. Absent without a load.
+  std::optional<double> take_up;
+  std::vector<Clearance> clearances;           ///< of a push, at the thresholds that were asked for
+  std::optional<double> clearance_5N;          ///< of a push, m
   std::optional<double> clearance_10N;         ///< m
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
+  std::optional<CompressionPeak> compression;  ///< absent with quantities alone
   double max_residual{};                       ///< equilibrium, largest of all increments that were judged
   SolveCost cost;                              ///< of all increments
   int substeps{};                              ///< of all increments
@@ -115,8 +150,9 @@ class CycleRunner {
   CycleRunner(SharedFoils foils, const SolverSettings& settings);
 
   /// Push and pull along `direction` (rad) from the unstressed foils. Numerical failures are reported in the result.
-  /// @param centre  excitation at the centred journal: its position is taken from there
-  [[nodiscard]] Cycle run(double direction, double amplitude, int steps, Recording recording = Recording::everything,
+  /// @param settings  all but their directions
+  /// @param centre    excitation at the centred journal: its position is taken from there
+  [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,
                           const ProgressCallback& progress = {}, const Excitation& centre = {});
 
  private:

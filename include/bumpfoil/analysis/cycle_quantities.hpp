@@ -1,39 +1,45 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
 
 namespace bumpfoil {
 
-/// Displacement (m) at which the direct force first rises through `threshold` (N), linear between increments; 0 if it
-/// lies above from the start, absent if it never gets there.
-class Clearance {
+/// Direct force over displacement from the start of a cycle to its turning point, linear between its points.
+class LoadingCurve {
  public:
-  explicit Clearance(double threshold) : threshold_(threshold) {}
+  struct Point {
+    double displacement{};  ///< m
+    double force{};         ///< N
+  };
 
-  /// The increments of the loading branch, one after the other.
-  void add(const Increment& increment);
+  /// @param first_contact  the force stays as it is until there, m; absent where that is not known
+  explicit LoadingCurve(const std::optional<double>& first_contact = {}) : first_contact_(first_contact) {}
 
-  [[nodiscard]] const std::optional<double>& displacement() const { return displacement_; }
+  /// The next point.
+  void add(const Point& point);
+
+  /// Displacement at which the force first rises to `threshold`; 0 if it lies there from the start, absent if it never
+  /// gets there.
+  [[nodiscard]] std::optional<double> first_reaches(double threshold) const;
+
+  /// Where the force rises through `threshold` for the last time; the start if it never lies below.
+  /// @pre  it ends above, and has a point
+  [[nodiscard]] Point last_rises_through(double threshold) const;
 
  private:
-  double threshold_;
-  std::optional<double> displacement_;
-  double last_displacement_{};
-  double last_force_{};
-  bool began_{};
+  std::optional<double> first_contact_;
+  std::vector<Point> points_;
 };
 
-/// Displacement (m) along the unit vector `direction` at which the journal first touches the top foil,
-/// (r_i + u_t,i) / (n_i . n) smallest over the bumps that face the direction n, with the displacements u_t of the
-/// top foil and the gaps r_i at the centred journal; 0 if it touches already, absent if no bump faces the direction.
+/// Displacement (m) along the unit vector `direction` at which the journal first touches the top foil, the smallest
+/// gap_i / (n_i . n) over the bumps that face the direction n, with the gaps between journal and top foil where it
+/// starts; 0 if it touches already, absent if no bump faces the direction.
 std::optional<double> first_contact_displacement(const Vector& gaps, const Eigen::Matrix2Xd& normals,
-                                                 const Vector& top_displacement, const Eigen::Vector2d& direction);
-
-/// Loop energy over 2 pi times the elastic energy stored between start and turning point; absent if none was stored.
-std::optional<double> loss_factor(double loop_energy, double elastic_energy_stored);
+                                                 const Eigen::Vector2d& direction);
 
 /// Largest stress of the top foil over all increments that have fields; absent where none is known.
 std::optional<StressPeak> top_foil_peak(const StressFields& stress, const std::vector<Increment>& increments);
@@ -41,16 +47,22 @@ std::optional<StressPeak> top_foil_peak(const StressFields& stress, const std::v
 /// The same of the bump foil.
 std::optional<StressPeak> bump_foil_peak(const StressFields& stress, const std::vector<Increment>& increments);
 
+/// Largest compression of a bump over all increments that have fields; absent where there are none.
+std::optional<CompressionPeak> compression_peak(const FieldMatrix& compression,
+                                                const std::vector<Increment>& increments);
+
 /// Finds the quantities of a cycle while its increments pass: what they need of an increment is kept, nothing else.
 class CycleQuantities {
  public:
-  /// @param cycle  receives the quantities; direction, amplitude, steps and due are filled in
-  explicit CycleQuantities(Cycle& cycle) : cycle_(cycle) {}
+  /// @param cycle  receives the quantities; direction, course, amplitude, steps, due, forces of the clearances and,
+  ///               where it is known, first contact are filled in
+  explicit CycleQuantities(Cycle& cycle) : cycle_(cycle), loading_(cycle.first_contact) {}
 
   /// The next increment.
   /// @param judged    its energy and residuals are known
   /// @param ends_leg  a leg of the program ends with it
-  void add(const Increment& increment, bool judged, bool ends_leg);
+  /// @param way       what is known of the way to it
+  void add(const Increment& increment, bool judged, bool ends_leg, std::span<const LoadingCurve::Point> way = {});
 
   /// Loads and tangents at the turning point, once its increment was added.
   void turn(TurningPoint response);
@@ -59,11 +71,15 @@ class CycleQuantities {
   void finish();
 
  private:
+  void find_stiffness();
+  void find_losses();
+
   Cycle& cycle_;
+  LoadingCurve loading_;
   int good_{};
-  Clearance clearance_5N_{5.0};
-  Clearance clearance_10N_{10.0};
   double work_{};
+  double largest_work_{};
+  double half_range_{};  ///< X of the loss factor, m
 };
 
 }  // namespace bumpfoil

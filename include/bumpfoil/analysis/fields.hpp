@@ -39,6 +39,7 @@ struct FoilFields {
   FieldMatrix top_displacement;  ///< u_t, m, per bump; without columns where there is no top foil
   FieldMatrix crest_u, crest_v;  ///< m, per bump
   FieldMatrix foot_u, foot_v;    ///< m, per foot
+  FieldMatrix compression;       ///< m, per bump: how far its crest came nearer to its feet
   InterfaceFields journal_top;   ///< per bump
   InterfaceFields top_bump;      ///< per bump
   InterfaceFields bump_sleeve;   ///< per foot
@@ -54,6 +55,11 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
 
 /// Fields for `increments` increments of the foils, to be filled by record().
 FoilFields make_fields(const Foils& foils, int increments);
+
+/// How far the crest of each bump came nearer to the middle between its feet, m. The weld is a foot that stays in
+/// place.
+/// @param x  unknowns of the structure
+Vector bump_compression(const FoilStructure& structure, const Vector& x);
 
 /// Writes the fields of a state into row `increment`.
 void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields);

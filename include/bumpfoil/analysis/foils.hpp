@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -10,6 +11,18 @@
 #include "bumpfoil/structure/stress.hpp"
 
 namespace bumpfoil {
+
+/// What is smaller is none: a rounding of quantities as large as the foils are made for.
+struct Roundings {
+  double force{};   ///< N: 1e-12 of a bump's stiffness times its rise
+  double energy{};  ///< J: that times 1e-6 of the rise
+  double stress{};  ///< Pa: 1e-12 of Young's modulus
+};
+
+/// `value`, or 0 where it is a rounding.
+inline double cleared(double value, double rounding) {
+  return std::abs(value) < rounding ? 0.0 : value;
+}
 
 /// Foils ready to be loaded: elastic foils and the contacts between the body that presses on them (the journal of a
 /// bearing, the plate of a strip), the foils, and what carries them (sleeve, base). Never changed once they are made,
@@ -26,7 +39,8 @@ struct Foils {
   ContactProblem problem;
   double clearance{};        ///< gap between the pressing body, at the origin, and the undeformed foils, m
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
-  Vector assembled_gap;      ///< g0 of each contact without the pressing body, m: height errors and sleeve gaps
+  Roundings roundings;
+  Vector assembled_gap;  ///< g0 of each contact without the pressing body, m: height errors and sleeve gaps
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {

@@ -11,9 +11,7 @@ namespace bumpfoil {
 /// - increment 0 of the first cycle without a preload is the assembly, of every other cycle the state that it starts
 ///   from; work and dissipation count from there;
 /// - a preload is approached in `steps` increments, which are not recorded;
-/// - `secant_stiffness` is the force between both turning points (or start and turning point) over their distance;
-/// - `loss_factor` with a preload takes 1/2 k a^2 for the energy stored, k the secant stiffness and a the displacement
-///   from the start to the turning point: most of the elastic energy belongs to the preload then.
+/// - a cycle about a preload is a swing.
 ///
 /// A cycle that fails is the last.
 /// @throws Error (input) if the case cannot be built, or has no strip.

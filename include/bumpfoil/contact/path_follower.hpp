@@ -32,6 +32,7 @@ struct ContactEvent {
 struct ResponsePart {
   const ContactState& begin;
   const ContactState& end;
+  double fraction;  ///< of the path at its end; a jump takes none of it
   /// Forces and displacements vary linearly from begin to end, and the energies of all parts balance; otherwise the
   /// part is an increment, and the friction of its end acts throughout.
   bool linear;

@@ -12,7 +12,4 @@ namespace bumpfoil {
 /// block; of many cycles of a strip the first and the last three. What is not known is a dash.
 std::string cycle_table(const Case& input, const CycleResult& result);
 
-/// A sentence for every cycle and foil whose bending stress exceeds the yield stress that the case gives.
-std::vector<std::string> stress_warnings(const Case& input, const CycleResult& result);
-
 }  // namespace bumpfoil

@@ -118,6 +118,9 @@ struct StressedFoil {
 };
 std::span<const StressedFoil> stressed_foils();
 
+/// "crest 3", "weld".
+std::string place_text(const StressPeak& peak);
+
 /// Whether the stress of a foil exceeds its yield stress in a cycle: 0 or 1, not a number where one of them is not
 /// known.
 double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input);

@@ -90,9 +90,10 @@ struct SolverSettings {
 
 /// Push-pull cycles of the journal: from the centre to `amplitude` along each direction and back.
 struct CycleSettings {
-  std::vector<double> directions;  ///< rad, from the X axis towards Y
-  double amplitude{};              ///< m
-  int steps{100};                  ///< equal increments per branch
+  std::vector<double> directions;                   ///< rad, from the X axis towards Y
+  double amplitude{};                               ///< m
+  int steps{100};                                   ///< equal increments per branch
+  std::vector<double> clearance_forces{5.0, 10.0};  ///< N, see Clearance
 
   bool operator==(const CycleSettings&) const = default;
 };

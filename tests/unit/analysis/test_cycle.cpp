@@ -100,7 +100,7 @@ TEST(Cycle, QuantitiesFollowFromTheIncrements) {
   EXPECT_EQ(cycle.turning_point->max_force, turning.force_direct);
   EXPECT_EQ(cycle.turning_point->cross_force, turning.force_cross);
   EXPECT_EQ(cycle.turning_point->elastic_energy, turning.elastic_energy);
-  EXPECT_DOUBLE_EQ(cycle.turning_point->secant_stiffness, turning.force_direct / 79.5e-6);
+  EXPECT_DOUBLE_EQ(*cycle.secant_stiffness, turning.force_direct / 79.5e-6);
   double work = 0.0;
   for (std::size_t k = 1; k < cycle.increments.size(); ++k) {
     const Increment& a = cycle.increments[k - 1];
@@ -109,9 +109,13 @@ TEST(Cycle, QuantitiesFollowFromTheIncrements) {
     EXPECT_NEAR(b.work, work, 1e-15);
   }
   EXPECT_NEAR(*cycle.loop_energy, work, 1e-15);
-  EXPECT_DOUBLE_EQ(
-      *cycle.loss_factor,
-      *cycle.loop_energy / (2.0 * pi * (turning.elastic_energy - cycle.increments.front().elastic_energy)));
+  const double half_range = 0.5 * (79.5e-6 - *cycle.take_up);
+  EXPECT_NEAR(*cycle.loaded_stiffness, 0.99 * turning.force_direct / (2.0 * half_range),
+              1e-9 * *cycle.loaded_stiffness);
+  EXPECT_DOUBLE_EQ(*cycle.loss_factor, *cycle.loop_energy / (pi * *cycle.loaded_stiffness * half_range * half_range));
+  EXPECT_DOUBLE_EQ(*cycle.specific_damping_capacity,
+                   *cycle.loop_energy / (turning.elastic_energy - cycle.increments.front().elastic_energy));
+  EXPECT_LT(*cycle.first_contact, *cycle.take_up);
   EXPECT_LT(*cycle.first_contact, *cycle.clearance_5N);
   EXPECT_LT(*cycle.clearance_5N, *cycle.clearance_10N);
   int iterations = 0;
@@ -138,8 +142,8 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
     const Case input = short_case(20);
     CycleRunner runner(make_bearing_foils(input), {.name = solver, .uzawa = {}});
     for (const double direction : input.cycle.directions) {
-      const Cycle all = runner.run(direction, input.cycle.amplitude, 20);
-      const Cycle few = runner.run(direction, input.cycle.amplitude, 20, Recording::quantities);
+      const Cycle all = runner.run(direction, input.cycle);
+      const Cycle few = runner.run(direction, input.cycle, Recording::quantities);
       EXPECT_TRUE(few.converged());
       EXPECT_EQ(few.turning_point->max_force, all.turning_point->max_force);
       EXPECT_EQ(few.turning_point->tangent.loading, all.turning_point->tangent.loading);
@@ -147,6 +151,7 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
       EXPECT_EQ(few.loop_energy, all.loop_energy);
       EXPECT_EQ(few.loss_factor, all.loss_factor);
       EXPECT_EQ(few.clearance_5N, all.clearance_5N);
+      EXPECT_EQ(few.take_up, all.take_up);
       EXPECT_EQ(few.first_contact, all.first_contact);
       EXPECT_EQ(few.cost, all.cost);
       EXPECT_TRUE(few.increments.empty());
@@ -164,7 +169,7 @@ TEST(CycleRunner, TakesErrorsThatItsFoilsDoNotHave) {
   const SharedFoils foils = make_bearing_foils(nominal);
   Excitation centre;
   centre.gap_offset = make_bearing_foils(scattered)->assembled_gap - foils->assembled_gap;
-  const Cycle offset = CycleRunner(foils, {}).run(1.0, 79.5e-6, 10, Recording::quantities, {}, centre);
+  const Cycle offset = CycleRunner(foils, {}).run(1.0, nominal.cycle, Recording::quantities, {}, centre);
   const Cycle built = run_single_cycle(scattered, 1.0);
   ASSERT_TRUE(offset.converged() && built.converged());
   EXPECT_NEAR(offset.turning_point->max_force, built.turning_point->max_force, 1e-9 * built.turning_point->max_force);

@@ -111,10 +111,13 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
   path.to(random.first);
   ContactState state = path.state;
   Vector x = state.x;
+  double reached = 0.0;
   int pieces = 0;
   const auto visit = [&](const ResponsePart& part) {
-    const auto& [begin, end, linear] = part;
+    const auto& [begin, end, at, linear] = part;
     EXPECT_TRUE(linear);
+    EXPECT_GE(at, reached);
+    reached = at;
     EXPECT_EQ(begin.x, x);
     EXPECT_EQ(begin.mode, state.mode);
     x = end.x;
@@ -123,6 +126,7 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
   path.follower.set_out({random.first, random.second}, state.mode);
   ASSERT_TRUE(path.follower.follow_to(1.0, state, visit).arrived);
   EXPECT_EQ(x, state.x);
+  EXPECT_EQ(reached, 1.0);
   EXPECT_GT(pieces, 3);
 }
 
@@ -136,12 +140,13 @@ TEST(EventFollower, EveryEventIsASolution) {
     const ContactState start = state;
     ASSERT_TRUE(solver.solve(random.first, start, state).converged());
     const auto visit = [&](const ResponsePart& part) {
-      const auto& [begin, end, linear] = part;
+      const auto& [begin, end, at, linear] = part;
       EXPECT_TRUE(linear);
       // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
       const Vector initial_gap = end.gap - contact_gaps(random.problem, Vector::Zero(end.gap.size()), end.x);
       const double fraction = (initial_gap - random.first.initial_gap).norm() /
                               (random.second.initial_gap - random.first.initial_gap).norm();
+      EXPECT_NEAR(at, fraction, 1e-9);
       const ContactLoading loading = LoadingPath{random.first, random.second}.at(fraction);
       const ContactResiduals residuals =
           contact_residuals(random.problem, random.problem.K.multiply(end.x), loading, begin.x, end);

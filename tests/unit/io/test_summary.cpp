@@ -41,7 +41,7 @@ double sum(const json& numbers) {
 TEST(SummaryJson, SaysWhatWasRun) {
   const Case input = short_case();
   const json summary = json::parse(summary_json(input, run_cycles(input), RunStatus::complete, {}));
-  EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/1");
+  EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/2");
   EXPECT_EQ(summary.at("version"), version());
   EXPECT_EQ(summary.at("solver"), "newton");
   EXPECT_EQ(summary.at("status"), "complete");
@@ -76,6 +76,12 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
                                    "loop_energy_J",
                                    "elastic_energy_at_max_J",
                                    "loss_factor",
+                                   "specific_damping_capacity",
+                                   "loaded_stiffness_N_per_m",
+                                   "take_up_m",
+                                   "clearances",
+                                   "max_compression_m",
+                                   "warnings",
                                    "tangent_stiffness_loading_N_per_m",
                                    "tangent_stiffness_unloading_N_per_m",
                                    "secant_stiffness_N_per_m",
@@ -113,6 +119,13 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("elastic_energy_at_max_J"), expected.turning_point->elastic_energy);
   EXPECT_EQ(cycle.at("loop_energy_J"), *expected.loop_energy);
   EXPECT_EQ(cycle.at("loss_factor"), *expected.loss_factor);
+  EXPECT_EQ(cycle.at("loaded_stiffness_N_per_m"), *expected.loaded_stiffness);
+  EXPECT_EQ(cycle.at("take_up_m"), *expected.take_up);
+  EXPECT_EQ(cycle.at("specific_damping_capacity"), *expected.specific_damping_capacity);
+  EXPECT_EQ(cycle.at("clearances"), json({{{"force_N", 5.0}, {"displacement_m", *expected.clearance_5N}},
+                                          {{"force_N", 10.0}, {"displacement_m", *expected.clearance_10N}}}));
+  EXPECT_EQ(cycle.at("max_compression_m"), expected.compression->compression);
+  EXPECT_EQ(cycle.at("warnings"), json::array());
   EXPECT_EQ(cycle.at("first_contact_m"), *expected.first_contact);
   EXPECT_EQ(cycle.at("iterations"), expected.cost.iterations);
   EXPECT_EQ(cycle.at("factorisations"), expected.cost.factorisations);
