@@ -8,17 +8,21 @@
 namespace bumpfoil {
 namespace {
 
-/// The block of toy::dragged_block(), pressed by 40 N (20 N of friction), from no pull towards `pull` along a spring of
-/// 2 N/um, the modes those of `mode`.
-StraightPiece block_pulled_to(double pull, ContactMode mode) {
+/// The block of toy::dragged_block() between two loadings, with one mode throughout.
+StraightPiece block_between(const ContactLoading& begin, const ContactLoading& end, ContactMode mode) {
   const ContactProblem block = toy::dragged_block();
   const auto modes = make_mode_system(block);
   StraightPiece piece(block);
   EXPECT_TRUE(modes->set_modes({mode}));
-  modes->solve(toy::pull(0.0, 40.0), Vector::Zero(2), piece.begin);
-  modes->solve(toy::pull(pull, 40.0), Vector::Zero(2), piece.target);
+  modes->solve(begin, Vector::Zero(2), piece.begin);
+  modes->solve(end, Vector::Zero(2), piece.target);
   piece.measure_forces(block);
   return piece;
+}
+
+/// Pressed by 40 N, which is 20 N of friction, from no pull on.
+StraightPiece block_pulled_to(double pull, ContactMode mode) {
+  return block_between(toy::pull(0.0, 40.0), toy::pull(pull, 40.0), mode);
 }
 
 TEST(StraightPiece, EndsWhereFrictionIsSpent) {
@@ -31,7 +35,7 @@ TEST(StraightPiece, EndsWhereFrictionIsSpent) {
   EXPECT_DOUBLE_EQ(piece.end_fraction(), 0.2 + 0.4 * 0.8);
   EXPECT_DOUBLE_EQ(piece.part_at(piece.end_fraction()), piece.end_part);
 
-  ContactState end = piece.begin;
+  ContactState end = ContactState::unstressed(toy::dragged_block());
   piece.at(piece.end_part, end);
   EXPECT_DOUBLE_EQ(end.friction_force[0], -20.0);
   EXPECT_DOUBLE_EQ(end.normal_force[0], 40.0);
@@ -48,11 +52,30 @@ TEST(StraightPiece, ReachesTheEndOfThePathWhereNothingHappens) {
   EXPECT_EQ(piece.part_at(1.0), 1.0);
 }
 
+TEST(StraightPiece, EndsWhereTheLastForceIsGone) {
+  StraightPiece piece = block_between(toy::pull(0.0, 40.0), toy::pull(0.0, -40.0), ContactMode::stick);
+  for (int again = 0; again < 2; ++again) piece.find_limits(toy::dragged_block());
+  // Its cone ends there, too, and is left on both sides.
+  ASSERT_EQ(piece.limits.size(), 3U);
+  for (const ModeLimit& limit : piece.limits) EXPECT_DOUBLE_EQ(limit.part, 0.5);
+  EXPECT_EQ(piece.limits.front().to, ContactMode::open);
+}
+
+TEST(StraightPiece, EndsWhereAGapCloses) {
+  StraightPiece piece = block_between(toy::pull(0.0, -10.0), toy::pull(0.0, 30.0), ContactMode::open);
+  EXPECT_DOUBLE_EQ(piece.begin.gap[0], 1e-5);
+  piece.find_limits(toy::dragged_block());
+  ASSERT_EQ(piece.limits.size(), 1U);
+  EXPECT_EQ(piece.limits.front().to, ContactMode::stick);
+  EXPECT_DOUBLE_EQ(piece.end_part, 0.25);
+}
+
 TEST(StraightPiece, ContradictsModesThatLeadAgainstTheirOwnSense) {
   const ContactProblem block = toy::dragged_block();
   std::vector<ModeChange> changes;
-  // A block that rests inside its cone has no choice.
-  block_pulled_to(50.0, ContactMode::stick).find_changes(block, changes);
+  // A block inside its cone has no choice yet.
+  StraightPiece inside = block_between(toy::pull(10.0, 40.0), toy::pull(50.0, 40.0), ContactMode::stick);
+  inside.find_changes(block, changes);
   EXPECT_TRUE(changes.empty());
   // At its bound it has, and the pull takes it beyond.
   StraightPiece at_bound = block_pulled_to(50.0, ContactMode::stick);
