@@ -123,7 +123,7 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
     ++report.substeps;
     jumped = false;
     follower_.set_out(path_, state.mode, fraction_);
-    arrived = end >= fraction || follow_events(fraction, state, visit, events, report);
+    arrived = end >= fraction;
   }
   report.status = Status::converged;
   return report;

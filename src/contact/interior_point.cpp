@@ -164,15 +164,10 @@ void InteriorPoint::find_step(double target, bool correct) {
   ++solves_;
   for_each_contact(*problem_, [&](const CoulombContact& contact) {
     Contact& c = contacts_[static_cast<std::size_t>(contact.index)];
-    // Of force and gap the one that matters comes from the system, the other from their product: relative accuracy for
-    // both, however small.
-    if (c.closing.force > stiffness_ * c.closing.length) {
-      c.closing.force_step = dp_[contact.index];
-      c.closing.take_length_from_force();
-    } else {
-      c.closing.length_step = contact.gap(dx_) + remaining_ * c.gap_residual;
-      c.closing.take_force_from_length();
-    }
+    // Not the force that the system has, which is a difference of large ones: from the product it is accurate however
+    // small.
+    c.closing.length_step = contact.gap(dx_) + remaining_ * c.gap_residual;
+    c.closing.take_force_from_length();
     if (c.f > 0.0) read_friction_step(c, contact.tangential(dx_), dt_[contact.index]);
   });
 }

@@ -196,6 +196,14 @@ TEST(Uzawa, SaysSoWhereItGivesUp) {
   impatient = options;
   impatient.max_friction_updates = 1;  // finds that the point slips, but does not look again
   EXPECT_FALSE(solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient).report.converged());
+
+  impatient = options;
+  impatient.max_newton_steps = 1;  // the arctangent takes several
+  EXPECT_FALSE(solve(problem, pushed(5.0, 10.0), ContactState::unstressed(problem), impatient).report.converged());
+
+  impatient = options;
+  impatient.max_contact_updates = 1;  // finds that the point is lifted, but does not look again
+  EXPECT_FALSE(solve(problem, pushed(0.0, -1.0), ContactState::unstressed(problem), impatient).report.converged());
 }
 
 /// Contacts that are wrong together change together, while that ends.
@@ -211,6 +219,25 @@ TEST(Uzawa, OpensManyContactsAtOnce) {
   const Solved solved = solve(problem, lifted, ContactState::unstressed(problem));
   ASSERT_TRUE(solved.report.converged());
   EXPECT_LE(solved.report.cost.outer_iterations, 5);  // one at a time it would take a round for each
+}
+
+/// Three springs coupled so that contacts that change all at once go round for ever: all closed, the first alone, the
+/// second alone, all closed. After twelve such changes they are all closed again, and change one at a time: the third
+/// opens, which pulls hardest, and the other two hold. Thus the fourteenth round finds nothing to change.
+TEST(Uzawa, ChangesOneContactAtATimeWhereTheyGoRoundTogether) {
+  ContactProblem problem;
+  problem.K = BlockTridiagonal(1, 3);
+  problem.K.diagonal[0] = (Matrix(3, 3) << 6.0, -5.0, -7.0, -5.0, 14.0, 13.0, -7.0, 13.0, 14.0).finished() * stiffness;
+  problem.pairs = {{.plus = 0}, {.plus = 1}, {.plus = 2}};
+  ContactLoading loading = ContactLoading::none(problem);
+  loading.load << -5.0, 1.0, 5.0;
+  const ContactState start = ContactState::unstressed(problem);
+  UzawaOptions limited = options;
+  limited.max_contact_updates = 14;
+  const Solved solved = solve(problem, loading, start, limited);
+  ASSERT_TRUE(solved.report.converged());
+  limited.max_contact_updates = 13;
+  EXPECT_FALSE(solve(problem, loading, start, limited).report.converged());
 }
 
 }  // namespace
