@@ -106,16 +106,23 @@ void NetcdfImage::read_texts() {
   check(nc_inq_natts(id_, &count));
   for (int i = 0; i < count; ++i) {
     std::array<char, NC_MAX_NAME + 1> name{};
-    int type = 0;
-    std::size_t size = 0;
     check(nc_inq_attname(id_, NC_GLOBAL, i, name.data()));
-    check(nc_inq_att(id_, NC_GLOBAL, name.data(), &type, &size), name.data());
-    if (type != NC_CHAR) continue;
-    if (size > bytes_.size()) refuse(name.data(), "is declared longer than the whole file");
-    std::string text(size, '\0');
-    check(nc_get_att_text(id_, NC_GLOBAL, name.data(), text.data()), name.data());
-    texts_[name.data()] = std::move(text);
+    std::optional<std::string> text = read_text(NC_GLOBAL, name.data());
+    if (text) texts_[name.data()] = std::move(*text);
   }
+}
+
+std::optional<std::string> NetcdfImage::read_text(int variable, const char* name) const {
+  int type = 0;
+  std::size_t size = 0;
+  const int status = nc_inq_att(id_, variable, name, &type, &size);
+  if (status == NC_ENOTATT) return std::nullopt;
+  check(status, name);
+  if (type != NC_CHAR) return std::nullopt;
+  if (size > bytes_.size()) refuse(name, "is declared longer than the whole file");
+  std::string text(size, '\0');
+  check(nc_get_att_text(id_, variable, name, text.data()), name);
+  return text;
 }
 
 void NetcdfImage::read_variables() {
@@ -150,6 +157,8 @@ StoredVariable NetcdfImage::read_variable(int id) const {
   }
   check_chunks(variable);
   variable.fill = read_fill(variable);
+  variable.units = read_text(id, "units").value_or("");
+  variable.long_name = read_text(id, "long_name").value_or("");
   return variable;
 }
 

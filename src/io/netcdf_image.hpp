@@ -17,6 +17,8 @@ struct StoredVariable {
   std::vector<std::string> dims;     ///< their names
   std::vector<std::size_t> extents;  ///< their sizes
   std::optional<double> fill;        ///< what stands for a value that is absent
+  std::string units;                 ///< empty where it says none
+  std::string long_name;             ///< what it is, in words; empty where it says nothing
 
   [[nodiscard]] bool has_dims(const std::vector<std::string_view>& names) const;
 };
@@ -64,6 +66,8 @@ class NetcdfImage {
   void check(int status, std::string_view variable = {}) const;
   void read_dimensions();
   void read_texts();
+  /// A text of a variable, or of the file (NC_GLOBAL); nothing where there is none or it is no text.
+  [[nodiscard]] std::optional<std::string> read_text(int variable, const char* name) const;
   void read_variables();
   [[nodiscard]] StoredVariable read_variable(int id) const;
   void check_chunks(const StoredVariable& variable) const;

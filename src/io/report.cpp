@@ -14,6 +14,7 @@
 #include "bumpfoil/io/result_quantities.hpp"
 #include "io/binary_file.hpp"
 #include "io/case_json.hpp"
+#include "io/report_names.hpp"
 #include "io/result_reader.hpp"
 #include "io/summary_reader.hpp"
 
@@ -40,17 +41,19 @@ void require_intact(const fs::path& path, std::string_view bytes, const StoredSu
   if (xxh3_128(bytes) != checksum) refuse_damaged(path, "its checksum is not the one that summary.json lists");
 }
 
-/// What the tables of the page say: of each quantity its key in summary.json, words and unit.
-Json quantities_json(std::string_view kind) {
+/// What the tables of the page say: of each quantity its key in summary.json, words, unit, and what result.nc calls it.
+Json quantities_json(std::string_view kind, const Json& meanings) {
   const Experiment experiment = kind == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.label.empty()) continue;
-    json.push_back({{"key", key_of(quantity.name, quantity.unit)},
+    json.push_back({{"name", quantity.name},
+                    {"key", key_of(quantity.name, quantity.unit)},
                     {"label", quantity.label},
                     {"unit", quantity.unit == "1" ? "" : quantity.unit},
                     {"whole", quantity.form.kind == Form::whole},
-                    {"of_solver", quantity.of_solver}});
+                    {"of_solver", quantity.of_solver},
+                    {"meaning", meanings.contains(quantity.name) ? meanings[quantity.name]["text"] : Json("")}});
   }
   return json;
 }
@@ -86,11 +89,14 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
     if (!is_sealed(summary_text, summary.xxh3_128)) refuse_damaged(summary_path, "it has not the checksum in it");
     require_intact(result_path, bytes, summary);
   }
-  const Json result = read_result(std::move(bytes), result_path.string(), most_values);
+  Json result = read_result(std::move(bytes), result_path.string(), most_values);
   require_same_run(summary, result, summary_path.string());
-  Json run{{"name", fs::absolute(folder).lexically_normal().string()}, {"summary", summary.json}};
+  Json& attributes = result["attributes"];
+  attributes.erase("history");  // the date and the command line again
+  attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
+  Json run{{"summary", summary.json}};
   run.update(result);
-  run["quantities"] = quantities_json(run["kind"].get<std::string>());
+  run["quantities"] = quantities_json(run["kind"].get<std::string>(), run["meanings"]);
   return run;
 }
 
@@ -100,9 +106,13 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
   BUMPFOIL_ASSERT(!folders.empty());
   Json runs = Json::array();
   std::vector<Fault> faults;
-  for (const fs::path& folder : folders) {
+  const std::vector<std::string> names = names_of(folders);
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const fs::path& folder = folders[i];
     try {
-      runs.push_back(read_run(folder, std::max<std::size_t>(1, options.most_values / folders.size()), options));
+      Json run{{"name", names[i]}};
+      run.update(read_run(folder, std::max<std::size_t>(1, options.most_values / folders.size()), options));
+      runs.push_back(std::move(run));
     } catch (const Error& error) {
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
     } catch (const std::bad_alloc&) {

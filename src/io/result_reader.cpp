@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,8 +23,18 @@ using Flag = signed char;
 
 /// Fields that the page does not show.
 bool is_left_out(std::string_view name) {
-  return name.starts_with("gap_") || name.starts_with("stress_") || name == "friction_force_journal_top" ||
-         name == "compression";
+  return name.starts_with("gap_") || name == "friction_force_journal_top" || name == "compression";
+}
+
+/// Fields of which the page shows the largest size at every increment, wherever it is.
+bool is_reduced(std::string_view name) {
+  return name.starts_with("stress_");
+}
+
+/// NaN where none of them is known.
+double largest_size(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end) {
+  return std::accumulate(begin, end, std::numeric_limits<double>::quiet_NaN(),
+                         [](double most, double number) { return std::fmax(most, std::abs(number)); });
 }
 
 /// Of the cycles: a bearing has one per direction.
@@ -64,10 +76,12 @@ class CycleReader {
     Json json{{"at", cycles_[cycle]}, {"increments", kept}, {"series", Json::object()}, {"fields", Json::object()}};
     for (const auto& [name, variable] : file_.variables()) {
       if (variable.has_dims({cycle_, "increment"})) {
-        json["series"][name] = encoded(variable, cycle, kept, 1);
+        json["series"][name] = encoded(variable, numbers(variable, cycle, kept, 1));
+      } else if (is_field(variable, cycle_) && is_reduced(name)) {
+        json["series"][name] = encoded(variable, largest_sizes(variable, cycle, kept));
       } else if (is_field(variable, cycle_) && !is_left_out(name)) {
         json["fields"][name] = {{"at", variable.dims[2]},
-                                {"values", encoded(variable, cycle, kept, variable.extents[2])}};
+                                {"values", encoded(variable, numbers(variable, cycle, kept, variable.extents[2]))}};
       }
     }
     return json;
@@ -95,7 +109,7 @@ class CycleReader {
   [[nodiscard]] std::size_t field_values() const {
     std::size_t count = 0;
     for (const auto& [name, variable] : file_.variables()) {
-      if (!is_field(variable, cycle_) || is_left_out(name)) continue;
+      if (!is_field(variable, cycle_) || is_left_out(name) || is_reduced(name)) continue;
       count += variable.extents[0] * variable.extents[1] * variable.extents[2];
     }
     return count;
@@ -111,9 +125,10 @@ class CycleReader {
     return kept;
   }
 
-  [[nodiscard]] std::string encoded(const StoredVariable& variable, std::size_t cycle,
-                                    const std::vector<std::size_t>& kept, std::size_t width) const {
-    if (kept.empty()) return "";
+  /// The values at the increments kept, `width` of each.
+  [[nodiscard]] std::vector<double> numbers(const StoredVariable& variable, std::size_t cycle,
+                                            const std::vector<std::size_t>& kept, std::size_t width) const {
+    if (kept.empty()) return {};
     std::vector<std::size_t> start{cycle, 0, 0};
     std::vector<std::size_t> count{1, kept.back() + 1, width};
     start.resize(variable.extents.size());
@@ -125,6 +140,21 @@ class CycleReader {
       const auto row = all.begin() + static_cast<std::ptrdiff_t>(i * width);
       numbers.insert(numbers.end(), row, row + static_cast<std::ptrdiff_t>(width));
     }
+    return numbers;
+  }
+
+  [[nodiscard]] std::vector<double> largest_sizes(const StoredVariable& variable, std::size_t cycle,
+                                                  const std::vector<std::size_t>& kept) const {
+    const std::size_t width = variable.extents[2];
+    const std::vector<double> all = numbers(variable, cycle, kept, width);
+    std::vector<double> sizes;
+    for (auto row = all.begin(); row != all.end(); row += static_cast<std::ptrdiff_t>(width)) {
+      sizes.push_back(largest_size(row, row + static_cast<std::ptrdiff_t>(width)));
+    }
+    return sizes;
+  }
+
+  [[nodiscard]] static std::string encoded(const StoredVariable& variable, const std::vector<double>& numbers) {
     if (variable.type != NC_BYTE) return base64_of(numbers);
     std::vector<Flag> flags(numbers.size());
     std::transform(numbers.begin(), numbers.end(), flags.begin(),
@@ -151,6 +181,16 @@ Json geometry_of(const NetcdfImage& file) {
     }
   }
   return geometry;
+}
+
+/// What the variables of cycles and increments are, in the words of the file.
+Json meanings_of(const NetcdfImage& file, const std::string& cycle) {
+  Json meanings = Json::object();
+  for (const auto& [name, variable] : file.variables()) {
+    if (variable.dims.empty() || variable.dims[0] != cycle || variable.long_name.empty()) continue;
+    meanings[name] = {{"unit", variable.units == "1" ? "" : variable.units}, {"text", variable.long_name}};
+  }
+  return meanings;
 }
 
 /// "cycle" or "strip".
@@ -183,6 +223,7 @@ Json read_result(std::string bytes, const std::string& name, std::size_t most_va
   for (std::size_t i = 0; i < reader.size(); ++i) cycles.push_back(reader.read(i));
   return {{"kind", kind},
           {"attributes", file.texts()},
+          {"meanings", meanings_of(file, cycle_dimension(kind))},
           {"geometry", geometry_of(file)},
           {"nodes", nodes},
           {"last_increment", reader.last_increment()},

@@ -27,15 +27,18 @@ struct ReadingOptions {
 ///
 /// `{"schema": "bumpfoil-report/1", "version", "commit", "keys", "runs": [...]}`: titles and units of the keys of the
 /// case file by their paths (`{"bearing.radius": {"title": "Radius", "unit": "m"}, ...}`), and one object per folder:
-/// `name`, `kind`, `attributes` (global texts of result.nc), `summary` (summary.json as it is), `geometry` (variables
+/// `name` (the last parts of its path, as many as it takes to tell the folders apart), `kind`, `attributes` (global
+/// texts of result.nc, without paths of the machine), `summary` (summary.json as it is), `meanings` (`unit` and `text`
+/// of the variables of cycles and increments, as result.nc says them), `geometry` (variables
 /// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes), `last_increment`
-/// (that was asked for), `quantities` (`key` in the summary, `label`, `unit`, `whole`, `of_solver` of each that tables
-/// show) and `loops`: the cycles, one for each direction of a bearing. A cycle has `at` (the
+/// (that was asked for), `quantities` (`name`, `key` in the summary, `label`, `unit`, `whole`, `of_solver`, `meaning`
+/// of each that tables show) and `loops`: the cycles, one for each direction of a bearing. A cycle has `at` (the
 /// direction in degrees, or the number of the cycle), `increments` (numbers of those that are kept: all, or every n-th
 /// one of each branch, always with its ends), `series` (variables per increment) and `fields` (per increment and node:
 /// `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes; NaN and
 /// -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here. Left out are
-/// gaps, which the displacements give, stresses per node, and the friction at the journal, which is zero.
+/// gaps, which the displacements give, and the friction at the journal, which is zero. Of stresses per node `series`
+/// has the largest size at every increment.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///

@@ -96,7 +96,7 @@ TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
   EXPECT_EQ(report.at("keys").at("bump_foil"), json({{"title", "Bump foil"}}));
   EXPECT_EQ(report.at("version"), version());
   const json& run = report.at("runs").at(0);
-  EXPECT_EQ(run.at("name"), results.path().string());
+  EXPECT_EQ(run.at("name"), results.path().filename().string());
   EXPECT_EQ(run.at("kind"), "cycle");
   EXPECT_EQ(run.at("summary"), json::parse(results.folder().read("summary.json")));
   EXPECT_EQ(run.at("attributes").at("status"), "complete");
@@ -175,8 +175,84 @@ TEST(Report, ComparesSeveralFolders) {
   const Results b(run_cycles(frame), frame);
   const json report = json::parse(report_json({a.path(), b.path()}));
   ASSERT_EQ(report.at("runs").size(), 2U);
-  EXPECT_EQ(report.at("runs").at(1).at("name"), b.path().string());
+  EXPECT_EQ(report.at("runs").at(0).at("name"), a.path().filename().string());
+  EXPECT_EQ(report.at("runs").at(1).at("name"), b.path().filename().string());
   EXPECT_EQ(report.at("runs").at(1).at("nodes").at("foot"), 52);
+}
+
+TEST(Report, NamesRunsByAsManyPartsOfTheirPathsAsTellThemApart) {
+  const TemporaryFolder folder;
+  const auto copy_to = [&](const char* place) {
+    const Results results(run_cycles(short_case()));
+    std::filesystem::create_directories((folder.path() / place).parent_path());
+    std::filesystem::copy(results.path(), folder.path() / place);
+    return folder.path() / place;
+  };
+  const std::filesystem::path a = copy_to("a/run");
+  const std::filesystem::path b = copy_to("b/run");
+  const auto names_in = [](const std::vector<std::filesystem::path>& folders) {
+    std::vector<std::string> names;
+    const json report = json::parse(report_json(folders));
+    for (const json& run : report.at("runs")) names.push_back(run.at("name"));
+    return names;
+  };
+  EXPECT_EQ(names_in({a}), (std::vector<std::string>{"run"}));
+  EXPECT_EQ(names_in({a / "", b / "." / ".." / "run"}), (std::vector<std::string>{"a/run", "b/run"}));
+  EXPECT_EQ(names_in({a, a, b}), (std::vector<std::string>{"a/run (1)", "a/run (2)", "b/run"}));
+}
+
+TEST(Report, LeavesThePathsOfTheMachineOut) {
+  const Case input = short_case();
+  const TemporaryFolder folder;
+  const Provenance provenance{
+      .command_line = "bumpfoil cycle '/home/jo doe/case.toml' -o /tmp/a/b --set 'f=\"/data/h.csv\"' -q 1/2 ../x",
+      .case_text = ""};
+  for (const ResultFile& file : cycle_files(input, run_cycles(input), RunStatus::complete, provenance)) {
+    folder.write(file.name, file.contents);
+  }
+  const std::string text = report_json({folder.path()});
+  EXPECT_EQ(text.find(folder.path().parent_path().string() + "/"), std::string::npos);
+  const json attributes = json::parse(text).at("runs").at(0).at("attributes");
+  EXPECT_EQ(attributes.at("command_line"), "bumpfoil cycle 'case.toml' -o b --set 'f=\"h.csv\"' -q 1/2 ../x");
+  EXPECT_FALSE(attributes.contains("history"));  // which has the command line, too
+}
+
+TEST(Report, CarriesTheMeaningsThatTheResultHas) {
+  const Results results(run_cycles(short_case()));
+  {
+    netCDF::NcFile file((results.path() / "result.nc").string(), netCDF::NcFile::write);
+    file.getVar("loss_factor").putAtt("long_name", "as it was once defined");
+  }
+  const json run = json::parse(report_json({results.path()}, {.checked = false})).at("runs").at(0);
+  EXPECT_EQ(run.at("meanings").at("work"), (json{{"unit", "J"}, {"text", "work of the journal since increment 0"}}));
+  EXPECT_EQ(run.at("meanings").at("loss_factor").at("unit"), "");
+  std::size_t found = 0;
+  for (const json& quantity : run.at("quantities")) {
+    EXPECT_FALSE(quantity.at("meaning").get<std::string>().empty()) << quantity;
+    if (quantity.at("name") != "loss_factor") continue;
+    ++found;
+    EXPECT_EQ(quantity.at("meaning"), "as it was once defined");
+  }
+  EXPECT_EQ(found, 1U);
+}
+
+TEST(Report, HasTheLargestStressOfEveryIncrement) {
+  Case input = short_case();
+  input.bump_foil.model = BumpFoilModel::frame;
+  const CycleResult result = run_cycles(input);
+  const Results results(result, input);
+  const json series = json::parse(report_json({results.path()})).at("runs").at(0).at("loops").at(1).at("series");
+  const StressFields& stress = result.cycles[1].fields.stress;
+  for (const auto& [name, matrix] :
+       {std::pair{"stress_top_foil", &stress.top_crest}, std::pair{"stress_bump_foil_foot", &stress.bump_foot},
+        std::pair{"stress_bump_foil", &stress.bump_largest}}) {
+    const std::vector<float> sizes = numbers_of(series.at(name));
+    ASSERT_EQ(sizes.size(), 11U) << name;
+    EXPECT_GT(sizes[5], 1e6F) << name;
+    for (Eigen::Index i = 0; i < 11; ++i) {
+      EXPECT_EQ(sizes[static_cast<std::size_t>(i)], static_cast<float>(matrix->row(i).cwiseAbs().maxCoeff())) << name;
+    }
+  }
 }
 
 TEST(Report, NamesEveryFolderThatHoldsNoResult) {
