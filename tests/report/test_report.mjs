@@ -1,116 +1,22 @@
 // Reports in a real browser: the numbers shown are those of the results, what can be moved moves, nothing is fetched.
-//
-// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_STRIP_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
 
 import assert from 'node:assert/strict';
-import { spawn, spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
+import { spawn } from 'node:child_process';
+import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { pathToFileURL } from 'node:url';
-
-const { BUMPFOIL_PROGRAM: program, BUMPFOIL_CASE: caseFile } = process.env;
-const { chromium } = createRequire(join(process.env.BUMPFOIL_WEB, 'package.json'))('playwright-core');
+import { caseFile, cycle, folder, moveTo, near, program, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> {a|b} \u2028 & <b>bold</b>';
 const steps = 100;
 const directions = [0, 180, 90, 270];
-const prefixes = { p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, k: 1e3, M: 1e6, G: 1e9 };
 
-let folder;
-let browser;
-
-function run(...args) {
-  const done = spawnSync(program, [...args, '--quiet'], { encoding: 'utf8' });
-  assert.equal(done.status, 0, done.stderr);
-}
-
-function summaryOf(name) {
-  return JSON.parse(readFileSync(join(folder, name, 'summary.json'), 'utf8'));
-}
-
-function rowsOf(csv) {
-  const [header, ...lines] = csv.trim().split(/\r?\n/);
-  const names = header.split(',');
-  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], cell])));
-}
-
-/** A report, and everything that goes wrong or out while it is shown. */
-async function open(file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
-  const page = await context.newPage();
-  const url = pathToFileURL(join(folder, file)).href;
-  const faults = [];
-  page.on('pageerror', (error) => faults.push(String(error)));
-  page.on('console', (message) => faults.push(message.text()));
-  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
-  page.on('request', (request) => {
-    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
-  });
-  await page.goto(url);
-  await page.locator('html[data-drawn]').waitFor();
-  return { page, faults, close: () => context.close() };
-}
-
-async function withReport(file, check, options) {
-  const { page, faults, close } = await open(file, options);
-  await check(page);
-  assert.deepEqual(faults, []);
-  await close();
-}
-
-/** "739.3 N" as 739.3, in SI. */
-function quantity(text, base) {
-  const [number, unit = ''] = text.replaceAll('−', '-').split(' ');
-  const prefix = unit.slice(0, unit.length - base.length);
-  assert.ok(unit.endsWith(base) && (prefix === '' || prefix in prefixes), text);
-  return Number(number) * (prefix === '' ? 1 : prefixes[prefix]);
-}
-
-function near(actual, expected, relative, what) {
-  assert.ok(Math.abs(actual - expected) <= relative * Math.abs(expected) + 1e-15, `${what}: ${actual}, not ${expected}`);
-}
-
-async function saved(page, panelName, button) {
-  const download = page.waitForEvent('download');
-  await page.getByRole('region', { name: panelName, exact: true }).getByRole('button', { name: button }).click();
-  const file = await download;
-  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
-}
-
-/** What is drawn of the foils, and where the bar says that it is. */
-async function state(page) {
-  return {
-    index: Number(await page.locator('.player input').inputValue()),
-    readout: await page.locator('.player output').textContent(),
-    drawing: await page.locator('.unwrapped').innerHTML(),
-    round: await page.locator('.round').innerHTML(),
-  };
-}
-
-async function moveTo(page, index) {
-  await page.locator('.player input').evaluate((slider, value) => {
-    slider.value = String(value);
-    slider.dispatchEvent(new Event('input', { bubbles: true }));
-  }, index);
-}
-
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'bumpfoil-report-'));
-  const set = (...pairs) => pairs.flatMap((pair) => ['--set', pair]);
-  run('cycle', caseFile, '-o', join(folder, 'truss'), ...set(`title=${JSON.stringify(hostileTitle)}`, `cycle.steps=${steps}`));
-  run('cycle', caseFile, '-o', join(folder, 'frame'), ...set('bump_foil.model=frame', 'cycle.steps=20', 'cycle.directions=["+X", "37.5 deg"]'));
-  run('report', join(folder, 'truss'), '-o', join(folder, 'one.html'));
-  run('report', join(folder, 'truss'), join(folder, 'frame'), '-o', join(folder, 'two.html'));
-  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
-});
-
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true, force: true });
+before(() => {
+  cycle('truss', `title=${JSON.stringify(hostileTitle)}`, `cycle.steps=${steps}`);
+  cycle('frame', 'bump_foil.model=frame', 'cycle.steps=20', 'cycle.directions=["+X", "37.5 deg"]');
+  report('one.html', 'truss');
+  report('two.html', 'truss', 'frame');
 });
 
 test('a hostile title is text, and the file is small', () =>
@@ -125,13 +31,12 @@ test('the table shows the numbers of summary.json', () =>
   withReport('one.html', async (page) => {
     const { cycles } = summaryOf('truss');
     const units = { _N_per_m: 'N/m', _N: 'N', _J: 'J', _Pa: 'Pa', _m: 'm', _s: 's' };
-    const rows = page.locator('.results tr[data-key]');
-    const count = await rows.count();
-    assert.ok(count > 15);
+    const rows = await page.locator('.results tr[data-key]').evaluateAll((all) =>
+      all.map((row) => [row.dataset.key, ...[...row.querySelectorAll('td')].map((cell) => cell.firstChild?.data ?? '')]),
+    );
+    assert.ok(rows.length > 15);
     let compared = 0;
-    for (let i = 0; i < count; i += 1) {
-      const key = await rows.nth(i).getAttribute('data-key');
-      const [unit, ...cells] = await rows.nth(i).locator('td').allTextContents();
+    for (const [key, unit, ...cells] of rows) {
       assert.equal(cells.length, cycles.length);
       cells.forEach((cell, k) => {
         const expected = cycles[k][key];
@@ -141,7 +46,10 @@ test('the table shows the numbers of summary.json', () =>
         near(quantity(`${cell} ${unit}`.trim(), end ? units[end] : ''), expected, 6e-3, key);
         compared += 1;
       });
+      // Units only where there are values.
+      if (cells.every((cell) => cell === '–')) assert.equal(unit, '', key);
     }
+    assert.ok(rows.some(([, unit, ...cells]) => unit === '' && cells.every((cell) => cell === '–')));
     assert.ok(compared > 60, `${compared} compared`);
     assert.deepEqual(await page.locator('[data-key=converged] td').allTextContents(), ['', 'yes', 'yes', 'yes', 'yes']);
   }));
@@ -149,7 +57,7 @@ test('the table shows the numbers of summary.json', () =>
 test('every chart is drawn', () =>
   withReport('one.html', async (page) => {
     const charts = page.locator('.chart');
-    const perDirection = 2 * directions.length;
+    const perDirection = 3 * directions.length;
     assert.equal(await charts.count(), 2 + perDirection);
     for (let i = 0; i < 2 + perDirection; i += 1) {
       assert.ok((await charts.nth(i).locator('svg path').count()) > 5, await charts.nth(i).getAttribute('aria-label'));
@@ -231,7 +139,7 @@ test('a click on the loop moves the bearing there, and the mark on the loop foll
 test('data and drawings can be saved', () =>
   withReport('one.html', async (page) => {
     const loops = await saved(page, 'Loops', /CSV/);
-    assert.match(loops.name, /^loops-.*\.csv$/);
+    assert.equal(loops.name, 'loops-force_direct-truss-+X-_X-+Y-_Y.csv'.replaceAll('_X', '-X').replaceAll('_Y', '-Y'));
     const shown = rowsOf(loops.bytes.toString());
     const expected = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8'));
     assert.equal(shown.length, expected.length);
@@ -257,10 +165,7 @@ test('data and drawings can be saved', () =>
 
 test('loads and states are those of the results', () =>
   withReport('one.html', async (page) => {
-    const loads = await page.locator('#cycle-loads .panel').nth(2).getByRole('button', { name: /CSV/ });
-    const download = page.waitForEvent('download');
-    await loads.click();
-    const rows = rowsOf(readFileSync(await (await download).path(), 'utf8'));
+    const rows = rowsOf((await saved(page, 'Bump loads, +Y', /CSV/)).bytes.toString());
     const expected = summaryOf('truss').cycles[2].bump_loads_N;
     assert.equal(rows.length, expected.length);
     rows.forEach((row, i) => assert.ok(Math.abs(row.normal_force_N - expected[i]) <= 1e-6 * Math.abs(expected[i]) + 1e-6));
@@ -272,15 +177,11 @@ test('loads and states are those of the results', () =>
 
 test('runs are compared in the same charts', () =>
   withReport('two.html', async (page) => {
-    assert.deepEqual(await page.locator('.results thead tr').nth(1).locator('th').allTextContents(), ['truss', 'frame', 'truss', 'truss', 'truss', 'frame']);
-    const [, ...cells] = await page.locator('[data-key=max_force_N] td').allTextContents();
-    near(Number(cells[1]), summaryOf('frame').cycles[0].max_force_N, 1e-3, 'frame +X');
-    near(Number(cells[5]), summaryOf('frame').cycles[1].max_force_N, 1e-3, 'frame 37.5 deg');
     const loops = page.getByRole('region', { name: 'Loops, +X' });
-    for (const name of ['truss', 'frame']) assert.equal(await loops.locator('text', { hasText: name }).count(), 1);
+    for (const name of ['truss', 'frame']) assert.equal(await loops.locator('.plot text', { hasText: name }).count(), 1);
     assert.match(await page.locator('.case .differs').allTextContents().then(String), /Model.*truss.*frame/);
     const truss = await state(page);
-    await page.getByRole('combobox', { name: 'Run' }).selectOption('frame');
+    await page.getByRole('combobox', { name: 'Run', exact: true }).selectOption('frame');
     const frame = await state(page);
     assert.equal(frame.index, 20);
     assert.notEqual(frame.drawing, truss.drawing);
@@ -288,9 +189,8 @@ test('runs are compared in the same charts', () =>
   }));
 
 test('a strip is shown by its cycles, beside a bearing', async () => {
-  const strip = join(folder, 'strip');
-  run('strip', process.env.BUMPFOIL_STRIP_CASE, '-o', strip);
-  run('report', strip, join(folder, 'truss'), '-o', join(folder, 'strip.html'));
+  run(['strip', stripFile, '-o', join(folder, 'strip')]);
+  report('strip.html', 'strip', 'truss');
   await withReport('strip.html', async (page) => {
     const { cycles } = summaryOf('strip');
     const table = page.getByRole('region', { name: 'Results by cycle' });
@@ -318,20 +218,38 @@ test('a partial run is shown as far as it got, and called partial', async () => 
   await sleep(200);
   running.kill('SIGINT');
   assert.equal(await ended, 130);
-  run('report', target, '-o', join(folder, 'partial.html'));
+  report('partial.html', 'partial');
   await withReport('partial.html', async (page) => {
     const warnings = await page.locator('.warnings').textContent();
-    assert.match(warnings, /partial: the run was interrupted/);
-    assert.match(warnings, /−Y was not begun/);
+    assert.match(warnings, /The run was interrupted; its results are partial/);
+    assert.match(warnings, /interrupted after increment \d+ of 40000, [\d.]+ .m\./);
+    assert.match(warnings, /−Y: not begun: the run was interrupted before/);
+    assert.match(await page.locator('.about').textContent(), /· interrupted ·/);
     assert.ok((await page.locator('.unwrapped path').count()) > 5);
     await page.locator('.player select').selectOption('−Y');
-    assert.equal(await page.locator('.player output').textContent(), '−Y was not begun');
+    assert.equal(await page.locator('.player output').textContent(), '−Y: not begun: the run was interrupted before');
+  });
+});
+
+test('a failed run says why and where', async () => {
+  const [displacement, ...others] = readFileSync(stripFile, 'utf8').split('\n').filter((line) => /^displacement/.test(line));
+  assert.deepEqual(others, []);
+  const pressed = join(folder, 'pressed.toml');
+  writeFileSync(pressed, readFileSync(stripFile, 'utf8').replace(displacement, 'load = "1 MN"'));
+  run(['strip', pressed, '-o', join(folder, 'failed')], 3);
+  const [{ failed_increment: increment, reason }] = summaryOf('failed').cycles;
+  report('failed.html', 'failed');
+  await withReport('failed.html', async (page) => {
+    const warnings = await page.locator('.warnings').textContent();
+    assert.match(warnings, /The run failed; its results are partial/);
+    assert.match(warnings, new RegExp(`Cycle 1: failed at increment ${increment} of 40, [\\d.]+ .m: ${reason}\\.`));
+    assert.match(await page.locator('.card').first().textContent(), /failed at increment/);
   });
 });
 
 test('it fits every width, in light and dark, and on paper', async () => {
   const colours = new Set();
-  for (const width of [360, 1280, 2560]) {
+  for (const width of [360, 768, 1366, 1920, 2560]) {
     for (const colorScheme of ['light', 'dark']) {
       await withReport(
         'one.html',
@@ -355,11 +273,11 @@ test('it fits every width, in light and dark, and on paper', async () => {
 test('the keyboard alone reaches what can be chosen', () =>
   withReport('one.html', async (page) => {
     const reached = new Set();
-    for (let i = 0; i < 120; i += 1) {
+    for (let i = 0; i < 150; i += 1) {
       await page.keyboard.press('Tab');
       reached.add(await page.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.textContent));
     }
-    for (const name of ['Increment of the cycle', 'Play the cycle', 'Direction', 'Magnification of displacements', 'Loops: save the data as CSV', 'Cross']) {
+    for (const name of ['Increment of the cycle', 'Play the cycle', 'Direction', 'Magnification of displacements', 'Loops: save the drawing as SVG', 'Direct']) {
       assert.ok(reached.has(name), name);
     }
     const foils = page.locator('.unwrapped');

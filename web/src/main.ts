@@ -1,13 +1,15 @@
 import type { CaseKeys, ReportData } from './data/format';
+import { outcomeOf, warningsOf } from './data/outcome';
 import { readRuns, type Run } from './data/run';
-import { warningsOf } from './tables/results';
+import { glossary } from './tables/glossary';
 import { el } from './ui/dom';
+import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
 import { loopView } from './views/loops';
 import './style.css';
 
 /** One view per kind of result; runs of one kind are compared in it. */
-const views: Record<string, (runs: Run[], keys: CaseKeys) => HTMLElement[]> = {
+const views: Record<string, (runs: Run[], keys: CaseKeys, alone: boolean) => HTMLElement[]> = {
   cycle: loopView,
   strip: loopView,
 };
@@ -30,7 +32,17 @@ function printButton(): HTMLElement {
   return button;
 }
 
-function masthead(report: ReportData, runs: Run[], sections: HTMLElement[]): HTMLElement {
+/** How many runs ended early, where any did. */
+function outcomes(runs: Run[]): string {
+  return ['failed', 'interrupted']
+    .flatMap((outcome) => {
+      const count = runs.filter((run) => outcomeOf(run) === outcome).length;
+      return count === 0 ? [] : [runs.length > 1 ? `${count} ${outcome}` : outcome];
+    })
+    .join(', ');
+}
+
+function masthead(report: ReportData, runs: Run[]): HTMLElement {
   const titles = [...new Set(runs.map((run) => run.attribute('title')))].filter((title) => title !== '');
   const title = titles.length === 0 ? 'Untitled case' : titles.join(' / ');
   document.title = `${title} – Bumpfoil report`;
@@ -38,44 +50,50 @@ function masthead(report: ReportData, runs: Run[], sections: HTMLElement[]): HTM
   const dates = runs.map((run) => run.attribute('date_created').slice(0, 10)).sort();
   const about = [
     runs.length > 1 ? `${runs.length} runs compared` : '',
+    outcomes(runs),
     `solver ${solvers}`,
     `bumpfoil ${report.version} (${report.commit})`,
     dates[dates.length - 1] ?? '',
   ];
+  return el(
+    'header',
+    { class: 'masthead' },
+    el('h1', {}, title),
+    roving(el('div', { class: 'page-tools', role: 'group', 'aria-label': 'Page' }, printButton(), themeButton())),
+    el('p', { class: 'about' }, el('span', { class: 'brand' }, 'Bumpfoil report'), ...about.filter((text) => text !== '').map((text) => ` · ${text}`)),
+  );
+}
+
+function navigation(sections: HTMLElement[]): HTMLElement {
   const links = sections.flatMap((section) => {
     const heading = section.querySelector('h2')?.textContent;
     return heading ? [el('a', { href: `#${section.id}` }, heading)] : [];
   });
-  return el(
-    'header',
-    { class: 'masthead' },
-    el('div', { class: 'bar' }, el('span', { class: 'brand' }, 'Bumpfoil report'), printButton(), themeButton()),
-    el('h1', {}, title),
-    el('p', { class: 'about' }, about.filter((text) => text !== '').join(' · ')),
-    el('nav', { 'aria-label': 'Parts of the report' }, ...links),
-  );
+  return roving(el('nav', { 'aria-label': 'Parts of the report' }, ...links));
 }
 
 function warnings(runs: Run[]): HTMLElement[] {
   const items = runs.flatMap((run) =>
     warningsOf(run).map((text) => el('li', {}, runs.length > 1 ? `${run.label}: ${text}` : text)),
   );
-  return items.length === 0 ? [] : [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('ul', {}, ...items))];
+  if (items.length === 0) return [];
+  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('ul', {}, ...items))];
 }
 
 function start(): void {
   const report = JSON.parse(document.getElementById('bumpfoil-data')?.textContent ?? '') as ReportData;
   const runs = readRuns(report);
   startTheme();
-  const parts: HTMLElement[][] = [];
-  for (const [kind, show] of Object.entries(views)) {
-    const members = runs.filter((run) => run.data.kind === kind);
-    if (members.length > 0) parts.push(show(members, report.keys));
-  }
+  const kinds = Object.entries(views)
+    .map(([kind, show]) => ({ show, members: runs.filter((run) => run.data.kind === kind) }))
+    .filter(({ members }) => members.length > 0);
+  const parts = kinds.map(({ show, members }) => show(members, report.keys, kinds.length === 1));
+  const words = el('section', { id: 'glossary', class: 'part', 'aria-labelledby': 'glossary-title' }, el('h2', { id: 'glossary-title' }, 'Glossary'), glossary(runs));
   document.getElementById('report')?.append(
-    masthead(report, runs, parts.flat()),
-    ...warnings(runs),
-    ...parts.map((sections) => el('div', { class: 'view' }, ...sections)),
+    el('a', { class: 'skip', href: '#contents' }, 'Skip to the results'),
+    masthead(report, runs),
+    navigation([...parts.flat(), words]),
+    el('main', { id: 'contents', tabindex: -1 }, ...warnings(runs), ...parts.map((sections) => el('div', { class: 'view' }, ...sections)), words),
     el('footer', {}, 'Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
   );
 }

@@ -1,11 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { stretchesOf } from '../src/charts/stretches';
 import { labelOffsets } from '../src/charts/label_offsets';
+import { sweptKeys } from '../src/data/case_values';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
 import type { LoopData } from '../src/data/format';
 import { directionName } from '../src/data/kinds';
-import { Loop, largest, shortNames } from '../src/data/run';
+import { Loop, Run, largest } from '../src/data/run';
+import { wrapped } from '../src/ui/lines';
 
 function base64(bytes: ArrayBuffer): string {
   return btoa(String.fromCharCode(...new Uint8Array(bytes)));
@@ -86,14 +88,6 @@ describe('files', () => {
   });
 });
 
-describe('names of runs', () => {
-  it('are as short as they can be', () => {
-    expect(shortNames(['/a/truss', '/a/frame'])).toEqual(['truss', 'frame']);
-    expect(shortNames(['/a/run', '/b/run'])).toEqual(['a/run', 'b/run']);
-    expect(shortNames(['/a/run', '/a/run'])).toEqual(['/a/run (1)', '/a/run (2)']);
-  });
-});
-
 describe('labels', () => {
   it('keep apart, in their order', () => {
     const heights = [100, 102, 60];
@@ -107,4 +101,29 @@ describe('labels', () => {
 it('finds the largest size among what is known', () => {
   expect(largest([1, -3, NaN], new Float32Array([2]))).toBe(3);
   expect(largest([])).toBe(0);
+});
+
+it('breaks lines of pictures between words', () => {
+  expect(wrapped('one two three', 8, (text) => text.length)).toEqual(['one two', 'three']);
+  expect(wrapped('immeasurable', 3, (text) => text.length)).toEqual(['immeasurable']);
+});
+
+it('finds the numbers of the case in which runs differ', () => {
+  const run = (coefficient: number): Run =>
+    new Run({
+      name: String(coefficient),
+      kind: 'cycle',
+      attributes: {},
+      summary: { case: { friction: { coefficient }, cycle: { steps: 4 }, title: String(coefficient) }, version: '', commit: '', solver: '', status: 'complete', cycles: [] },
+      meanings: {},
+      geometry: {},
+      nodes: { bump: 1, foot: 1 },
+      last_increment: 8,
+      quantities: [],
+      loops: [],
+    });
+  const runs = [run(0.1), run(0.2), run(0.1)];
+  const keys = sweptKeys(runs, { friction: { title: 'Friction' }, 'friction.coefficient': { title: 'Coefficient' } });
+  expect(keys.map(({ title, unit }) => [title, unit])).toEqual([['Friction: Coefficient', '']]);
+  expect(runs.map((one) => keys[0]?.values.get(one))).toEqual([0.1, 0.2, 0.1]);
 });

@@ -23,6 +23,7 @@ function run(feet: number): Run {
       status: 'complete',
       cycles: [],
     },
+    meanings: {},
     geometry: {
       bearing_radius: 10e-3,
       bump_pitch: 4e-3,
@@ -53,7 +54,7 @@ function run(feet: number): Run {
       },
     ],
   };
-  return new Run(data, 'results');
+  return new Run(data);
 }
 
 function shapeOf(feet: number): ReturnType<typeof shapeAt> {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { formatNumber, formatQuantity, scaleFor } from '../src/data/units';
+import { differences, formatNumber, formatQuantity, scaleFor } from '../src/data/units';
 
 describe('prefixes', () => {
   it('bring the largest number between 1 and 1000', () => {
@@ -35,5 +35,19 @@ describe('numbers', () => {
       expect(formatNumber(unknown)).toBe('–');
       expect(formatQuantity(unknown, 'N')).toBe('–');
     }
+  });
+});
+
+describe('differences from a reference', () => {
+  it('have a sign, the unit of the line, and a share of the reference', () => {
+    expect(differences(110, 100, { factor: 1, unit: 'N' })).toEqual(['+10.0', '+10.0 %']);
+    expect(differences(-0.09, -0.1, { factor: 1e3, unit: 'mJ' })).toEqual(['+10.0', '+10.0 %']);
+    expect(differences(90, 100, { factor: 1e-3, unit: 'kN' })).toEqual(['−0.0100', '−10.0 %']);
+  });
+
+  it('are none where there is nothing to tell', () => {
+    expect(differences(5, 5, { factor: 1, unit: 'N' })).toEqual(['0', '0 %']);
+    expect(differences(5, 0, { factor: 1, unit: 'N' })).toEqual(['+5.00', '–']);
+    expect(differences(null, 5, { factor: 1, unit: 'N' })).toEqual(['–', '–']);
   });
 });

@@ -1,11 +1,12 @@
 import { contactStates, largest, type Loop } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
-import { dropDown, el, svg } from '../ui/dom';
-import { legend, panel } from '../ui/panel';
-import { fileName, standalone } from '../ui/save';
+import { dropDown, el, svg, tickBox } from '../ui/dom';
+import type { LegendEntry } from '../ui/legend';
+import { Panel } from '../ui/panel';
+import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
-import { look, onLookChange, type Look } from '../ui/theme';
+import { look, onLookChange } from '../ui/theme';
 import { arrowPath } from './drawing';
 import { drawRound } from './round';
 import { BearingGeometry, fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
@@ -15,16 +16,18 @@ import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from 
 export class BearingPanels {
   readonly round: HTMLElement;
   readonly unwrapped: HTMLElement;
+  private readonly panels: { round: Panel; unwrapped: Panel };
   private readonly roundDrawing = svg('svg', { class: 'round', role: 'img' });
   private readonly flatDrawing = svg('svg', { class: 'unwrapped', role: 'img', tabindex: 0 });
   private readonly flatPlace = el('div', { class: 'scroller' }, this.flatDrawing);
-  private readonly caption = el('p', { class: 'note caption', 'aria-live': 'off' });
   private readonly bumpText = el('p', { class: 'note bump-values', 'aria-live': 'polite' });
   private geometry: BearingGeometry;
   private inwards: number;
   private forces = true;
   private bump: number | undefined;
   private layout: UnwrappedLayout | undefined;
+  /** How much larger heights are drawn than lengths in the round view. */
+  private roundStretch = 1;
 
   constructor(private readonly selection: Selection) {
     this.geometry = new BearingGeometry(selection.run);
@@ -38,38 +41,46 @@ export class BearingPanels {
       },
     );
     factors.selectedIndex = magnifications.indexOf(this.inwards);
-    const forces = el('input', { type: 'checkbox', checked: true });
-    forces.addEventListener('change', () => {
-      this.forces = forces.checked;
+    const forces = tickBox('Forces', true, (shown) => {
+      this.forces = shown;
       this.draw();
     });
     const common = { csv: () => this.csv() };
-    this.round = panel(
+    const round = new Panel(
       {
         title: 'The bearing',
-        note: 'Seen along its axis. The blue arrow is the force that holds the journal.',
+        note: 'Seen along its axis.',
+        subject: () => this.subject(this.roundStretch),
+        legend: () => [
+          ...arrows.slice(0, 1),
+          { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'force that holds the journal' },
+          ...marks,
+        ],
         file: () => this.file('bearing'),
-        svg: () => standalone(this.roundDrawing, look().background),
+        drawing: () => this.roundDrawing,
         ...common,
       },
       this.roundDrawing,
     );
-    this.unwrapped = panel(
+    const unwrapped = new Panel(
       {
         title: selection.run.kind.flat ? 'The foils' : 'The foils, laid flat',
+        subject: () => this.subject(this.layout?.stretch ?? 1),
+        legend: () => [...arrows, ...marks],
         controls: [
           el('label', { class: 'control' }, 'Displacements and gaps', factors),
-          el('label', { class: 'control' }, forces, 'Forces'),
+          forces,
         ],
         file: () => this.file('foils'),
-        svg: () => standalone(this.flatDrawing, look().background),
+        drawing: () => this.flatDrawing,
         ...common,
       },
       this.flatPlace,
-      this.caption,
       this.bumpText,
-      this.legend(),
     );
+    this.panels = { round, unwrapped };
+    this.round = round.root;
+    this.unwrapped = unwrapped.root;
     this.listen();
     selection.onChange(() => this.follow());
     onLookChange(() => this.draw());
@@ -110,18 +121,28 @@ export class BearingPanels {
     // Bumps narrower than some pixels are no use: small screens scroll.
     this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.flatPlace.clientWidth, 24 * run.bumps + 28));
     this.flatDrawing.style.width = `${this.layout.width}px`;
-    if (!run.kind.flat) drawRound(this.roundDrawing, scene, current);
+    if (!run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, scene, current);
     this.describe();
   }
 
-  private describe(): void {
-    const { loop, index } = this.selection;
+  private get where(): string {
+    const { loop, index, run } = this.selection;
     const branch = index === loop.turning ? 'full displacement' : loop.isLoading(index) ? 'loading' : 'unloading';
-    const where = `${loop.name}, ${branch}: ${formatQuantity(loop.value('displacement', index), 'm')}, ${formatQuantity(loop.value('force_direct', index), 'N')}`;
-    const stretch = this.layout ? `, heights ×${this.layout.stretch.toPrecision(2)} against lengths` : '';
-    this.caption.textContent = `${where}. Displacements and gaps ×${this.inwards} against the height of the bumps, slip ×${Number(this.along.toPrecision(2))} against their pitch.`;
-    this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${where}${stretch}. Arrow keys choose a bump.`);
-    this.roundDrawing.setAttribute('aria-label', `Deformed bearing, ${where}`);
+    const values = [formatQuantity(loop.value('displacement', index), 'm'), formatQuantity(loop.value('force_direct', index), 'N')];
+    return [run.label, loop.name, branch, ...values].join(' · ');
+  }
+
+  /** What is seen, and how much larger than it is. */
+  private subject(stretch: number): string {
+    const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
+    return `${this.where}. Against true scale: height of bumps ${times(stretch)}, displacements and gaps ${times(stretch * this.inwards)}, slip ${times(this.along)}.`;
+  }
+
+  private describe(): void {
+    this.panels.round.refresh();
+    this.panels.unwrapped.refresh();
+    this.flatDrawing.setAttribute('aria-label', `Deformed foils, ${this.where}. Arrow keys choose a bump.`);
+    this.roundDrawing.setAttribute('aria-label', `Deformed bearing, ${this.where}`);
     this.bumpText.textContent = this.bump === undefined ? 'Point at a bump to read its values.' : this.bumpValues(this.bump);
   }
 
@@ -160,28 +181,8 @@ export class BearingPanels {
     });
   }
 
-  private legend(): HTMLElement {
-    const sample = (draw: (current: Look) => SVGElement[]): SVGElement => {
-      const root = svg('svg', { width: 26, height: 12, 'aria-hidden': 'true' });
-      const paint = (): void => root.replaceChildren(...draw(look()));
-      paint();
-      onLookChange(paint);
-      return root;
-    };
-    const arrow = (colour: 'force' | 'friction'): SVGElement =>
-      sample((current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current[colour] })]);
-    return legend([
-      { sample: arrow('force'), text: 'normal force' },
-      { sample: arrow('friction'), text: `friction on the bump foil (×${frictionFactor})` },
-      { sample: sample((c) => [svg('circle', { cx: 13, cy: 6, r: 3, fill: c.background, stroke: c.muted })]), text: 'open' },
-      { sample: sample((c) => [svg('rect', { x: 10, y: 3, width: 6, height: 6, fill: c.states.stick })]), text: 'stick' },
-      { sample: sample((c) => [svg('path', { d: 'M9 2L18 6L9 10Z', fill: c.states['slip forward'] })]), text: 'slip forward' },
-      { sample: sample((c) => [svg('path', { d: 'M17 2L8 6L17 10Z', fill: c.states['slip backward'] })]), text: 'slip backward' },
-    ]);
-  }
-
   private file(what: string): string {
-    return fileName(what, this.loop.name, String(this.loop.increments[this.selection.index]));
+    return fileName(what, this.selection.run.label, this.loop.name, String(this.loop.increments[this.selection.index]));
   }
 
   /** All that is known of bumps and feet at the increment. */
@@ -206,3 +207,17 @@ export class BearingPanels {
     return toCsv(header, [...rows(atBumps, 'bump', run.bumps), ...rows(atFeet, 'foot', run.feet)]);
   }
 }
+
+function arrow(colour: 'force' | 'friction', text: string): LegendEntry {
+  return { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current[colour] })], text };
+}
+
+const arrows = [arrow('force', 'normal force'), arrow('friction', `friction on the bump foil (×${frictionFactor})`)];
+
+/** States of contacts, as stateMark() draws them. */
+const marks: LegendEntry[] = [
+  { width: 14, draw: (c) => [svg('circle', { cx: 7, cy: 6, r: 3, fill: c.background, stroke: c.muted })], text: 'open' },
+  { width: 14, draw: (c) => [svg('rect', { x: 4, y: 3, width: 6, height: 6, fill: c.states.stick })], text: 'stick' },
+  { width: 14, draw: (c) => [svg('path', { d: 'M3 2L12 6L3 10Z', fill: c.states['slip forward'] })], text: 'slip forward' },
+  { width: 14, draw: (c) => [svg('path', { d: 'M11 2L2 6L11 10Z', fill: c.states['slip backward'] })], text: 'slip backward' },
+];

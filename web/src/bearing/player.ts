@@ -1,21 +1,24 @@
+import { shortfallOf } from '../data/outcome';
 import { at, type Run } from '../data/run';
+import type { Comparison } from '../ui/comparison';
 import { formatQuantity } from '../data/units';
-import { dropDown, el } from '../ui/dom';
+import { el } from '../ui/dom';
 import type { Selection } from '../ui/selection';
 
 /** A whole cycle takes this long, ms. */
 const duration = 9000;
 
 /** Bar at the foot of the window that moves all views along the cycle. */
-export function player(selection: Selection): HTMLElement {
+export function player(selection: Selection, comparison: Comparison): HTMLElement {
   const slider = el('input', { type: 'range', min: 0, step: 1, 'aria-label': 'Increment of the cycle' });
   const play = el('button', { type: 'button', class: 'play' });
   const readout = el('output', {});
-  const runs = dropDown<Run>(
-    'Run',
-    selection.runs.map((run) => ({ value: run, text: run.label })),
-    (run) => selection.show({ run }),
-  );
+  const runs = el('select', { 'aria-label': 'Run' });
+  runs.addEventListener('change', () => selection.show({ run: at(comparison.shown, runs.selectedIndex) }));
+  const listRuns = (): void => {
+    runs.replaceChildren(...comparison.shown.map(({ label }) => el('option', {}, label)));
+    runs.selectedIndex = comparison.shown.indexOf(selection.run);
+  };
   const loops = el('select', { 'aria-label': at(selection.runs, 0).kind.loops.title });
   loops.addEventListener('change', () => {
     selection.show({ key: at(selection.run.loops, loops.selectedIndex).key });
@@ -52,7 +55,7 @@ export function player(selection: Selection): HTMLElement {
     const { run, loop, index } = selection;
     if (run !== listed) {
       listed = run;
-      runs.selectedIndex = selection.runs.indexOf(run);
+      runs.selectedIndex = comparison.shown.indexOf(run);
       loops.replaceChildren(...run.loops.map(({ name }) => el('option', {}, name)));
     }
     loops.selectedIndex = run.loops.indexOf(loop);
@@ -63,7 +66,7 @@ export function player(selection: Selection): HTMLElement {
     play.textContent = frame === 0 ? '▶' : '❚❚';
     play.setAttribute('aria-label', frame === 0 ? 'Play the cycle' : 'Pause');
     if (loop.size === 0) {
-      readout.textContent = loop.summary ? `${loop.name}: no increment converged` : `${loop.name} was not begun`;
+      readout.textContent = `${loop.name}: ${shortfallOf(run, loop) ?? 'no increment'}`;
       return;
     }
     const branch = loop.isLoading(index) ? 'loading' : 'unloading';
@@ -72,10 +75,12 @@ export function player(selection: Selection): HTMLElement {
     slider.setAttribute('aria-valuetext', text);
   };
   selection.onChange(refresh);
+  comparison.onChange(listRuns);
+  listRuns();
   refresh();
   return el(
     'div',
-    { class: 'player', role: 'region', 'aria-label': 'Position along the cycle' },
+    { class: 'player', role: 'region', 'aria-label': `Position along the cycle of the ${selection.run.kind.name}` },
     play,
     ...(selection.runs.length > 1 ? [runs] : []),
     loops,

@@ -2,6 +2,7 @@ import { at } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import { partNames, type PartName } from './parts';
 import type { ShapePoint } from './shape';
 import type { Scene } from './unwrapped';
 
@@ -18,7 +19,15 @@ class RoundLayout {
   readonly perHeight: number;
 
   constructor(private readonly scene: Scene) {
-    this.perHeight = bumpHeight / scene.geometry.rise;
+    const { geometry, inwards } = scene;
+    // However much displacements are magnified, all of the foils stays within the circle.
+    const above = geometry.rise + inwards * geometry.reach.inwards;
+    this.perHeight = Math.min(bumpHeight / geometry.rise, (0.6 * sleeveRadius) / above);
+  }
+
+  /** How much larger heights of bumps are drawn than the radius. */
+  get stretch(): number {
+    return (this.perHeight * this.scene.geometry.radius) / sleeveRadius;
   }
 
   /** Polar angle and radius on the drawing. */
@@ -44,7 +53,8 @@ function onCircle(angle: number, radius: number): Place {
   return { x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) };
 }
 
-export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): void {
+/** Draws the bearing; returns how much larger heights are than the radius. */
+export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): number {
   const { geometry, shape, loop, index } = scene;
   const layout = new RoundLayout(scene);
   const line = (points: ShapePoint[], lift: number): string => pathOf(points.map((point) => layout.place(point, lift)));
@@ -67,7 +77,38 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): voi
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
     ...shape.feet.map((foot, i) => stateMark(layout.place(foot), loop, 'bump_sleeve', index, i, current, layout.forward(foot))),
     ...numbers(scene, layout, current),
+    ...partNames(names(scene, layout, journal), current),
   );
+  return layout.stretch;
+}
+
+/** In the corners beside what they name; the weld has the one that is next to it. */
+function names({ geometry, shape }: Scene, layout: RoundLayout, journal: Place): PartName[] {
+  const alongAt = (angle: number): number =>
+    (((angle - geometry.weldAngle) * geometry.sense + 4 * Math.PI) % (2 * Math.PI)) * geometry.radius;
+  const point = (along: number, height: number): ShapePoint => ({ along, height, moveAlong: 0, moveIn: 0 });
+  const nearest = (points: ShapePoint[], along: number): ShapePoint =>
+    points.reduce((best, one) => (Math.abs(one.along - along) < Math.abs(best.along - along) ? one : best), points[0] ?? point(along, 0));
+  const corner = (right: boolean, low: boolean): Pick<PartName, 'at' | 'anchor'> => ({
+    at: { x: right ? size - 6 : 6, y: low ? size - 8 : 18 },
+    anchor: right ? 'end' : 'start',
+  });
+  const corners = [0.25, 0.75, 1.25, 1.75].map((turns) => turns * Math.PI);
+  const gap = (angle: number): number => Math.abs(Math.atan2(Math.sin(angle - geometry.weldAngle), Math.cos(angle - geometry.weldAngle)));
+  const order = [...corners].sort((a, b) => gap(a) - gap(b));
+  const parts: [string, (along: number) => Place][] = [
+    ['weld', () => onCircle(geometry.weldAngle, sleeveRadius + 4)],
+    ['sleeve', (along) => onCircle(geometry.polarAngle(along), sleeveRadius + 8)],
+    ['bump foil', (along) => layout.place(nearest(shape.crests, along))],
+    ['top foil', (along) => layout.place(nearest(shape.topFoil, along), foilGap)],
+  ];
+  return [
+    { content: 'journal', at: { x: journal.x, y: journal.y + 0.32 * sleeveRadius }, anchor: 'middle' },
+    ...parts.map(([content, place], i): PartName => {
+      const angle = order[i] ?? 0;
+      return { content, ...corner(Math.cos(angle) > 0, Math.sin(angle) < 0), to: place(alongAt(angle)) };
+    }),
+  ];
 }
 
 function axes(current: Look): SVGElement[] {

@@ -45,6 +45,7 @@ export class BearingGeometry {
   readonly topFoil: boolean;
   /** A strip may be free at both ends. */
   readonly welded: boolean;
+  private farthest: Reach | undefined;
 
   constructor(readonly run: Run) {
     const bearing = (run.data.summary.case['bearing'] ?? {}) as { weld_angle?: number; wrap?: string };
@@ -68,6 +69,12 @@ export class BearingGeometry {
 
   get length(): number {
     return this.run.bumps * this.pitch;
+  }
+
+  /** How far the foils of the run move at most. */
+  get reach(): Reach {
+    this.farthest ??= reachOf(this);
+    return this.farthest;
   }
 
   polarAngle(along: number): number {
@@ -224,6 +231,43 @@ export function shapeAt(geometry: BearingGeometry, loop: Loop, index: number): S
       moveAlong: footU.at(index, foot),
       moveIn: -footV.at(index, foot),
     })),
+  };
+}
+
+/** How far a run moves at most, whatever the increment (m). */
+export interface Reach {
+  /** Along the foil, either way. */
+  along: number;
+  /** Of the parts of the foils and, in a flat one, of the plate: most inwards, and most outwards (negative). */
+  inwards: number;
+  outwards: number;
+}
+
+function reachOf(geometry: BearingGeometry): Reach {
+  const { loops, kind } = geometry.run;
+  const extremes = (name: string, sign: number): [number, number] => {
+    let [least, most] = [0, 0];
+    for (const loop of loops) {
+      for (const value of loop.field(name).values) {
+        if (sign * value > most) most = sign * value;
+        if (sign * value < least) least = sign * value;
+      }
+    }
+    return [least, most];
+  };
+  const error = [Math.min(0, ...geometry.heightErrors), Math.max(0, ...geometry.heightErrors)] as const;
+  const crest = extremes('crest_v', -1);
+  const ranges: (readonly [number, number])[] = [
+    [crest[0] + error[0], crest[1] + error[1]],
+    extremes('foot_v', -1),
+    extremes('top_displacement', -1),
+    [-Math.max(0, ...geometry.sleeveGaps), 0],
+    ...(kind.flat ? loops.map((loop): [number, number] => [-Math.max(0, ...loop.values('displacement')), -Math.min(0, ...loop.values('displacement'))]) : []),
+  ];
+  return {
+    along: largest(...loops.flatMap((loop) => ['crest_u', 'foot_u'].map((name) => loop.field(name).values))),
+    inwards: Math.max(...ranges.map(([, most]) => most)),
+    outwards: Math.min(...ranges.map(([least]) => least)),
   };
 }
 

@@ -2,6 +2,7 @@ import type { Loop } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import { partNames, type PartName } from './parts';
 import type { BearingGeometry, Shape, ShapePoint } from './shape';
 
 export interface Scene {
@@ -22,9 +23,14 @@ export interface Scene {
 
 const height = 270;
 const margin = 14;
-const sleeveLevel = 204;
-/** Height of an undeformed bump on the drawing. */
+/** At the right, for the names of the foils. */
+const room = 74;
+/** Heights that moving parts stay between. */
+const [ceiling, floor] = [44, 222];
+/** Height of an undeformed bump on the drawing, at most. */
 const bumpHeight = 84;
+/** Half a mark of a contact and the thickness of a line. */
+const rim = 6;
 /** Foils are drawn as lines beside each other, not upon each other. */
 const foilGap = 3.4;
 const longestArrow = 44;
@@ -33,21 +39,33 @@ export const frictionFactor = 4;
 
 /** The bearing cut open at the weld and laid flat: sleeve below, journal above. */
 export class UnwrappedLayout {
+  /** Ends of the sleeve on the drawing. */
+  readonly left: number;
+  readonly right: number;
   private readonly perLength: number;
   private readonly perHeight: number;
+  private readonly sleeveLevel: number;
 
   constructor(
     private readonly scene: Scene,
     readonly width: number,
   ) {
-    this.perLength = (width - 2 * margin) / scene.geometry.length;
-    this.perHeight = bumpHeight / scene.geometry.rise;
+    const { geometry, inwards, along } = scene;
+    // However much displacements are magnified, all of the foils stays on the drawing.
+    const beyond = along * geometry.reach.along;
+    this.perLength = (width - margin - room - 2 * rim) / (geometry.length + 2 * beyond);
+    this.left = margin + rim + beyond * this.perLength;
+    this.right = this.left + geometry.length * this.perLength;
+    const above = geometry.rise + inwards * geometry.reach.inwards;
+    const below = Math.max(0, -inwards * geometry.reach.outwards - geometry.rise);
+    this.perHeight = Math.min(bumpHeight / geometry.rise, (floor - ceiling) / (above + below));
+    this.sleeveLevel = Math.min(204, floor - below * this.perHeight);
   }
 
   place(point: ShapePoint, lift = 0): Place {
     return {
-      x: margin + (point.along + this.scene.along * point.moveAlong) * this.perLength,
-      y: sleeveLevel - (point.height + this.scene.inwards * point.moveIn) * this.perHeight - lift,
+      x: this.left + (point.along + this.scene.along * point.moveAlong) * this.perLength,
+      y: this.sleeveLevel - (point.height + this.scene.inwards * point.moveIn) * this.perHeight - lift,
     };
   }
 
@@ -59,20 +77,19 @@ export class UnwrappedLayout {
   /** Bump at a place on the drawing. */
   bumpAt(x: number): number {
     const { geometry } = this.scene;
-    const bump = Math.floor((x - margin) / (this.perLength * geometry.pitch));
+    const bump = Math.floor((x - this.left) / (this.perLength * geometry.pitch));
     return Math.min(Math.max(0, bump), geometry.run.bumps - 1);
   }
 }
 
 export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, width: number): UnwrappedLayout {
   const { shape } = scene;
-  const { kind } = scene.geometry.run;
   const layout = new UnwrappedLayout(scene, width);
   const line = (points: ShapePoint[], lift: number): Place[] => points.map((point) => layout.place(point, lift));
   const journal = line(shape.mover, 2 * foilGap);
   const sleeve = line(shape.ground, -foilGap / 2);
-  const journalBody = [{ x: margin, y: 0 }, ...journal, { x: width - margin, y: 0 }];
-  const sleeveBody = [...sleeve, { x: width - margin, y: height - 22 }, { x: margin, y: height - 22 }];
+  const journalBody = [{ x: layout.left, y: 0 }, ...journal, { x: layout.right, y: 0 }];
+  const sleeveBody = [...sleeve, { x: layout.right, y: height - 22 }, { x: layout.left, y: height - 22 }];
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(
     ...highlight(scene, layout, current),
@@ -86,10 +103,29 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
     ...(scene.forces ? forceArrows(scene, layout, current) : []),
     ...marks(scene, layout, current),
     ...numbers(scene, layout, current),
-    text({ x: margin + 8, y: 18 }, kind.mover, current),
-    text({ x: width - margin - 8, y: height - 28 }, kind.ground, current, { 'text-anchor': 'end' }),
+    ...partNames(names(scene, layout), current),
   );
   return layout;
+}
+
+/** The foils are named at their free end. */
+function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] {
+  const { mover, ground } = geometry.run.kind;
+  const aside = layout.width - room + 8;
+  const bump = layout.place(lastOf(shape.bumpFoil));
+  const top = layout.place(lastOf(shape.topFoil.length > 0 ? shape.topFoil : shape.mover), foilGap);
+  const topName = Math.min(Math.max(top.y - 14, 30), bump.y - 26);
+  return [
+    { content: mover, at: { x: layout.left + 10, y: 18 } },
+    { content: ground, at: { x: layout.right - 10, y: height - 28 }, anchor: 'end' },
+    { content: 'bump foil', at: { x: aside, y: bump.y - 6 }, to: bump },
+    ...(shape.topFoil.length > 0 ? [{ content: 'top foil', at: { x: aside, y: topName }, to: top }] : []),
+    ...(geometry.welded ? [{ content: 'weld', at: { x: layout.left + 10, y: height - 28 }, to: layout.place({ along: 0, height: 0, moveAlong: 0, moveIn: 0 }) }] : []),
+  ];
+}
+
+function lastOf(points: ShapePoint[]): ShapePoint {
+  return points[points.length - 1] ?? { along: 0, height: 0, moveAlong: 0, moveIn: 0 };
 }
 
 /** Line to which the foils are welded. */
@@ -99,7 +135,6 @@ function weld({ geometry, shape }: Scene, layout: UnwrappedLayout, current: Look
   const top = layout.place(shape.topFoil[0] ?? { along: 0, height: 0.12 * geometry.rise, moveAlong: 0, moveIn: 0 }, foilGap);
   return [
     svg('path', { d: pathOf([foot, top]), stroke: current.topFoil, 'stroke-width': 3.4 }),
-    text({ x: margin + 6, y: height - 28 }, 'weld', current),
   ];
 }
 
@@ -148,8 +183,8 @@ function marks({ shape, loop, index }: Scene, layout: UnwrappedLayout, current: 
 }
 
 function numbers({ geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
-  const room = (layout.width - 2 * margin) / geometry.crestPlaces.length;
-  const step = [1, 2, 5, 10, 20, 50, 100].find((every) => every * room >= 24) ?? 200;
+  const spacing = (layout.right - layout.left) / geometry.crestPlaces.length;
+  const step = [1, 2, 5, 10, 20, 50, 100].find((every) => every * spacing >= 24) ?? 200;
   return geometry.crestPlaces.flatMap((along, bump) => {
     if (bump !== 0 && (bump + 1) % step !== 0) return [];
     const { x } = layout.place({ along, height: 0, moveAlong: 0, moveIn: 0 });

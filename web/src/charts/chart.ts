@@ -4,13 +4,19 @@ import * as echarts from 'echarts/core';
 import { SVGRenderer } from 'echarts/renderers';
 import type { EChartsType } from 'echarts/core';
 import { el } from '../ui/dom';
-import { standalone } from '../ui/save';
 import { fontFamily, look, onLookChange, type Look } from '../ui/theme';
 
 echarts.use([BarChart, CustomChart, LineChart, GridComponent, TitleComponent, TooltipComponent, SVGRenderer]);
 
 export type Option = Record<string, unknown>;
 export type Point = [number, number];
+
+/** What custom series are drawn with. */
+export interface RenderApi {
+  coord(point: [number, number]): [number, number];
+  size(point: [number, number]): [number, number];
+  value(dimension: number): number;
+}
 
 /** Charts that wait for their first drawing: one at a time, so that the page is there before the last of them. */
 const waiting: Chart[] = [];
@@ -34,12 +40,12 @@ export class Chart {
    * @param build its contents for the colours and the width at hand
    */
   constructor(
-    label: string,
+    private readonly label: () => string,
     private readonly height: (width: number) => number,
     private readonly build: (look: Look, width: number) => Option,
     private readonly ready: (instance: EChartsType) => void = () => {},
   ) {
-    this.root = el('div', { class: 'chart', role: 'img', 'aria-label': label }, this.place);
+    this.root = el('div', { class: 'chart', role: 'img', 'aria-label': label() }, this.place);
     new ResizeObserver(() => this.fitted()).observe(this.root);
     onLookChange(() => this.fit());
   }
@@ -67,6 +73,7 @@ export class Chart {
     } else {
       this.instance.resize({ width, height });
     }
+    this.root.setAttribute('aria-label', this.label());
     const current = look();
     this.instance.setOption(
       {
@@ -113,9 +120,8 @@ export class Chart {
     return (this.instance?.convertToPixel({ gridIndex: grid }, [x, y]) ?? [NaN, NaN]) as Point;
   }
 
-  toSvg(): string {
-    const drawing = this.place.querySelector('svg');
-    return drawing ? standalone(drawing, look().background) : '';
+  get drawing(): SVGSVGElement | null {
+    return this.place.querySelector('svg');
   }
 
   private area(grid: number): { top: number; height: number } {

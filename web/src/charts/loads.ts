@@ -1,67 +1,98 @@
-import { at, largest, type Loop, type Interface } from '../data/run';
+import { at, largest, type Interface, type Loop } from '../data/run';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
+import type { Comparison } from '../ui/comparison';
 import { choice, el, svg } from '../ui/dom';
-import { legend, panel } from '../ui/panel';
+import type { LegendEntry } from '../ui/legend';
+import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
-import type { Selection } from '../ui/selection';
 import { type Look } from '../ui/theme';
-import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option } from './chart';
-import type { Curve } from './loops';
+import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option, type RenderApi } from './chart';
+import { curvesOf, runLegend, type Curve } from './curves';
 
 function loadsAt(loop: Loop, kind: Interface, index: number): number[] {
   const field = loop.field(`normal_force_${kind.name}`);
   return Array.from({ length: field.width }, (_, node) => field.at(index, node));
 }
 
-/** Normal forces of one direction as bars, one group of bars per run; ticks show the increment chosen. */
+/** Part of the room of a bump that its bars take. */
+const barsOfBand = 0.78;
+
+/** Normal forces of one direction: a bar per run in focus at full displacement, and on it a mark at the increment chosen. */
 class LoadPanel {
   readonly root: HTMLElement;
   private readonly chart: Chart;
-  private shownNow = false;
+  private readonly panel: Panel;
 
   constructor(
-    private readonly curves: Curve[],
+    private readonly key: number,
+    private readonly name: string,
     private kind: Interface,
-    private scale: Scale,
-    private readonly most: () => number,
-    private readonly selection: Selection,
+    private readonly comparison: Comparison,
   ) {
-    const { loop } = at(curves, 0);
-    const heaviest = this.heaviest();
     this.chart = new Chart(
-      `Bump loads at full displacement, ${loop.name}: ${heaviest}`,
+      () => this.description(),
       () => 220,
       (current, width) => this.option(current, width),
     );
-    this.root = panel(
+    this.panel = new Panel(
       {
-        title: loop.name,
-        file: () => fileName('loads', this.kind.name, loop.name),
-        svg: () => this.chart.toSvg(),
+        title: `Bump loads, ${name}`,
+        subject: () => [this.kind.title, ...comparison.focus.map(({ label }) => label)].join(' · '),
+        file: () => fileName('loads', this.kind.name, ...comparison.focus.map(({ label }) => label), name),
+        drawing: () => this.chart.drawing,
+        legend: () => [...samples, ...runLegend(comparison)],
         csv: () => this.csv(),
       },
       this.chart.root,
     );
-    selection.onChange(() => this.follow());
+    this.root = this.panel.root;
+    comparison.onChange(() => this.refresh());
+    comparison.selection.onChange(() => this.chart.update({ series: this.curves.map((curve, i) => ({ id: `now${i}`, data: this.now(curve) })) }));
   }
 
-  show(kind: Interface, scale: Scale): void {
+  show(kind: Interface): void {
     this.kind = kind;
-    this.scale = scale;
+    this.refresh();
+  }
+
+  private refresh(): void {
+    this.panel.refresh();
     this.chart.fit();
   }
 
-  private heaviest(): string {
-    const { loop } = at(this.curves, 0);
-    const loads = loadsAt(loop, this.kind, loop.turning);
-    const most = largest(loads);
-    return most > 0 ? `${formatQuantity(most, 'N')} on bump ${loads.indexOf(most) + 1}` : 'none';
+  private get curves(): Curve[] {
+    return curvesOf(this.comparison, this.key, this.comparison.focus);
+  }
+
+  private get most(): number {
+    const compared = this.comparison.ownAxes
+      ? this.curves.map(({ loop }) => loop)
+      : this.comparison.focus.flatMap((run) => run.loops.filter((loop) => loop.size > 0));
+    return largest(...compared.map((loop) => loadsAt(loop, this.kind, loop.turning)));
+  }
+
+  private get scale(): Scale {
+    return scaleFor(this.most, 'N');
+  }
+
+  private description(): string {
+    const peaks = this.curves.map(({ loop, label }) => {
+      const loads = loadsAt(loop, this.kind, loop.turning);
+      const most = largest(loads);
+      return `${label} ${most > 0 ? `${formatQuantity(most, 'N')} on ${this.node} ${loads.indexOf(most) + 1}` : 'none'}`;
+    });
+    return `${this.kind.title}, loads at full displacement, ${this.name}: at most ${peaks.join(', ')}`;
+  }
+
+  private get node(): string {
+    return this.kind.node;
   }
 
   private option(current: Look, width: number): Option {
-    const nodes = Math.max(...this.curves.map((curve) => curve.loop.field(`normal_force_${this.kind.name}`).width));
-    const node = this.kind.node === 'foot' ? 'Foot' : 'Bump';
+    const { curves, scale } = this;
+    const nodes = Math.max(1, ...curves.map((curve) => curve.loop.field(`normal_force_${this.kind.name}`).width));
+    const node = this.node === 'foot' ? 'Foot' : 'Bump';
     return {
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
       xAxis: axis(current, `${node}, counted from the weld`, {
@@ -72,110 +103,102 @@ class LoadPanel {
         splitLine: { show: false },
         axisTick: { show: false },
       }),
-      yAxis: axis(current, axisTitle('Load', this.scale), { nameGap: 38, max: roundAbove(this.most() * this.scale.factor) }),
+      yAxis: axis(current, axisTitle('Load', scale), { nameGap: 38, max: roundAbove(this.most * scale.factor) }),
       tooltip: tooltip(current, {
         trigger: 'axis',
         axisPointer: { type: 'shadow', shadowStyle: { color: current.grid, opacity: 0.5 } },
         formatter: (items: { dataIndex: number }[]) => this.tip(node, items[0]?.dataIndex ?? 0),
       }),
       series: [
-        ...this.curves.map((curve) => ({
-          type: 'bar',
+        ...curves.map((curve, i) => ({
+          type: 'custom',
           name: curve.label,
-          itemStyle: { color: at(current.series, curve.style % current.series.length) },
-          barCategoryGap: width > 500 ? '25%' : '12%',
-          barGap: '0%',
+          clip: true,
           data: this.scaled(curve.loop, curve.loop.turning),
+          renderItem: (_: unknown, api: RenderApi) => bar(api, i, curves.length, curve.colour(current)),
         })),
-        {
-          type: 'line',
-          name: 'now',
-          lineStyle: { opacity: 0 },
-          symbol: 'rect',
-          symbolSize: [Math.max(4, (0.7 * (width - 66)) / Math.max(1, nodes)), 2.5],
-          itemStyle: { color: current.text, opacity: 1 },
-          showAllSymbol: true,
+        ...curves.map((curve, i) => ({
+          type: 'custom',
+          id: `now${i}`,
+          name: `${curve.label}, now`,
+          clip: true,
           silent: true,
           z: 5,
-          data: this.now(),
-        },
+          data: this.now(curve),
+          renderItem: (_: unknown, api: RenderApi) => mark(api, i, curves.length, width > 500 ? 2.5 : 2, current.text),
+        })),
       ],
     };
   }
 
-  private scaled(loop: Loop, index: number): number[] {
-    return loadsAt(loop, this.kind, index).map((load) => load * this.scale.factor);
+  private scaled(loop: Loop, index: number): [number, number][] {
+    const { factor } = this.scale;
+    return loadsAt(loop, this.kind, index).map((load, node) => [node, load * factor]);
   }
 
-  private now(): (number | string)[] {
-    const { loop, index } = this.selection;
-    this.shownNow = this.curves.some((curve) => curve.loop === loop);
-    if (!this.shownNow) return [];
-    return this.scaled(loop, index).map((load) => (load > 0 ? load : '-'));
-  }
-
-  private follow(): void {
-    const before = this.shownNow;
-    const data = this.now();
-    if (before || this.shownNow) this.chart.update({ series: [...this.curves.map(() => ({})), { data }] });
+  /** Loads at the part of the way that the reader looks at. */
+  private now({ loop }: Curve): [number, number][] {
+    return this.scaled(loop, this.comparison.selection.indexIn(loop)).filter(([, load]) => load > 0);
   }
 
   private tip(node: string, index: number): HTMLElement {
-    const rows = this.curves.map(({ label, loop }): [string, string] => [
-      `${label}, full displacement`,
-      formatQuantity(loadsAt(loop, this.kind, loop.turning)[index], 'N'),
-    ]);
-    if (this.shownNow) {
-      const { loop, index: increment } = this.selection;
-      const load = loadsAt(loop, this.kind, increment)[index];
-      rows.push([`increment ${at(loop.increments, increment)}`, formatQuantity(load, 'N')]);
-    }
+    const rows = this.curves.flatMap(({ label, loop }): [string, string][] => {
+      const now = this.comparison.selection.indexIn(loop);
+      return [
+        [`${label}, full displacement`, formatQuantity(loadsAt(loop, this.kind, loop.turning)[index], 'N')],
+        [`${label}, increment ${at(loop.increments, now)}`, formatQuantity(loadsAt(loop, this.kind, now)[index], 'N')],
+      ];
+    });
     return tooltipBox(`${node} ${index + 1}`, rows);
   }
 
   private csv(): string {
-    const unit = this.kind.node;
+    const { column } = at(this.comparison.runs, 0).kind.loops;
     return toCsv(
-      ['run', at(this.curves, 0).run.kind.loops.column, unit, 'normal_force_N'],
-      this.curves.flatMap(({ run, loop }) =>
-        loadsAt(loop, this.kind, loop.turning).map((load, i) => [run.label, loop.key, i + 1, load]),
-      ),
+      ['run', column, 'interface', this.node, 'normal_force_N', 'increment', 'normal_force_there_N'],
+      this.curves.flatMap(({ run, loop }) => {
+        const now = this.comparison.selection.indexIn(loop);
+        const there = loadsAt(loop, this.kind, now);
+        return loadsAt(loop, this.kind, loop.turning).map((load, i) => [run.label, loop.key, this.kind.name, i + 1, load, at(loop.increments, now), there[i]]);
+      }),
     );
   }
 }
 
-/** One chart per direction, all with the same scales; the interface can be chosen. */
-export function loadSection(groups: Curve[][], selection: Selection): HTMLElement {
-  const begun = groups.map((curves) => curves.filter((curve) => curve.loop.size > 0)).filter((c) => c.length > 0);
-  const { interfaces } = at(selection.runs, 0);
-  let kind = interfaces.find(({ name }) => name === 'top_bump') ?? at(interfaces, 0);
-  const most = (): number =>
-    largest(...begun.flat().map(({ loop }) => loadsAt(loop, kind, loop.turning)));
-  const scale = (): Scale => scaleFor(most(), 'N');
-  const panels = begun.map((curves) => new LoadPanel(curves, kind, scale(), most, selection));
+/** Left edge and width of a bar. */
+function place(api: RenderApi, bar: number, bars: number): { left: number; width: number } {
+  const band = barsOfBand * at(api.size([1, 0]), 0);
+  return { left: api.coord([api.value(0), 0])[0] - 0.5 * band + (bar * band) / bars, width: band / bars };
+}
+
+function bar(api: RenderApi, i: number, bars: number, fill: string): object {
+  const { left, width } = place(api, i, bars);
+  const [, top] = api.coord([api.value(0), api.value(1)]);
+  const [, foot] = api.coord([api.value(0), 0]);
+  return { type: 'rect', shape: { x: left, y: top, width: Math.max(0.6, width - 0.4), height: foot - top }, style: { fill } };
+}
+
+function mark(api: RenderApi, i: number, bars: number, thickness: number, fill: string): object {
+  const { left, width } = place(api, i, bars);
+  const [, y] = api.coord([api.value(0), api.value(1)]);
+  return { type: 'rect', shape: { x: left - 0.5, y: y - 0.5 * thickness, width: width + 0.6, height: thickness }, style: { fill } };
+}
+
+const samples: LegendEntry[] = [
+  { width: 12, draw: (current) => [svg('rect', { x: 2, y: 1, width: 8, height: 11, fill: current.muted })], text: 'bar: at full displacement' },
+  { width: 14, draw: (current) => [svg('rect', { x: 0, y: 5, width: 14, height: 2.5, fill: current.text })], text: 'mark: at the increment chosen' },
+];
+
+/** One chart per direction; the interface can be chosen. */
+export function loadSection(keys: { key: number; name: string }[], comparison: Comparison): HTMLElement {
+  const { interfaces } = at(comparison.runs, 0);
+  const kind = interfaces.find(({ name }) => name === 'top_bump') ?? at(interfaces, 0);
+  const panels = keys.map(({ key, name }) => new LoadPanel(key, name, kind, comparison));
   const chooser = choice(
     'Loads shown',
     interfaces.map((value) => ({ value, text: value.title })),
     kind,
-    (chosen) => {
-      kind = chosen;
-      for (const one of panels) one.show(kind, scale());
-    },
+    (chosen) => panels.forEach((one) => one.show(chosen)),
   );
-  const bar = svg('svg', { width: 12, height: 12, 'aria-hidden': 'true' }, svg('rect', { x: 2, y: 1, width: 8, height: 11, class: 'swatch' }));
-  const tick = svg('svg', { width: 14, height: 12, 'aria-hidden': 'true' }, svg('rect', { x: 0, y: 5, width: 14, height: 2.5, fill: 'currentColor' }));
-  return el(
-    'div',
-    {},
-    el(
-      'div',
-      { class: 'tools' },
-      chooser,
-      legend([
-        { sample: bar, text: 'at full displacement' },
-        { sample: tick, text: 'at the increment chosen' },
-      ]),
-    ),
-    el('div', { class: 'multiples' }, ...panels.map((one) => one.root)),
-  );
+  return el('div', {}, el('div', { class: 'tools' }, chooser), el('div', { class: 'multiples' }, ...panels.map((one) => one.root)));
 }

@@ -2,22 +2,15 @@ import type { EChartsType } from 'echarts/core';
 import { at, largest, type Branch, type Loop, type Run } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
+import type { Comparison } from '../ui/comparison';
 import { choice, svg } from '../ui/dom';
-import { legend, panel } from '../ui/panel';
+import type { LegendEntry } from '../ui/legend';
+import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
-import type { Selection } from '../ui/selection';
-import { look, markers, type Look } from '../ui/theme';
+import { isPrinting, type Look } from '../ui/theme';
+import { runLegend, type Curve } from './curves';
 import { labelOffsets } from './label_offsets';
 import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option, type Point } from './chart';
-
-/** One loop: a direction of a run. */
-export interface Curve {
-  run: Run;
-  loop: Loop;
-  label: string;
-  /** Number of its colour and marker. */
-  style: number;
-}
 
 interface Force {
   name: string;
@@ -33,13 +26,33 @@ function forcesOf(run: Run): Force[] {
 }
 
 /** Line and markers of a branch: solid and filled on the way in, dashed and hollow on the way out. */
-function branchLook(current: Look, style: number, loading: boolean): object {
-  const color = at(current.series, style % current.series.length);
+function branchLook(current: Look, curve: Curve, loading: boolean): object {
+  const color = curve.colour(current);
   return {
-    symbol: at(markers, style % markers.length),
+    symbol: curve.marker,
     lineStyle: { color, width: 1.8, type: loading ? 'solid' : [5, 3] },
     itemStyle: { color: loading ? color : current.background, borderColor: color, borderWidth: 1.4, opacity: 1 },
   };
+}
+
+/** How branches are drawn, as the legend shows it. */
+function branchSample(loading: boolean): LegendEntry {
+  return {
+    width: 30,
+    draw: (current) => [
+      svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: current.text, 'stroke-width': 1.8, 'stroke-dasharray': loading ? 'none' : '5 3' }),
+      svg('circle', { cx: 15, cy: 6, r: 3, stroke: current.text, 'stroke-width': 1.4, fill: loading ? current.text : current.background }),
+    ],
+    text: loading ? 'loading' : 'unloading',
+  };
+}
+
+export interface LoopPanelContents {
+  title: string;
+  /** All that are drawn. */
+  curves: () => Curve[];
+  /** Those of them that are told apart. */
+  focus: () => Curve[];
 }
 
 /** Force over displacement: the hysteresis loops of several directions or runs, linked with the bearing. */
@@ -48,152 +61,176 @@ export class LoopPanel {
   private readonly forces: Force[];
   private force: Force;
   private readonly chart: Chart;
-  private readonly across: Scale;
-  private upwards: Scale;
-  private readonly series: { curve: Curve; branch: Branch; label: number | undefined }[];
+  private readonly panel: Panel;
+  private curves: Curve[] = [];
+  private across: Scale = { factor: 1, unit: '' };
+  private upwards: Scale = { factor: 1, unit: '' };
+  private series: { curve: Curve; branch: Branch; label: number | undefined }[] = [];
 
   constructor(
-    title: string,
-    private readonly curves: Curve[],
-    private readonly selection: Selection,
+    private readonly contents: LoopPanelContents,
+    private readonly comparison: Comparison,
   ) {
-    this.forces = forcesOf(at(curves, 0).run);
+    this.forces = forcesOf(at(comparison.runs, 0));
     this.force = at(this.forces, 0);
-    this.across = scaleFor(largest(...curves.map((curve) => curve.loop.values('displacement'))), 'm');
-    this.upwards = this.scaleOfForce();
-    this.series = curves.flatMap((curve, i) =>
-      curve.loop.branches().map((branch, k) => ({ curve, branch, label: k === 0 ? i : undefined })),
-    );
-    const peaks = curves.map(({ label, loop }) => {
-      const force = loop.value('force_direct', loop.turning);
-      return `${label} ${formatQuantity(force, 'N')}`;
-    });
+    this.read();
     this.chart = new Chart(
-      `${title}: ${this.force.title.toLowerCase()} over displacement; at full displacement ${peaks.join(', ')}`,
+      () => this.description(),
       (width) => this.height(width),
       (current, width) => this.option(current, width),
       (instance) => this.listen(instance),
     );
-    this.root = panel(
+    this.panel = new Panel(
       {
-        title,
+        title: contents.title,
         note: 'Click a point of a loop to see the foils there.',
         controls: this.forces.length > 1 ? [this.chooser()] : [],
-        file: () => fileName('loops', ...new Set(curves.map((curve) => curve.loop.name))),
-        svg: () => this.chart.toSvg(),
+        subject: () => `${this.force.title} over displacement · ${comparison.names}`,
+        legend: () => [branchSample(true), branchSample(false), ...runLegend(comparison)],
+        file: () => fileName('loops', this.force.name, comparison.names, ...new Set(this.curves.map((curve) => curve.loop.name))),
+        drawing: () => this.chart.drawing,
         csv: () => this.csv(),
       },
       this.chart.root,
-      legend([
-        { sample: this.sample(true), text: 'loading' },
-        { sample: this.sample(false), text: 'unloading' },
-      ]),
     );
-    selection.onChange(() => this.follow());
+    this.root = this.panel.root;
+    comparison.onChange(() => {
+      this.read();
+      this.panel.refresh();
+      this.chart.fit();
+      this.follow();
+    });
+    comparison.selection.onChange(() => this.follow());
     this.follow();
+  }
+
+  private read(): void {
+    this.curves = this.contents.curves();
+    this.series = this.contents.focus().flatMap((curve, i) =>
+      curve.loop.branches().map((branch, k) => ({ curve, branch, label: k === 0 ? i : undefined })),
+    );
+    this.scale();
+  }
+
+  private description(): string {
+    const peaks = this.contents.focus().map(({ label, loop }) => `${label} ${formatQuantity(loop.value('force_direct', loop.turning), 'N')}`);
+    return `${this.contents.title}: ${this.force.title.toLowerCase()} over displacement; at full displacement ${peaks.join(', ')}`;
   }
 
   private chooser(): HTMLElement {
     const options = this.forces.map((value) => ({ value, text: value.text }));
-    return choice('Force shown', options, this.force, (force) => {
+    return choice(`Force shown: ${this.contents.title}`, options, this.force, (force) => {
       this.force = force;
-      this.upwards = this.scaleOfForce();
+      this.scale();
+      this.panel.refresh();
       this.chart.fit();
+      this.follow();
     });
   }
 
+  /** The whole of it stands above the bar at the foot of the window. */
   private height(width: number): number {
-    return Math.max(300, Math.min(0.82 * width, 560));
+    const room = isPrinting() ? 380 : window.innerHeight - (this.comparison.several ? 488 : 448);
+    return Math.max(280, Math.min(0.82 * width, 560, room));
   }
 
-  private scaleOfForce(): Scale {
-    return scaleFor(largest(...this.curves.map((curve) => curve.loop.values(this.force.name))), 'N');
+  /** What the axes must have room for. */
+  private get compared(): Loop[] {
+    return this.comparison.ownAxes ? this.curves.map(({ loop }) => loop) : this.comparison.shownLoops;
   }
 
-  private point(loop: Loop, index: number): Point {
-    return [
-      loop.value('displacement', index) * this.across.factor,
-      loop.value(this.force.name, index) * this.upwards.factor,
-    ];
+  private scale(): void {
+    this.across = scaleFor(largest(...this.compared.map((loop) => loop.values('displacement'))), 'm');
+    this.upwards = scaleFor(largest(...this.compared.map((loop) => loop.values(this.force.name))), 'N');
+  }
+
+  private points(loop: Loop, indices: number[]): Point[] {
+    const [across, upwards] = [this.across.factor, this.upwards.factor];
+    return indices.map((index) => [loop.value('displacement', index) * across, loop.value(this.force.name, index) * upwards]);
   }
 
   private option(current: Look, width: number): Option {
     const narrow = width < 480;
     const frame = { top: 16, bottom: 48 };
-    const forces = this.curves.flatMap(({ loop }) => [...loop.values(this.force.name)]).filter(Number.isFinite);
-    const upper = roundAbove(this.upwards.factor * Math.max(0, ...forces));
-    const lower = forces.some((force) => force < 0) ? -roundAbove(-this.upwards.factor * Math.min(...forces)) : 0;
+    const { across, upwards, compared } = this;
+    const [right, left] = reach(compared, 'displacement', across);
+    const [upper, lower] = reach(compared, this.force.name, upwards);
     const perUnit = (this.height(width) - frame.top - frame.bottom) / (upper - lower);
-    const ends = this.curves.map(({ loop }) => -perUnit * this.point(loop, loop.turning)[1]);
-    const offsets = labelOffsets(ends);
-    const backwards = this.curves.some(({ loop }) => loop.values('displacement').some((displacement) => displacement < 0));
+    const focus = this.contents.focus();
+    const offsets = labelOffsets(focus.map(({ loop }) => -perUnit * at(this.points(loop, [loop.turning]), 0)[1]));
     return {
       grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, ...frame },
-      xAxis: axis(current, axisTitle('Displacement', this.across), backwards ? {} : { min: 0 }),
-      yAxis: axis(current, axisTitle(this.force.title, this.upwards), {
-        nameGap: narrow ? 38 : 46,
-        min: lower,
-        max: upper,
-      }),
+      xAxis: axis(current, axisTitle('Displacement', across), { min: left, max: right }),
+      yAxis: axis(current, axisTitle(this.force.title, upwards), { nameGap: narrow ? 38 : 46, min: lower, max: upper }),
       tooltip: tooltip(current, {
         triggerOn: 'none',
         formatter: (tip: { seriesIndex: number; dataIndex: number }) => this.tip(tip.seriesIndex, tip.dataIndex),
       }),
-      series: this.series.map(({ curve, branch: { loading, indices }, label }) => {
-        const spacing = Math.max(1, Math.round(indices.length / 7));
-        return {
+      series: [
+        ...this.series.map(({ curve, branch: { loading, indices }, label }) => {
+          const spacing = Math.max(1, Math.round(indices.length / 7));
+          return {
+            type: 'line',
+            name: curve.label,
+            silent: true,
+            ...branchLook(current, curve, loading),
+            symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? 7 : 0),
+            showAllSymbol: true,
+            data: this.points(curve.loop, indices),
+            z: 4,
+            ...(label !== undefined ? { endLabel: endLabel(curve, current, narrow, at(offsets, label)) } : {}),
+          };
+        }),
+        ...this.others().map((curve) => ({
           type: 'line',
           name: curve.label,
           silent: true,
-          ...branchLook(current, curve.style, loading),
-          symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? 7 : 0),
-          showAllSymbol: true,
-          data: indices.map((index) => this.point(curve.loop, index)),
-          z: curve.loop === this.selection.loop ? 4 : 3,
-          ...(label !== undefined
-            ? {
-                endLabel: {
-                  show: true,
-                  formatter: () => curve.label,
-                  color: at(current.series, curve.style % current.series.length),
-                  fontWeight: 'bold',
-                  fontSize: 12,
-                  width: narrow ? 44 : 84,
-                  overflow: 'truncate',
-                  offset: [0, at(offsets, label)],
-                },
-              }
-            : {}),
-        };
-      }),
+          symbol: 'none',
+          lineStyle: { color: curve.colour(current), width: 1.1, opacity: 0.75 },
+          data: this.points(curve.loop, curve.loop.increments.map((_, index) => index)),
+          z: 3,
+        })),
+      ],
     };
+  }
+
+  /** Drawn as a family, without markers. */
+  private others(): Curve[] {
+    const focus = new Set(this.contents.focus().map(({ loop }) => loop));
+    return this.curves.filter(({ loop }) => !focus.has(loop));
   }
 
   private tip(seriesIndex: number, dataIndex: number): HTMLElement | string {
     const series = this.series[seriesIndex];
-    const index = series?.branch.indices[dataIndex];
-    if (!series || index === undefined) return '';
-    const { loop, label } = series.curve;
-    const increment = at(loop.increments, index);
+    const curve = series?.curve ?? this.others()[seriesIndex - this.series.length];
+    const index = series ? series.branch.indices[dataIndex] : dataIndex;
+    if (!curve || index === undefined) return '';
+    const { loop, label } = curve;
     return tooltipBox(label, [
-      ['Increment', `${increment}, ${series.branch.loading ? 'loading' : 'unloading'}`],
+      ['Increment', `${at(loop.increments, index)}, ${loop.isLoading(index) ? 'loading' : 'unloading'}`],
       ['Displacement', formatQuantity(loop.value('displacement', index), 'm')],
       ...this.forces.map(({ name, title }): [string, string] => [title, formatQuantity(loop.value(name, index), 'N')]),
     ]);
   }
 
   /** The point next to the pointer, if it is near enough. */
-  private nearest(x: number, y: number, reach: number): { seriesIndex: number; dataIndex: number } | undefined {
-    let found: { seriesIndex: number; dataIndex: number } | undefined;
-    let least = reach ** 2;
-    this.series.forEach(({ curve, branch }, seriesIndex) => {
-      branch.indices.forEach((index, dataIndex) => {
-        const [px, py] = this.chart.pixel(0, ...this.point(curve.loop, index));
-        const distance = (px - x) ** 2 + (py - y) ** 2;
-        if (distance < least) {
-          least = distance;
-          found = { seriesIndex, dataIndex };
-        }
+  private nearest(x: number, y: number, within: number): { seriesIndex: number; dataIndex: number; curve: Curve; index: number } | undefined {
+    const others = this.others();
+    const drawn = [
+      ...this.series.map(({ curve, branch }) => ({ curve, indices: branch.indices })),
+      ...others.map((curve) => ({ curve, indices: curve.loop.increments.map((_, index) => index) })),
+    ];
+    // Axes are linear: two points tell where all others are.
+    const [x0, y0] = this.chart.pixel(0, 0, 0);
+    const [x1, y1] = this.chart.pixel(0, 1, 1);
+    let found: { seriesIndex: number; dataIndex: number; curve: Curve; index: number } | undefined;
+    let least = within ** 2;
+    drawn.forEach(({ curve, indices }, seriesIndex) => {
+      this.points(curve.loop, indices).forEach(([px, py], dataIndex) => {
+        const distance = (x0 + px * (x1 - x0) - x) ** 2 + (y0 + py * (y1 - y0) - y) ** 2;
+        if (distance >= least) return;
+        least = distance;
+        found = { seriesIndex, dataIndex, curve, index: at(indices, dataIndex) };
       });
     });
     return found;
@@ -203,37 +240,21 @@ export class LoopPanel {
     const area = instance.getZr();
     area.on('mousemove', (event) => {
       const point = this.nearest(event.offsetX, event.offsetY, 40);
-      if (point) instance.dispatchAction({ type: 'showTip', ...point });
+      if (point) instance.dispatchAction({ type: 'showTip', seriesIndex: point.seriesIndex, dataIndex: point.dataIndex });
       else instance.dispatchAction({ type: 'hideTip' });
     });
     area.on('globalout', () => instance.dispatchAction({ type: 'hideTip' }));
     area.on('click', (event) => {
       const point = this.nearest(event.offsetX, event.offsetY, 60);
-      if (!point) return;
-      const { curve, branch } = at(this.series, point.seriesIndex);
-      this.selection.show({
-        run: curve.run,
-        key: curve.loop.key,
-        index: at(branch.indices, point.dataIndex),
-      });
+      if (point) this.comparison.selection.show({ run: point.curve.run, key: point.curve.loop.key, index: point.index });
     });
   }
 
   private follow(): void {
-    const { loop, index, run } = this.selection;
-    const shown = this.curves.some((curve) => curve.run === run && curve.loop === loop);
-    const [x, y] = this.point(loop, index);
+    const { loop, index, run } = this.comparison.selection;
+    const shown = loop.size > 0 && this.curves.some((curve) => curve.run === run && curve.loop === loop);
+    const [x, y] = shown ? at(this.points(loop, [index]), 0) : [0, 0];
     this.chart.setCursors(shown ? [{ name: 'point', grid: 0, x, y }] : []);
-  }
-
-  private sample(loading: boolean): SVGElement {
-    const marker = { cx: 15, cy: 6, r: 3, stroke: 'currentColor', 'stroke-width': 1.4 };
-    return svg(
-      'svg',
-      { width: 30, height: 12, 'aria-hidden': 'true' },
-      svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: 'currentColor', 'stroke-width': 1.8, 'stroke-dasharray': loading ? 'none' : '5 3' }),
-      svg('circle', { ...marker, class: loading ? 'filled' : 'hollow' }),
-    );
   }
 
   private csv(): string {
@@ -248,14 +269,33 @@ export class LoopPanel {
       ]),
     );
     return toCsv(
-      ['run', at(this.curves, 0).run.kind.loops.column, 'increment', 'branch', 'displacement_m', ...names.map((name) => `${name}_N`)],
+      ['run', at(this.comparison.runs, 0).kind.loops.column, 'increment', 'branch', 'displacement_m', ...names.map((name) => `${name}_N`)],
       rows,
     );
   }
 }
 
-/** Colour of a curve, for what stands for it elsewhere. */
-export function curveColour(style: number): string {
-  const { series } = look();
-  return at(series, style % series.length);
+/** Round numbers around all values, with 0 between them. */
+function reach(loops: Loop[], name: string, scale: Scale): [number, number] {
+  let [most, least] = [0, 0];
+  for (const loop of loops) {
+    for (const value of loop.values(name)) {
+      if (value > most) most = value;
+      if (value < least) least = value;
+    }
+  }
+  return [roundAbove(most * scale.factor), least < 0 ? -roundAbove(-least * scale.factor) : 0];
+}
+
+function endLabel(curve: Curve, current: Look, narrow: boolean, offset: number): object {
+  return {
+    show: true,
+    formatter: () => curve.label,
+    color: curve.colour(current),
+    fontWeight: 'bold',
+    fontSize: 12,
+    width: narrow ? 44 : 84,
+    overflow: 'truncate',
+    offset: [0, offset],
+  };
 }

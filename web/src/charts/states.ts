@@ -2,11 +2,12 @@ import { at, contactStates, type ContactState, type Interface, type Loop } from 
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
-import { legend, panel } from '../ui/panel';
+import type { LegendEntry } from '../ui/legend';
+import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
-import { look, onLookChange, type Look } from '../ui/theme';
-import { axis, Chart, tooltip, tooltipBox, type Option } from './chart';
+import { isPrinting, type Look } from '../ui/theme';
+import { axis, Chart, tooltip, tooltipBox, type Option, type RenderApi } from './chart';
 import { PathAxis } from './path_axis';
 import { stretchesOf, type Stretch } from './stretches';
 
@@ -30,6 +31,7 @@ const stateText: Record<ContactState, string> = {
 export class StatePanel {
   readonly root: HTMLElement;
   private readonly chart: Chart;
+  private readonly panel: Panel;
   private path: PathAxis;
   private stretches: Stretch[][] = [];
   private loop: Loop;
@@ -38,23 +40,29 @@ export class StatePanel {
     this.loop = selection.loop;
     this.path = new PathAxis([this.loop]);
     this.chart = new Chart(
-      'Contact states of every bump along the path, at each interface',
+      () => `Contact states of every bump along the path, at each interface; ${this.subject}`,
       () => this.layout().height,
       (current, width) => this.option(current, width),
     );
-    this.root = panel(
+    this.panel = new Panel(
       {
         title: 'Contact states along the path',
-        file: () => fileName('contact-states', this.loop.name),
-        svg: () => this.chart.toSvg(),
+        subject: () => this.subject,
+        legend: () => contactStates.map(stateSample),
+        file: () => fileName('contact-states', selection.run.label, this.loop.name),
+        drawing: () => this.chart.drawing,
         csv: () => this.csv(),
       },
-      legend(contactStates.map((state) => ({ sample: stateSample(state), text: stateText[state] }))),
       this.chart.root,
     );
+    this.root = this.panel.root;
     selection.onChange(() => this.follow());
     this.read();
     this.setCursors();
+  }
+
+  private get subject(): string {
+    return `${this.selection.run.label} · ${this.loop.name}`;
   }
 
   private get interfaces(): Interface[] {
@@ -70,6 +78,7 @@ export class StatePanel {
   private follow(): void {
     if (this.loop !== this.selection.loop) {
       this.read();
+      this.panel.refresh();
       this.chart.fit();
     }
     this.setCursors();
@@ -91,7 +100,7 @@ export class StatePanel {
     const heights: number[] = [];
     let top = 28;
     this.interfaces.forEach((_, i) => {
-      const height = Math.min(420, Math.max(60, 9 * this.nodes(i)));
+      const height = Math.min(isPrinting() ? 200 : 420, Math.max(60, 9 * this.nodes(i)));
       tops.push(top);
       heights.push(height);
       top += height + 54;
@@ -192,11 +201,6 @@ export class StatePanel {
   }
 }
 
-interface RenderApi {
-  coord(point: [number, number]): [number, number];
-  value(dimension: number): number;
-}
-
 function renderStretch({ state }: Stretch, current: Look, api: RenderApi): object {
   const row = api.value(2);
   const [lower, upper] = stateBand[state];
@@ -217,15 +221,14 @@ function nodeTicks(nodes: number): number[] {
 }
 
 /** A piece of a map as the legend shows it. */
-function stateSample(state: ContactState): SVGElement {
+function stateSample(state: ContactState): LegendEntry {
   const [lower, upper] = stateBand[state];
-  const frame = svg('rect', { x: 0.5, y: 0.5, width: 25, height: 11, fill: 'none' });
-  const band = svg('rect', { x: 1, y: 1 + 10 * (1 - upper), width: 24, height: 10 * (upper - lower) });
-  const colour = (): void => {
-    frame.setAttribute('stroke', look().line);
-    band.setAttribute('fill', look().states[state]);
+  return {
+    width: 26,
+    draw: (current) => [
+      svg('rect', { x: 1, y: 1 + 10 * (1 - upper), width: 24, height: 10 * (upper - lower), fill: current.states[state] }),
+      svg('rect', { x: 0.5, y: 0.5, width: 25, height: 11, fill: 'none', stroke: current.line }),
+    ],
+    text: stateText[state],
   };
-  colour();
-  onLookChange(colour);
-  return svg('svg', { width: 26, height: 12, 'aria-hidden': 'true' }, band, frame);
 }

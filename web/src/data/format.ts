@@ -12,10 +12,13 @@ export interface ReportData {
 export type CaseKeys = Record<string, { title: string; unit?: string }>;
 
 export interface RunData {
+  /** Tells the run from the others of the report. */
   name: string;
   kind: string;
   attributes: Record<string, string>;
   summary: Summary;
+  /** What the variables of cycles and increments are, in the words of result.nc. */
+  meanings: Record<string, Meaning>;
   geometry: Record<string, number | null | (number | null)[]>;
   nodes: { bump: number; foot: number };
   last_increment: number;
@@ -24,7 +27,22 @@ export interface RunData {
   loops: LoopData[];
 }
 
+export interface Meaning {
+  unit: string;
+  text: string;
+}
+
+/** Where and when the largest stress acts. */
+export interface StressPlace {
+  place: string;
+  bump: number | null;
+  increment: number;
+  displacement_m: number;
+}
+
 export interface Quantity {
+  /** Of the variable in result.nc. */
+  name: string;
   /** In the summary of a cycle. */
   key: string;
   label: string;
@@ -32,6 +50,8 @@ export interface Quantity {
   whole: boolean;
   /** Says how the cycle was computed. */
   of_solver: boolean;
+  /** In words; empty where the result does not say. */
+  meaning: string;
 }
 
 /** Values are base64: of binary32, of signed bytes for states and other flags. */
@@ -58,5 +78,5 @@ export interface CycleSummary {
   amplitude_m: number;
   steps: number;
   converged: boolean;
-  [key: string]: string | number | boolean | null | (number | null)[];
+  [key: string]: string | number | boolean | null | (number | null)[] | StressPlace;
 }

@@ -1,6 +1,8 @@
 /** What kinds of results there are, and the words for their parts. */
 
 export interface Kind {
+  /** In the titles of sections, where there are results of other kinds, too. */
+  name: string;
   title: string;
   /** What its loops are: the title of a list of them, the column of files, the name of each. */
   loops: { title: string; column: string; name: (key: number) => string };
@@ -21,6 +23,7 @@ export function directionName(degrees: number): string {
 /** By the names of the commands. */
 export const kinds: Record<string, Kind> = {
   cycle: {
+    name: 'bearing',
     title: 'Loops and bearing',
     loops: { title: 'Direction', column: 'direction_deg', name: directionName },
     mover: 'journal',
@@ -29,6 +32,7 @@ export const kinds: Record<string, Kind> = {
     flat: false,
   },
   strip: {
+    name: 'strip',
     title: 'Loops and strip',
     loops: { title: 'Cycle', column: 'cycle', name: (number) => `Cycle ${number}` },
     mover: 'plate',

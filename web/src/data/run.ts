@@ -155,11 +155,7 @@ export class Run {
   readonly kind: Kind;
   readonly loops: Loop[];
 
-  constructor(
-    readonly data: RunData,
-    /** Tells the run from the others of the report. */
-    readonly label: string,
-  ) {
+  constructor(readonly data: RunData) {
     const kind = kinds[data.kind];
     if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
     this.kind = kind;
@@ -182,6 +178,11 @@ export class Run {
         ]
       : [{ name: 'top_bump', title: `${capital(mover)} on bumps`, node: 'bump' }];
     return [...upper, { name: 'bump_sleeve', title: `Feet on ${ground}`, node: 'foot' }];
+  }
+
+  /** Tells the run from the others of the report. */
+  get label(): string {
+    return this.data.name;
   }
 
   get bumps(): number {
@@ -213,20 +214,8 @@ export class Run {
   }
 }
 
-/** Last parts of the paths, as many as it takes to tell them apart; with a number where nothing does. */
-export function shortNames(paths: string[]): string[] {
-  const parts = paths.map((path) => path.split('/').filter((part) => part !== ''));
-  const longest = Math.max(...parts.map((part) => part.length));
-  for (let count = 1; count <= longest; count += 1) {
-    const names = parts.map((part) => part.slice(-count).join('/'));
-    if (new Set(names).size === names.length) return names;
-  }
-  return paths.map((path, i) => `${path} (${i + 1})`);
-}
-
 export function readRuns(report: ReportData): Run[] {
-  const names = shortNames(report.runs.map((run) => run.name));
-  return report.runs.map((run, i) => new Run(run, at(names, i)));
+  return report.runs.map((run) => new Run(run));
 }
 
 /** Keys of the loops of all runs, each once, in their order. */

@@ -59,3 +59,15 @@ export function formatQuantity(number: number | null | undefined, unit: string, 
 export function axisTitle(name: string, scale: Scale): string {
   return scale.unit === '' ? name : `${name} (${scale.unit})`;
 }
+
+/** By how much a value differs from that of the reference: in the unit of the line, and in percent of the reference. */
+export function differences(value: number | null, reference: number | null, scale: Scale): [string, string] {
+  if (value === null || reference === null) return ['–', '–'];
+  const difference = value - reference;
+  const sign = difference > 0 ? '+' : '';
+  // Below the digits of the values themselves there is nothing to be said.
+  const none = Math.abs(difference) <= 1e-9 * Math.max(Math.abs(value), Math.abs(reference));
+  if (none) return ['0', '0 %'];
+  const absolute = `${sign}${formatNumber(difference * scale.factor, 3)}`;
+  return [absolute, reference === 0 ? '–' : `${sign}${formatNumber((100 * difference) / Math.abs(reference), 3)} %`];
+}

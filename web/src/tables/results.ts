@@ -1,9 +1,14 @@
-import type { CycleSummary, Quantity } from '../data/format';
+import type { CycleSummary, Quantity, StressPlace } from '../data/format';
 import { at, capital, largest, type Run } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
-import { formatNumber, scaleFor } from '../data/units';
-import { el } from '../ui/dom';
-import { panel } from '../ui/panel';
+import { differences, formatNumber, formatQuantity, scaleFor, type Scale } from '../data/units';
+import type { Comparison } from '../ui/comparison';
+import { choice, dropDown, el } from '../ui/dom';
+import { Panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+import { term } from './glossary';
+
+type Value = CycleSummary[string] | undefined;
 
 interface Column {
   run: Run;
@@ -11,109 +16,160 @@ interface Column {
   values: Partial<CycleSummary>;
 }
 
-/** By direction, and in each by run, so that runs stand side by side. */
-function columnsOf(runs: Run[], key: number[]): Column[] {
-  return key.flatMap((angle) =>
-    runs.flatMap((run) => {
-      const loop = run.loop(angle);
-      return loop ? [{ run, key: angle, values: loop.summary ?? {} }] : [];
+/** A loop of every run that has it: the reference first. */
+function columnsOf(runs: Run[], reference: Run, keys: number[]): Column[] {
+  const order = [...runs].sort((a, b) => Number(b === reference) - Number(a === reference));
+  return keys.flatMap((key) =>
+    order.flatMap((run) => {
+      const loop = run.loop(key);
+      return loop ? [{ run, key, values: loop.summary ?? {} }] : [];
     }),
   );
 }
 
-function numberOf(value: unknown): number | null {
+export function numberOf(value: Value): number | null {
   return typeof value === 'number' ? value : null;
 }
 
-/** What the results of the runs have, each once. */
-function quantitiesOf(runs: Run[], columns: Column[]): Quantity[] {
-  const all = new Map(runs.flatMap((run) => run.data.quantities.map((quantity): [string, Quantity] => [quantity.key, quantity])));
-  return [...all.values()].filter(({ key }) => columns.some(({ values }) => values[key] !== undefined));
+/** Of the same name and label: what is meant differs where the labels do. */
+function quantityOf(run: Run, { key, label }: Quantity): Quantity | undefined {
+  return run.data.quantities.find((one) => one.key === key && one.label === label);
 }
 
-function bodyRow({ key, label, unit, whole }: Quantity, columns: Column[]): HTMLElement {
-  const scale = scaleFor(largest(columns.map((column) => numberOf(column.values[key]) ?? 0)), unit);
-  const cell = (value: unknown): string => {
-    if (typeof value === 'boolean') return value ? 'yes' : 'no';
-    if (typeof value === 'string') return value.replaceAll('_', ' ');
-    const number = numberOf(value);
-    if (number !== null && whole) return String(number);
-    return formatNumber(number === null ? null : number * scale.factor);
-  };
+/** What the results of the runs have, each once. */
+function quantitiesOf(columns: Column[]): Quantity[] {
+  const all = new Map<string, Quantity>();
+  for (const { run, values } of columns) {
+    for (const quantity of run.data.quantities) {
+      if (values[quantity.key] !== undefined) all.set(`${quantity.key} ${quantity.label}`, all.get(`${quantity.key} ${quantity.label}`) ?? quantity);
+    }
+  }
+  return [...all.values()];
+}
+
+function valueOf(column: Column, quantity: Quantity): Value {
+  return quantityOf(column.run, quantity) ? column.values[quantity.key] : undefined;
+}
+
+function placeOf(column: Column, { name }: Quantity): StressPlace | undefined {
+  const place = column.values[`${name}_at`];
+  return typeof place === 'object' && place !== null && !Array.isArray(place) ? place : undefined;
+}
+
+/** "crest of bump 14, increment 100, 79.5 µm" */
+export function placeText({ place, bump, increment, displacement_m: displacement }: StressPlace): string {
+  const where = bump === null ? place : `${place} of bump ${bump}`;
+  return `${where}, increment ${increment}, ${formatQuantity(displacement, 'm', 3)}`;
+}
+
+function text(value: Value, { whole }: Quantity, scale: Scale): string {
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (typeof value === 'string') return value.replaceAll('_', ' ');
+  const number = numberOf(value);
+  if (number !== null && whole) return String(number);
+  return formatNumber(number === null ? null : number * scale.factor);
+}
+
+function bodyRow(quantity: Quantity, columns: Column[], reference: Run | undefined): HTMLElement {
+  const numbers = columns.map((column) => numberOf(valueOf(column, quantity)));
+  const scale = scaleFor(largest(numbers.map((number) => number ?? 0)), quantity.unit);
+  const compared = reference ? numberOf(valueOf(at(columns, 0), quantity)) : null;
+  const cells = columns.flatMap((column, i) => {
+    const place = placeOf(column, quantity);
+    const value = el('td', {}, text(valueOf(column, quantity), quantity, scale), ...(place ? [el('small', { class: 'place' }, placeText(place))] : []));
+    if (!reference || i === 0) return [value];
+    return [value, ...differences(at(numbers, i), compared, scale).map((difference) => el('td', { class: 'difference' }, difference))];
+  });
   return el(
     'tr',
-    { 'data-key': key },
-    el('th', { scope: 'row' }, capital(label)),
-    el('td', { class: 'unit' }, scale.unit),
-    ...columns.map((column) => el('td', {}, cell(column.values[key]))),
+    { 'data-key': quantity.key },
+    el('th', { scope: 'row' }, term(quantity.name, quantity.label, quantity.meaning)),
+    el('td', { class: 'unit' }, numbers.some((number) => number !== null) ? scale.unit : ''),
+    ...cells,
   );
 }
 
-function head(columns: Column[], several: boolean, name: (key: number) => string): HTMLElement {
-  const spans = new Map<number, number>();
-  for (const { key } of columns) spans.set(key, (spans.get(key) ?? 0) + 1);
-  const first = el(
-    'tr',
-    {},
-    el('th', { scope: 'col', rowspan: several ? 2 : 1 }, 'Quantity'),
-    el('th', { scope: 'col', class: 'unit', rowspan: several ? 2 : 1 }, 'Unit'),
-    ...[...spans].map(([key, span]) => el('th', { scope: 'col', colspan: span }, name(key))),
-  );
-  const second = el('tr', {}, ...columns.map(({ run }) => el('th', { scope: 'col', class: 'run' }, run.label)));
-  return el('thead', {}, first, ...(several ? [second] : []));
+function head(columns: Column[], reference: Run | undefined, name: (key: number) => string): HTMLElement {
+  const corner = [el('th', { scope: 'col' }, 'Quantity'), el('th', { scope: 'col', class: 'unit' }, 'Unit')];
+  const cells = columns.flatMap(({ run, key }, i) => {
+    if (!reference) return [el('th', { scope: 'col' }, name(key))];
+    if (i === 0) return [el('th', { scope: 'col', class: 'run' }, `${run.label} (reference)`)];
+    return [
+      el('th', { scope: 'col', class: 'run' }, run.label),
+      el('th', { scope: 'col', class: 'difference' }, 'difference'),
+      el('th', { scope: 'col', class: 'difference' }, 'in %'),
+    ];
+  });
+  return el('thead', {}, el('tr', {}, ...corner, ...cells));
 }
 
-/** Derived quantities of every direction and run, and how the solver fared. */
-export function resultTable(runs: Run[], key: number[]): HTMLElement {
-  const columns = columnsOf(runs, key);
-  const several = runs.length > 1;
-  const { kind } = at(runs, 0);
-  const quantities = quantitiesOf(runs, columns);
-  const group = (name: string, ofSolver: boolean): HTMLElement =>
+function table(columns: Column[], reference: Run | undefined, name: (key: number) => string): HTMLElement {
+  const quantities = quantitiesOf(columns);
+  const group = (title: string, ofSolver: boolean): HTMLElement =>
     el(
       'tbody',
       {},
-      ...(name === '' ? [] : [el('tr', { class: 'group' }, el('th', { scope: 'rowgroup', colspan: columns.length + 2 }, name))]),
-      ...quantities.filter((quantity) => quantity.of_solver === ofSolver).map((quantity) => bodyRow(quantity, columns)),
+      ...(title === '' ? [] : [el('tr', { class: 'group' }, el('th', { scope: 'rowgroup', colspan: 2 + (reference ? 3 * columns.length - 2 : columns.length) }, title))]),
+      ...quantities.filter((quantity) => quantity.of_solver === ofSolver).map((quantity) => bodyRow(quantity, columns, reference)),
     );
-  const csv = (): string =>
-    toCsv(
-      ['quantity', ...columns.map(({ run, key: angle }) => `${several ? `${run.label} ` : ''}${kind.loops.name(angle)}`)],
-      quantities.map(({ key }): Cell[] => [
-        key,
-        ...columns.map(({ values }) => {
-          const value = values[key];
-          return Array.isArray(value) ? null : value;
-        }),
-      ]),
-    );
-  return panel(
-    { title: `Results by ${kind.loops.title.toLowerCase()}`, file: () => 'results', csv },
-    el(
-      'div',
-      { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of results' },
-      el('table', { class: 'results' }, head(columns, several, kind.loops.name), group('', false), group('Solver', true)),
-    ),
-  );
+  return el('table', { class: 'results' }, head(columns, reference, name), group('', false), group('Solver', true));
 }
 
-/** Where a run falls short of what was asked for. */
-export function warningsOf(run: Run): string[] {
-  const warnings: string[] = [];
-  const { status } = run.data.summary;
-  if (status !== 'complete') {
-    warnings.push(`The results are partial: ${run.attribute('status_message') || status}.`);
+/** Derived quantities of every direction, and how the solver fared; several runs by direction, with differences. */
+export function resultTable(comparison: Comparison, keys: number[]): HTMLElement {
+  const { kind } = at(comparison.runs, 0);
+  const { several, selection } = comparison;
+  const place = el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of results' });
+  let key = selection.loop.key;
+  const columns = (): Column[] => columnsOf(comparison.shown, comparison.reference, several ? [key] : keys);
+  const fill = (): void => place.replaceChildren(table(columns(), several ? comparison.reference : undefined, kind.loops.name));
+  const controls: HTMLElement[] = [];
+  const references = dropDown(
+    'Reference run',
+    comparison.runs.map((run) => ({ value: run, text: run.label })),
+    (reference) => comparison.set({ reference }),
+  );
+  if (several) {
+    const options = keys.map((value) => ({ value, text: kind.loops.name(value) }));
+    controls.push(
+      choice(`${kind.loops.title} of the results`, options, key, (chosen) => {
+        key = chosen;
+        panel.refresh();
+        fill();
+      }),
+      el('label', { class: 'control' }, 'Reference', references),
+    );
   }
-  for (const loop of run.loops) {
-    const { name, size, summary, increments } = loop;
-    if (!summary) warnings.push(`${name} was not begun.`);
-    for (const foil of ['top foil', 'bump foil']) {
-      if (summary?.[`above_yield_${foil.replace(' ', '_')}`] === true) {
-        warnings.push(`${name}: the bending stress of the ${foil} exceeds its yield stress.`);
-      }
-    }
-    const missing = size > 1 && at(increments, 1) > 1 ? at(increments, 1) : 0;
-    if (missing > 0) warnings.push(`${name}: every ${missing}th increment is shown; result.nc has them all.`);
-  }
-  return warnings;
+  const panel = new Panel(
+    {
+      title: `Results by ${kind.loops.title.toLowerCase()}`,
+      controls,
+      subject: () => (several ? `${kind.loops.name(key)} · ${comparison.names} · reference ${comparison.reference.label}` : comparison.names),
+      file: () => fileName('results', comparison.names),
+      csv: () => csv(columnsOf(comparison.shown, comparison.reference, keys), several, kind.loops.name),
+    },
+    place,
+  );
+  comparison.onChange(() => {
+    references.selectedIndex = comparison.runs.indexOf(comparison.reference);
+    panel.refresh();
+    fill();
+  });
+  fill();
+  return panel.root;
+}
+
+function csv(columns: Column[], several: boolean, name: (key: number) => string): string {
+  return toCsv(
+    ['quantity', 'label', 'unit', ...columns.map(({ run, key }) => `${several ? `${run.label} ` : ''}${name(key)}`)],
+    quantitiesOf(columns).map((quantity): Cell[] => [
+      quantity.key,
+      capital(quantity.label),
+      quantity.unit,
+      ...columns.map((column) => {
+        const value = valueOf(column, quantity);
+        return typeof value === 'object' ? null : value;
+      }),
+    ]),
+  );
 }

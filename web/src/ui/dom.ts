@@ -1,3 +1,5 @@
+import { roving } from './roving';
+
 /** Elements are made here, and every text in them is a text node: nothing that a user wrote is ever parsed. */
 
 export type Child = Node | string;
@@ -43,7 +45,14 @@ export function choice<T>(
     });
     return button;
   });
-  return el('div', { class: 'choice', role: 'group', 'aria-label': label }, ...buttons);
+  return roving(el('div', { class: 'choice', role: 'group', 'aria-label': label }, ...buttons));
+}
+
+/** A box to tick, with its words. */
+export function tickBox(text: string, ticked: boolean, change: (ticked: boolean) => void): HTMLLabelElement {
+  const box = el('input', { type: 'checkbox', checked: ticked });
+  box.addEventListener('change', () => change(box.checked));
+  return el('label', { class: 'control' }, box, text);
 }
 
 /** A drop-down list. */

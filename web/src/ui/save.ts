@@ -1,6 +1,4 @@
 /** Hands files to the reader. */
-import { svg } from './dom';
-
 function download(name: string, blob: Blob): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
@@ -8,19 +6,6 @@ function download(name: string, blob: Blob): void {
   link.click();
   // The browser reads it after the click has been dealt with.
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
-/** A drawing of the page as a file of its own, on a background. */
-export function standalone(root: SVGSVGElement, background: string): string {
-  const copy = root.cloneNode(true) as SVGSVGElement;
-  const box = root.viewBox.baseVal;
-  const width = box?.width || root.clientWidth;
-  const height = box?.height || root.clientHeight;
-  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  copy.setAttribute('width', String(width));
-  copy.setAttribute('height', String(height));
-  copy.prepend(svg('rect', { width, height, fill: background }));
-  return new XMLSerializer().serializeToString(copy);
 }
 
 export function saveSvg(name: string, markup: string): void {

@@ -28,6 +28,11 @@ export class Selection {
     for (const listener of this.listeners) listener();
   }
 
+  /** The increment of another loop at the same part of the way. */
+  indexIn(loop: Loop): number {
+    return Math.min(this.sameWay(loop), Math.max(0, loop.size - 1));
+  }
+
   private sameWay(loop: Loop): number {
     if (loop === this.loop || this.loop.size === 0) return this.index;
     const way = at(this.loop.increments, this.index) / Math.max(1, this.loop.steps);

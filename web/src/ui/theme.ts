@@ -9,6 +9,8 @@ export interface Look {
   grid: string;
   /** Of curves: safe for the colour-blind, each with its own marker and dash besides. */
   series: string[];
+  /** Of families of curves, from the least to the greatest value. */
+  ramp: string[];
   states: Record<ContactState, string>;
   journal: string;
   topFoil: string;
@@ -26,6 +28,7 @@ const light: Look = {
   line: '#b9c1c8',
   grid: '#e7eaed',
   series: ['#0067a8', '#cf5200', '#00825f', '#a4478a', '#7a6a00', '#3f8fc4', '#5b5f66', '#8c3b2e'],
+  ramp: ['#1f3ea8', '#7a2ea0', '#c0306e', '#d4570f', '#a87400'],
   states: { open: '#ffffff', stick: '#7d8890', 'slip forward': '#d55e00', 'slip backward': '#0072b2' },
   journal: '#e3e8ec',
   topFoil: '#1c2329',
@@ -43,6 +46,7 @@ const dark: Look = {
   line: '#56616b',
   grid: '#2b333b',
   series: ['#5eb3ee', '#ff9252', '#43c99d', '#e39acb', '#d8c44a', '#9ccbea', '#b9bfc6', '#e08a7b'],
+  ramp: ['#7f9bff', '#b98af5', '#f07aa8', '#ff9d66', '#ffd166'],
   states: { open: '#1a2026', stick: '#8b97a1', 'slip forward': '#ff9252', 'slip backward': '#5eb3ee' },
   journal: '#2f3942',
   topFoil: '#e5e9ec',
@@ -65,6 +69,22 @@ let printing = false;
 
 export function isDark(): boolean {
   return !printing && (chosen ? chosen === 'dark' : prefersDark.matches);
+}
+
+export function isPrinting(): boolean {
+  return printing;
+}
+
+/** Colour of a family at a fraction of its range. */
+export function rampColour(current: Look, fraction: number): string {
+  const place = Math.min(Math.max(0, fraction), 1) * (current.ramp.length - 1);
+  const lower = Math.min(Math.floor(place), current.ramp.length - 2);
+  const channels = [lower, lower + 1].map((i) => [1, 3, 5].map((k) => parseInt(current.ramp[i]?.slice(k, k + 2) ?? '0', 16)));
+  const mixed = [0, 1, 2].map((k) => {
+    const [from, to] = [channels[0]?.[k] ?? 0, channels[1]?.[k] ?? 0];
+    return Math.round(from + (place - lower) * (to - from));
+  });
+  return `#${mixed.map((value) => value.toString(16).padStart(2, '0')).join('')}`;
 }
 
 export function look(): Look {

@@ -1,102 +1,85 @@
 import { BearingPanels } from '../bearing/panel';
 import { player } from '../bearing/player';
-import { energySection } from '../charts/energies';
+import { energies, pathSection, stresses } from '../charts/along_path';
+import { curvesOf, curvesOfRun } from '../charts/curves';
 import { loadSection } from '../charts/loads';
-import { curveColour, LoopPanel, type Curve } from '../charts/loops';
+import { LoopPanel } from '../charts/loops';
 import { StatePanel } from '../charts/states';
+import { sweptKeys } from '../data/case_values';
 import type { CaseKeys } from '../data/format';
 import { allKeys, at, type Run } from '../data/run';
-import { formatQuantity } from '../data/units';
-import { caseTable, provenance } from '../tables/case';
+import { caseSection } from '../tables/case';
 import { resultTable } from '../tables/results';
-import { el } from '../ui/dom';
+import { Comparison } from '../ui/comparison';
+import { el, tickBox } from '../ui/dom';
 import { Selection } from '../ui/selection';
-import { onLookChange } from '../ui/theme';
+import { cards } from './cards';
+import { runChooser } from './chooser';
 
-/** Curves of each direction or cycle: by run where there are several, in its own colour where there is one. */
-function curvesByKey(runs: Run[], keys: number[]): Curve[][] {
-  return keys.map((key, place) =>
-    runs.flatMap((run, i) => {
-      const loop = run.loop(key);
-      if (!loop || loop.size === 0) return [];
-      return runs.length > 1
-        ? [{ run, loop, label: run.label, style: i }]
-        : [{ run, loop, label: loop.name, style: place }];
-    }),
+/** The loops of one run in one chart; of several in one for each direction, in the same axes. */
+function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
+  const run = at(comparison.runs, 0);
+  if (!comparison.several) {
+    const curves = curvesOfRun(run);
+    return [new LoopPanel({ title: 'Loops', curves: () => curves, focus: () => curves }, comparison)];
+  }
+  return begun.map(
+    (key) =>
+      new LoopPanel(
+        {
+          title: `Loops, ${run.kind.loops.name(key)}`,
+          curves: () => curvesOf(comparison, key, comparison.shown),
+          focus: () => curvesOf(comparison, key, comparison.focus),
+        },
+        comparison,
+      ),
   );
 }
 
-/** Buttons with the main results of each direction or cycle, which choose it. */
-function loopCards(groups: Curve[][], selection: Selection): HTMLElement {
-  const cards = groups
-    .filter((curves) => curves.length > 0)
-    .map((curves) => {
-      const { loop } = at(curves, 0);
-      const results = curves.map(({ run, loop: one, label, style }) => {
-        const result = (key: string): number | null => {
-          const value = one.summary?.[key];
-          return typeof value === 'number' ? value : null;
-        };
-        const colour = el('span', { class: 'key' });
-        const paint = (): void => void (colour.style.backgroundColor = curveColour(style));
-        paint();
-        onLookChange(paint);
-        return el(
-          'span',
-          { class: 'result' },
-          el('span', { class: 'who' }, colour, selection.runs.length > 1 ? run.label : label),
-          el('strong', {}, formatQuantity(result('max_force_N'), 'N', 3)),
-          el('small', {}, `${formatQuantity(result('secant_stiffness_N_per_m'), 'N/m', 3)} · loss ${result('loss_factor')?.toFixed(3) ?? '–'}`),
-        );
-      });
-      const heading = selection.runs.length > 1 ? [el('span', { class: 'heading' }, loop.name)] : [];
-      const card = el('button', { type: 'button', class: 'card' }, ...heading, ...results);
-      card.addEventListener('click', () => selection.show({ key: loop.key }));
-      const follow = (): void => card.setAttribute('aria-pressed', String(loop.key === selection.loop.key));
-      selection.onChange(follow);
-      follow();
-      return card;
-    });
-  return el('div', { class: 'cards', role: 'group', 'aria-label': `${at(selection.runs, 0).kind.loops.title}: maximum force, secant stiffness, loss factor` }, ...cards);
-}
-
-/** Sections of the report on loops, of a bearing or of a strip, and the bar that moves along them. */
-export function loopView(runs: Run[], caseKeys: CaseKeys): HTMLElement[] {
+/**
+ * Sections of the report on loops, of a bearing or of a strip, and the bar that moves along them.
+ * @param alone  whether there is no other view, from whose sections these are to be told
+ */
+export function loopView(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLElement[] {
   const { kind, data } = at(runs, 0);
   const keys = allKeys(runs);
-  const groups = curvesByKey(runs, keys);
-  const part = (name: string, title: string, ...children: Node[]): HTMLElement =>
-    el('section', { id: `${data.kind}-${name}`, class: 'part' }, el('h2', {}, title), ...children);
-  const begun = groups.some((curves) => curves.length > 0);
-  const ends = [
-    part('results', 'Results', resultTable(runs, keys)),
-    part('case', 'Case and origin', caseTable(runs, caseKeys), el('div', { class: 'multiples' }, ...runs.map(provenance))),
-  ];
-  if (!begun) return ends;
   const selection = new Selection(runs);
-  const loops =
-    runs.length > 1
-      ? groups.filter((curves) => curves.length > 0).map((curves) => new LoopPanel(`Loops, ${at(curves, 0).loop.name}`, curves, selection))
-      : [new LoopPanel('Loops', groups.flat(), selection)];
+  const comparison = new Comparison(selection, runs.length > 1 ? sweptKeys(runs, caseKeys) : []);
+  const part = (name: string, title: string, ...children: Node[]): HTMLElement =>
+    el('section', { id: `${data.kind}-${name}`, class: 'part', 'aria-labelledby': `${data.kind}-${name}-title` },
+      el('h2', { id: `${data.kind}-${name}-title` }, alone || name === 'loops' ? title : `${title}, ${kind.name}`), ...children);
+  const ends = [
+    part('results', 'Results', resultTable(comparison, keys)),
+    part('case', 'Case and origin', caseSection(comparison, caseKeys)),
+  ];
+  const begun = keys.filter((key) => runs.some((run) => (run.loop(key)?.size ?? 0) > 0));
+  if (begun.length === 0) return ends;
+  const named = begun.map((key) => ({ key, name: kind.loops.name(key) }));
+  const loops = loopPanels(comparison, begun);
   const bearing = new BearingPanels(selection);
-  const loopsPlace = el('div', { class: runs.length > 1 ? 'multiples' : '' }, ...loops.map((loop) => loop.root));
-  const several = runs.length > 1;
-  const arrangement = kind.flat
-    ? [several ? loopsPlace : el('div', { class: 'narrow' }, loopsPlace), bearing.unwrapped]
-    : several
-      ? [loopsPlace, el('div', { class: 'pair wide-right' }, bearing.round, bearing.unwrapped)]
-      : [el('div', { class: 'pair' }, loopsPlace, bearing.round), bearing.unwrapped];
+  const section = stresses(comparison.shownLoops);
+  const sameAxes = comparison.several
+    ? []
+    : [el('div', { class: 'tools' }, tickBox('Same axes in compared charts', true, (same) => comparison.set({ ownAxes: !same })))];
   return [
+    player(selection, comparison),
     part(
       'loops',
       kind.title,
-      loopCards(groups, selection),
-      ...arrangement,
+      ...(comparison.several ? [runChooser(comparison)] : []),
+      cards(keys, comparison),
+      el(
+        'div',
+        { class: 'beside' },
+        el('div', { class: comparison.several ? 'multiples' : 'single' }, ...loops.map((loop) => loop.root)),
+        el('div', { class: 'in-sight' }, kind.flat ? bearing.unwrapped : bearing.round),
+      ),
+      ...(kind.flat ? [] : [bearing.unwrapped]),
     ),
-    part('loads', 'Bump loads', loadSection(groups, selection)),
+    part('loads', 'Bump loads', ...sameAxes, loadSection(named, comparison)),
     part('contacts', 'Contacts', new StatePanel(selection).root),
-    part('energies', 'Energies along the path', energySection(groups, selection)),
+    part('energies', 'Energies along the path', pathSection(energies, named, comparison)),
+    ...(section.quantities.length > 0 ? [part('stresses', 'Stress along the path', pathSection(section, named, comparison))] : []),
     ...ends,
-    player(selection),
   ];
 }

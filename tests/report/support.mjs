@@ -1,0 +1,116 @@
+// What the tests of reports share: results by the program, reports of them, and pages that show these.
+//
+// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_STRIP_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+export const { BUMPFOIL_PROGRAM: program, BUMPFOIL_CASE: caseFile, BUMPFOIL_STRIP_CASE: stripFile } = process.env;
+export const modules = createRequire(join(process.env.BUMPFOIL_WEB, 'package.json'));
+const { chromium } = modules('playwright-core');
+const prefixes = { p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, k: 1e3, M: 1e6, G: 1e9 };
+
+/** Of results and reports; removed at the end. */
+export let folder;
+let browser;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'bumpfoil-report-'));
+  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** What the program says; with the exit code that is due. */
+export function run(args, exitCode = 0) {
+  const done = spawnSync(program, [...args, '--quiet'], { encoding: 'utf8' });
+  assert.equal(done.status, exitCode, done.stderr);
+  return done.stderr;
+}
+
+export function cycle(name, ...pairs) {
+  run(['cycle', caseFile, '-o', join(folder, name), ...pairs.flatMap((pair) => ['--set', pair])]);
+}
+
+export function report(file, ...names) {
+  run(['report', ...names.map((name) => join(folder, name)), '-o', join(folder, file)]);
+}
+
+export function summaryOf(name) {
+  return JSON.parse(readFileSync(join(folder, name, 'summary.json'), 'utf8'));
+}
+
+export function rowsOf(csv) {
+  const [header, ...lines] = csv.trim().split(/\r?\n/);
+  const names = header.split(',');
+  return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], cell])));
+}
+
+/** A report, and everything that goes wrong or out while it is shown. */
+export async function open(file, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  const url = pathToFileURL(join(folder, file)).href;
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(String(error)));
+  page.on('console', (message) => faults.push(message.text()));
+  page.on('dialog', (dialog) => faults.push(`dialog: ${dialog.message()}`));
+  page.on('request', (request) => {
+    if (request.url().split('#')[0] !== url && !/^(data|blob):/.test(request.url())) faults.push(request.url());
+  });
+  await page.goto(url);
+  await page.locator('html[data-drawn]').waitFor();
+  return { page, faults, close: () => context.close() };
+}
+
+export async function withReport(file, check, options) {
+  const { page, faults, close } = await open(file, options);
+  await check(page);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+/** "739.3 N" as 739.3, in SI. */
+export function quantity(text, base) {
+  const [number, unit = ''] = text.replaceAll('−', '-').split(' ');
+  const prefix = unit.slice(0, unit.length - base.length);
+  assert.ok(unit.endsWith(base) && (prefix === '' || prefix in prefixes), text);
+  return Number(number) * (prefix === '' ? 1 : prefixes[prefix]);
+}
+
+export function near(actual, expected, relative, what) {
+  assert.ok(Math.abs(actual - expected) <= relative * Math.abs(expected) + 1e-15, `${what}: ${actual}, not ${expected}`);
+}
+
+export async function saved(page, panelName, button) {
+  const download = page.waitForEvent('download');
+  await page.getByRole('region', { name: panelName, exact: true }).getByRole('button', { name: button }).click();
+  const file = await download;
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+/** What is drawn of the foils, and where the bar says that it is. */
+export async function state(page) {
+  return {
+    index: Number(await page.locator('.player input').inputValue()),
+    readout: await page.locator('.player output').textContent(),
+    drawing: await page.locator('.unwrapped').innerHTML(),
+    round: await page.locator('.round').innerHTML(),
+  };
+}
+
+export async function moveTo(page, index) {
+  await page.locator('.player input').evaluate((slider, value) => {
+    slider.value = String(value);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, index);
+}

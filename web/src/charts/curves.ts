@@ -1,0 +1,68 @@
+import { at, type Loop, type Run } from '../data/run';
+import type { Comparison } from '../ui/comparison';
+import { svg } from '../ui/dom';
+import type { LegendEntry } from '../ui/legend';
+import { markers, type Look } from '../ui/theme';
+
+/** One loop: a direction of a run, and how it is told from others of its chart. */
+export interface Curve {
+  run: Run;
+  loop: Loop;
+  label: string;
+  colour: (current: Look) => string;
+  marker: (typeof markers)[number];
+  dash: 'solid' | number[];
+}
+
+const dashes: Curve['dash'][] = ['solid', [7, 3], [2, 2], [9, 3, 2, 3]];
+
+/** The curves of some runs in one direction, told apart by run. */
+export function curvesOf(comparison: Comparison, key: number, runs: Run[]): Curve[] {
+  return runs.flatMap((run, i) => {
+    const loop = run.loop(key);
+    if (!loop || loop.size === 0) return [];
+    const place = comparison.runs.indexOf(run);
+    return [
+      {
+        run,
+        loop,
+        label: run.label,
+        colour: (current: Look) => comparison.colour(run, current),
+        marker: at(markers, place % markers.length),
+        dash: at(dashes, i % dashes.length),
+      },
+    ];
+  });
+}
+
+/** The curves of one run, told apart by direction. */
+export function curvesOfRun(run: Run): Curve[] {
+  return run.loops.flatMap((loop, place) =>
+    loop.size === 0
+      ? []
+      : [
+          {
+            run,
+            loop,
+            label: loop.name,
+            colour: (current: Look) => at(current.series, place % current.series.length),
+            marker: at(markers, place % markers.length),
+            dash: 'solid' as const,
+          },
+        ],
+  );
+}
+
+export function colourSample(colour: (current: Look) => string, text: string): LegendEntry {
+  return { width: 14, draw: (current) => [svg('rect', { x: 1, y: 1, width: 12, height: 10, rx: 2, fill: colour(current) })], text };
+}
+
+/** What tells the runs in focus apart. */
+export function runLegend(comparison: Comparison): LegendEntry[] {
+  if (!comparison.several) return [];
+  return comparison.focus.map((run) => colourSample((current) => comparison.colour(run, current), nameOf(comparison, run)));
+}
+
+export function nameOf(comparison: Comparison, run: Run): string {
+  return run === comparison.reference && comparison.shown.length > 1 ? `${run.label} (reference)` : run.label;
+}

@@ -1,0 +1,64 @@
+/** Values of a case by their keys, and how people write them. */
+import type { CaseKeys, CaseValue } from './format';
+import { directionName } from './kinds';
+import type { Run } from './run';
+import { formatNumber, formatQuantity } from './units';
+
+/** Dotted keys with their values, in the order of the case. */
+export function flatten(value: CaseValue, path = ''): Map<string, CaseValue> {
+  const entries = new Map<string, CaseValue>();
+  if (value !== null && typeof value === 'object' && !Array.isArray(value)) {
+    for (const [key, part] of Object.entries(value)) {
+      for (const [name, leaf] of flatten(part, path === '' ? key : `${path}.${key}`)) entries.set(name, leaf);
+    }
+  } else {
+    entries.set(path, value);
+  }
+  return entries;
+}
+
+export function valueText(value: CaseValue | undefined, unit: string): string {
+  if (value === undefined || value === null) return '–';
+  if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
+  if (typeof value === 'object') return JSON.stringify(value);
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (typeof value !== 'number') return String(value).replaceAll('_', ' ');
+  if (unit === 'direction') return directionName(Number(((value * 180) / Math.PI).toPrecision(9)));
+  if (unit === 'rad') return `${Number(((value * 180) / Math.PI).toPrecision(6))}°`.replace('-', '−');
+  if (unit !== '') return trimmed(formatQuantity(value, unit, 5));
+  return Number.isInteger(value) ? String(value) : trimmed(formatNumber(value, 5));
+}
+
+/** "38.100 mm" as it was meant: "38.1 mm". */
+function trimmed(text: string): string {
+  return text.replace(/(\.\d*?)0+(?=\D|$)/, '$1').replace(/\.(?=\D|$)/, '');
+}
+
+/** The table that a key is in; empty for keys of none. */
+export function groupOf(key: string): string {
+  return key.includes('.') ? key.slice(0, key.lastIndexOf('.')) : '';
+}
+
+/** A number of the case in which runs differ: they are a family over it. */
+export interface SweptKey {
+  title: string;
+  unit: string;
+  values: Map<Run, number>;
+}
+
+export function sweptKeys(runs: Run[], keys: CaseKeys): SweptKey[] {
+  const cases = runs.map((run) => flatten(run.data.summary.case));
+  return [...(cases[0]?.keys() ?? [])].flatMap((path) => {
+    const numbers = cases.map((entries) => entries.get(path));
+    if (!numbers.every((number): number is number => typeof number === 'number')) return [];
+    if (new Set(numbers).size < 2) return [];
+    const words = [keys[groupOf(path)]?.title, keys[path]?.title ?? path].filter((word) => word !== undefined);
+    return [
+      {
+        title: words.join(': '),
+        unit: keys[path]?.unit ?? '',
+        values: new Map(runs.map((run, i) => [run, numbers[i] ?? NaN])),
+      },
+    ];
+  });
+}

@@ -1,0 +1,46 @@
+/** How runs and their loops ended, in words. */
+import { at, type Loop, type Run } from './run';
+import { formatQuantity } from './units';
+
+/** What keeps a loop from being complete; undefined where nothing does. */
+export function shortfallOf(run: Run, loop: Loop): string | undefined {
+  const { summary, size, lastIncrement } = loop;
+  if (!summary) return run.data.summary.status === 'interrupted' ? 'not begun: the run was interrupted before' : 'not begun';
+  if (summary.converged) return undefined;
+  const { status, failed_increment: failed, failed_displacement_m: displacement, reason } = summary;
+  if (status === 'interrupted' || (status === undefined && run.data.summary.status === 'interrupted')) {
+    return size === 0
+      ? 'interrupted before the first increment'
+      : `interrupted after increment ${at(loop.increments, size - 1)} of ${lastIncrement}, ${formatQuantity(loop.value('displacement', size - 1), 'm', 3)}`;
+  }
+  const why = typeof reason === 'string' ? `: ${reason}` : '';
+  if (typeof failed !== 'number') return `failed${why}`;
+  const where = typeof displacement === 'number' ? `, ${formatQuantity(displacement, 'm', 3)}` : '';
+  return `failed at increment ${failed} of ${lastIncrement}${where}${why}`;
+}
+
+/** "interrupted", "failed"; empty for complete runs. */
+export function outcomeOf(run: Run): string {
+  const { status } = run.data.summary;
+  return status === 'complete' ? '' : status;
+}
+
+/** What readers should mind about a run. */
+export function warningsOf(run: Run): string[] {
+  const warnings: string[] = [];
+  const outcome = outcomeOf(run);
+  if (outcome !== '') warnings.push(`The run ${outcome === 'failed' ? 'failed' : 'was interrupted'}; its results are partial.`);
+  for (const loop of run.loops) {
+    const { name, size, summary, increments } = loop;
+    const shortfall = shortfallOf(run, loop);
+    if (shortfall !== undefined) warnings.push(`${name}: ${shortfall}.`);
+    for (const foil of ['top foil', 'bump foil']) {
+      if (summary?.[`above_yield_${foil.replace(' ', '_')}`] === true) {
+        warnings.push(`${name}: the bending stress of the ${foil} exceeds its yield stress.`);
+      }
+    }
+    const stride = size > 1 && at(increments, 1) > 1 ? at(increments, 1) : 0;
+    if (stride > 0) warnings.push(`${name}: one increment in ${stride} is shown; result.nc has them all.`);
+  }
+  return warnings;
+}

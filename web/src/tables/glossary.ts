@@ -1,0 +1,77 @@
+/** What the quantities are: beside each where it stands, and all of them at the end. */
+import { capital, type Run } from '../data/run';
+import { el } from '../ui/dom';
+
+interface Entry {
+  name: string;
+  label: string;
+  unit: string;
+  text: string;
+}
+
+/** Variables that charts and drawings show under other words than their names. */
+const drawn: Record<string, string> = {
+  displacement: 'displacement',
+  force_direct: 'direct force',
+  force_cross: 'cross force',
+  work: 'work',
+  elastic_energy: 'elastic energy',
+  dissipated_energy: 'dissipated energy',
+  normal_force_journal_top: 'load, mover on top foil',
+  normal_force_top_bump: 'bump load',
+  normal_force_bump_sleeve: 'foot load',
+  friction_force_top_bump: 'friction on the bump',
+  friction_force_bump_sleeve: 'friction on the foot',
+  stress_top_foil: 'stress, top foil over the crests',
+  stress_top_foil_weld: 'stress, top foil at the weld',
+  stress_bump_foil: 'stress, bump foil along the arcs',
+  stress_bump_foil_weld: 'stress, bump foil at the weld',
+  top_displacement: 'displacement of the top foil',
+  crest_u: 'displacement of the crest, along',
+  crest_v: 'displacement of the crest, outwards',
+  foot_u: 'slip of the foot',
+  foot_v: 'displacement of the foot, outwards',
+};
+
+function anchorOf(name: string): string {
+  return `word-${name}`;
+}
+
+/** A name with its definition: under the pointer, and by a link to the glossary. */
+export function term(name: string, label: string, meaning: string): HTMLElement {
+  if (meaning === '') return el('span', {}, capital(label));
+  return el('a', { class: 'term', href: `#${anchorOf(name)}`, title: `${capital(meaning)}.` }, capital(label));
+}
+
+function entriesOf(runs: Run[]): Entry[] {
+  const entries = new Map<string, Entry>();
+  const add = (entry: Entry): void => {
+    const key = `${entry.name} ${entry.label}`;
+    if (entry.text !== '' && !entries.has(key)) entries.set(key, entry);
+  };
+  for (const { data } of runs) {
+    for (const { name, label, unit, meaning } of data.quantities) add({ name, label, unit, text: meaning });
+    for (const [name, label] of Object.entries(drawn)) {
+      const meaning = data.meanings[name];
+      if (meaning) add({ name, label, unit: meaning.unit, text: meaning.text });
+    }
+  }
+  return [...entries.values()].sort((a, b) => a.label.localeCompare(b.label));
+}
+
+/** Every quantity of the report with its definition, as the results carry it. */
+export function glossary(runs: Run[]): HTMLElement {
+  const ids = new Set<string>();
+  const list = entriesOf(runs).map(({ name, label, unit, text }) => {
+    const id = anchorOf(name);
+    const first = !ids.has(id);
+    ids.add(id);
+    return el(
+      'div',
+      first ? { id } : {},
+      el('dt', {}, capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit}`)])),
+      el('dd', {}, `${capital(text)}.`),
+    );
+  });
+  return el('dl', { class: 'glossary' }, ...list);
+}

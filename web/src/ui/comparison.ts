@@ -1,0 +1,102 @@
+import { at, type Loop, type Run } from '../data/run';
+import type { SweptKey } from '../data/case_values';
+import type { Selection } from './selection';
+import { rampColour, type Look } from './theme';
+
+/** As many runs as charts can tell apart one by one. */
+const mostInFocus = 4;
+/** As many as have a colour of their own. */
+const mostInColours = 8;
+
+/** Which runs are compared, with which one, and how they are told apart. All views follow it. */
+export class Comparison {
+  readonly runs: Run[];
+  reference: Run;
+  /** What the colours stand for; one for each run where it is absent. */
+  family: SweptKey | undefined;
+  /** Whether every chart has axes of its own, and not the same as those it is compared with. */
+  ownAxes = false;
+  private readonly chosen: Set<Run>;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(
+    readonly selection: Selection,
+    readonly families: SweptKey[],
+  ) {
+    this.runs = selection.runs;
+    this.reference = selection.run;
+    this.chosen = new Set(this.runs);
+    this.family = this.runs.length > mostInColours ? families[0] : undefined;
+    let run = selection.run;
+    selection.onChange(() => {
+      if (run === selection.run) return;
+      run = selection.run;
+      // Where few are told apart, the run that is looked at is one of them.
+      if (this.isShown(run) ? this.many : this.chosen.add(run)) this.tell();
+    });
+  }
+
+  get several(): boolean {
+    return this.runs.length > 1;
+  }
+
+  get shown(): Run[] {
+    return this.runs.filter((run) => this.chosen.has(run));
+  }
+
+  /** More than can be told apart one by one. */
+  get many(): boolean {
+    return this.chosen.size > mostInFocus;
+  }
+
+  /** The runs that are told apart one by one: all shown, or, of many, the reference and the one looked at. */
+  get focus(): Run[] {
+    if (!this.many) return this.shown;
+    return this.runs.filter((run) => run === this.reference || run === this.selection.run);
+  }
+
+  get shownLoops(): Loop[] {
+    return this.shown.flatMap((run) => run.loops.filter((loop) => loop.size > 0));
+  }
+
+  isShown(run: Run): boolean {
+    return this.chosen.has(run);
+  }
+
+  /** Names of the runs in a title; their number where there are many. */
+  get names(): string {
+    return this.many ? `${this.shown.length} runs` : this.shown.map(({ label }) => label).join(', ');
+  }
+
+  onChange(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** Shows these runs; of none the reference stays. */
+  show(runs: Run[]): void {
+    this.chosen.clear();
+    for (const run of runs.length > 0 ? runs : [this.reference]) this.chosen.add(run);
+    if (!this.isShown(this.reference)) this.reference = at(this.shown, 0);
+    if (this.isShown(this.selection.run)) this.tell();
+    else this.selection.show({ run: this.reference });
+  }
+
+  /** Changes what is told apart, and how. */
+  set(change: Partial<Pick<Comparison, 'reference' | 'family' | 'ownAxes'>>): void {
+    Object.assign(this, change);
+    this.chosen.add(this.reference);
+    this.tell();
+  }
+
+  colour(run: Run, current: Look): string {
+    const values = this.family?.values;
+    if (!values) return at(current.series, this.runs.indexOf(run) % current.series.length);
+    const all = [...values.values()];
+    const [least, most] = [Math.min(...all), Math.max(...all)];
+    return rampColour(current, ((values.get(run) ?? least) - least) / (most - least));
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}
