@@ -42,18 +42,21 @@ void require_intact(const fs::path& path, std::string_view bytes, const StoredSu
 }
 
 /// What the tables of the page say: of each quantity its key in summary.json, words, unit, and what result.nc calls it.
-Json quantities_json(std::string_view kind, const Json& meanings) {
+/// What another version defined in another way has a label of its own: it is not to be compared.
+Json quantities_json(std::string_view kind, const Json& summary, const Json& meanings) {
   const Experiment experiment = kind == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
+  const bool first_version = summary["schema"] == "bumpfoil-summary/1";
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.label.empty()) continue;
-    json.push_back({{"name", quantity.name},
-                    {"key", key_of(quantity.name, quantity.unit)},
-                    {"label", quantity.label},
-                    {"unit", quantity.unit == "1" ? "" : quantity.unit},
-                    {"whole", quantity.form.kind == Form::whole},
-                    {"of_solver", quantity.of_solver},
-                    {"meaning", meanings.contains(quantity.name) ? meanings[quantity.name]["text"] : Json("")}});
+    json.push_back(
+        {{"name", quantity.name},
+         {"key", key_of(quantity.name, quantity.unit)},
+         {"label", first_version && quantity.name == "loss_factor" ? "loss factor, definition of 0.1" : quantity.label},
+         {"unit", quantity.unit == "1" ? "" : quantity.unit},
+         {"whole", quantity.form.kind == Form::whole},
+         {"of_solver", quantity.of_solver},
+         {"meaning", meanings.contains(quantity.name) ? meanings[quantity.name]["text"] : Json("")}});
   }
   return json;
 }
@@ -96,7 +99,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
   Json run{{"summary", summary.json}};
   run.update(result);
-  run["quantities"] = quantities_json(run["kind"].get<std::string>(), run["meanings"]);
+  run["quantities"] = quantities_json(run["kind"].get<std::string>(), summary.json, run["meanings"]);
   return run;
 }
 

@@ -1,7 +1,7 @@
 // The page of reports as people use it: several runs beside each other, pictures, paper, keyboard, words, many runs.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { before, test } from 'node:test';
 import { caseFile, cycle, folder, modules, moveTo, near, quantity, report, rowsOf, run, saved, stripFile, summaryOf, withReport } from './support.mjs';
@@ -67,7 +67,7 @@ test('of several runs, a point chosen on any loop moves a bearing that is in sig
 
 test('saved pictures say what they are of', () =>
   withReport('two.html', async (page) => {
-    await page.getByRole('group', { name: 'Direction: maximum force and other main results' }).getByRole('button', { name: '−Y' }).click();
+    await page.getByRole('group', { name: 'Direction: main results' }).getByRole('button', { name: '−Y' }).click();
     const expected = [
       ['Loops, −Y', 'loops-force_direct-demo_slippery--Y.svg', ['Loops, −Y', 'Direct force over displacement', 'demo, slippery', 'loading', 'unloading', 'demo (reference)', 'slippery']],
       ['Bump loads, +Y', 'loads-top_bump-demo-slippery-+Y.svg', ['Bump loads, +Y', 'Top foil on bumps', 'bar: at full displacement', 'slippery']],
@@ -133,6 +133,43 @@ test('results have differences from the reference that was chosen', () =>
     const [unit, , demo] = await page.locator('[data-key=max_force_N] td').allTextContents();
     near(quantity(`${demo} ${unit}`, 'N'), summaryOf('demo').cycles[2].max_force_N, 1e-3, '+Y');
   }));
+
+test('quantities of other versions that mean something else are never compared', async () => {
+  const old = readFileSync(join(folder, 'two.html'), 'utf8');
+  const place = old.lastIndexOf('"label":"loss factor"');
+  assert.ok(place > old.indexOf('"label":"loss factor"'));
+  writeFileSync(join(folder, 'old.html'), `${old.slice(0, place)}"label":"loss factor, definition of 0.1"${old.slice(place + '"label":"loss factor"'.length)}`);
+  await withReport('old.html', async (page) => {
+    const rows = await page.locator('[data-key=loss_factor]').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+    assert.equal(rows.length, 2);
+    const [own, other] = rows;
+    assert.match(own[2], /^0\.\d+$/);
+    assert.deepEqual([own[0], ...own.slice(3)], ['Loss factor', '–', '–', '–']);
+    assert.match(other[3], /^0\.\d+$/);
+    assert.deepEqual([other[0], other[2], ...other.slice(4)], ['Loss factor, definition of 0.1', '–', '–', '–']);
+    assert.match(await page.locator('.card').first().textContent(), /loss factorloss factor, definition of 0\.1/);
+  });
+});
+
+test('tiles lead with the loaded stiffness, and tables have the clearances asked for', async () => {
+  cycle('clearances', 'cycle.steps=40', 'cycle.amplitude=95 um', 'cycle.clearance_forces=["2 N", "5 N", "5 kN"]');
+  report('clearances.html', 'clearances');
+  await withReport('clearances.html', async (page) => {
+    const { cycles } = summaryOf('clearances');
+    const tile = page.locator('.card').first();
+    near(quantity(await tile.locator('strong').textContent(), 'N/m'), cycles[0].loaded_stiffness_N_per_m, 6e-3, 'headline');
+    assert.match(await tile.textContent(), /loaded stiffness.*secant with free travel/);
+    for (const [i, { force_N: force, displacement_m: displacement }] of cycles[0].clearances.entries()) {
+      const row = page.locator('.results tr', { hasText: `Clearance at ${['2 N', '5 N', '5 kN'][i]}` });
+      const [unit, shown] = await row.locator('td').allTextContents();
+      if (displacement === null) assert.equal(shown, '–', String(force));
+      else near(quantity(`${shown} ${unit}`, 'm'), displacement, 1e-3, String(force));
+    }
+    for (const name of ['Take-up point', 'Specific damping capacity', 'Loaded stiffness']) assert.equal(await page.locator('.results th', { hasText: name }).count(), 1, name);
+    // An eighth of the rise is passed here.
+    assert.match(await page.locator('.warnings').textContent(), /\+X: bump \d+ is compressed by .* of its rise/);
+  });
+});
 
 test('on paper no card is torn, the first page is full, charts say what they are of', async () => {
   for (const file of ['one.html', 'all.html']) {

@@ -6,7 +6,13 @@ import { el } from './ui/dom';
 import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
 import { loopView } from './views/loops';
-import './style.css';
+import './style/page.css';
+import './style/panels.css';
+import './style/runs.css';
+import './style/charts.css';
+import './style/tables.css';
+import './style/player.css';
+import './style/print.css';
 
 /** One view per kind of result; runs of one kind are compared in it. */
 const views: Record<string, (runs: Run[], keys: CaseKeys, alone: boolean) => HTMLElement[]> = {

@@ -4,8 +4,9 @@ import { labelOffsets } from '../src/charts/label_offsets';
 import { sweptKeys } from '../src/data/case_values';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
-import type { LoopData } from '../src/data/format';
+import type { LoopData, Quantity, RunData } from '../src/data/format';
 import { directionName } from '../src/data/kinds';
+import { warningsOf } from '../src/data/outcome';
 import { Loop, Run, largest } from '../src/data/run';
 import { wrapped } from '../src/ui/lines';
 
@@ -126,4 +127,71 @@ it('finds the numbers of the case in which runs differ', () => {
   const keys = sweptKeys(runs, { friction: { title: 'Friction' }, 'friction.coefficient': { title: 'Coefficient' } });
   expect(keys.map(({ title, unit }) => [title, unit])).toEqual([['Friction: Coefficient', '']]);
   expect(runs.map((one) => keys[0]?.values.get(one))).toEqual([0.1, 0.2, 0.1]);
+});
+
+describe('clearances', () => {
+  const quantity = (name: string): Quantity => ({ name, key: name, label: name, unit: 'm', whole: false, of_solver: false, meaning: '' });
+  const data = (cycle: object, meanings: RunData['meanings']): RunData => ({
+    name: 'a',
+    kind: 'cycle',
+    attributes: {},
+    summary: { case: {}, version: '', commit: '', solver: '', status: 'complete', cycles: [{ at: 0, amplitude_m: 1, steps: 1, converged: true, ...cycle }] },
+    meanings,
+    geometry: {},
+    nodes: { bump: 1, foot: 1 },
+    last_increment: 2,
+    quantities: [quantity('first_contact'), quantity('take_up'), quantity('max_compression')],
+    loops: [{ at: 0, increments: [0], series: {}, fields: {} }],
+  });
+
+  it('are quantities of their own, beside the take-up point', () => {
+    const clearances = [
+      { force_N: 2.5, displacement_m: 3e-6 },
+      { force_N: 20, displacement_m: null },
+    ];
+    const run = new Run(data({ clearances }, { clearance: { unit: 'm', text: 'where it reaches' } }));
+    expect(run.quantities.map(({ label }) => label)).toEqual(['first_contact', 'take_up', 'clearance at 2.5 N', 'clearance at 20 N', 'max_compression']);
+    expect(run.quantities.slice(2, 4).map(({ key, meaning }) => [run.loops[0]?.summary?.[key], meaning])).toEqual([
+      [3e-6, 'where it reaches'],
+      [null, 'where it reaches'],
+    ]);
+  });
+
+  it('are two in version 0.1', () => {
+    const run = new Run(data({ clearance_5N_m: 1e-6, clearance_10N_m: null }, { clearance_5N: { unit: 'm', text: 'reaches 5 N' } }));
+    expect(run.quantities.slice(2, 4).map(({ label, key, meaning }) => [label, run.loops[0]?.summary?.[key], meaning])).toEqual([
+      ['clearance at 5 N', 1e-6, 'reaches 5 N'],
+      ['clearance at 10 N', null, ''],
+    ]);
+  });
+});
+
+describe('warnings', () => {
+  const warned = (cycle: object, summaryOfRun = 'complete'): string[] =>
+    warningsOf(
+      new Run({
+        name: 'a',
+        kind: 'cycle',
+        attributes: {},
+        summary: { case: {}, version: '', commit: '', solver: '', status: summaryOfRun, cycles: [{ at: 0, amplitude_m: 1, steps: 1, converged: true, ...cycle }] },
+        meanings: {},
+        geometry: {},
+        nodes: { bump: 1, foot: 1 },
+        last_increment: 2,
+        quantities: [],
+        loops: [{ at: 0, increments: [0], series: {}, fields: {} }],
+      }),
+    );
+
+  it('are those that the result has', () => {
+    expect(warned({ warnings: ['never touches: push further'], above_yield_top_foil: true })).toEqual(['+X: never touches: push further.']);
+    expect(warned({ above_yield_top_foil: true })).toEqual(['+X: the bending stress of the top foil exceeds its yield stress.']);
+  });
+
+  it('say where and why a loop ended', () => {
+    expect(warned({ converged: false, status: 'no_modes', failed_increment: 1, failed_displacement_m: 2e-6, reason: 'no modes were found' }, 'failed')).toEqual([
+      'The run failed; its results are partial.',
+      '+X: failed at increment 1 of 2, 2.00 µm: no modes were found.',
+    ]);
+  });
 });

@@ -130,8 +130,8 @@ export class LoopPanel {
 
   /** The whole of it stands above the bar at the foot of the window. */
   private height(width: number): number {
-    const room = isPrinting() ? 380 : window.innerHeight - (this.comparison.several ? 488 : 448);
-    return Math.max(280, Math.min(0.82 * width, 560, room));
+    const room = isPrinting() ? 380 : window.innerHeight - (this.comparison.several ? 508 : 448);
+    return Math.max(250, Math.min(0.82 * width, 560, room));
   }
 
   /** What the axes must have room for. */

@@ -78,5 +78,5 @@ export interface CycleSummary {
   amplitude_m: number;
   steps: number;
   converged: boolean;
-  [key: string]: string | number | boolean | null | (number | null)[] | StressPlace;
+  [key: string]: string | number | boolean | null | (number | null | string | object)[] | StressPlace;
 }

@@ -1,4 +1,5 @@
 /** How runs and their loops ended, in words. */
+import type { CycleSummary } from './format';
 import { at, type Loop, type Run } from './run';
 import { formatQuantity } from './units';
 
@@ -25,6 +26,14 @@ export function outcomeOf(run: Run): string {
   return status === 'complete' ? '' : status;
 }
 
+/** Where the answer leaves what the model is valid for; of version 0.1 only whether a foil yields. */
+function ownWarnings(summary: CycleSummary): string[] {
+  if (Array.isArray(summary['warnings'])) return summary['warnings'].map(String);
+  return ['top foil', 'bump foil']
+    .filter((foil) => summary[`above_yield_${foil.replace(' ', '_')}`] === true)
+    .map((foil) => `the bending stress of the ${foil} exceeds its yield stress`);
+}
+
 /** What readers should mind about a run. */
 export function warningsOf(run: Run): string[] {
   const warnings: string[] = [];
@@ -34,11 +43,7 @@ export function warningsOf(run: Run): string[] {
     const { name, size, summary, increments } = loop;
     const shortfall = shortfallOf(run, loop);
     if (shortfall !== undefined) warnings.push(`${name}: ${shortfall}.`);
-    for (const foil of ['top foil', 'bump foil']) {
-      if (summary?.[`above_yield_${foil.replace(' ', '_')}`] === true) {
-        warnings.push(`${name}: the bending stress of the ${foil} exceeds its yield stress.`);
-      }
-    }
+    if (summary) warnings.push(...ownWarnings(summary).map((warning) => `${name}: ${warning}.`));
     const stride = size > 1 && at(increments, 1) > 1 ? at(increments, 1) : 0;
     if (stride > 0) warnings.push(`${name}: one increment in ${stride} is shown; result.nc has them all.`);
   }

@@ -1,6 +1,7 @@
+import { quantitiesOf, withClearances } from './clearances';
 import { kinds, type Kind } from './kinds';
 import { decodeFlags, decodeNumbers } from './decode';
-import type { CycleSummary, LoopData, ReportData, RunData } from './format';
+import type { CycleSummary, LoopData, Quantity, ReportData, RunData } from './format';
 
 /** States of a contact, in the order of their flags. */
 export const contactStates = ['open', 'stick', 'slip forward', 'slip backward'] as const;
@@ -154,14 +155,18 @@ export function capital(word: string): string {
 export class Run {
   readonly kind: Kind;
   readonly loops: Loop[];
+  /** What tables show of a cycle, in their order. */
+  readonly quantities: Quantity[];
 
   constructor(readonly data: RunData) {
     const kind = kinds[data.kind];
     if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
     this.kind = kind;
+    this.quantities = quantitiesOf(data);
     const cycle = data.summary.case[data.kind] as { amplitude?: number; steps?: number } | undefined;
     this.loops = data.loops.map((loop, i) => {
-      const summary = data.summary.cycles[i];
+      const cycleSummary = data.summary.cycles[i];
+      const summary = cycleSummary && withClearances(cycleSummary);
       const steps = summary?.steps ?? cycle?.steps ?? 0;
       return new Loop(loop, data.nodes, data.last_increment, kind.loops.name(loop.at), summary, steps, summary?.amplitude_m ?? cycle?.amplitude ?? 0);
     });

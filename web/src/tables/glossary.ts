@@ -49,8 +49,8 @@ function entriesOf(runs: Run[]): Entry[] {
     const key = `${entry.name} ${entry.label}`;
     if (entry.text !== '' && !entries.has(key)) entries.set(key, entry);
   };
-  for (const { data } of runs) {
-    for (const { name, label, unit, meaning } of data.quantities) add({ name, label, unit, text: meaning });
+  for (const { data, quantities } of runs) {
+    for (const { name, label, unit, meaning } of quantities) add({ name, label, unit, text: meaning });
     for (const [name, label] of Object.entries(drawn)) {
       const meaning = data.meanings[name];
       if (meaning) add({ name, label, unit: meaning.unit, text: meaning.text });

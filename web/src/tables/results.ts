@@ -33,14 +33,14 @@ export function numberOf(value: Value): number | null {
 
 /** Of the same name and label: what is meant differs where the labels do. */
 function quantityOf(run: Run, { key, label }: Quantity): Quantity | undefined {
-  return run.data.quantities.find((one) => one.key === key && one.label === label);
+  return run.quantities.find((one) => one.key === key && one.label === label);
 }
 
 /** What the results of the runs have, each once. */
 function quantitiesOf(columns: Column[]): Quantity[] {
   const all = new Map<string, Quantity>();
   for (const { run, values } of columns) {
-    for (const quantity of run.data.quantities) {
+    for (const quantity of run.quantities) {
       if (values[quantity.key] !== undefined) all.set(`${quantity.key} ${quantity.label}`, all.get(`${quantity.key} ${quantity.label}`) ?? quantity);
     }
   }

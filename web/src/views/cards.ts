@@ -9,33 +9,39 @@ import { look, onLookChange } from '../ui/theme';
 import { numberOf } from '../tables/results';
 import { curvesOfRun } from '../charts/curves';
 
-/** What cards tell, those of it that the results have; the first in large letters. */
-const told = ['max_force', 'secant_stiffness', 'loss_factor'];
+/** What cards tell, those of it that the results have, the first in large letters; of several runs what can be compared. */
+const told = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
+const toldOfSeveral = ['loaded_stiffness', 'secant_stiffness', 'loss_factor'];
 
-function quantitiesOf(run: Run): Quantity[] {
-  return told.flatMap((name) => run.data.quantities.find((quantity) => quantity.name === name) ?? []);
+/** Of runs of other versions the same name may mean something else: then it has another label. */
+function quantitiesOf(runs: Run[], several: boolean): Quantity[] {
+  const names = several ? toldOfSeveral : told;
+  const all = names.flatMap((name) => runs.flatMap((run) => run.quantities.filter((quantity) => quantity.name === name)));
+  return all.filter((quantity, i) => all.findIndex(({ key, label }) => key === quantity.key && label === quantity.label) === i);
 }
 
-function valueText({ key, unit }: Quantity, loop: Loop): string {
-  const number = numberOf(loop.summary?.[key]);
+function valueText(run: Run, loop: Loop, { key, label, unit }: Quantity): string {
+  const has = run.quantities.some((quantity) => quantity.key === key && quantity.label === label);
+  const number = has ? numberOf(loop.summary?.[key]) : null;
   return unit === '' ? formatNumber(number, 3) : formatQuantity(number, unit, 3);
 }
 
 /** The main results of one loop; in columns where there are several runs. */
-function result(comparison: Comparison, run: Run, loop: Loop): HTMLElement {
+function result(comparison: Comparison, run: Run, loop: Loop, quantities: Quantity[]): HTMLElement {
   const { several } = comparison;
   const colour = el('span', { class: 'key' });
   const curve = curvesOfRun(run).find((one) => one.loop === loop);
   colour.style.backgroundColor = (several ? comparison.colour(run, look()) : curve?.colour(look())) ?? 'transparent';
   const shortfall = shortfallOf(run, loop);
-  const [first, ...rest] = quantitiesOf(run).map((quantity) => ({ quantity, text: valueText(quantity, loop) }));
-  const small = rest.map(({ quantity, text }) => el('span', { title: quantity.meaning }, several ? text : `${quantity.label} ${text}`));
+  const [first, ...rest] = quantities.map((quantity) => ({ quantity, text: valueText(run, loop, quantity) }));
+  const words = (one: { quantity: Quantity; text: string }): string => (several ? one.text : `${one.quantity.label} ${one.text}`);
+  const small = rest.map((one) => el('span', { title: one.quantity.meaning }, words(one)));
   return el(
     'span',
     { class: 'result' },
     el('span', { class: 'who' }, colour, several ? run.label : loop.name),
-    el('strong', { title: first?.quantity.meaning ?? '' }, first?.text ?? '–'),
-    ...(several ? small : [el('small', {}, ...small)]),
+    el('strong', { title: first ? `${first.quantity.label}: ${first.quantity.meaning}` : '' }, first?.text ?? '–'),
+    ...(several ? small : [el('small', { class: 'headline' }, first?.quantity.label ?? ''), el('small', {}, ...small)]),
     ...(shortfall === undefined ? [] : [el('small', { class: 'shortfall' }, shortfall.split(':')[0] ?? '')]),
   );
 }
@@ -48,11 +54,13 @@ export function cards(keys: number[], comparison: Comparison): HTMLElement {
     const card = el('button', { type: 'button', class: several ? 'card several' : 'card' });
     card.addEventListener('click', () => selection.show({ key }));
     const fill = (): void => {
+      const quantities = quantitiesOf(comparison.focus, several);
       const results = comparison.focus.flatMap((run) => {
         const loop = run.loop(key);
-        return loop ? [result(comparison, run, loop)] : [];
+        return loop ? [result(comparison, run, loop, quantities)] : [];
       });
-      const columns = quantitiesOf(comparison.reference).map(({ label }) => el('span', { class: 'column' }, label));
+      card.style.setProperty('--columns', String(quantities.length));
+      const columns = quantities.map(({ label }) => el('span', { class: 'column' }, label));
       const heading = several ? [el('span', { class: 'heading' }, kind.loops.name(key)), ...columns] : [];
       card.replaceChildren(...heading, ...results);
     };
@@ -64,5 +72,5 @@ export function cards(keys: number[], comparison: Comparison): HTMLElement {
     follow();
     return card;
   });
-  return roving(el('div', { class: 'cards', role: 'group', 'aria-label': `${kind.loops.title}: maximum force and other main results` }, ...buttons));
+  return roving(el('div', { class: 'cards', role: 'group', 'aria-label': `${kind.loops.title}: main results` }, ...buttons));
 }
