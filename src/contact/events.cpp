@@ -1,10 +1,13 @@
-#include "contact/events.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
+#include <vector>
 
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/path_follower.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "contact/event_follower.hpp"
 #include "contact/piece_energy.hpp"
 
 namespace bumpfoil {
@@ -21,9 +24,30 @@ constexpr double shortest_probe = 1e-10;
 /// Energy that a jump may seem to gain, in units of what is negligible: states at its ends are not exact.
 constexpr double most_gained = 100.0;
 
-}  // namespace
+class EventStepper final : public PathFollower {
+ public:
+  EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes);
 
-EventStepper::EventStepper(const SharedProblem& problem) : EventStepper(problem, make_mode_system(*problem)) {}
+  [[nodiscard]] SolverBounds bounds() const override { return newton_.bounds(); }
+  [[nodiscard]] SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
+                                     ContactState& state) override;
+  void set_out(const LoadingPath& path, const ContactState& state) override;
+  [[nodiscard]] const LoadingPath& path() const override { return path_; }
+  [[nodiscard]] FollowReport follow_to(double fraction, ContactState& state, const PartVisitor& visit,
+                                       std::vector<ContactEvent>& events) override;
+
+ private:
+  bool follow_events(double fraction, ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
+                     FollowReport& report);
+  [[nodiscard]] bool stands(const ContactState& state, const ContactState& end, bool is_place,
+                            FollowReport& report) const;
+
+  SharedProblem problem_;
+  EventFollower follower_;
+  NewtonSolver newton_;
+  LoadingPath path_;
+  double fraction_{};  ///< of the path that lies behind
+};
 
 EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes)
     : problem_(problem), follower_(problem, modes), newton_(problem, modes) {
@@ -128,6 +152,8 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
   report.status = Status::converged;
   return report;
 }
+
+}  // namespace
 
 std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem,
                                                  const std::shared_ptr<ModeSystem>& modes) {

@@ -1,7 +1,8 @@
-#include "contact/events.hpp"
-
 #include <gtest/gtest.h>
 
+#include "bumpfoil/contact/mode_system.hpp"
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/contact/path_follower.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "support/random_problem.hpp"
 #include "support/toy_problems.hpp"
@@ -9,22 +10,26 @@
 namespace bumpfoil {
 namespace {
 
+std::unique_ptr<PathFollower> stepper_of(const ContactProblem& problem) {
+  return make_event_stepper(problem, make_mode_system(problem));
+}
+
 /// A whole path at once.
-FollowReport follow(EventStepper& stepper, const ContactLoading& from, const ContactLoading& to, ContactState& state,
+FollowReport follow(PathFollower& stepper, const ContactLoading& from, const ContactLoading& to, ContactState& state,
                     const PartVisitor& visit, std::vector<ContactEvent>& events) {
   stepper.set_out({from, to}, state);
   return stepper.follow_to(1.0, state, visit, events);
 }
 
 TEST(EventStepper, FractionsRunFromBeginToEndOfTheStep) {
-  EventStepper stepper(toy::dragged_block());
+  const auto stepper = stepper_of(toy::dragged_block());
   ContactState state = ContactState::unstressed(toy::dragged_block());
   std::vector<ContactEvent> events;
-  ASSERT_TRUE(follow(stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).converged());
+  ASSERT_TRUE(follow(*stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).converged());
   events.clear();
   // There and back: slips at 20 N, sticks at once on the way back, slips back when 40 N are taken.
-  ASSERT_TRUE(follow(stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).converged());
-  const FollowReport back = follow(stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
+  ASSERT_TRUE(follow(*stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).converged());
+  const FollowReport back = follow(*stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
   EXPECT_TRUE(back.converged());
   EXPECT_EQ(back.substeps, 0);
   ASSERT_EQ(events.size(), 3U);
@@ -36,12 +41,12 @@ TEST(EventStepper, FractionsRunFromBeginToEndOfTheStep) {
 }
 
 TEST(EventStepper, PartsJoinWithoutAGap) {
-  EventStepper stepper(toy::stacked_slabs());
+  const auto stepper = stepper_of(toy::stacked_slabs());
   ContactState state = ContactState::unstressed(toy::stacked_slabs());
   std::vector<ContactEvent> events;
   const ContactLoading apart{.initial_gap = Eigen::Vector2d(10e-6, 4e-6), .load = Vector::Zero(2)};
   const ContactLoading pressed{.initial_gap = Eigen::Vector2d(-2e-6, -3e-6), .load = Vector::Zero(2)};
-  ASSERT_TRUE(follow(stepper, apart, apart, state, {}, events).converged());
+  ASSERT_TRUE(follow(*stepper, apart, apart, state, {}, events).converged());
   Vector joint = state.x;
   int parts = 0;
   const auto visit = [&](const ResponsePart& part) {
@@ -52,7 +57,7 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
     ++parts;
   };
   events.clear();
-  ASSERT_TRUE(follow(stepper, apart, pressed, state, visit, events).converged());
+  ASSERT_TRUE(follow(*stepper, apart, pressed, state, visit, events).converged());
   EXPECT_EQ(joint, state.x);
   EXPECT_EQ(parts, 3);  // two contacts close on the way
   EXPECT_EQ(events.size(), 2U);
@@ -69,8 +74,8 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
     const ContactState unstressed = ContactState::unstressed(problem);
     ContactState state = unstressed;
     if (!newton.solve(random.first, unstressed, state).converged()) continue;  // so much friction has no sure method
-    EventStepper stepper(problem);
-    stepper.set_out({random.first, random.second}, state);
+    const auto stepper = stepper_of(problem);
+    stepper->set_out({random.first, random.second}, state);
     Vector joint = state.x;
     std::vector<ContactMode> modes = state.mode;
     const auto visit = [&](const ResponsePart& part) {
@@ -91,7 +96,7 @@ TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
     constexpr int halts = 5;
     for (int k = 1; k <= halts && report.converged(); ++k) {
       const double fraction = static_cast<double>(k) / halts;
-      report = stepper.follow_to(fraction, state, visit, events);
+      report = stepper->follow_to(fraction, state, visit, events);
       if (!report.converged()) break;
       substeps += report.substeps;
       // Where it says that it has arrived: gaps as the loading there leaves them, to roundings of lengths of 1e-4 m.
