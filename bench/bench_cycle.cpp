@@ -25,7 +25,7 @@ void increment(benchmark::State& bench) {
   std::vector<ContactLoading> loadings;
   for (int k = 0; k <= 2 * input.cycle.steps; ++k) {
     const int from_centre = k <= input.cycle.steps ? k : 2 * input.cycle.steps - k;
-    const double displacement = input.cycle.amplitude * from_centre / input.cycle.steps;
+    const double displacement = input.cycle.amplitude.value * from_centre / input.cycle.steps;
     loadings.push_back(loading_under(foils, {.position = {displacement, 0.0}}));
   }
   const ContactState unstressed = ContactState::unstressed(foils.problem);

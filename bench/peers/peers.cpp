@@ -143,7 +143,7 @@ std::string time_siconos(SiconosMethod method, const ContactProblem& problem, co
 std::string bearing_rows() {
   const Case input = reference_case();
   const Foils foils = *make_bearing_foils(input);
-  const Loadings loadings = loadings_of(foils, input.cycle.amplitude, input.cycle.steps);
+  const Loadings loadings = loadings_of(foils, input.cycle.amplitude.value, input.cycle.steps);
   const auto named = [](SolverName name) {
     SolverSettings settings;
     settings.name = name;

@@ -1,13 +1,12 @@
 #include "bumpfoil/analysis/cycle.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <utility>
 
-#include "analysis/cycle_recorder.hpp"
+#include "analysis/cycle_series.hpp"
 #include "analysis/former_cycle.hpp"
 #include "analysis/run_each_cycle.hpp"
-#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 
@@ -17,24 +16,50 @@ bool CycleResult::converged() const {
 
 CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}
 
+namespace {
+
+/// Loop energies that differ by less, as part of the larger, are those of one loop.
+constexpr double settled_loop = 1e-6;
+
+bool is_settled(const std::vector<double>& loop_energies) {
+  if (loop_energies.size() < 2) return false;
+  const double last = loop_energies.back();
+  const double before = *(loop_energies.end() - 2);
+  return std::abs(last - before) <= settled_loop * std::max(std::abs(last), std::abs(before));
+}
+
+/// Adds what came before a cycle to what it tells of the whole run.
+void follow_on(const Cycle& before, Cycle& cycle) {
+  cycle.assembly_dissipation = before.assembly_dissipation;
+  cycle.loop_energies.insert(cycle.loop_energies.begin(), before.loop_energies.begin(), before.loop_energies.end());
+  cycle.settled = is_settled(cycle.loop_energies);
+  cycle.cost += before.cost;
+  cycle.substeps += before.substeps;
+  cycle.wall_time += before.wall_time;
+}
+
+}  // namespace
+
 Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recording recording,
                        const ProgressCallback& progress, const Excitation& centre) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Eigen::Vector2d normal = unit_vector(direction);
+  const Foils& foils = stepper_.foils();
+  const CycleCourse course{.direction = direction,
+                           .amplitude = settings.amplitude,
+                           .preload = settings.preload,
+                           .swings = settings.swings(),
+                           .steps = settings.steps,
+                           .reach = foils.clearance + foils.rise};
+  std::vector<Clearance> clearances;
+  for (const double force : settings.clearance_forces) clearances.push_back({force, {}});
+  CycleSeries series(stepper_, course, centre, step_);
   Cycle cycle;
-  cycle.direction = direction;
-  cycle.amplitude = settings.amplitude;
-  cycle.steps = settings.steps;
-  for (const double force : settings.clearance_forces) cycle.clearances.push_back({force, {}});
-  stepper_.assemble(centre, step_);
-  if (step_.converged()) {
-    cycle.assembly_dissipation = step_.state.dissipated_energy;
+  for (int i = 0; i < settings.cycles && cycle.converged() && !cycle.settled; ++i) {
+    const auto progress_of_cycle = [&](double fraction) { return !progress || progress((i + fraction) / settings.cycles); };
+    Cycle next = series.next(recording, progress_of_cycle, clearances);
+    if (next.loop_energy) next.loop_energies = {*next.loop_energy};
+    if (i > 0) follow_on(cycle, next);
+    cycle = std::move(next);
   }
-  const CyclePlan plan{.program = push_and_pull(Control::position, {.base = centre.position, .direction = normal}, 0.0,
-                                                settings.amplitude, settings.steps),
-                       .recording = recording};
-  cycle = run_cycle(stepper_, plan, std::move(cycle), step_, progress);
-  cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return cycle;
 }
 

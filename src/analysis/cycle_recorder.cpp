@@ -174,7 +174,7 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
     const bool ends_leg = runner.ends_leg();
     runner.try_next(step);
     good = recorder.add(step, leg.branch, ends_leg,
-                        leg.control == Control::position ? leg.line.base.dot(normal) + runner.target()
+                        leg.control == Control::displacement ? leg.line.base.dot(normal) + runner.target()
                                                          : step.state.excitation.position.dot(normal));
     if (!good) break;
     runner.commit(step);

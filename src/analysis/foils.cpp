@@ -23,7 +23,8 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
   foils.problem.law = elastic_law(foils.structure);
   foils.problem.force_scale = bump_force_scale(design);
   foils.roundings.force = 1e-12 * foils.problem.force_scale;
-  foils.roundings.energy = 1e-6 * nominal_bump(input.bump_foil).rise * foils.roundings.force;
+  foils.rise = nominal_bump(input.bump_foil).rise;
+  foils.roundings.energy = 1e-6 * foils.rise * foils.roundings.force;
   foils.roundings.stress = 1e-12 * input.bump_foil.youngs_modulus;
   if (design.top_foil) foils.problem.pairs.push_back({.plus = dofs.top_u});
   foils.problem.pairs.push_back({.plus = dofs.crest_v,

@@ -12,12 +12,23 @@ namespace {
 constexpr int most_tries = 100;
 /// The first step towards a load where nothing is touched yet, as part of the reach.
 constexpr double first_part = 1e-3;
-/// Newton's method in the plane needs a handful of steps; each may be halved as often as this.
-constexpr int most_steps_in_plane = 50;
-constexpr int most_halvings = 12;
+/// Newton's method in the plane needs a handful of steps, more where the body rolls from contact to contact; each may
+/// be halved as often as this.
+constexpr int most_steps_in_plane = 100;
+constexpr int most_halvings = 20;
+constexpr double most_overshoot = 0.3;
+/// As part of the stiffness of sticking contacts.
+constexpr double softest_spring = 1e-6;
 /// As parts of the reach: what one such step may take, and what is too little room for one.
-constexpr double longest_move = 0.1;
+constexpr double longest_move = 0.05;
 constexpr double shortest_move = 1e-6;
+
+/// Loads are halved no more often than this.
+constexpr int most_load_halvings = 8;
+/// Forces that count as none, in units of the load that stands for none.
+constexpr double most_across = 3.0;
+/// A tangent of further motion this much smaller than that of sticking contacts does not determine the place.
+constexpr double least_tangent = 1e-9;
 
 class LoadSearch {
  public:
@@ -35,10 +46,13 @@ class LoadSearch {
   void along(const Eigen::Vector2d& direction);
   /// Goes on from there until both components are met.
   void in_plane();
-  /// Hands over what all tries cost together.
-  void finish() {
+  /// Whether a body that was taken along its load has no more to carry across it than that.
+  [[nodiscard]] bool lets_go() const { return missing().norm() <= most_across * load_.norm(); }
+  /// Hands over what all tries cost together, those before this search included.
+  void finish(const SolveCost& before, int substeps_before) {
     step_.cost = cost_;
-    step_.substeps = substeps_;
+    step_.cost += before;
+    step_.substeps = substeps_ + substeps_before;
   }
 
  private:
@@ -102,15 +116,36 @@ void LoadSearch::along(const Eigen::Vector2d& direction) {
   step_.status = Status::load_not_met;
 }
 
+/// Whether a body that is free in the plane stays where it is under its load.
+Status stability(const TangentMatrices& tangents) {
+  if (!tangents.loading || !tangents.unloading) return Status::not_unique;
+  if (tangents.loading->norm() < least_tangent * tangents.unloading->norm()) return Status::not_unique;
+  return tangents.loading->determinant() <= 0.0 ? Status::unstable : Status::converged;
+}
+
+/// Newton's move towards a load, no longer than `longest`. What the tangent leaves loose (a body on one contact rolls
+/// until it meets the next) is held by a spring that is as soft as that allows.
+Eigen::Vector2d newton_move(const TangentMatrices& tangents, const Eigen::Vector2d& lacking, double longest) {
+  const double stiff = std::max(tangents.unloading->norm(), lacking.norm() / longest);
+  for (double spring = 0.0;; spring = std::max(softest_spring * stiff, 10.0 * spring)) {
+    const Eigen::Matrix2d K = *tangents.loading + spring * Eigen::Matrix2d::Identity();
+    if (!(std::abs(K.determinant()) > 1e-12 * K.squaredNorm())) continue;
+    const Eigen::Vector2d move = K.inverse() * lacking;
+    if (move.norm() <= longest && move.dot(lacking) > 0.0) return move;
+  }
+}
+
 void LoadSearch::in_plane() {
   for (int i = 0; i < most_steps_in_plane; ++i) {
     const Eigen::Vector2d lacking = missing();
-    if (lacking.norm() <= tolerance_) return;
-    const std::optional<Eigen::Matrix2d> K = stepper_.tangents(step_.state).loading;
-    if (!K || !(std::abs(K->determinant()) > 0.0)) break;
+    const TangentMatrices tangents = stepper_.tangents(step_.state);
+    if (lacking.norm() <= tolerance_) {
+      step_.status = stability(tangents);
+      return;
+    }
+    if (!tangents.loading || !tangents.unloading) break;
     const Eigen::Vector2d here = step_.state.excitation.position;
-    Eigen::Vector2d move = K->inverse() * lacking;
-    move *= std::min(1.0, longest_move * reach_ / move.norm());
+    Eigen::Vector2d move = newton_move(tangents, lacking, longest_move * reach_);
     if ((here + move).norm() > reach_) {
       const double room = reach_ - here.norm();
       if (room < shortest_move * reach_) {
@@ -121,7 +156,8 @@ void LoadSearch::in_plane() {
     }
     for (int halvings = 0; halvings < most_halvings; ++halvings, move *= 0.5) {
       if (!try_at(here + move)) return;
-      if (missing().norm() < lacking.norm()) break;
+      // Nearer to the load, or not much past where the move no longer leads towards it.
+      if (missing().norm() < lacking.norm() || missing().dot(move) > -most_overshoot * lacking.dot(move)) break;
     }
   }
   step_.status = Status::load_not_met;
@@ -132,17 +168,43 @@ bool is_strip(const Foils& foils) {
   return (foils.normals.colwise() - foils.normals.col(0)).isZero();
 }
 
-}  // namespace
-
-void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double reach,
-                     Step& step) {
+/// One try to meet the load in one increment.
+void try_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none, double reach,
+              Step& step) {
+  const SolveCost before = step.cost;
+  const int substeps_before = step.substeps;
   step.status = Status::converged;
   LoadSearch search(stepper, from, load, reach, step);
-  const bool carries = holding_force(stepper.foils(), from.contacts.normal_force).norm() > 0.0;
+  // A load that nothing carries yet, or that turns round: the body may have to cross its clearance.
+  const bool anew = holding_force(stepper.foils(), from.contacts.normal_force).dot(load) <= 0.0;
   const bool strip = is_strip(stepper.foils());
-  if (strip || !carries) search.along(load.normalized());
-  if (!strip && step.converged()) search.in_plane();
-  search.finish();
+  if (strip || anew || is_none) search.along(load.normalized());
+  const bool met = strip || (is_none && search.lets_go());
+  if (!met && step.converged()) search.in_plane();
+  search.finish(before, substeps_before);
+}
+
+/// Meets the load in one increment, or in two of half the load, and so on.
+void meet_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none, double reach,
+               int halvings, Step& step) {
+  try_load(stepper, from, load, is_none, reach, step);
+  if (step.status != Status::load_not_met || halvings == 0 || is_strip(stepper.foils())) return;
+  const Eigen::Vector2d carried = holding_force(stepper.foils(), from.contacts.normal_force);
+  ++step.substeps;
+  meet_load(stepper, from, 0.5 * (carried + load), false, reach, halvings - 1, step);
+  if (!step.converged()) return;
+  const FoilState middle = step.state;
+  ++step.substeps;
+  meet_load(stepper, middle, load, is_none, reach, halvings - 1, step);
+}
+
+}  // namespace
+
+void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none,
+                     double reach, Step& step) {
+  step.cost = {};
+  step.substeps = 0;
+  meet_load(stepper, from, load, is_none, reach, most_load_halvings, step);
 }
 
 }  // namespace bumpfoil

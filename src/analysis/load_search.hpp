@@ -9,11 +9,14 @@ namespace bumpfoil {
 ///
 /// Along a line the response to one increment is piecewise linear in its length: Newton's method with the tangent of
 /// the modes that it ends with, inside a bracket that shrinks, takes a few tries. In the plane Newton's method starts
-/// where the load is met along its own direction, and its steps are halved while they lead away from the load.
+/// where the load is met along its own direction if it is new or turns round, and its steps are halved while they lead
+/// away from the load. Where that ends nowhere, half the load is added first.
 /// @param load   not zero: under no load the place would not be determined
+/// @param is_none  it stands for no load: met along its direction, it may be as large across
 /// @param reach  the load is not looked for beyond this displacement from the origin, m
-/// @param step   receives the result; statuses load_out_of_reach and load_not_met, and those of the increments
-void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double reach,
-                     Step& step);
+/// @param step   receives the result; statuses load_out_of_reach, load_not_met, unstable, not_unique and those of the
+///               increments
+void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none,
+                     double reach, Step& step);
 
 }  // namespace bumpfoil

@@ -24,7 +24,8 @@ void ProgramRunner::try_next(Step& step) {
   const Leg& next = leg();
   const Eigen::Vector2d place = next.line.place(target());
   if (next.control == Control::load) {
-    advance_to_load(stepper_, state_, never_zero(place, next), reach_, step);
+    const Eigen::Vector2d load = never_zero(place, next);
+    advance_to_load(stepper_, state_, load, load != place, reach_, step);
     return;
   }
   if (taken_ == 0) {

@@ -115,12 +115,23 @@ void describe(CaseVisitor& keys, SolverSettings& solver) {
 }
 
 void describe(CaseVisitor& keys, CycleSettings& cycle) {
-  keys.directions({"directions", required, "Directions", "of the push; also angles, \"37.5 deg\"",
+  keys.directions({"directions", required, "Directions", "of the cycles; also angles, \"37.5 deg\"",
                    "[\"+X\", \"-X\", \"+Y\", \"-Y\"]", angle},
                   cycle.directions);
-  keys.value({"amplitude", required, "Amplitude", "how far the journal is pushed", "79.5 um", length},
-             &cycle.amplitude);
-  keys.value({"steps", defaulted, "Increments per branch", "equal increments each way"}, &cycle.steps);
+  keys.one_of({"amplitude", required, "Amplitude", "how far the journal goes", "79.5 um", length},
+              {"load", required, "Load", "how far the load on the journal goes, instead; it is free to move sideways",
+               "100 N", force},
+              cycle.amplitude);
+  keys.either({"preload", optional, "Preload",
+               "cycles go up and down from this load (or position, [\"0 um\", \"-40 um\"]), by so much each way",
+               "[\"0 N\", \"-50 N\"]"},
+              cycle.amplitude.control, cycle.preload);
+  keys.value({"swing", defaulted, "Swing", "true: through the centre as far to the other side, and back"}, &cycle.swing);
+  keys.value({"cycles", defaulted, "Cycles",
+              "at most so many one after the other, until the loop has settled; results hold the last"},
+             &cycle.cycles);
+  keys.value({"steps", defaulted, "Increments per branch", "equal increments from the start to full amplitude"},
+             &cycle.steps);
   keys.value({"clearance_forces", defaulted, "Clearances at",
               "forces at which a push test would take the journal for touching", "[\"5 N\", \"10 N\"]", force},
              &cycle.clearance_forces);
@@ -168,7 +179,7 @@ void describe(CaseVisitor& keys, Case& input) {
   table(keys, {"friction", required, "Coefficients of friction", "Coulomb friction of the bump foil; 0 for none"},
         input.friction);
   table(keys, {"solver", defaulted, "Solver"}, input.solver);
-  table(keys, {"cycle", optional, "Cycle", "the journal is pushed from the centre and pulled back"}, input.cycle);
+  table(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"}, input.cycle);
   table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
         input.strip);
 }

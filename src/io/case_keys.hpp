@@ -63,10 +63,13 @@ class CaseVisitor {
   virtual void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) = 0;
 
   /// A displacement or a load, each by a key of its own.
-  virtual void one_of(const Key& displacement, const Key& load, PlateTarget& target) = 0;
+  virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;
 
   /// A displacement or a load by one key: its unit tells, and a plain number is what `plain` says.
-  virtual void either(const Key& key, PlateControl plain, std::optional<PlateTarget>& target) = 0;
+  virtual void either(const Key& key, Control plain, std::optional<Target>& target) = 0;
+
+  /// The same with a component along X and one along Y.
+  virtual void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) = 0;
 
   /// A file, called by its name beside the case file, in place of the list `other`. `read` may throw Error.
   virtual void file(const Key& key, std::string_view other,

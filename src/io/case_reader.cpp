@@ -24,7 +24,7 @@ Case parse_case(std::string_view text, const std::string& name, const CaseReques
   describe(reader, input);
   reader.finish();
   // A case without directions and amplitude would pass for one without the table.
-  if (document.contains("cycle") && input.cycle.directions.empty() && input.cycle.amplitude == 0.0) {
+  if (document.contains("cycle") && input.cycle.directions.empty() && input.cycle.amplitude.value == 0.0) {
     log.later_fault(
         {"", 0, "cycle.directions", "", "there is no direction to push in", "give a list such as [\"+X\"]"});
     log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});

@@ -20,9 +20,10 @@ std::string direction_name(double direction) {
   return fmt::format("{:.6g} deg", degrees);
 }
 
-/// The first cycle of a strip begins with the way to the preload.
+/// A cycle that begins with the way to the preload: the first of a strip, and all of a bearing.
 bool begins_with_preload(const Case& input, const CycleResult& result, std::size_t cycle) {
-  return result.experiment == Experiment::strip && cycle == 0 && input.strip->preload.has_value();
+  if (result.experiment == Experiment::strip) return cycle == 0 && input.strip->preload.has_value();
+  return input.cycle.preload.has_value() && result.cycles[cycle].loop_energies.empty();
 }
 
 }  // namespace

@@ -38,6 +38,12 @@ Json json_of(const T* value) {
   return *value;
 }
 
+/// A target that is not of the kind of a plain number there carries its unit.
+Json json_of(double target, Control control, Control plain) {
+  if (control == plain) return target;
+  return fmt::format("{:.17g} {}", target, control == Control::load ? "N" : "m");
+}
+
 class KeyLister final : public CaseVisitor {
  public:
   explicit KeyLister(std::vector<ListedKey>& list) : list_(list) {}
@@ -61,21 +67,22 @@ class KeyLister final : public CaseVisitor {
     for (const auto& [key, number] : each) add(key, "number", *number, same);
   }
 
-  void one_of(const Key& displacement, const Key& load, PlateTarget& target) override {
-    const bool by_load = target.control == PlateControl::load;
+  void one_of(const Key& displacement, const Key& load, Target& target) override {
+    const bool by_load = target.control == Control::load;
     add(displacement, std::string(noun(displacement)), by_load ? Json() : Json(target.value), by_load);
     add(load, std::string(noun(load)), by_load ? Json(target.value) : Json(), !by_load);
   }
 
-  /// A target that is not of the kind of a plain number there carries its unit.
-  void either(const Key& key, PlateControl plain, std::optional<PlateTarget>& target) override {
+  void either(const Key& key, Control plain, std::optional<Target>& target) override {
+    add(key, "length or force", target ? json_of(target->value, target->control, plain) : Json());
+  }
+
+  void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) override {
     Json value;
-    if (target && target->control == plain) {
-      value = target->value;
-    } else if (target) {
-      value = fmt::format("{:.17g} {}", target->value, target->control == PlateControl::load ? "N" : "m");
+    if (target) {
+      for (const double along : target->value) value.push_back(json_of(along, target->control, plain));
     }
-    add(key, "length or force", std::move(value));
+    add(key, "two lengths or forces", std::move(value));
   }
 
   void file(const Key& key, std::string_view /*other*/,

@@ -41,7 +41,7 @@ ResultLayout layout_of_bearing(const Case& input) {
   ResultLayout layout = layout_of_foil(input);
   layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
   for (const double direction : input.cycle.directions) layout.cycles.values.push_back(to_degrees(direction));
-  layout.increments = 2 * static_cast<std::size_t>(input.cycle.steps) + 1;
+  layout.increments = std::size_t{input.cycle.swings() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
   layout.feet = static_cast<std::size_t>(foot_theta.size());
   layout.scalars.insert(
       layout.scalars.end(),

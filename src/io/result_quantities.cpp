@@ -85,9 +85,15 @@ double yields(const Cycle& cycle, const Case& input) {
 }
 
 /// Under load control it is what the cycle finds out.
-double strip_amplitude(const Cycle& cycle, const Case& input) {
-  const bool known = cycle.turning_point || input.strip->amplitude.control == PlateControl::displacement;
-  return known ? cycle.amplitude : absent;
+template <Control (*control)(const Case&)>
+double amplitude(const Cycle& cycle, const Case& input) {
+  return cycle.turning_point || control(input) == Control::displacement ? cycle.amplitude : absent;
+}
+Control control_of_cycle(const Case& input) {
+  return input.cycle.amplitude.control;
+}
+Control control_of_strip(const Case& input) {
+  return input.strip->amplitude.control;
 }
 
 template <auto FoilFields::*member>
@@ -159,9 +165,10 @@ constexpr std::string_view loaded_stiffness_text =
     "preload from turning point to turning point";
 
 constexpr auto cycle_table = std::to_array<CycleQuantity>({
-    bearing({"amplitude", "m", "full displacement", of_cycle<&Cycle::amplitude>}),
-    strip({"amplitude", "m", "displacement from the start to full displacement or load", strip_amplitude, real,
-           "amplitude", micrometres}),
+    bearing(
+        {"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>}),
+    strip({"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_strip>,
+           real, "amplitude", micrometres}),
     solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"}),
     solver({"converged", "", "whether every increment of the cycle is there and converged",
             [](const Cycle& cycle, const Case&) { return cycle.converged() ? 1.0 : 0.0; }, truth, "converged", plain}),
@@ -170,6 +177,8 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
      newtons},
     bearing({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>, real,
              "cross force there", newtons}),
+    bearing({"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>}),
+    bearing({"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>}),
     strip({"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, real,
            "displacement at the start", micrometres}),
     {"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real, "force at the start",
@@ -216,6 +225,11 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
      peak<&Cycle::bump_foil_stress>, real, "highest stress, bump foil", megapascals},
     {"above_yield_top_foil", "", "whether the stress of the top foil exceeds its yield stress", yields<0>, truth},
     {"above_yield_bump_foil", "", "whether the stress of the bump foil exceeds its yield stress", yields<1>, truth},
+    bearing({"settled", "", "whether the loop is that of the cycle before, of cycles that are repeated",
+             [](const Cycle& cycle, const Case&) {
+               return cycle.loop_energies.size() < 2 ? absent : cycle.settled ? 1.0 : 0.0;
+             },
+             truth}),
     solver({"total_iterations", "1", "linear solves (back-substitutions) of all increments",
             total<&SolveCost::iterations>, whole, "linear solves", plain}),
     solver({"total_factorisations", "1", "factorisations of all increments; kept ones serve many",
@@ -314,7 +328,8 @@ auto those_of(const Table& table, Experiment experiment) {
 
 Wording wording_of(const Case& input, Experiment experiment) {
   if (experiment == Experiment::cycle) {
-    return {"journal", "top foil", "sleeve", "along the direction", "at the centred journal"};
+    return {"journal", "top foil", "sleeve", "along the direction",
+            input.cycle.preload ? "at the preload" : "at the centred journal"};
   }
   return {"plate", input.strip->top_foil ? "top foil" : "plate", "base", "towards the base", "at the start"};
 }

@@ -93,10 +93,9 @@ class CycleReader {
     const std::vector<double> steps = file_.numbers(file_.variable("steps", {cycle_}));
     std::vector<std::size_t> branches;
     for (const double number : steps) {
-      // Out and back; a strip about a preload also to the other side and back.
+      // Out and back; a swing also to the other side and back.
       const auto all = static_cast<double>(increments_) - 1.0;
-      const bool fits =
-          number == std::floor(number) && (number * 2.0 == all || (cycle_ == "cycle" && number * 4.0 == all));
+      const bool fits = number == std::floor(number) && (number * 2.0 == all || number * 4.0 == all);
       if (!std::isnan(number) && !fits) {
         file_.refuse("steps", fmt::format("is {} for cycles of {} increments", number, increments_));
       }

@@ -59,6 +59,7 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
     json["clearances"].push_back({{"force_N", clearance.force},
                                   {"displacement_m", clearance.displacement ? Json(*clearance.displacement) : Json()}});
   }
+  json["loop_energies_J"] = cycle.loop_energies;
   json["warnings"] = warnings_of(input, result, i);
   const std::optional<Failure> failure = failure_of(input, result, i);
   const bool located = failure && failure->increment;

@@ -142,6 +142,26 @@ struct ValueReader {
   }
 };
 
+constexpr Dimension dimension_of(Control control) {
+  return control == Control::displacement ? Dimension::length : Dimension::force;
+}
+
+/// What the unit of a text tells; absent of a plain number, or a text that is neither.
+std::optional<Control> control_of(const toml::node& node) {
+  const auto* text = node.as_string();
+  if (text == nullptr) return std::nullopt;
+  for (const Control control : {Control::displacement, Control::load}) {
+    if (std::holds_alternative<double>(parse_quantity(text->get(), dimension_of(control)))) return control;
+  }
+  return std::nullopt;
+}
+
+void read_target(ReadingLog& log, const std::string& path, const toml::node& node, Control control, double& value) {
+  const Control other = control == Control::displacement ? Control::load : Control::displacement;
+  ValueReader{log, path, node, dimension_of(control),
+              fmt::format(", or {}", example_quantity(dimension_of(other)))}(&value);
+}
+
 Key optional_key(Key key) {
   key.presence = Presence::optional;
   return key;
@@ -217,32 +237,54 @@ void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<
   }
 }
 
-void TableReader::one_of(const Key& displacement, const Key& load, PlateTarget& target) {
-  const bool by_load = has(load);
+void TableReader::one_of(const Key& displacement, const Key& load, Target& target) {
+  const bool both = has(displacement) && has(load);
+  const auto overridden = [this](const Key& key) { return is_override(*table_.get(key.name)); };
+  // On the command line, one stands in for the other.
+  const bool resolved = both && overridden(displacement) != overridden(load);
+  const bool by_load = has(load) && !(resolved && overridden(displacement));
   double unused = 0.0;
   // The first is what is missed where none is given.
   value(by_load ? optional_key(displacement) : displacement, by_load ? &unused : &target.value);
-  value(optional_key(load), &target.value);
-  target.control = by_load ? PlateControl::load : PlateControl::displacement;
-  if (by_load && has(displacement)) {
+  value(optional_key(load), by_load ? &target.value : &unused);
+  target.control = by_load ? Control::load : Control::displacement;
+  if (both && !resolved) {
     log_.fault(path_of(displacement.name), fmt::format("contradicts {}, which is given too", load.name),
                "give one of the two");
   }
 }
 
-void TableReader::either(const Key& key, PlateControl plain, std::optional<PlateTarget>& target) {
+void TableReader::either(const Key& key, Control plain, std::optional<Target>& target) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
-  constexpr std::array dimensions{Dimension::length, Dimension::force};  // of displacement and load
-  auto control = static_cast<std::size_t>(plain);
-  if (const auto* text = node->as_string()) {
-    for (const std::size_t tried : {0U, 1U}) {
-      if (std::holds_alternative<double>(parse_quantity(text->get(), dimensions[tried]))) control = tried;
-    }
+  Target read{control_of(*node).value_or(plain), 0.0};
+  read_target(log_, path, *node, read.control, read.value);
+  target = read;
+}
+
+void TableReader::either(const Key& key, Control plain, std::optional<PlaneTarget>& target) {
+  const auto [node, path] = find(key);
+  if (node == nullptr) return;
+  const auto* list = node->as_array();
+  if (list == nullptr || list->size() != 2) {
+    return log_.fault(path, list == nullptr ? is_where(*node, "a list") : fmt::format("has {} entries", list->size()),
+                      fmt::format("give two, along X and Y: {}", key.example));
   }
-  PlateTarget read{static_cast<PlateControl>(control), 0.0};
-  ValueReader{log_, path, *node, dimensions[control],
-              fmt::format(", or {}", example_quantity(dimensions[1 - control]))}(&read.value);
+  std::optional<Control> control;
+  for (const toml::node& entry : *list) {
+    const std::optional<Control> met = control_of(entry);
+    if (met && control.value_or(*met) != *met) {
+      return log_.fault(path, "mixes a displacement and a load", "give two lengths or two forces");
+    }
+    if (met) control = met;
+  }
+  PlaneTarget read{.control = control.value_or(plain)};
+  for (const int axis : {0, 1}) {
+    const std::string entry_path = fmt::format("{}[{}]", path, axis + 1);
+    const toml::node& entry = *list->get(static_cast<std::size_t>(axis));
+    log_.met(entry_path, entry);
+    read_target(log_, entry_path, entry, read.control, read.value[axis]);
+  }
   target = read;
 }
 

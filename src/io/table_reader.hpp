@@ -21,8 +21,9 @@ class TableReader final : public CaseVisitor {
   void directions(const Key& key, std::vector<double>& angles) override;
   void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override;
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override;
-  void one_of(const Key& displacement, const Key& load, PlateTarget& target) override;
-  void either(const Key& key, PlateControl plain, std::optional<PlateTarget>& target) override;
+  void one_of(const Key& displacement, const Key& load, Target& target) override;
+  void either(const Key& key, Control plain, std::optional<Target>& target) override;
+  void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) override;
   void file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) override;
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override;
 

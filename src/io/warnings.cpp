@@ -52,6 +52,14 @@ std::optional<std::string> contact_warning(const CycleResult& result, const Cycl
       1e6 * cycle.amplitude, 1e6 * *cycle.first_contact);
 }
 
+std::optional<std::string> settling_warning(const Cycle& cycle) {
+  const std::vector<double>& loops = cycle.loop_energies;
+  if (loops.size() < 2 || cycle.settled || !cycle.converged()) return std::nullopt;
+  return fmt::format("the loop has not settled after {} cycles: its energy still changes from {:.4g} to {:.4g} mJ; raise "
+                     "cycle.cycles",
+                     loops.size(), 1e3 * *(loops.end() - 2), 1e3 * loops.back());
+}
+
 std::optional<std::string> truss_warning(const Case& input, const CycleResult& result) {
   const int bumps = result.experiment == Experiment::strip ? input.strip->bumps : input.bump_foil.bumps;
   if (input.bump_foil.model != BumpFoilModel::truss || bumps >= shortest_row) return std::nullopt;
@@ -81,6 +89,7 @@ std::vector<std::string> warnings_of(const Case& input, const CycleResult& resul
   };
   take(compression_warning(input, of));
   take(contact_warning(result, of));
+  take(settling_warning(of));
   take(truss_warning(input, result));
   for (const StressedFoil& foil : stressed_foils()) take(yield_warning(input, of, foil));
   return warnings;

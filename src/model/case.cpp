@@ -19,7 +19,7 @@ Case reference_case() {
   reference.top_foil = {.thickness = 0.102e-3, .youngs_modulus = 214e9, .poisson_ratio = 0.29};
   reference.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
   constexpr double pi = std::numbers::pi;
-  reference.cycle = {.directions = {0.0, pi, 0.5 * pi, 1.5 * pi}, .amplitude = 79.5e-6, .steps = 100};
+  reference.cycle = {.directions = {0.0, pi, 0.5 * pi, 1.5 * pi}, .amplitude = {.value = 79.5e-6}, .steps = 100};
   return reference;
 }
 

@@ -244,36 +244,65 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   }
 }
 
+/// How far the cycles of the journal go, from their preload on; `limit`: what presses the bumps flat, 0 if not known.
+void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
+  const bool by_load = cycle.amplitude.control == Control::load;
+  const bool amplitude = by_load ? judge.within("cycle.load", cycle.amplitude.value, load_range)
+                                 : judge.within("cycle.amplitude", cycle.amplitude.value, length_range);
+  double start = 0.0;
+  if (cycle.preload) {
+    const auto& [control, value] = *cycle.preload;
+    const bool is_load = control == Control::load;
+    const std::string_view unit = is_load ? "N" : "m";
+    const std::string shown = fmt::format("({}, {})", quantity(value.x(), unit), quantity(value.y(), unit));
+    const double most = is_load ? load_range.most : length_range.most;
+    if (!judge.require(value.norm() <= most, "cycle.preload", shown, "is unphysical",
+                       fmt::format("give at most {}", quantity(most, unit)))) {
+      return;
+    }
+    judge.require(!is_load || value.norm() >= load_range.least, "cycle.preload", shown,
+                  "is no load: the place of the journal would not be determined",
+                  "give a load, or leave it out for cycles from the centre");
+    judge.require(is_load || !by_load, "cycle.preload", shown, "is a displacement where the cycles are controlled by load",
+                  "give a load, or cycle.amplitude in place of cycle.load");
+    if (!is_load) start = value.norm();
+    judge.require(is_load || limit <= 0.0 || start < limit, "cycle.preload", shown, "would press the bumps flat",
+                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+  }
+  if (by_load || !amplitude || limit <= 0.0 || start >= limit) return;
+  judge.require(start + cycle.amplitude.value < limit, "cycle.amplitude", quantity(cycle.amplitude.value, "m"),
+                start > 0.0 ? "would press the bumps flat on top of cycle.preload" : "would press the bumps flat",
+                fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
+                            start > 0.0 ? ", preload included" : ""));
+}
+
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   const CycleSettings& cycle = input.cycle;
-  if (cycle.directions.empty() && cycle.amplitude == 0.0) return;
+  if (cycle.directions.empty() && cycle.amplitude.value == 0.0) return;
   judge.require(!cycle.directions.empty(), "cycle.directions", "", "there is no direction to push in",
                 "give a list such as [\"+X\", \"90 deg\"]");
   for (std::size_t i = 0; i < cycle.directions.size(); ++i) {
     judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
   }
   judge_repetition(judge, cycle.directions);
-  if (judge.within("cycle.amplitude", cycle.amplitude, length_range) && rise > 0.0 &&
-      std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius) {
-    const double limit = input.bearing.radial_clearance + rise;
-    judge.require(cycle.amplitude < limit, "cycle.amplitude", quantity(cycle.amplitude, "m"),
-                  "would press the bumps flat",
-                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
-  }
+  const bool clear = std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius;
+  judge_course(judge, cycle, rise > 0.0 && clear ? input.bearing.radial_clearance + rise : 0.0);
   const bool steps =
       judge.require(cycle.steps >= 1 && cycle.steps <= most_steps, "cycle.steps", std::to_string(cycle.steps),
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+  judge.require(cycle.cycles >= 1 && cycle.cycles <= most_steps, "cycle.cycles", std::to_string(cycle.cycles),
+                "is no possible number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
   for (std::size_t i = 0; i < cycle.clearance_forces.size(); ++i) {
     judge.within(fmt::format("cycle.clearance_forces[{}]", i + 1), cycle.clearance_forces[i], load_range);
   }
   if (!bumps || !steps) return;
-  const auto increments = std::int64_t{2} * cycle.steps * std::ssize(cycle.directions);
+  const auto increments = std::int64_t{cycle.swings() ? 4 : 2} * cycle.steps * std::ssize(cycle.directions);
   judge_memory(judge, "cycle.steps", cycle.steps, increments, input.bump_foil.bumps);
 }
 
 /// A target of the plate, called by the key that holds it.
-void judge_target(Judge& judge, const std::string& key, const PlateTarget& target, double rise) {
-  if (target.control == PlateControl::load) {
+void judge_target(Judge& judge, const std::string& key, const Target& target, double rise) {
+  if (target.control == Control::load) {
     judge.within(key, target.value, load_range);
   } else if (judge.within(key, target.value, length_range) && rise > 0.0) {
     judge.require(target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
@@ -291,7 +320,7 @@ void judge_strip_lists(Judge& judge, const BumpFoil& foil, int bumps) {
 }
 
 void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil, double rise) {
-  const bool by_load = strip.amplitude.control == PlateControl::load;
+  const bool by_load = strip.amplitude.control == Control::load;
   const std::string amplitude_key = by_load ? "strip.load" : "strip.displacement";
   const bool bumps =
       judge.require(strip.bumps >= 1 && strip.bumps <= most_bumps, "strip.bumps", std::to_string(strip.bumps),
@@ -300,16 +329,16 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
   judge_target(judge, amplitude_key, strip.amplitude, rise);
   if (strip.preload) {
     judge_target(judge, "strip.preload", *strip.preload, rise);
-    if (rise > 0.0 && !by_load && strip.preload->control == PlateControl::displacement) {
+    if (rise > 0.0 && !by_load && strip.preload->control == Control::displacement) {
       judge.require(strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
                     quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
                     fmt::format("give both less than their rise together, {:.6g} m", rise));
     }
     if (by_load) {
-      judge.require(strip.preload->control == PlateControl::load, "strip.preload", quantity(strip.preload->value, "m"),
+      judge.require(strip.preload->control == Control::load, "strip.preload", quantity(strip.preload->value, "m"),
                     "is a displacement where the strip is controlled by load",
                     "give a load, or a displacement in place of strip.load");
-      judge.require(strip.preload->control != PlateControl::load || strip.preload->value >= strip.amplitude.value,
+      judge.require(strip.preload->control != Control::load || strip.preload->value >= strip.amplitude.value,
                     "strip.preload", quantity(strip.preload->value, "N"),
                     fmt::format("is less than the amplitude, {:.6g} N: a plate cannot pull", strip.amplitude.value),
                     "give a larger preload or a smaller load");
@@ -334,6 +363,11 @@ void judge_combination(Judge& judge, const Case& input) {
                 std::string(name_of(input.bump_foil.model)),
                 "knows no strip: without gaps and history its loops would have no area",
                 "set model = \"truss\" or \"frame\", or remove [strip]");
+  const CycleSettings& cycle = input.cycle;
+  const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
+  judge.require(plain || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
+                "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", std::string(name_of(input.bump_foil.weld_at)),
                 "only the frame model can be welded at the start of the first arc",

@@ -66,7 +66,7 @@ Case random_foils(std::uint64_t number, BumpFoilModel model) {
   const double deviation = uniform(0.0, 1.0) < 0.3 ? 0.0 : uniform(0.0, 20e-6);
   for (int bump = 0; bump < foil.bumps; ++bump) foil.height_errors.push_back(deviation * scatter(generator));
   input.cycle.directions = {uniform(0.0, 2.0 * std::numbers::pi)};
-  input.cycle.amplitude = input.bearing.radial_clearance + uniform(5e-6, 50e-6);
+  input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(5e-6, 50e-6);
   input.cycle.steps = static_cast<int>(std::lround(decades(15.0, 60.0)));
   return input;
 }

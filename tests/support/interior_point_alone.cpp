@@ -19,7 +19,7 @@ InteriorPointRun run_interior_point_alone(const Case& input, int increments) {
   const double phi = input.cycle.directions.front();
   InteriorPointRun run;
   for (int k = 0; k <= 2 * increments; ++k) {
-    const double displacement = input.cycle.amplitude * (k <= increments ? k : 2 * increments - k) / increments;
+    const double displacement = input.cycle.amplitude.value * (k <= increments ? k : 2 * increments - k) / increments;
     const ContactLoading loading =
         loading_under(foils, {.position = {displacement * std::cos(phi), displacement * std::sin(phi)}});
     const SolveReport report = solver.solve(loading, previous, state);

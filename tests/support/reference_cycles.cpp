@@ -56,7 +56,7 @@ Case case_with_given_constants() {
                            .k3 = truss.at("k3_N_per_m").get<double>(),
                            .k4 = truss.at("k4_N_per_m").get<double>(),
                            .theta_d = truss.at("theta_d_deg").get<double>() * degree};
-  input.cycle.amplitude = document().at("amplitude_m");
+  input.cycle.amplitude.value = document().at("amplitude_m");
   input.cycle.steps = document().at("steps");
   return input;
 }

@@ -116,7 +116,7 @@ Case short_stiff_bumps() {
   input.top_foil = {
       .thickness = 2.2544859624343658e-05, .youngs_modulus = input.bump_foil.youngs_modulus, .poisson_ratio = 0.29};
   input.friction = {};
-  input.cycle.amplitude = 0.00010799717071993301;
+  input.cycle.amplitude.value = 0.00010799717071993301;
   return input;
 }
 
@@ -142,7 +142,7 @@ Case snapping_bumps() {
   input.top_foil = {
       .thickness = 0.00035033194299343475, .youngs_modulus = input.bump_foil.youngs_modulus, .poisson_ratio = 0.0};
   input.friction = {.top_bump = 1.0, .bump_sleeve = 0.0};
-  input.cycle.amplitude = 1.6063897939869458e-05;
+  input.cycle.amplitude.value = 1.6063897939869458e-05;
   return input;
 }
 

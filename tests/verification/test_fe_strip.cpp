@@ -19,7 +19,7 @@ Cycle press_frame(const FeStrip& fe) {
   input.friction = {.top_bump = fe.friction_coefficient, .bump_sleeve = fe.friction_coefficient};
   input.strip = StripSettings{.bumps = fe.bumps,
                               .top_foil = fe.top_foil,
-                              .amplitude = {.control = PlateControl::displacement, .value = 20e-6},
+                              .amplitude = {.control = Control::displacement, .value = 20e-6},
                               .steps = 20};
   return run_strip(input).cycles.front();
 }

@@ -53,7 +53,7 @@ TEST(LargeDisplacements, VanishWithTheDisplacement) {
     for (const Geometry geometry : {Geometry::linear, Geometry::nonlinear}) {
       Case input = frame_case(geometry, 0.1);
       input.bearing.radial_clearance = 0.0;
-      input.cycle.amplitude = amplitude;
+      input.cycle.amplitude.value = amplitude;
       force.push_back(run_single_cycle(input, 0.0).turning_point->max_force);
     }
     difference.push_back(std::abs(force[1] / force[0] - 1.0));

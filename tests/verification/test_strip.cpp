@@ -77,7 +77,7 @@ Cycle compress(BumpFoilModel model, const Continuum& strip) {
   StripSettings settings;
   settings.bumps = strip.bumps;
   settings.top_foil = false;
-  settings.amplitude = {.control = PlateControl::displacement, .value = 20e-6};
+  settings.amplitude = {.control = Control::displacement, .value = 20e-6};
   settings.steps = 20;
   input.strip = settings;
   const CycleResult result = run_strip(input);

@@ -38,7 +38,7 @@ TEST(UzawaDefaultsOfFrame, SolveTheReferenceBearingWithoutFriction) {
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.height_reference = HeightReference::midsurface;
   input.friction = {};
-  input.cycle = {.directions = {std::numbers::pi}, .amplitude = 4.586223170418869e-05, .steps = 50};
+  input.cycle = {.directions = {std::numbers::pi}, .amplitude = {.value = 4.586223170418869e-05}, .steps = 50};
   const UzawaDeviation deviation = compare_uzawa(input, run_cycles(input), UzawaParameters());
   EXPECT_EQ(deviation.failures, 0);
   EXPECT_EQ(deviation.halvings, 0);

@@ -75,9 +75,10 @@ enum class Course {
   swing,  ///< through its start as far to the other side, and back
 };
 
-/// Push and pull of the journal in one direction, or one cycle of a strip between plates, along the direction 0, and
-/// what is derived from it. Of a bearing, increment 0 is the assembly at the centred journal, solved in one step from
-/// the unstressed foils. Quantities that could not be computed are absent.
+/// A cycle of the journal in one direction, or one of a strip between plates, along the direction 0, and what is derived
+/// from it. Increment 0 of a first cycle without a preload is the assembly at the centred journal, solved in one step
+/// from the unstressed foils. Of cycles that were repeated this is the last; what the run cost is that of all.
+/// Quantities that could not be computed are absent.
 struct Cycle {
   double direction{};  ///< rad
   Course course{Course::push};
@@ -96,6 +97,8 @@ struct Cycle {
   double initial_journal_load{};  ///< sum of journal loads at increment 0, N
   double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
   std::optional<TurningPoint> turning_point;
+  std::vector<double> loop_energies;  ///< of the cycles up to this one, J; a strip has them apart
+  bool settled{};                     ///< its loop energy is that of the cycle before, to 1e-6
   std::optional<double> loop_energy;  ///< closed integral of F.dx by the trapezoidal rule, J
   /// Range of the force over that of the displacement, N/m: of a push from the take-up point, of a swing from turning
   /// point to turning point. Absent unless positive.
@@ -149,7 +152,8 @@ class CycleRunner {
  public:
   CycleRunner(SharedFoils foils, const SolverSettings& settings);
 
-  /// Push and pull along `direction` (rad) from the unstressed foils. Numerical failures are reported in the result.
+  /// Cycles along `direction` (rad) from the unstressed foils, until they settle. Numerical failures are reported in the
+  /// result.
   /// @param settings  all but their directions
   /// @param centre    excitation at the centred journal: its position is taken from there
   [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "bumpfoil/analysis/increment.hpp"
+#include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
-
-/// What of the pressing body is prescribed.
-enum class Control {
-  position,  ///< where it is, m
-  load,      ///< the force that holds it, N
-};
 
 /// Where increments are counted from and which way they go: place(s) = base + s direction, a position or a load.
 struct Line {
@@ -24,7 +19,7 @@ struct Line {
 /// A straight part of a program, in equal increments.
 struct Leg {
   Branch branch{Branch::loading};
-  Control control{Control::position};
+  Control control{Control::displacement};  ///< places are positions or loads
   Line line{};
   double begin{};  ///< s on the line, m or N: where the leg before ends
   double end{};

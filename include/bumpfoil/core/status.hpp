@@ -20,14 +20,15 @@ enum class Status : std::uint8_t {
   load_out_of_reach,     ///< the load is not met before the pressing body has gone as far as it may
   load_not_met,          ///< the load was bracketed, but the search ended before it was met
   interrupted,           ///< the run was stopped from outside
+  unstable,              ///< under load control: the tangent of further motion would not hold the body there
+  not_unique,            ///< under load control: that tangent vanishes, so that other places meet the load as well
 };
 
 /// As files spell it.
 template <>
-inline constexpr auto enum_names<Status> = std::to_array<std::string_view>({"converged", "no_modes", "no_tangent",
-                                                                            "iterations_spent", "energy_defect",
-                                                                            "residual_above_bound", "load_out_of_reach",
-                                                                            "load_not_met", "interrupted"});
+inline constexpr auto enum_names<Status> = std::to_array<std::string_view>(
+    {"converged", "no_modes", "no_tangent", "iterations_spent", "energy_defect", "residual_above_bound",
+     "load_out_of_reach", "load_not_met", "interrupted", "unstable", "not_unique"});
 
 /// What happened, in words that complete "increment 37: ...".
 std::string_view explanation(Status status);

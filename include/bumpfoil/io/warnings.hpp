@@ -12,6 +12,7 @@ namespace bumpfoil {
 ///
 /// - bumps compressed by more than an eighth of their rise without large displacements, or by more than half;
 /// - foils that the journal never touches;
+/// - repeated cycles whose loops still change;
 /// - a truss of one to three bumps;
 /// - a foil whose bending stress exceeds the yield stress that the case gives.
 std::vector<std::string> warnings_of(const Case& input, const CycleResult& result, std::size_t cycle);

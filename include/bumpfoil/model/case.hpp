@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -88,14 +89,43 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 };
 
-/// Push-pull cycles of the journal: from the centre to `amplitude` along each direction and back.
+/// What is prescribed to the body that presses on the foils: the journal of a bearing, the plate of a strip.
+enum class Control {
+  displacement,  ///< where it is, m
+  load,          ///< the force that holds it, N
+};
+
+/// A displacement (m) from where the body stands before anything is done, or a load (N) that it carries.
+struct Target {
+  Control control{Control::displacement};
+  double value{};
+
+  bool operator==(const Target&) const = default;
+};
+
+/// A position (m) of the journal from the centre of the bearing, or a load (N), along X and Y.
+struct PlaneTarget {
+  Control control{Control::displacement};
+  Eigen::Vector2d value{0.0, 0.0};
+
+  bool operator==(const PlaneTarget&) const = default;
+};
+
+/// Cycles of the journal along each direction, each from the unstressed foils. Pushes go from the centre to full
+/// displacement or load and back. About a preload, and where `swing` says so, they go through their start as far to the
+/// other side, and back.
 struct CycleSettings {
-  std::vector<double> directions;                   ///< rad, from the X axis towards Y
-  double amplitude{};                               ///< m
-  int steps{100};                                   ///< equal increments per branch
+  std::vector<double> directions;  ///< rad, from the X axis towards Y
+  Target amplitude;
+  std::optional<PlaneTarget> preload{};  ///< that cycles go about
+  bool swing{};
+  int cycles{1};                                    ///< at most, one after the other until the loop has settled
+  int steps{100};                                   ///< equal increments from the start to full displacement or load
   std::vector<double> clearance_forces{5.0, 10.0};  ///< N, see Clearance
 
   bool operator==(const CycleSettings&) const = default;
+
+  [[nodiscard]] bool swings() const { return swing || preload.has_value(); }
 };
 
 /// How the foils of a strip are held.
@@ -104,25 +134,14 @@ enum class StripWeld {
   none,     ///< both are free at both ends
 };
 
-/// What is prescribed to the plate of a strip.
-enum class PlateControl { displacement, load };
-
-/// A displacement (m) of the plate from where it touches nominal foils, towards the base, or a load (N) on it.
-struct PlateTarget {
-  PlateControl control{PlateControl::displacement};
-  double value{};
-
-  bool operator==(const PlateTarget&) const = default;
-};
-
 /// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from nothing
 /// to `amplitude` and back; with one, from the preload up by `amplitude`, down by twice as much, and back.
 struct StripSettings {
   int bumps{};  ///< the first ones of the foil
   StripWeld weld{StripWeld::one_end};
   bool top_foil{true};  ///< there is one between plate and bumps
-  PlateTarget amplitude;
-  std::optional<PlateTarget> preload{};
+  Target amplitude;                 ///< of the plate, from where it touches nominal foils, towards the base
+  std::optional<Target> preload{};
   int cycles{1};   ///< one after the other, with the friction of the last
   int steps{100};  ///< equal increments from the start of a cycle to its full amplitude
 

@@ -126,7 +126,7 @@ TEST(Cycle, QuantitiesFollowFromTheIncrements) {
 
 TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   Case input = short_case();
-  input.cycle.amplitude = 20e-6;
+  input.cycle.amplitude.value = 20e-6;
   const Cycle cycle = run_single_cycle(input, 0.0);
   EXPECT_TRUE(cycle.converged());
   EXPECT_EQ(cycle.turning_point->max_force, 0.0);
@@ -159,6 +159,106 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
       EXPECT_LT(few.max_residual, 1e-9);
     }
   }
+}
+
+TEST(CycleRunner, SwingsAboutALoadThatTheJournalCarries) {
+  for (const SolverName solver : {SolverName::newton, SolverName::events}) {
+    Case input = short_case(20);
+    input.solver.name = solver;
+    input.cycle.preload = PlaneTarget{.control = Control::load, .value = {10.0, -50.0}};
+    input.cycle.amplitude.value = 3e-6;
+    const Cycle cycle = CycleRunner(make_bearing_foils(input), input.solver).run(0.5, input.cycle);
+    ASSERT_TRUE(cycle.converged());
+    ASSERT_EQ(cycle.increments.size(), 81U);
+    const Increment& start = cycle.increments[0];
+    EXPECT_NEAR(start.force_x, 10.0, 1e-7);
+    EXPECT_NEAR(start.force_y, -50.0, 1e-7);
+    EXPECT_EQ(start.work, 0.0);
+    // Up by 3 um along the direction, down by twice as much, and back; across it the journal is held.
+    const auto moved = [&](std::size_t k) -> Eigen::Vector2d {
+      return {cycle.increments[k].x - start.x, cycle.increments[k].y - start.y};
+    };
+    for (const auto& [k, distance] : {std::pair{20U, 3e-6}, std::pair{60U, -3e-6}, std::pair{80U, 0.0}}) {
+      EXPECT_LT((moved(k) - distance * unit_vector(0.5)).norm(), 1e-18);
+    }
+    EXPECT_GT(*cycle.loop_energy, 0.0);
+    EXPECT_EQ(*cycle.loaded_stiffness, (cycle.increments[20].force_direct - cycle.increments[60].force_direct) /
+                                           (cycle.increments[20].displacement - cycle.increments[60].displacement));
+    EXPECT_EQ(cycle.first_contact, std::nullopt);
+  }
+}
+
+TEST(CycleRunner, RepeatsUntilTheLoopHasSettled) {
+  Case input = short_case(10);
+  input.cycle.preload = PlaneTarget{.control = Control::displacement, .value = {0.0, -60e-6}};
+  input.cycle.amplitude.value = 10e-6;
+  input.cycle.cycles = 50;
+  CycleRunner runner(make_bearing_foils(input), {});
+  const Cycle last = runner.run(1.5 * pi, input.cycle);
+  ASSERT_TRUE(last.converged());
+  EXPECT_TRUE(last.settled);
+  ASSERT_GT(last.loop_energies.size(), 2U);
+  ASSERT_LT(last.loop_energies.size(), 50U);
+  EXPECT_EQ(last.loop_energies.back(), *last.loop_energy);
+  EXPECT_NEAR(last.loop_energies.back(), *(last.loop_energies.end() - 2), 1e-6 * *last.loop_energy);
+  EXPECT_GT(std::abs(last.loop_energies[1] - last.loop_energies[0]), 1e-6 * *last.loop_energy);
+  EXPECT_EQ(last.increments.size(), 41U);  // of the last alone
+  // Three cycles are the first three.
+  input.cycle.cycles = 3;
+  const Cycle third = runner.run(1.5 * pi, input.cycle);
+  EXPECT_FALSE(third.settled);
+  EXPECT_EQ(third.loop_energies, std::vector<double>(last.loop_energies.begin(), last.loop_energies.begin() + 3));
+  EXPECT_LT(third.cost.iterations, last.cost.iterations);
+}
+
+/// Under load control the force points along the direction, and the journal goes wherever that takes it.
+TEST(CycleRunner, FollowsALoad) {
+  Case input = short_case(10);
+  input.cycle.amplitude = {.control = Control::load, .value = 80.0};
+  CycleRunner runner(make_bearing_foils(input), {});
+  for (const double direction : {0.3, 4.0}) {
+    const Cycle cycle = runner.run(direction, input.cycle);
+    ASSERT_TRUE(cycle.converged());
+    for (std::size_t k = 1; k < cycle.increments.size(); ++k) {
+      const Increment& increment = cycle.increments[k];
+      const double load = 80.0 * static_cast<double>(k <= 10 ? k : 20 - k) / 10.0;
+      // A millionth stands for none; there the journal only has to be let go.
+      EXPECT_NEAR(increment.force_direct, std::max(load, 80e-6), load > 0.0 ? 1e-7 : 40e-6);
+      EXPECT_NEAR(increment.force_cross, 0.0, load > 0.0 ? 1e-7 : 240e-6);
+      EXPECT_DOUBLE_EQ(increment.displacement, Eigen::Vector2d(increment.x, increment.y).dot(unit_vector(direction)));
+    }
+    EXPECT_EQ(cycle.amplitude, cycle.increments[10].displacement);
+    EXPECT_GT(*cycle.take_up, *cycle.first_contact);
+    EXPECT_GT(*cycle.loss_factor, 0.0);
+  }
+}
+
+/// The load turns round, and the journal crosses its clearance.
+TEST(CycleRunner, SwingsThroughTheCentre) {
+  Case input = short_case(6);
+  input.cycle.swing = true;
+  const SharedFoils foils = make_bearing_foils(input);
+  CycleRunner runner(foils, {});
+  const Cycle by_displacement = runner.run(0.0, input.cycle);
+  ASSERT_TRUE(by_displacement.converged());
+  EXPECT_EQ(by_displacement.increments.size(), 25U);
+  const double range = by_displacement.increments[6].force_direct - by_displacement.increments[18].force_direct;
+  EXPECT_DOUBLE_EQ(*by_displacement.loaded_stiffness, range / (2.0 * 79.5e-6));
+  input.cycle.amplitude = {.control = Control::load, .value = 60.0};
+  const Cycle by_load = runner.run(0.0, input.cycle);
+  ASSERT_TRUE(by_load.converged());
+  EXPECT_NEAR(by_load.increments[6].force_direct, 60.0, 1e-7);
+  EXPECT_NEAR(by_load.increments[18].force_direct, -60.0, 1e-7);
+  EXPECT_LT(by_load.increments[18].displacement, -31.8e-6);
+}
+
+TEST(CycleRunner, SaysThatThePreloadIsOutOfReach) {
+  Case input = short_case(5);
+  input.cycle.preload = PlaneTarget{.control = Control::load, .value = {0.0, -1e7}};
+  const Cycle cycle = CycleRunner(make_bearing_foils(input), {}).run(0.0, input.cycle);
+  EXPECT_EQ(cycle.status, Status::load_out_of_reach);
+  EXPECT_EQ(cycle.increments.size(), 1U);
+  EXPECT_EQ(cycle.loop_energy, std::nullopt);
 }
 
 /// Height errors as gap offsets of shared foils are height errors of foils of their own.

@@ -19,7 +19,7 @@ Case strip_case(BumpFoilModel model, StripWeld weld, bool top_foil) {
   strip.bumps = 5;
   strip.weld = weld;
   strip.top_foil = top_foil;
-  strip.amplitude = {.control = PlateControl::displacement, .value = 10e-6};
+  strip.amplitude = {.control = Control::displacement, .value = 10e-6};
   strip.steps = 8;
   input.strip = strip;
   return input;
@@ -110,7 +110,7 @@ TEST_P(Strip, SolversAgree) {
 TEST_P(Strip, ByLoadOrByDisplacementIsOnePath) {
   const CycleResult by_displacement = run_strip(input);
   const double force = by_displacement.cycles[0].turning_point->max_force;
-  input.strip->amplitude = {.control = PlateControl::load, .value = force};
+  input.strip->amplitude = {.control = Control::load, .value = force};
   input.strip->steps = 40;
   const CycleResult by_load = run_strip(input);
   ASSERT_TRUE(by_load.converged());
@@ -197,8 +197,8 @@ INSTANTIATE_TEST_SUITE_P(Free, FreeStrip,
 TEST(RunStrip, SwingsAboutItsPreload) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
   input.strip->cycles = 2;
-  for (const PlateTarget preload :
-       {PlateTarget{PlateControl::displacement, 15e-6}, PlateTarget{PlateControl::load, 150.0}}) {
+  for (const Target preload :
+       {Target{Control::displacement, 15e-6}, Target{Control::load, 150.0}}) {
     input.strip->preload = preload;
     const CycleResult result = run_strip(input);
     ASSERT_TRUE(result.converged());
@@ -218,7 +218,7 @@ TEST(RunStrip, SwingsAboutItsPreload) {
                   1e-9 * *cycle.loss_factor);
     }
     const Increment& start = result.cycles[0].increments[0];
-    const double reached = preload.control == PlateControl::load ? start.force_direct : start.displacement;
+    const double reached = preload.control == Control::load ? start.force_direct : start.displacement;
     EXPECT_NEAR(reached, preload.value, 1e-8 * preload.value);
   }
 }
@@ -236,7 +236,7 @@ TEST(RunStrip, AssemblyBelongsToTheFirstCycleAlone) {
 
 TEST(RunStrip, SwingHasNoStiffnessBeforeItsLowerTurningPoint) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
-  input.strip->preload = PlateTarget{PlateControl::displacement, 15e-6};
+  input.strip->preload = Target{Control::displacement, 15e-6};
   // The lower turning point is increment 24; one run ends with the one before, the other with it.
   for (const std::size_t increments : {24U, 25U}) {
     std::size_t calls = 0;
@@ -250,12 +250,12 @@ TEST(RunStrip, SwingHasNoStiffnessBeforeItsLowerTurningPoint) {
 /// Loading from nothing to 20 um and back, and going about 10 um by as much, is the same loop: so is its loss factor.
 TEST(RunStrip, LossFactorDoesNotAskWhereTheLoopBegan) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
-  input.strip->amplitude = {.control = PlateControl::displacement, .value = 20e-6};
+  input.strip->amplitude = {.control = Control::displacement, .value = 20e-6};
   input.strip->steps = 50;
   input.strip->cycles = 2;
   const double push = *run_strip(input).cycles[1].loss_factor;
-  input.strip->amplitude = {.control = PlateControl::displacement, .value = 10e-6};
-  input.strip->preload = PlateTarget{PlateControl::displacement, 10e-6};
+  input.strip->amplitude = {.control = Control::displacement, .value = 10e-6};
+  input.strip->preload = Target{Control::displacement, 10e-6};
   const double swing = *run_strip(input).cycles[1].loss_factor;
   EXPECT_GT(push, 0.05);
   // They differ by the 1 % of the force that the take-up point lies at.
@@ -289,7 +289,7 @@ TEST(RunStrip, StopsWhenItIsTold) {
 
 TEST(RunStrip, ALoadBeyondReachIsAFailureThatEndsTheRun) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
-  input.strip->amplitude = {.control = PlateControl::load, .value = 1e6};
+  input.strip->amplitude = {.control = Control::load, .value = 1e6};
   input.strip->cycles = 3;
   const CycleResult result = run_strip(input);
   EXPECT_FALSE(result.converged());
@@ -304,7 +304,7 @@ TEST(RunStrip, ALoadBeyondReachIsAFailureThatEndsTheRun) {
 
 TEST(RunStrip, APreloadBeyondReachFailsAtTheStart) {
   Case input = strip_case(BumpFoilModel::truss, StripWeld::one_end, true);
-  input.strip->preload = PlateTarget{PlateControl::load, 1e6};
+  input.strip->preload = Target{Control::load, 1e6};
   const CycleResult result = run_strip(input);
   ASSERT_EQ(result.cycles.size(), 1U);
   EXPECT_EQ(result.cycles[0].status, Status::load_out_of_reach);

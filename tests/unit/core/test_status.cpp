@@ -31,6 +31,8 @@ TEST(Status, NamesAreThoseOfTheEnumerators) {
   EXPECT_EQ(name_of(Status::load_out_of_reach), "load_out_of_reach");
   EXPECT_EQ(name_of(Status::load_not_met), "load_not_met");
   EXPECT_EQ(name_of(Status::interrupted), "interrupted");
+  EXPECT_EQ(name_of(Status::unstable), "unstable");
+  EXPECT_EQ(name_of(Status::not_unique), "not_unique");
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ Case random_former_case(std::uint64_t number) {
   input.friction.top_bump = uniform(0.0, 1.0);
   input.friction.bump_sleeve = number % 2 == 0 ? input.friction.top_bump : uniform(0.0, 1.0);
   input.cycle.directions = {uniform(0.0, 6.28)};
-  input.cycle.amplitude = input.bearing.radial_clearance + uniform(0.0, 0.5) * foil.height;
+  input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(0.0, 0.5) * foil.height;
   return input;
 }
 
@@ -200,7 +200,7 @@ TEST(FormerModel, SolvesRandomBearingsOfAnyStiffnessAndStrongFriction) {
     FormerSolver solver(make_former_model(input));
     for (int k = 0; k <= 10; ++k) {
       const FormerSolution solution =
-          solver.solve(input.cycle.amplitude * k / 10.0 * unit_vector(input.cycle.directions[0]));
+          solver.solve(input.cycle.amplitude.value * k / 10.0 * unit_vector(input.cycle.directions[0]));
       EXPECT_TRUE(solution.report.converged()) << number << ", position " << k;
       EXPECT_TRUE(solution.residuals.within()) << number << ", position " << k;
     }

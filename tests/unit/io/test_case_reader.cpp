@@ -61,7 +61,7 @@ TEST(ParseCase, ReadsEveryKey) {
   ASSERT_EQ(input.cycle.directions.size(), 2U);
   EXPECT_EQ(input.cycle.directions[0], 0.0);
   EXPECT_DOUBLE_EQ(input.cycle.directions[1], 37.5 * pi / 180.0);
-  EXPECT_EQ(input.cycle.amplitude, 79.5e-6);
+  EXPECT_EQ(input.cycle.amplitude.value, 79.5e-6);
   EXPECT_EQ(input.cycle.steps, 100);
 }
 
@@ -91,29 +91,48 @@ TEST(ParseCase, TopFoilTakesTheYieldStressOfTheBumpFoil) {
 TEST(ParseCase, ReadsStrips) {
   EXPECT_FALSE(with({}).strip);
   const StripSettings by_displacement = with({"strip.displacement=20 um"}).strip.value();
-  EXPECT_EQ(by_displacement, (StripSettings{.bumps = 26, .amplitude = {PlateControl::displacement, 20e-6}}));
+  EXPECT_EQ(by_displacement, (StripSettings{.bumps = 26, .amplitude = {Control::displacement, 20e-6}}));
   const StripSettings by_load = with({"strip.load=100 N", "strip.bumps=10", "strip.weld=none", "strip.top_foil=false",
                                       "strip.preload=120", "strip.cycles=3", "strip.steps=20"})
                                     .strip.value();
   EXPECT_EQ(by_load, (StripSettings{.bumps = 10,
                                     .weld = StripWeld::none,
                                     .top_foil = false,
-                                    .amplitude = {PlateControl::load, 100.0},
-                                    .preload = PlateTarget{PlateControl::load, 120.0},  // a plain number is of its kind
+                                    .amplitude = {Control::load, 100.0},
+                                    .preload = Target{Control::load, 120.0},  // a plain number is of its kind
                                     .cycles = 3,
                                     .steps = 20}));
   const auto preload = [](const std::string& text) {
     return with({"strip.displacement=20 um", "strip.preload=" + text}).strip->preload.value();
   };
-  EXPECT_EQ(preload("50 N"), (PlateTarget{PlateControl::load, 50.0}));
-  EXPECT_EQ(preload("30 um"), (PlateTarget{PlateControl::displacement, 30e-6}));
-  EXPECT_EQ(preload("3e-5"), (PlateTarget{PlateControl::displacement, 3e-5}));
+  EXPECT_EQ(preload("50 N"), (Target{Control::load, 50.0}));
+  EXPECT_EQ(preload("30 um"), (Target{Control::displacement, 30e-6}));
+  EXPECT_EQ(preload("3e-5"), (Target{Control::displacement, 3e-5}));
   EXPECT_NE(refusal({"strip.displacement=20 um", "strip.preload=5 MPa"}).find("strip.preload = 5 MPa"),
             std::string::npos);
   EXPECT_NE(refusal({"strip.bumps=10"}).find("strip.displacement: is missing"), std::string::npos);
   EXPECT_EQ(refusal({"strip.displacement=20 um", "strip.load=10 N"}),
             "--set: strip.displacement = 20 um: contradicts load, which is given too; give one of the two");
   EXPECT_NE(refusal({"strip.displacement=20 um", "strip.welt=none"}).find("did you mean \"weld\"?"), std::string::npos);
+}
+
+TEST(ParseCase, ReadsWhatCyclesGoAbout) {
+  const auto preload = [](const std::string& text) { return with({"cycle.preload=" + text}).cycle.preload.value(); };
+  EXPECT_EQ(with({}).cycle.preload, std::nullopt);
+  EXPECT_EQ(preload("[\"0 N\", \"-50 N\"]"), (PlaneTarget{Control::load, {0.0, -50.0}}));
+  EXPECT_EQ(preload("[\"5 um\", 0]"), (PlaneTarget{Control::displacement, {5e-6, 0.0}}));
+  EXPECT_EQ(preload("[0, 5e-6]"), (PlaneTarget{Control::displacement, {0.0, 5e-6}}));
+  const CycleSettings by_load =
+      with({"cycle.load=80 N", "cycle.preload=[0, -50]", "cycle.swing=true", "cycle.cycles=7"}).cycle;
+  EXPECT_EQ(by_load.amplitude, (Target{Control::load, 80.0}));  // in place of the amplitude of the file
+  EXPECT_EQ(by_load.preload, (PlaneTarget{Control::load, {0.0, -50.0}}));
+  EXPECT_TRUE(by_load.swing);
+  EXPECT_EQ(by_load.cycles, 7);
+  EXPECT_NE(refusal({"cycle.preload=[\"5 um\", \"5 N\"]"}).find("cycle.preload"), std::string::npos);
+  EXPECT_NE(refusal({"cycle.preload=[\"5 um\", \"5 N\"]"}).find("mixes a displacement and a load"), std::string::npos);
+  EXPECT_NE(refusal({"cycle.preload=[\"5 um\"]"}).find("has 1 entries; give two, along X and Y"), std::string::npos);
+  EXPECT_NE(refusal({"cycle.preload=[\"5 um\", \"5 MPa\"]"}).find("cycle.preload[2] = 5 MPa"), std::string::npos);
+  EXPECT_NE(refusal({"cycle.preload=50 N"}).find("is not a list"), std::string::npos);
 }
 
 TEST(ParseCase, ReadsFlags) {

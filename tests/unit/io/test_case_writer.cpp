@@ -40,12 +40,11 @@ StripSettings arbitrary_strip(int bumps) {
   strip.weld = *rc::gen::element(StripWeld::one_end, StripWeld::none);
   strip.top_foil = *rc::gen::arbitrary<bool>();
   const bool by_load = *rc::gen::arbitrary<bool>();
-  strip.amplitude = by_load ? PlateTarget{PlateControl::load, between(1.0, 100.0)}
-                            : PlateTarget{PlateControl::displacement, between(1e-6, 100e-6)};
+  strip.amplitude =
+      by_load ? Target{Control::load, between(1.0, 100.0)} : Target{Control::displacement, between(1e-6, 100e-6)};
   if (*rc::gen::arbitrary<bool>()) {
-    strip.preload = by_load || *rc::gen::arbitrary<bool>()
-                        ? PlateTarget{PlateControl::load, between(100.0, 200.0)}
-                        : PlateTarget{PlateControl::displacement, between(1e-6, 100e-6)};
+    strip.preload = by_load || *rc::gen::arbitrary<bool>() ? Target{Control::load, between(100.0, 200.0)}
+                                                           : Target{Control::displacement, between(1e-6, 100e-6)};
   }
   strip.cycles = *rc::gen::inRange(1, 10);
   strip.steps = *rc::gen::inRange(1, 1000);
@@ -91,8 +90,17 @@ Case arbitrary_case() {
     input.cycle = {};
   } else {
     input.cycle.directions = lengths(*rc::gen::inRange(1, 5), 6.0);
-    input.cycle.amplitude = between(1e-9, 100e-6);
+    input.cycle.amplitude.value = between(1e-9, 100e-6);
     input.cycle.steps = *rc::gen::inRange(1, 1000);
+    input.cycle.cycles = *rc::gen::inRange(1, 9);
+    input.cycle.clearance_forces = {between(1.0, 20.0)};
+    if (*rc::gen::arbitrary<bool>()) {
+      input.cycle.preload = PlaneTarget{.control = Control::displacement, .value = {between(0.0, 50e-6), -20e-6}};
+    } else {
+      input.cycle.swing = *rc::gen::arbitrary<bool>();
+      input.cycle.preload = PlaneTarget{.control = Control::load, .value = {-30.0, between(1.0, 100.0)}};
+      if (*rc::gen::arbitrary<bool>()) input.cycle.amplitude = {Control::load, between(1.0, 100.0)};
+    }
   }
   if (*rc::gen::arbitrary<bool>()) input.strip = arbitrary_strip(foil.bumps);
   return input;
@@ -139,7 +147,8 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   for (std::size_t at = text.find("\n# "); at != std::string::npos; at = text.find("\n# ", at + 1)) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
     const bool contradicts = line.starts_with("height_errors") || line.starts_with("sleeve_gaps") ||
-                             line.starts_with("top_bump") || line.starts_with("bump_sleeve");
+                             line.starts_with("top_bump") || line.starts_with("bump_sleeve") ||
+                             line.starts_with("load");
     const bool assigns = line.starts_with('[') || line.find(" = ") < line.find('#');
     if (assigns && !contradicts) text.erase(at + 1, 2);
   }
@@ -150,8 +159,8 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   const UzawaParameters shown{.eps_alm = 1e8, .eps_f = 1e10, .eps_r = 1e12, .tau_f = 1e-10};
   EXPECT_EQ(input.solver, (SolverSettings{.name = SolverName::newton, .uzawa = shown}));
   ASSERT_TRUE(input.strip);
-  EXPECT_EQ(input.strip->amplitude, (PlateTarget{PlateControl::displacement, 20e-6}));
-  EXPECT_EQ(input.strip->preload, (PlateTarget{PlateControl::load, 50.0}));
+  EXPECT_EQ(input.strip->amplitude, (Target{Control::displacement, 20e-6}));
+  EXPECT_EQ(input.strip->preload, (Target{Control::load, 50.0}));
 }
 
 TEST(CaseTemplate, KeepsWhatContradictsItsTableOutOfIt) {

@@ -59,7 +59,7 @@ TEST(CycleFiles, CarryTheSameRunIdAndEveryRunItsOwn) {
 
 TEST(CycleFiles, OfAStripAreNamedSo) {
   Case input = reference_case();
-  input.strip = StripSettings{.bumps = 2, .amplitude = {PlateControl::displacement, 1e-6}, .steps = 1};
+  input.strip = StripSettings{.bumps = 2, .amplitude = {Control::displacement, 1e-6}, .steps = 1};
   EXPECT_EQ(cycle_files(input, run_strip(input), RunStatus::complete, {})[0].name, "strip.csv");
 }
 

@@ -102,7 +102,7 @@ TEST(CycleTable, NamesThePlaceOfTheHighestStress) {
 
 TEST(CycleTable, OfAStripShowsTheFirstAndTheLastCycles) {
   Case input = reference_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::displacement, 20e-6}, .cycles = 9, .steps = 2};
+  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}, .cycles = 9, .steps = 2};
   const CycleResult result = run_strip(input);
   const std::string text = cycle_table(input, result);
   std::istringstream heads(lines_of(text).at(0));

@@ -176,7 +176,7 @@ TEST(DamagedResult, StepsThatDoNotFitTheLoops) {
               file.variables["steps"] = {.type = NC_INT, .dims = {"none"}};
             }),
             "/result.nc: steps: has the dimensions (none), where (direction) are due");
-  for (const double steps : {1e300, -2.0, 0.0, 1.0, 2.5}) {
+  for (const double steps : {1e300, -2.0, 0.0, 0.5, 2.5, 3.0}) {
     EXPECT_NE(fault_of([&](SmallFile& file) {
                 file.variables["steps"] = {.dims = {"direction"}, .values = {2, steps}};
               }).find("/result.nc: steps: is "),

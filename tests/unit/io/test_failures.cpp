@@ -41,8 +41,8 @@ TEST(Failures, AreNoneOfWhatConvergedAndNoLineOfWhatWasInterrupted) {
 TEST(Failures, SayThatAPreloadWasNotReached) {
   Case input = reference_case();
   input.strip = StripSettings{.bumps = 3,
-                              .amplitude = {PlateControl::displacement, 1e-6},
-                              .preload = PlateTarget{PlateControl::load, 1e6},
+                              .amplitude = {Control::displacement, 1e-6},
+                              .preload = Target{Control::load, 1e6},
                               .steps = 4};
   const CycleResult result = run_strip(input);
   const Failure failure = failure_of(input, result, 0).value();

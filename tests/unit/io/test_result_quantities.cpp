@@ -40,7 +40,7 @@ void expect_described(const Quantities& quantities, const Wording& wording, std:
 
 TEST(ResultQuantities, AreDescribedOnce) {
   Case input = short_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::displacement, 20e-6}};
+  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}};
   for (const Experiment experiment : {Experiment::cycle, Experiment::strip}) {
     const Wording wording = wording_of(input, experiment);
     std::set<std::string_view> names;
@@ -89,7 +89,7 @@ TEST(ResultQuantities, NothingIsKnownOfACycleThatFailedAtOnce) {
 
 TEST(ResultQuantities, TheAmplitudeOfAStripUnderLoadIsWhatItFindsOut) {
   Case input = short_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::load, 1e6}, .steps = 4};
+  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::load, 1e6}, .steps = 4};
   const std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::strip);
   const CycleQuantity& amplitude = called(quantities, "amplitude");
   EXPECT_TRUE(std::isnan(amplitude.value(run_strip(input).cycles.at(0), input)));  // flat before

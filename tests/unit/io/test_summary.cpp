@@ -80,6 +80,10 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
                                    "loaded_stiffness_N_per_m",
                                    "take_up_m",
                                    "clearances",
+                                   "loop_energies_J",
+                                   "settled",
+                                   "initial_x_m",
+                                   "initial_y_m",
                                    "max_compression_m",
                                    "warnings",
                                    "tangent_stiffness_loading_N_per_m",
@@ -115,7 +119,7 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
   EXPECT_EQ(cycle.at("cross_force_at_max_N"), expected.turning_point->cross_force);
   EXPECT_EQ(cycle.at("tangent_stiffness_loading_N_per_m"), expected.turning_point->tangent.loading.value());
   EXPECT_EQ(cycle.at("tangent_stiffness_unloading_N_per_m"), expected.turning_point->tangent.unloading.value());
-  EXPECT_EQ(cycle.at("secant_stiffness_N_per_m"), expected.turning_point->max_force / input.cycle.amplitude);
+  EXPECT_EQ(cycle.at("secant_stiffness_N_per_m"), expected.turning_point->max_force / input.cycle.amplitude.value);
   EXPECT_EQ(cycle.at("elastic_energy_at_max_J"), expected.turning_point->elastic_energy);
   EXPECT_EQ(cycle.at("loop_energy_J"), *expected.loop_energy);
   EXPECT_EQ(cycle.at("loss_factor"), *expected.loss_factor);
@@ -126,6 +130,8 @@ TEST(SummaryJson, CarriesTheQuantitiesOfEveryCycle) {
                                           {{"force_N", 10.0}, {"displacement_m", *expected.clearance_10N}}}));
   EXPECT_EQ(cycle.at("max_compression_m"), expected.compression->compression);
   EXPECT_EQ(cycle.at("warnings"), json::array());
+  EXPECT_EQ(cycle.at("loop_energies_J"), json::array({*expected.loop_energy}));
+  EXPECT_TRUE(cycle.at("settled").is_null());
   EXPECT_EQ(cycle.at("first_contact_m"), *expected.first_contact);
   EXPECT_EQ(cycle.at("iterations"), expected.cost.iterations);
   EXPECT_EQ(cycle.at("factorisations"), expected.cost.factorisations);
@@ -147,7 +153,7 @@ TEST(SummaryJson, SaysWhereAFoilIsBentMost) {
   EXPECT_EQ(at.at("place"), "crest");
   EXPECT_EQ(at.at("bump"), peak.bump + 1);
   EXPECT_EQ(at.at("increment"), 5);
-  EXPECT_EQ(at.at("displacement_m"), input.cycle.amplitude);
+  EXPECT_EQ(at.at("displacement_m"), input.cycle.amplitude.value);
   EXPECT_EQ(cycle.at("above_yield_bump_foil"), true);
   EXPECT_EQ(cycle.at("max_stress_top_foil_at").at("place"), "weld");
   EXPECT_TRUE(cycle.at("max_stress_top_foil_at").at("bump").is_null());

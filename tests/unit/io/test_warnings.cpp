@@ -62,6 +62,16 @@ TEST(Warnings, SayThatNothingWasTouched) {
   EXPECT_EQ(warnings_of(input, result, 0)[0], "the journal never touches the foils: no bump faces this direction");
 }
 
+TEST(Warnings, SayThatALoopStillChanges) {
+  CycleResult result = harmless();
+  result.cycles[0].loop_energies = {5e-3, 4e-3};
+  ASSERT_EQ(warnings_of(plain_case(), result, 0).size(), 1U);
+  EXPECT_EQ(warnings_of(plain_case(), result, 0)[0],
+            "the loop has not settled after 2 cycles: its energy still changes from 5 to 4 mJ; raise cycle.cycles");
+  result.cycles[0].settled = true;
+  EXPECT_TRUE(warnings_of(plain_case(), result, 0).empty());
+}
+
 TEST(Warnings, SayThatATrussIsNotMadeForAFewBumps) {
   Case input = plain_case();
   for (const int bumps : {1, 3, 4}) {

@@ -23,7 +23,7 @@ TEST(ReferenceCase, BumpsFillTheCircumference) {
 TEST(ReferenceCase, IsPushedToTwoAndAHalfClearancesAlongBothAxes) {
   const Case reference = reference_case();
   // Both numbers are printed with three digits.
-  EXPECT_NEAR(reference.cycle.amplitude / reference.bearing.radial_clearance, 2.5, 1e-12);
+  EXPECT_NEAR(reference.cycle.amplitude.value / reference.bearing.radial_clearance, 2.5, 1e-12);
   ASSERT_EQ(reference.cycle.directions.size(), 4U);
   EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[0]), Eigen::Vector2d(1.0, 0.0));
   EXPECT_EQ(bumpfoil::unit_vector(reference.cycle.directions[1]), Eigen::Vector2d(-1.0, 0.0));
@@ -40,7 +40,7 @@ TEST(ReferenceCase, IsFreeOfManufacturingErrors) {
 TEST(CutToStrip, KeepsTheFirstBumps) {
   using namespace bumpfoil;
   Case input = reference_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {PlateControl::displacement, 1e-6}};
+  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 1e-6}};
   input.bump_foil.height_errors.assign(26, 1e-6);
   input.bump_foil.height_errors[2] = 3e-6;
   const Case cut = cut_to_strip(input);

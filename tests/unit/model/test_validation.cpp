@@ -37,20 +37,20 @@ TEST(FindFaults, FindsNoneInTheReferenceCase) {
 TEST(FindFaults, JudgesStrips) {
   const auto strip = [](const std::function<void(StripSettings&)>& change) {
     return faulty_keys([&](Case& input) {
-      input.strip = StripSettings{.bumps = 10, .amplitude = {PlateControl::displacement, 20e-6}};
+      input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
       input.bump_foil.height_errors.assign(26, 0.0);
       change(*input.strip);
     });
   };
-  const PlateTarget load{PlateControl::load, 60.0};
-  const PlateTarget light{PlateControl::load, 50.0};
+  const Target load{Control::load, 60.0};
+  const Target light{Control::load, 50.0};
   EXPECT_EQ(strip([](StripSettings&) {}), Keys{});
   EXPECT_EQ(strip([](StripSettings& s) { s.bumps = 0; }), Keys{"strip.bumps"});
   EXPECT_EQ(strip([](StripSettings& s) { s.bumps = 27; }), Keys{"strip.bumps"});  // beyond the height errors
   EXPECT_EQ(strip([](StripSettings& s) { s.amplitude.value = 0.0; }), Keys{"strip.displacement"});
   EXPECT_EQ(strip([](StripSettings& s) { s.amplitude.value = 0.41e-3; }), Keys{"strip.displacement"});  // the rise
-  EXPECT_EQ(strip([](StripSettings& s) { s.amplitude = {PlateControl::load, -1.0}; }), Keys{"strip.load"});
-  EXPECT_EQ(strip([](StripSettings& s) { s.preload = {PlateControl::load, nan}; }), Keys{"strip.preload"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.amplitude = {Control::load, -1.0}; }), Keys{"strip.load"});
+  EXPECT_EQ(strip([](StripSettings& s) { s.preload = {Control::load, nan}; }), Keys{"strip.preload"});
   EXPECT_EQ(strip([&](StripSettings& s) { s.preload = light; }), Keys{});
   EXPECT_EQ(strip([&](StripSettings& s) { s.amplitude = s.preload.emplace(load); }), Keys{});
   const auto too_light = [&](StripSettings& s) {
@@ -60,11 +60,11 @@ TEST(FindFaults, JudgesStrips) {
   EXPECT_EQ(strip(too_light), Keys{"strip.preload"});
   const auto mixed = [&](StripSettings& s) {
     s.amplitude = load;
-    s.preload = {PlateControl::displacement, 1e-6};
+    s.preload = {Control::displacement, 1e-6};
   };
   EXPECT_EQ(strip(mixed), Keys{"strip.preload"});
   const auto flat = [](StripSettings& s) {
-    s.amplitude = {PlateControl::displacement, 0.21e-3};  // each less than the rise of 0.406 mm, not both together
+    s.amplitude = {Control::displacement, 0.21e-3};  // each less than the rise of 0.406 mm, not both together
     s.preload = s.amplitude;
   };
   EXPECT_EQ(strip(flat), Keys{"strip.displacement"});
@@ -106,7 +106,7 @@ TEST(FindFaults, WantsFinitePositiveSizes) {
       {"solver.eps_f", [](Case& c) -> double& { return c.solver.uzawa.eps_f.emplace(); }},
       {"solver.eps_r", [](Case& c) -> double& { return c.solver.uzawa.eps_r.emplace(); }},
       {"solver.tau_f", [](Case& c) -> double& { return c.solver.uzawa.tau_f.emplace(); }},
-      {"cycle.amplitude", [](Case& c) -> double& { return c.cycle.amplitude; }},
+      {"cycle.amplitude", [](Case& c) -> double& { return c.cycle.amplitude.value; }},
   };
   for (const auto& [key, size] : sizes) {
     for (const double value : {0.0, -1e-3, nan, infinity, -infinity, 1e300, 1e-300}) {
@@ -229,8 +229,53 @@ TEST(FindFaults, JudgesTheCycleThatThereIs) {
             }),
             Keys{});
   // Clearance and rise together are 0.4378 mm.
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude = 0.437e-3; }), Keys{});
-  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude = 0.438e-3; }), Keys{"cycle.amplitude"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude.value = 0.437e-3; }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.cycle.amplitude.value = 0.438e-3; }), Keys{"cycle.amplitude"});
+}
+
+TEST(FindFaults, JudgesWhatCyclesGoAbout) {
+  const auto course = [](const auto& change) { return faulty_keys([&](Case& input) { change(input.cycle); }); };
+  EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::load, {0.0, -50.0}}; }), Keys{});
+  EXPECT_EQ(course([](CycleSettings& c) { c.preload = PlaneTarget{Control::displacement, {0.0, 0.0}}; }), Keys{});
+  EXPECT_EQ(course([](CycleSettings& c) {
+              c.preload = PlaneTarget{Control::load, {0.0, 0.0}};
+            }),
+            Keys{"cycle.preload"});
+  EXPECT_EQ(course([](CycleSettings& c) {
+              c.preload = PlaneTarget{Control::load, {nan, 1.0}};
+            }),
+            Keys{"cycle.preload"});
+  EXPECT_EQ(course([](CycleSettings& c) {
+              c.preload = PlaneTarget{Control::displacement, {0.0, 0.44e-3}};
+            }),
+            Keys{"cycle.preload"});
+  // Together they would press the bumps flat.
+  EXPECT_EQ(course([](CycleSettings& c) {
+              c.preload = PlaneTarget{Control::displacement, {0.0, 0.37e-3}};
+            }),
+            Keys{"cycle.amplitude"});
+  EXPECT_EQ(course([](CycleSettings& c) { c.amplitude = {Control::load, 100.0}; }), Keys{});
+  EXPECT_EQ(course([](CycleSettings& c) { c.amplitude = {Control::load, -1.0}; }), Keys{"cycle.load"});
+  EXPECT_EQ(course([](CycleSettings& c) {
+              c.amplitude = {Control::load, 100.0};
+              c.preload = PlaneTarget{Control::displacement, {1e-5, 0.0}};
+            }),
+            Keys{"cycle.preload"});
+  EXPECT_EQ(course([](CycleSettings& c) { c.cycles = 0; }), Keys{"cycle.cycles"});
+  EXPECT_EQ(course([](CycleSettings& c) { c.clearance_forces = {5.0, -1.0}; }), Keys{"cycle.clearance_forces[2]"});
+}
+
+TEST(FindFaults, PushesTheFormerModelFromTheCentreAlone) {
+  const auto former = [](const auto& change) {
+    return faulty_keys([&](Case& input) {
+      input.bump_foil.model = BumpFoilModel::former;
+      change(input.cycle);
+    });
+  };
+  EXPECT_EQ(former([](CycleSettings&) {}), Keys{});
+  EXPECT_EQ(former([](CycleSettings& c) { c.cycles = 2; }), Keys{"bump_foil.model"});
+  EXPECT_EQ(former([](CycleSettings& c) { c.swing = true; }), Keys{"bump_foil.model"});
+  EXPECT_EQ(former([](CycleSettings& c) { c.amplitude = {Control::load, 10.0}; }), Keys{"bump_foil.model"});
 }
 
 TEST(FindFaults, WantsEveryDirectionOnce) {
@@ -252,7 +297,7 @@ TEST(FindFaults, WantsEveryDirectionOnce) {
 TEST(FindFaults, KnowsNoStripOfTheFormerModel) {
   const auto former = [](Case& input) {
     input.bump_foil.model = BumpFoilModel::former;
-    input.strip = StripSettings{.bumps = 10, .amplitude = {PlateControl::displacement, 20e-6}};
+    input.strip = StripSettings{.bumps = 10, .amplitude = {Control::displacement, 20e-6}};
   };
   EXPECT_EQ(faulty_keys(former), Keys{"bump_foil.model"});
 }
