@@ -218,27 +218,45 @@ test('the drawings name their parts and say how much they exaggerate', () =>
     near((await factors())[1] / (await factors())[0], 2, 0.05, 'factor chosen');
   }));
 
-test('a free strip is wholly inside its picture at any magnification', () =>
-  withReport('free.html', async (page) => {
-    const factors = page.getByRole('combobox', { name: 'Magnification of displacements' });
-    const names = await factors.locator('option').allTextContents();
-    assert.ok(names.includes('×1000'));
-    for (const factor of names) {
-      await factors.selectOption(factor);
-      for (const index of [0, 10, 20, 33, 40]) {
-        await moveTo(page, index);
-        const outside = await page.locator('.unwrapped').evaluate((drawing) => {
-          const { width, height } = drawing.viewBox.baseVal;
-          // Foils, marks of contacts, words; arrows of forces stand where they must.
-          return [...drawing.querySelectorAll('path[fill=none], rect, circle, text')]
-            .map((part) => part.getBBox())
-            .filter((box) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height)
-            .map((box) => `${box.x} ${box.y} ${box.width} ${box.height}`);
-        });
-        assert.deepEqual(outside, [], `${factor}, increment ${index}`);
-      }
+/** Parts of a drawing that are not wholly in it. */
+function outside(page, drawing, parts) {
+  return page.locator(drawing).evaluate((root, selector) => {
+    const { width, height } = root.viewBox.baseVal;
+    return [...root.querySelectorAll(selector)]
+      .map((part) => part.getBBox())
+      .filter((box) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height)
+      .map((box) => `${box.x} ${box.y} ${box.width} ${box.height}`);
+  }, parts);
+}
+
+async function atAnyMagnification(page, increments, check) {
+  const factors = page.getByRole('combobox', { name: 'Magnification of displacements' });
+  const names = await factors.locator('option').allTextContents();
+  assert.ok(names.includes('×1000'));
+  for (const factor of names) {
+    await factors.selectOption(factor);
+    for (const increment of increments) {
+      await moveTo(page, increment);
+      await check(`${factor}, increment ${increment}`);
     }
-  }));
+  }
+}
+
+test('a free strip is wholly inside its picture at any magnification', () =>
+  withReport('free.html', (page) =>
+    // Arrows of forces stand where they must.
+    atAnyMagnification(page, [0, 10, 20, 33, 40], async (where) =>
+      assert.deepEqual(await outside(page, '.unwrapped', 'path[fill=none], rect, circle, text'), [], where),
+    ),
+  ));
+
+test('the foils of a bearing are inside both pictures at any magnification', () =>
+  withReport('one.html', (page) =>
+    atAnyMagnification(page, [0, 100, 170], async (where) => {
+      assert.deepEqual(await outside(page, '.unwrapped', 'path[stroke-width="2"], text'), [], where);
+      assert.deepEqual(await outside(page, '.round', 'path[stroke-width="1.7"], text'), [], where);
+    }),
+  ));
 
 test('the keyboard finds landmarks, groups of one stop each, and the slider soon', () =>
   withReport('all.html', async (page) => {
@@ -318,11 +336,15 @@ test('no path of the machine is in the file', () => {
 
 test('fifty runs stay usable: searched, chosen, in the colours of what differs', async () => {
   const values = Array.from({ length: 50 }, (_, i) => (i / 100).toFixed(2));
-  for (const value of values) cycle(`fifty/mu${value}`, `friction.coefficient=${value}`, 'cycle.steps=10', 'cycle.directions=["+X", "+Y"]');
+  for (const value of values) cycle(`fifty/mu${value}`, `friction.coefficient=${value}`, 'cycle.steps=10', 'cycle.amplitude=95 um', 'cycle.directions=["+X", "+Y"]');
   report('fifty.html', ...values.map((value) => `fifty/mu${value}`));
   await withReport('fifty.html', async (page) => {
     const loops = page.getByRole('region', { name: 'Loops, +X' });
     const curves = () => loops.locator('.plot path').evaluateAll((paths) => new Set(paths.filter((path) => path.getAttribute('fill') === 'none').map((path) => path.getAttribute('stroke'))).size);
+    // A warning of each is not in the way of the results.
+    assert.equal(await page.locator('.warnings li:visible').count(), 4);
+    await page.locator('.warnings summary').click();
+    assert.equal(await page.locator('.warnings li:visible').count(), 100);
     // As many colours as values, and those of the axes.
     assert.ok((await curves()) >= 50);
     assert.match(await page.locator('.scale').textContent(), /Top foil on bumps 0.*0\.49/);

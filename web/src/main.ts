@@ -78,12 +78,19 @@ function navigation(sections: HTMLElement[]): HTMLElement {
   return roving(el('nav', { 'aria-label': 'Parts of the report' }, ...links));
 }
 
+/** Warnings that are shown before one asks for more. */
+const atOnce = 4;
+
 function warnings(runs: Run[]): HTMLElement[] {
   const items = runs.flatMap((run) =>
     warningsOf(run).map((text) => el('li', {}, runs.length > 1 ? `${run.label}: ${text}` : text)),
   );
   if (items.length === 0) return [];
-  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('ul', {}, ...items))];
+  // Of many runs there are more than anyone reads before the results.
+  const first = items.length > 2 * atOnce ? items.slice(0, atOnce) : items;
+  const rest = items.slice(first.length);
+  const more = rest.length === 0 ? [] : [el('details', {}, el('summary', {}, `${rest.length} more`), el('ul', {}, ...rest))];
+  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('div', {}, el('ul', {}, ...first), ...more))];
 }
 
 function start(): void {

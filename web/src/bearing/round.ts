@@ -20,9 +20,10 @@ class RoundLayout {
 
   constructor(private readonly scene: Scene) {
     const { geometry, inwards } = scene;
-    // However much displacements are magnified, all of the foils stays within the circle.
+    // However much displacements are magnified, all of the foils stays on the drawing and leaves its middle free.
     const above = geometry.rise + inwards * geometry.reach.inwards;
-    this.perHeight = Math.min(bumpHeight / geometry.rise, (0.6 * sleeveRadius) / above);
+    const below = Math.max(0, -inwards * geometry.reach.outwards - geometry.rise);
+    this.perHeight = Math.min(bumpHeight / geometry.rise, (0.6 * sleeveRadius) / above, (0.8 * (centre - sleeveRadius)) / below);
   }
 
   /** How much larger heights of bumps are drawn than the radius. */
