@@ -1,12 +1,12 @@
 #include "bumpfoil/analysis/cycle.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "analysis/cycle_series.hpp"
 #include "analysis/former_cycle.hpp"
 #include "analysis/run_each_cycle.hpp"
+#include "analysis/settling.hpp"
 
 namespace bumpfoil {
 
@@ -17,16 +17,6 @@ bool CycleResult::converged() const {
 CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}
 
 namespace {
-
-/// Loop energies that differ by less, as part of the larger, are those of one loop.
-constexpr double settled_loop = 1e-6;
-
-bool is_settled(const std::vector<double>& loop_energies) {
-  if (loop_energies.size() < 2) return false;
-  const double last = loop_energies.back();
-  const double before = *(loop_energies.end() - 2);
-  return std::abs(last - before) <= settled_loop * std::max(std::abs(last), std::abs(before));
-}
 
 /// Adds what came before a cycle to what it tells of the whole run.
 void follow_on(const Cycle& before, Cycle& cycle) {
@@ -54,7 +44,9 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
   CycleSeries series(stepper_, course, centre, step_);
   Cycle cycle;
   for (int i = 0; i < settings.cycles && cycle.converged() && !cycle.settled; ++i) {
-    const auto progress_of_cycle = [&](double fraction) { return !progress || progress((i + fraction) / settings.cycles); };
+    const auto progress_of_cycle = [&](double fraction) {
+      return !progress || progress((i + fraction) / settings.cycles);
+    };
     Cycle next = series.next(recording, progress_of_cycle, clearances);
     if (next.loop_energy) next.loop_energies = {*next.loop_energy};
     if (i > 0) follow_on(cycle, next);

@@ -46,13 +46,6 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
   return make_increment_follower(std::make_unique<UzawaSolver>(*problem, options));
 }
 
-TangentStiffnesses TangentMatrices::along(const Eigen::Vector2d& direction) const {
-  const auto quadratic_form = [&](const std::optional<Eigen::Matrix2d>& K) {
-    return K ? std::optional(direction.dot(*K * direction)) : std::nullopt;
-  };
-  return {.loading = quadratic_form(loading), .unloading = quadratic_form(unloading)};
-}
-
 FoilState FoilState::unstressed(const Foils& foils) {
   FoilState state;
   state.loading = ContactLoading::none(foils.problem);

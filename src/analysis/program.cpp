@@ -1,5 +1,7 @@
 #include "bumpfoil/analysis/program.hpp"
 
+#include <algorithm>
+
 namespace bumpfoil {
 
 Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps) {
@@ -13,6 +15,14 @@ Program swing(Control control, const Line& line, double origin, double amplitude
   return {{Branch::loading, control, line, origin, top, steps},
           {Branch::unloading, control, line, top, bottom, 2 * steps},
           {Branch::loading, control, line, bottom, origin, steps}};
+}
+
+double largest_place(const Program& program) {
+  double largest = 0.0;
+  for (const Leg& leg : program) {
+    largest = std::max({largest, leg.line.place(leg.begin).norm(), leg.line.place(leg.end).norm()});
+  }
+  return largest;
 }
 
 int increments_of(const Program& program) {

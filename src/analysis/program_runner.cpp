@@ -7,24 +7,28 @@
 namespace bumpfoil {
 namespace {
 
-/// A load of zero stands for this part of the largest of its leg: where nothing is touched the place would not be
-/// determined.
+/// A load of zero stands for this part of the largest: where nothing is touched the place would not be determined.
 constexpr double least_load = 1e-6;
 
-Eigen::Vector2d never_zero(const Eigen::Vector2d& load, const Leg& leg) {
-  const Eigen::Vector2d begin = leg.line.place(leg.begin);
-  const Eigen::Vector2d end = leg.line.place(leg.end);
-  const Eigen::Vector2d least = least_load * (end.norm() > begin.norm() ? end : begin);
-  return load.norm() < least.norm() ? least : load;
-}
-
 }  // namespace
+
+/// A load that keeps the body on the side that it is on, or is to be on next.
+Eigen::Vector2d ProgramRunner::never_zero(const Eigen::Vector2d& load) const {
+  const double least = least_load * largest_;
+  if (load.norm() >= least) return load;
+  const Eigen::Vector2d begin = leg().line.place(leg().begin);
+  const Eigen::Vector2d end = leg().line.place(leg().end);
+  const Eigen::Vector2d larger = end.norm() > begin.norm() ? end : begin;
+  if (larger.norm() >= least) return least * larger.normalized();
+  const Eigen::Vector2d carried = holding_force(stepper_.foils(), state_.contacts.normal_force);
+  return least * (carried.norm() > 0.0 ? Eigen::Vector2d(carried.normalized()) : Eigen::Vector2d::UnitX());
+}
 
 void ProgramRunner::try_next(Step& step) {
   const Leg& next = leg();
   const Eigen::Vector2d place = next.line.place(target());
   if (next.control == Control::load) {
-    const Eigen::Vector2d load = never_zero(place, next);
+    const Eigen::Vector2d load = never_zero(place);
     advance_to_load(stepper_, state_, load, load != place, reach_, step);
     return;
   }

@@ -11,7 +11,7 @@ class ProgramRunner {
   /// @param stepper, state  outlive the runner; `state` is where the program begins, and follows it
   /// @param reach           loads are not looked for beyond this displacement, m
   ProgramRunner(FoilStepper& stepper, const Program& program, double reach, FoilState& state)
-      : stepper_(stepper), program_(program), reach_(reach), state_(state) {}
+      : stepper_(stepper), program_(program), reach_(reach), state_(state), largest_(largest_place(program)) {}
 
   /// Whether there is another increment to take.
   [[nodiscard]] bool has_next() const { return leg_ < program_.size(); }
@@ -30,12 +30,15 @@ class ProgramRunner {
   void commit(Step& step);
 
  private:
+  [[nodiscard]] Eigen::Vector2d never_zero(const Eigen::Vector2d& load) const;
+
   FoilStepper& stepper_;
   const Program& program_;
   double reach_;
   FoilState& state_;
   std::size_t leg_{};
-  int taken_{};  ///< increments of the leg
+  double largest_;  ///< largest load or displacement of the program
+  int taken_{};     ///< increments of the leg
 };
 
 }  // namespace bumpfoil

@@ -2,6 +2,7 @@
 
 #include "bumpfoil/model/validation.hpp"
 #include "io/height_errors_csv.hpp"
+#include "io/path_csv.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -126,7 +127,8 @@ void describe(CaseVisitor& keys, CycleSettings& cycle) {
                "cycles go up and down from this load (or position, [\"0 um\", \"-40 um\"]), by so much each way",
                "[\"0 N\", \"-50 N\"]"},
               cycle.amplitude.control, cycle.preload);
-  keys.value({"swing", defaulted, "Swing", "true: through the centre as far to the other side, and back"}, &cycle.swing);
+  keys.value({"swing", defaulted, "Swing", "true: through the centre as far to the other side, and back"},
+             &cycle.swing);
   keys.value({"cycles", defaulted, "Cycles",
               "at most so many one after the other, until the loop has settled; results hold the last"},
              &cycle.cycles);
@@ -150,6 +152,30 @@ void describe(CaseVisitor& keys, StripSettings& strip) {
   keys.value({"steps", defaulted, "Increments per branch",
               "equal increments from the start of a cycle to full displacement or load"},
              &strip.steps);
+}
+
+void describe(CaseVisitor& keys, PathSettings& path) {
+  keys.file(
+      {"file", optional, "File of the path",
+       "a file beside this one with the columns x_m,y_m (positions) or force_x_N,force_y_N (loads)", "\"path.csv\""},
+      "points", [&path](const std::string& name) { path.points = read_path(name); });
+  keys.places({"points", optional, "Points", "the same as a list; or no points, and an orbit",
+               "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
+              path.points);
+  const Presence of_orbit = path.is_orbit() ? required : optional;
+  const auto in_plane = [&keys](const Key& key, Control plain, PlaneTarget& target) {
+    std::optional<PlaneTarget> given = target;
+    keys.either(key, plain, given);
+    target = *given;
+  };
+  in_plane({"centre", of_orbit, "Centre", "of the orbit, an ellipse: a position, or a load", "[\"0 um\", \"-40 um\"]"},
+           Control::displacement, path.centre);
+  in_plane({"semi_axes", of_orbit, "Semi-axes", "of the same kind", "[\"10 um\", \"5 um\"]"}, path.centre.control,
+           path.semi_axes);
+  keys.value({"tilt", defaulted, "Tilt", "of the first axis, from X towards Y", "0 deg", angle}, &path.tilt);
+  keys.choice({"sense", defaulted, "Sense", "or \"clockwise\""}, path.sense);
+  keys.value({"orbits", defaulted, "Orbits", "one after the other, with the friction of the last"}, &path.orbits);
+  keys.value({"steps", defaulted, "Increments per orbit", "and on the straight way to its first point"}, &path.steps);
 }
 
 /// A table that is given if anything in it is not as by default.
@@ -182,6 +208,7 @@ void describe(CaseVisitor& keys, Case& input) {
   table(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"}, input.cycle);
   table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
         input.strip);
+  table(keys, {"path", optional, "Path", "a path of the journal from the centre, for the command path"}, input.path);
 }
 
 }  // namespace bumpfoil

@@ -26,14 +26,18 @@ std::string cycle_csv(const CycleResult& result) {
   const bool is_strip = result.experiment == Experiment::strip;
   std::vector<IncrementQuantity> columns = increment_quantities(result.experiment);
   std::erase_if(columns, [](const IncrementQuantity& column) { return !column.in_csv; });
-  std::string out = is_strip ? "cycle,increment" : "direction_deg,increment";
+  const bool is_path = result.experiment == Experiment::path;
+  std::string out = is_path ? "increment" : is_strip ? "cycle,increment" : "direction_deg,increment";
   for (const IncrementQuantity& column : columns) out += ',' + key_of(column.name, column.unit);
   double number = 0.0;
   for (const Cycle& cycle : result.cycles) {
     number += 1.0;
     for (const Increment& increment : cycle.increments) {
-      fmt::format_to(std::back_inserter(out), "\n{:.17g},{}", is_strip ? number : to_degrees(cycle.direction),
-                     increment.index);
+      out += '\n';
+      if (!is_path) {
+        fmt::format_to(std::back_inserter(out), "{:.17g},", is_strip ? number : to_degrees(cycle.direction));
+      }
+      out += std::to_string(increment.index);
       for (const IncrementQuantity& column : columns) append(out += ',', column.value(increment), column.form);
     }
   }

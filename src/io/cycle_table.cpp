@@ -96,7 +96,9 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
   std::vector<Row> rows = rows_of(input, result.experiment, false);
   const std::vector<Row> clearances =
       result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<Row>{};
-  for (const std::vector<Row>& more : {clearances, rows_of_highest_load(), rows_of(input, result.experiment, true)}) {
+  const std::vector<Row> highest_load =
+      result.experiment == Experiment::path ? std::vector<Row>{} : rows_of_highest_load();
+  for (const std::vector<Row>& more : {clearances, highest_load, rows_of(input, result.experiment, true)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::string out;
@@ -108,7 +110,7 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
       for (std::size_t i = first; i < end; ++i) out += fmt::format("{:>{}}", cell(shown[i]), column_width);
       out += '\n';
     };
-    append(result.experiment == Experiment::strip ? "" : "direction", "",
+    append(result.experiment == Experiment::cycle ? "direction" : "", "",
            [&](std::size_t cycle) { return cycle_name(result, cycle); });
     out += std::string(name_width + unit_width + column_width * (end - first), '-') + '\n';
     for (const Row& row : rows) {

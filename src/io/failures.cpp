@@ -23,12 +23,14 @@ std::string direction_name(double direction) {
 /// A cycle that begins with the way to the preload: the first of a strip, and all of a bearing.
 bool begins_with_preload(const Case& input, const CycleResult& result, std::size_t cycle) {
   if (result.experiment == Experiment::strip) return cycle == 0 && input.strip->preload.has_value();
-  return input.cycle.preload.has_value() && result.cycles[cycle].loop_energies.empty();
+  return result.experiment == Experiment::cycle && input.cycle.preload.has_value() &&
+         result.cycles[cycle].loop_energies.empty();
 }
 
 }  // namespace
 
 std::string cycle_name(const CycleResult& result, std::size_t cycle) {
+  if (result.experiment == Experiment::path) return "path";
   if (result.experiment == Experiment::strip) return fmt::format("cycle {}", cycle + 1);
   return direction_name(result.cycles[cycle].direction);
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bumpfoil/model/validation.hpp"
-#include "io/number_text.hpp"
+#include "io/csv_lines.hpp"
 #include "io/text_file.hpp"
 
 namespace bumpfoil {
@@ -16,24 +16,9 @@ namespace {
 constexpr std::string_view first_column = "bump";
 constexpr std::string_view second_column = "height_error_m";
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-template <typename Number>
-std::optional<Number> parse(std::string_view text) {
-  Number number{};
-  const auto [end, status] = read_number(text, number);
-  if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 bool is_header(std::string_view text) {
-  const std::size_t comma = text.find(',');
-  return comma != std::string_view::npos && trimmed(text.substr(0, comma)) == first_column &&
-         trimmed(text.substr(comma + 1)) == second_column;
+  const auto columns = two_columns(text);
+  return columns && columns->first == first_column && columns->second == second_column;
 }
 
 /// Takes the lines one by one.
@@ -43,12 +28,12 @@ class HeightErrorsReader {
       : path_(path), errors_(static_cast<std::size_t>(bumps)), lines_(errors_.size(), 0) {}
 
   void read_line(std::size_t line, std::string_view text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string_view::npos || text.find(',', comma + 1) != std::string_view::npos) {
+    const auto columns = two_columns(text);
+    if (!columns) {
       return fault(line, text, "does not have two columns", "write bump and height error, such as 3,-4.2e-6");
     }
-    const auto bump = parse<int>(trimmed(text.substr(0, comma)));
-    const auto error = parse<double>(trimmed(text.substr(comma + 1)));
+    const auto bump = parse<int>(columns->first);
+    const auto error = parse<double>(columns->second);
     if (!bump || *bump < 1 || *bump > static_cast<int>(errors_.size())) {
       return fault(line, text, "does not begin with the number of a bump",
                    fmt::format("count bumps from 1 to {}", errors_.size()));
@@ -99,20 +84,14 @@ std::vector<double> read_height_errors(const std::string& path, int bumps) {
                   fmt::format("write {},{} and one line for each of {} bumps", first_column, second_column, bumps)}});
   }
   HeightErrorsReader reader(path, bumps);
-  std::size_t line = 0;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t end = rest.find('\n');
-    const std::string_view content = trimmed(rest.substr(0, end));
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    ++line;
-    if (line == 1) {
-      if (is_header(content)) continue;
+  for_each_line(text, [&reader](std::size_t line, std::string_view content) {
+    if (line > 1) {
+      if (!content.empty()) reader.read_line(line, content);
+    } else if (!is_header(content)) {
       reader.fault(line, content, "is no header of height errors",
                    fmt::format("write {},{}", first_column, second_column));
-    } else if (!content.empty()) {
-      reader.read_line(line, content);
     }
-  }
+  });
   return reader.finish();
 }
 

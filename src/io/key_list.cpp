@@ -85,6 +85,16 @@ class KeyLister final : public CaseVisitor {
     add(key, "two lengths or forces", std::move(value));
   }
 
+  void places(const Key& key, PathPoints& points) override {
+    Json list;
+    for (const Eigen::Vector2d& point : points.values) {
+      Json pair;
+      for (const double along : point) pair.push_back(json_of(along, points.control, Control::displacement));
+      list.push_back(std::move(pair));
+    }
+    add(key, "list of pairs of lengths or forces", std::move(list));
+  }
+
   void file(const Key& key, std::string_view /*other*/,
             const std::function<void(const std::string&)>& /*read*/) override {
     add(key, "name of a file", {}, true);

@@ -1,5 +1,8 @@
 #include "io/result_layout.hpp"
 
+#include <algorithm>
+
+#include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
@@ -39,9 +42,6 @@ ResultLayout layout_of_bearing(const Case& input) {
   const Vector theta = crest_angles(input);
   const Vector foot_theta = foot_angles(input);
   ResultLayout layout = layout_of_foil(input);
-  layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
-  for (const double direction : input.cycle.directions) layout.cycles.values.push_back(to_degrees(direction));
-  layout.increments = std::size_t{input.cycle.swings() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
   layout.feet = static_cast<std::size_t>(foot_theta.size());
   layout.scalars.insert(
       layout.scalars.end(),
@@ -56,6 +56,22 @@ ResultLayout layout_of_bearing(const Case& input) {
                      to_vector(polar_angles(input.bearing, foot_theta))}};
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
+  return layout;
+}
+
+ResultLayout layout_of_cycles(const Case& input) {
+  ResultLayout layout = layout_of_bearing(input);
+  layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
+  for (const double direction : input.cycle.directions) layout.cycles.values.push_back(to_degrees(direction));
+  // Sorted, so that readers can look for the nearest.
+  std::sort(layout.cycles.values.begin(), layout.cycles.values.end());
+  layout.increments = std::size_t{input.cycle.swings() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
+  return layout;
+}
+
+ResultLayout layout_of_path(const Case& input) {
+  ResultLayout layout = layout_of_bearing(input);
+  layout.increments = static_cast<std::size_t>(increments_of(path_program(*input.path)));
   return layout;
 }
 
@@ -81,7 +97,15 @@ ResultLayout layout_of_strip(const Case& input) {
 }  // namespace
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment) {
-  return experiment == Experiment::strip ? layout_of_strip(input) : layout_of_bearing(input);
+  switch (experiment) {
+    case Experiment::strip:
+      return layout_of_strip(input);
+    case Experiment::path:
+      return layout_of_path(input);
+    case Experiment::cycle:
+      break;
+  }
+  return layout_of_cycles(input);
 }
 
 }  // namespace bumpfoil

@@ -15,6 +15,7 @@
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "io/netcdf_writer.hpp"
@@ -43,16 +44,18 @@ class ResultWriter {
         result_(result),
         layout_(make_result_layout(input, result.experiment)),
         wording_(wording_of(input, result.experiment)),
-        cycle_(file.add_dim(layout_.cycles.name, layout_.cycles.values.size())),
+        cycles_(std::max<std::size_t>(1, layout_.cycles.values.size())),
         increment_(file.add_dim("increment", layout_.increments)),
         bump_(file.add_dim("bump", layout_.bumps)),
         foot_(file.add_dim("foot", layout_.feet)) {
-    BUMPFOIL_ASSERT(result.cycles.size() <= layout_.cycles.values.size());
+    BUMPFOIL_ASSERT(result.cycles.size() <= cycles_);
+    for (std::size_t i = 0; i < result.cycles.size(); ++i) places_.push_back(place_of(i));
+    if (!layout_.cycles.values.empty()) of_cycles_ = {file.add_dim(layout_.cycles.name, cycles_)};
   }
 
   void write_coordinates() {
     constexpr Form whole{Form::whole};
-    put(layout_.cycles, {cycle_});
+    if (!of_cycles_.empty()) put(layout_.cycles, of_cycles_);
     file_.put_all({"increment", "1", "increment; 0 is the start of the cycle", whole}, {increment_},
                   numbers_from(0.0, increment_));
     file_.put_all({"bump", "1", "bump, counted from the weld", whole}, {bump_}, numbers_from(1.0, bump_));
@@ -71,17 +74,19 @@ class ResultWriter {
     for (const CycleQuantity& quantity : cycle_quantities(result_.experiment)) {
       // A cycle that was never begun did not converge; nothing else is known of it.
       const bool known = quantity.name == "converged";
-      std::vector<double> values(layout_.cycles.values.size(), known ? 0.0 : absent);
-      std::transform(result_.cycles.begin(), result_.cycles.end(), values.begin(),
-                     [&](const Cycle& cycle) { return quantity.value(cycle, input_); });
+      std::vector<double> values(cycles_, known ? 0.0 : absent);
+      for (std::size_t i = 0; i < places_.size(); ++i) values[places_[i]] = quantity.value(result_.cycles[i], input_);
       if (known) {
-        file_.put_all(meaning(quantity, quantity.form), {cycle_}, values);
+        file_.put_all(meaning(quantity, quantity.form), of_cycles_, values);
       } else {
-        NewNetcdf::put(file_.add(meaning(quantity, quantity.form), {cycle_}), {0}, {values.size()}, values);
+        const NcVar variable = file_.add(meaning(quantity, quantity.form), of_cycles_);
+        std::vector<std::size_t> start(of_cycles_.size());
+        NewNetcdf::put(variable, start, std::vector<std::size_t>(of_cycles_.size(), cycles_), values);
       }
     }
+    if (result_.experiment == Experiment::path) return;  // which has no full displacement
     for (const LoadQuantity& quantity : load_quantities()) {
-      const NcVar variable = file_.add(meaning(quantity), {cycle_, node(quantity.node)});
+      const NcVar variable = file_.add(meaning(quantity), of_cycles_and({node(quantity.node)}));
       for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
         if (!result_.cycles[i].turning_point) continue;
         const Vector& loads = (*result_.cycles[i].turning_point).*quantity.loads;
@@ -117,12 +122,13 @@ class ResultWriter {
   /// Displacements at which thresholds of the force are reached.
   void write_clearances() {
     const std::vector<double>& forces = input_.cycle.clearance_forces;
-    if (result_.experiment == Experiment::strip || forces.empty()) return;
+    if (result_.experiment != Experiment::cycle || forces.empty()) return;
     const NcDim threshold = file_.add_dim("clearance_force", forces.size());
     file_.put_all({"clearance_force", "N", "force at which a push test would take the journal for touching"},
                   {threshold}, forces);
-    const NcVar variable = file_.add(
-        {"clearance", "m", "displacement at which the direct force first reaches the threshold"}, {cycle_, threshold});
+    const NcVar variable =
+        file_.add({"clearance", "m", "displacement at which the direct force first reaches the threshold"},
+                  of_cycles_and({threshold}));
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
       std::vector<double> values(forces.size(), absent);
       const std::vector<Clearance>& found = result_.cycles[i].clearances;
@@ -132,18 +138,37 @@ class ResultWriter {
     }
   }
 
+  /// Loops of a path.
+  void write_orbits() {
+    const std::vector<OrbitLoop>& orbits = result_.cycles.front().orbits;
+    if (orbits.empty()) return;
+    const NcDim number = file_.add_dim("orbit_number", orbits.size());
+    file_.put_all({"orbit_number", "1", "orbit, counted from 1", {Form::whole}}, {number}, numbers_from(1.0, number));
+    const auto put_member = [&](const VariableMeaning& meaning, double OrbitLoop::*member) {
+      std::vector<double> values;
+      for (const OrbitLoop& orbit : orbits) values.push_back(orbit.*member);
+      file_.put_all(meaning, {number}, values);
+    };
+    put_member({"loop_energies", "J", "closed integral of force over displacement of each orbit"}, &OrbitLoop::energy);
+    put_member({"force_defects", "N", "difference of the forces at both ends of each orbit"}, &OrbitLoop::force_defect);
+    put_member({"position_defects", "m", "distance of the positions at both ends of each orbit"},
+               &OrbitLoop::position_defect);
+  }
+
   /// Changes of mode, where the solver followed them.
   void write_events() {
     std::vector<double> cycles;
     std::vector<CycleEvent> events;
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
       const std::vector<CycleEvent>& more = result_.cycles[i].events;
-      cycles.insert(cycles.end(), more.size(), layout_.cycles.values[i]);
+      if (!of_cycles_.empty()) cycles.insert(cycles.end(), more.size(), layout_.cycles.values[places_[i]]);
       events.insert(events.end(), more.begin(), more.end());
     }
     if (events.empty()) return;
     const NcDim event = file_.add_dim("event", events.size());
-    file_.put_all({"event_" + layout_.cycles.name, layout_.cycles.unit, layout_.cycles.long_name}, {event}, cycles);
+    if (!of_cycles_.empty()) {
+      file_.put_all({"event_" + layout_.cycles.name, layout_.cycles.unit, layout_.cycles.long_name}, {event}, cycles);
+    }
     for (const EventQuantity& quantity : event_quantities()) {
       std::vector<double> values(events.size());
       std::transform(events.begin(), events.end(), values.begin(), quantity.value);
@@ -157,6 +182,20 @@ class ResultWriter {
     return {std::string(quantity.name), std::string(quantity.unit), spelled(quantity.long_name, wording_), form};
   }
 
+  /// Where the file holds a cycle of the result: directions are sorted there.
+  [[nodiscard]] std::size_t place_of(std::size_t cycle) const {
+    if (result_.experiment != Experiment::cycle) return cycle;
+    const std::vector<double>& sorted = layout_.cycles.values;
+    const double direction = to_degrees(input_.cycle.directions[cycle]);
+    return static_cast<std::size_t>(std::find(sorted.begin(), sorted.end(), direction) - sorted.begin());
+  }
+
+  [[nodiscard]] NewNetcdf::Dims of_cycles_and(const NewNetcdf::Dims& more) const {
+    NewNetcdf::Dims dims = of_cycles_;
+    dims.insert(dims.end(), more.begin(), more.end());
+    return dims;
+  }
+
   [[nodiscard]] const NcDim& node(Node node) const { return node == Node::foot ? foot_ : bump_; }
 
   void put(const NamedNumbers& numbers, const NewNetcdf::Dims& dims) {
@@ -165,15 +204,18 @@ class ResultWriter {
 
   /// A variable with values for every cycle and increment and, where they are not of the whole foil, for every node.
   NcVar add_series(const VariableMeaning& meaning, Node at) {
-    NewNetcdf::Dims dims{cycle_, increment_};
+    NewNetcdf::Dims dims = of_cycles_and({increment_});
     if (at != Node::foil) dims.push_back(node(at));
     const NcVar variable = file_.add(meaning, dims);
+    std::string coordinates = meaning.name == "displacement" ? "" : "displacement";
     if (at != Node::foil) {
-      variable.putAtt("coordinates", at == Node::foot ? layout_.foot_coordinates : layout_.bump_coordinates);
+      coordinates += ' ' + (at == Node::foot ? layout_.foot_coordinates : layout_.bump_coordinates);
     }
+    if (!coordinates.empty()) variable.putAtt("coordinates", coordinates);
     const std::size_t width = at != Node::foil ? node(at).getSize() : 1;
     // One chunk per cycle, unless it passes a megabyte.
-    std::vector<std::size_t> chunk{1, std::clamp<std::size_t>(131072 / width, 1, increment_.getSize()), width};
+    std::vector<std::size_t> chunk(of_cycles_.size(), 1);
+    chunk.insert(chunk.end(), {std::clamp<std::size_t>(131072 / width, 1, increment_.getSize()), width});
     chunk.resize(dims.size());
     variable.setChunking(NcVar::nc_CHUNKED, chunk);
     variable.setCompression(true, true, 1);
@@ -182,12 +224,12 @@ class ResultWriter {
 
   /// Puts the first values of a cycle, as many as `count` in the dimensions after that of the cycles. The rest is
   /// absent.
-  static void put_rows(const NcVar& variable, std::size_t cycle, std::vector<std::size_t> count,
-                       std::vector<double> values) {
+  void put_rows(const NcVar& variable, std::size_t cycle, std::vector<std::size_t> count,
+                std::vector<double> values) const {
     if (values.empty()) return;
-    count.insert(count.begin(), 1);
+    if (!of_cycles_.empty()) count.insert(count.begin(), 1);
     std::vector<std::size_t> start(count.size());
-    start[0] = cycle;
+    if (!of_cycles_.empty()) start[0] = places_[cycle];
     NewNetcdf::put(variable, start, count, std::move(values));
   }
 
@@ -196,7 +238,10 @@ class ResultWriter {
   const CycleResult& result_;
   ResultLayout layout_;
   Wording wording_;
-  NcDim cycle_, increment_, bump_, foot_;
+  std::vector<std::size_t> places_;  ///< of the cycles in the file
+  std::size_t cycles_;               ///< that there are, begun or not
+  NewNetcdf::Dims of_cycles_;        ///< none for a path, which is one
+  NcDim increment_, bump_, foot_;
 };
 
 /// What keeps a result from being complete.
@@ -238,6 +283,7 @@ std::string result_netcdf(const Case& input, const CycleResult& result, RunStatu
     writer.write_geometry();
     writer.write_cycles();
     writer.write_clearances();
+    if (result.experiment == Experiment::path) writer.write_orbits();
     writer.write_increments();
     writer.write_fields();
     writer.write_events();

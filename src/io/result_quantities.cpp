@@ -116,26 +116,55 @@ FieldMatrix state(const FoilFields& fields) {
   return (fields.*interface).mode.unaryExpr([](ContactMode mode) { return static_cast<double>(mode); });
 }
 
-// What tells some quantities from others: results of which command have them, and that they say how it was computed.
-constexpr IncrementQuantity bearing(IncrementQuantity quantity) {
-  quantity.within = Within::cycle;
+// What tells some quantities from others: results that have them, and that they say how it was computed.
+constexpr IncrementQuantity only(unsigned within, IncrementQuantity quantity) {
+  quantity.within = within;
   return quantity;
+}
+constexpr CycleQuantity only(unsigned within, CycleQuantity quantity) {
+  quantity.within = within;
+  return quantity;
+}
+constexpr IncrementQuantity bearing(IncrementQuantity quantity) {
+  return only(Within::bearing, quantity);
+}
+constexpr IncrementQuantity path(IncrementQuantity quantity) {
+  return only(Within::path, quantity);
 }
 constexpr CycleQuantity bearing(CycleQuantity quantity) {
-  quantity.within = Within::cycle;
-  return quantity;
+  return only(Within::bearing, quantity);
+}
+constexpr CycleQuantity path(CycleQuantity quantity) {
+  return only(Within::path, quantity);
+}
+constexpr CycleQuantity cycle(CycleQuantity quantity) {
+  return only(Within::cycle, quantity);
 }
 constexpr CycleQuantity strip(CycleQuantity quantity) {
-  quantity.within = Within::strip;
-  return quantity;
+  return only(Within::strip, quantity);
+}
+constexpr CycleQuantity loop(CycleQuantity quantity) {
+  return only(Within::loops, quantity);
 }
 constexpr CycleQuantity solver(CycleQuantity quantity) {
   quantity.of_solver = true;
   return quantity;
 }
 
+/// An entry of the tangents of a path.
+template <std::optional<Eigen::Matrix2d> TangentMatrices::*tangent, int i, int j>
+double entry(const Increment& increment) {
+  const std::optional<Eigen::Matrix2d>& K = increment.tangents.*tangent;
+  return K ? (*K)(i, j) : absent;
+}
+
+template <double OrbitLoop::*member>
+double last_orbit(const Cycle& cycle, const Case& /*input*/) {
+  return cycle.orbits.empty() ? absent : cycle.orbits.back().*member;
+}
+
 constexpr auto increment_table = std::to_array<IncrementQuantity>({
-    {"branch", "", "branch of the cycle", of<&Increment::branch>, flags<Branch>},
+    only(Within::loops, IncrementQuantity{"branch", "", "branch of the cycle", of<&Increment::branch>, flags<Branch>}),
     {"displacement", "m", "displacement of the {pressing} {along}", of<&Increment::displacement>},
     bearing({"x", "m", "journal centre, X", of<&Increment::x>}),
     bearing({"y", "m", "journal centre, Y", of<&Increment::y>}),
@@ -158,6 +187,19 @@ constexpr auto increment_table = std::to_array<IncrementQuantity>({
     {"increment_converged", "", "whether the increment meets the bounds of the solver",
      [](const Increment& increment) { return increment.converged() ? 1.0 : 0.0; }, truth, false},
     {"increment_status", "", "how the increment ended", of<&Increment::status>, flags<Status>},
+    path({"orbit", "1", "orbit that the increment belongs to; 0 before the first", of<&Increment::orbit>, whole}),
+    path({"kxx", "N/m", "tangent stiffness dFx/dx, further motion", entry<&TangentMatrices::loading, 0, 0>}),
+    path({"kxy", "N/m", "tangent stiffness dFx/dy, further motion", entry<&TangentMatrices::loading, 0, 1>}),
+    path({"kyx", "N/m", "tangent stiffness dFy/dx, further motion", entry<&TangentMatrices::loading, 1, 0>}),
+    path({"kyy", "N/m", "tangent stiffness dFy/dy, further motion", entry<&TangentMatrices::loading, 1, 1>}),
+    path({"kxx_stuck", "N/m", "tangent stiffness dFx/dx, all closed contacts sticking",
+          entry<&TangentMatrices::unloading, 0, 0>}),
+    path({"kxy_stuck", "N/m", "tangent stiffness dFx/dy, all closed contacts sticking",
+          entry<&TangentMatrices::unloading, 0, 1>}),
+    path({"kyx_stuck", "N/m", "tangent stiffness dFy/dx, all closed contacts sticking",
+          entry<&TangentMatrices::unloading, 1, 0>}),
+    path({"kyy_stuck", "N/m", "tangent stiffness dFy/dy, all closed contacts sticking",
+          entry<&TangentMatrices::unloading, 1, 1>}),
 });
 
 constexpr std::string_view loaded_stiffness_text =
@@ -165,24 +207,23 @@ constexpr std::string_view loaded_stiffness_text =
     "preload from turning point to turning point";
 
 constexpr auto cycle_table = std::to_array<CycleQuantity>({
-    bearing(
-        {"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>}),
+    cycle({"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>}),
     strip({"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_strip>,
            real, "amplitude", micrometres}),
-    solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"}),
+    loop(solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"})),
     solver({"converged", "", "whether every increment of the cycle is there and converged",
             [](const Cycle& cycle, const Case&) { return cycle.converged() ? 1.0 : 0.0; }, truth, "converged", plain}),
     solver({"status", "", "how the cycle ended", of_cycle<&Cycle::status>, flags<Status>, "status"}),
-    {"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>, real, "maximum force",
-     newtons},
-    bearing({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>, real,
-             "cross force there", newtons}),
-    bearing({"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>}),
-    bearing({"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>}),
+    loop({"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>, real,
+          "maximum force", newtons}),
+    cycle({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>, real,
+           "cross force there", newtons}),
+    cycle({"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>}),
+    cycle({"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>}),
     strip({"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, real,
            "displacement at the start", micrometres}),
-    {"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real, "force at the start",
-     newtons},
+    loop({"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real, "force at the start",
+          newtons}),
     bearing({"initial_force_x", "N", "force {start}, X", at_start<&Increment::force_x>}),
     bearing({"initial_force_y", "N", "force {start}, Y", at_start<&Increment::force_y>}),
     bearing({"initial_journal_load", "N", "sum of the loads of the journal on the top foil {start}",
@@ -191,31 +232,39 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
      "elastic energy at the start"},
     {"assembly_dissipation", "J", "energy dissipated by the assembly", once_begun<&Cycle::assembly_dissipation>, real,
      "dissipated by the assembly"},
-    {"loaded_stiffness", "N/m", loaded_stiffness_text, derived<&Cycle::loaded_stiffness>, real, "loaded stiffness",
-     stiffness},
-    {"secant_stiffness", "N/m", "maximum force over displacement, free travel included",
-     derived<&Cycle::secant_stiffness>, real, "secant with free travel", stiffness},
-    {"tangent_stiffness_loading", "N/m", "tangent stiffness at full displacement, slipping contacts going on to slip",
-     tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness},
-    {"tangent_stiffness_unloading", "N/m", "tangent stiffness at full displacement, all closed contacts sticking",
-     tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", stiffness},
-    {"loop_energy", "J", "closed integral of force over displacement, trapezoidal rule", derived<&Cycle::loop_energy>,
-     real, "loop energy", millijoules},
-    {"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>, real,
-     "elastic energy at full displacement"},
-    {"loss_factor", "1",
-     "loop energy over (pi K X^2): K loaded stiffness, X half the displacement that it is taken over",
-     derived<&Cycle::loss_factor>, real, "loss factor", plain},
-    {"specific_damping_capacity", "1", "loop energy over the elastic energy stored between start and full displacement",
-     derived<&Cycle::specific_damping_capacity>, real, "specific damping capacity"},
-    bearing({"first_contact", "m", "displacement at which the journal first touches the top foil",
-             derived<&Cycle::first_contact>, real, "first contact", micrometres}),
-    {"take_up", "m", "displacement at which the force last rises through 1 % of its maximum", derived<&Cycle::take_up>,
-     real, "take-up point", micrometres},
-    bearing({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
-             derived<&Cycle::clearance_5N>}),
-    bearing({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
-             derived<&Cycle::clearance_10N>}),
+    loop({"loaded_stiffness", "N/m", loaded_stiffness_text, derived<&Cycle::loaded_stiffness>, real, "loaded stiffness",
+          stiffness}),
+    loop({"secant_stiffness", "N/m", "maximum force over displacement, free travel included",
+          derived<&Cycle::secant_stiffness>, real, "secant with free travel", stiffness}),
+    loop({"tangent_stiffness_loading", "N/m",
+          "tangent stiffness at full displacement, slipping contacts going on to slip",
+          tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness}),
+    loop({"tangent_stiffness_unloading", "N/m", "tangent stiffness at full displacement, all closed contacts sticking",
+          tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", stiffness}),
+    loop({"loop_energy", "J", "closed integral of force over displacement, trapezoidal rule",
+          derived<&Cycle::loop_energy>, real, "loop energy", millijoules}),
+    loop({"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>,
+          real, "elastic energy at full displacement"}),
+    loop({"loss_factor", "1",
+          "loop energy over (pi K X^2): K loaded stiffness, X half the displacement that it is taken over",
+          derived<&Cycle::loss_factor>, real, "loss factor", plain}),
+    loop({"specific_damping_capacity", "1",
+          "loop energy over the elastic energy stored between start and full displacement",
+          derived<&Cycle::specific_damping_capacity>, real, "specific damping capacity"}),
+    cycle({"first_contact", "m", "displacement at which the journal first touches the top foil",
+           derived<&Cycle::first_contact>, real, "first contact", micrometres}),
+    loop({"take_up", "m", "displacement at which the force last rises through 1 % of its maximum",
+          derived<&Cycle::take_up>, real, "take-up point", micrometres}),
+    cycle({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
+           derived<&Cycle::clearance_5N>}),
+    cycle({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
+           derived<&Cycle::clearance_10N>}),
+    path({"orbit_energy", "J", "closed integral of force over displacement of the last orbit, trapezoidal rule",
+          last_orbit<&OrbitLoop::energy>, real, "energy of the last orbit", millijoules}),
+    path({"orbit_force_defect", "N", "difference of the forces at both ends of the last orbit",
+          last_orbit<&OrbitLoop::force_defect>, real, "its forces differ by", newtons}),
+    path({"orbit_position_defect", "m", "distance of the positions at both ends of the last orbit",
+          last_orbit<&OrbitLoop::position_defect>, real, "its positions differ by", micrometres}),
     {"max_compression", "m", "largest compression of a bump over all increments",
      [](const Cycle& cycle, const Case&) { return cycle.compression ? cycle.compression->compression : absent; }, real,
      "highest compression", micrometres},
@@ -315,18 +364,33 @@ constexpr std::array<StressedFoil, 2> foil_table{{
      [](const Case& input) { return input.bump_foil.yield_stress; }},
 }};
 
+constexpr unsigned bit_of(Experiment experiment) {
+  switch (experiment) {
+    case Experiment::cycle:
+      return Within::cycle;
+    case Experiment::strip:
+      return Within::strip;
+    case Experiment::path:
+      return Within::path;
+  }
+  return Within::all;
+}
+
 template <typename Table>
 auto those_of(const Table& table, Experiment experiment) {
-  const Within other = experiment == Experiment::strip ? Within::cycle : Within::strip;
+  const unsigned bit = bit_of(experiment);
   std::vector<typename Table::value_type> quantities;
   std::copy_if(table.begin(), table.end(), std::back_inserter(quantities),
-               [other](const auto& quantity) { return quantity.within != other; });
+               [bit](const auto& quantity) { return (quantity.within & bit) != 0; });
   return quantities;
 }
 
 }  // namespace
 
 Wording wording_of(const Case& input, Experiment experiment) {
+  if (experiment == Experiment::path) {
+    return {"journal", "top foil", "sleeve", "away from the centre", "at the centred journal"};
+  }
   if (experiment == Experiment::cycle) {
     return {"journal", "top foil", "sleeve", "along the direction",
             input.cycle.preload ? "at the preload" : "at the centred journal"};

@@ -46,13 +46,18 @@ Json peak_json(const std::optional<StressPeak>& peak) {
 Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   const Cycle& cycle = result.cycles[i];
   Json json;
-  if (result.experiment == Experiment::strip) {
-    json["cycle"] = i + 1;
-  } else {
-    json["direction_deg"] = to_degrees(cycle.direction);
-  }
+  if (result.experiment == Experiment::strip) json["cycle"] = i + 1;
+  if (result.experiment == Experiment::cycle) json["direction_deg"] = to_degrees(cycle.direction);
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
     json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, input), quantity.form);
+  }
+  if (result.experiment == Experiment::path) {
+    json["orbits"] = Json::array();
+    for (const OrbitLoop& orbit : cycle.orbits) {
+      json["orbits"].push_back({{"energy_J", orbit.energy},
+                                {"force_defect_N", orbit.force_defect},
+                                {"position_defect_m", orbit.position_defect}});
+    }
   }
   json["clearances"] = Json::array();
   for (const Clearance& clearance : cycle.clearances) {
@@ -69,6 +74,7 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   for (const StressedFoil& foil : stressed_foils()) {
     json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(cycle.*foil.peak);
   }
+  if (result.experiment == Experiment::path) return json;  // which has no full displacement
   for (const LoadQuantity& quantity : load_quantities()) {
     Json& values = json[key_of(quantity.name, quantity.unit)];
     if (!cycle.turning_point) continue;

@@ -139,7 +139,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   return summary;
 }
 
-void require_same_run(const StoredSummary& summary, const Json& result, const std::string& name) {
+void match_runs(const StoredSummary& summary, Json& result, const std::string& name) {
   const SummaryChecker checker(name);
   const auto require = [&](bool same, const std::string& key) {
     if (!same) checker.refuse(key, "is not that of result.nc beside it: they are of two runs, or damaged");
@@ -148,11 +148,16 @@ void require_same_run(const StoredSummary& summary, const Json& result, const st
   require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
   const std::string place_key = SummaryChecker::place_key(experiment_of(result["kind"].get<std::string>()));
   const Json& cycles = summary.json["cycles"];
-  const Json& loops = result["loops"];
+  Json& loops = result["loops"];
   require(cycles.size() <= loops.size(), "cycles");
   require(summary.json["status"] != "complete" || cycles.size() == loops.size(), "cycles");
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    require(cycles[i][place_key] == loops[i]["at"], place_key);
+    // Directions are sorted in result.nc, and in the order of the case here.
+    const auto first = loops.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto same =
+        std::find_if(first, loops.end(), [&](const Json& loop) { return loop["at"] == cycles[i][place_key]; });
+    require(same != loops.end(), place_key);
+    std::rotate(first, same, same + 1);
     // Out and back; a swing also to the other side and back.
     const Json& last = result["last_increment"];
     const auto steps = cycles[i]["steps"].get<double>();

@@ -28,7 +28,7 @@ struct StoredSummary {
 StoredSummary read_summary(std::string_view text, const std::string& name);
 
 /// Verifies that a summary tells of the same run as a result that was read by read_result: command, run id, loops with
-/// their steps. @throws Error (file)
-void require_same_run(const StoredSummary& summary, const nlohmann::ordered_json& result, const std::string& name);
+/// their steps. Puts the loops into the order of the summary. @throws Error (file)
+void match_runs(const StoredSummary& summary, nlohmann::ordered_json& result, const std::string& name);
 
 }  // namespace bumpfoil

@@ -162,6 +162,34 @@ void read_target(ReadingLog& log, const std::string& path, const toml::node& nod
               fmt::format(", or {}", example_quantity(dimension_of(other)))}(&value);
 }
 
+/// A list of two, along X and Y; absent where it is none.
+std::optional<PlaneTarget> read_place(ReadingLog& log, const std::string& path, const toml::node& node, Control plain,
+                                      std::string_view example) {
+  const auto* list = node.as_array();
+  if (list == nullptr || list->size() != 2) {
+    log.fault(path, list == nullptr ? is_where(node, "a list") : fmt::format("has {} entries", list->size()),
+              fmt::format("give two, along X and Y: {}", example));
+    return std::nullopt;
+  }
+  std::optional<Control> control;
+  for (const toml::node& entry : *list) {
+    const std::optional<Control> met = control_of(entry);
+    if (met && control.value_or(*met) != *met) {
+      log.fault(path, "mixes a displacement and a load", "give two lengths or two forces");
+      return std::nullopt;
+    }
+    if (met) control = met;
+  }
+  PlaneTarget read{.control = control.value_or(plain)};
+  for (const int axis : {0, 1}) {
+    const std::string entry_path = fmt::format("{}[{}]", path, axis + 1);
+    const toml::node& entry = *list->get(static_cast<std::size_t>(axis));
+    log.met(entry_path, entry);
+    read_target(log, entry_path, entry, read.control, read.value[axis]);
+  }
+  return read;
+}
+
 Key optional_key(Key key) {
   key.presence = Presence::optional;
   return key;
@@ -265,27 +293,35 @@ void TableReader::either(const Key& key, Control plain, std::optional<Target>& t
 void TableReader::either(const Key& key, Control plain, std::optional<PlaneTarget>& target) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
+  const std::optional<PlaneTarget> read = read_place(log_, path, *node, plain, key.example);
+  if (read) target = read;
+}
+
+void TableReader::places(const Key& key, PathPoints& points) {
+  const auto [node, path] = find(key);
+  if (node == nullptr) return;
   const auto* list = node->as_array();
-  if (list == nullptr || list->size() != 2) {
-    return log_.fault(path, list == nullptr ? is_where(*node, "a list") : fmt::format("has {} entries", list->size()),
-                      fmt::format("give two, along X and Y: {}", key.example));
+  if (list == nullptr || list->empty()) {
+    return log_.fault(path, list == nullptr ? is_where(*node, "a list") : "is empty",
+                      fmt::format("give pairs along X and Y: {}", key.example));
   }
-  std::optional<Control> control;
-  for (const toml::node& entry : *list) {
-    const std::optional<Control> met = control_of(entry);
-    if (met && control.value_or(*met) != *met) {
-      return log_.fault(path, "mixes a displacement and a load", "give two lengths or two forces");
-    }
-    if (met) control = met;
+  if (list->size() > static_cast<std::size_t>(most_points)) {
+    return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_points));
   }
-  PlaneTarget read{.control = control.value_or(plain)};
-  for (const int axis : {0, 1}) {
-    const std::string entry_path = fmt::format("{}[{}]", path, axis + 1);
-    const toml::node& entry = *list->get(static_cast<std::size_t>(axis));
+  PathPoints read;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
+    const toml::node& entry = *list->get(i);
     log_.met(entry_path, entry);
-    read_target(log_, entry_path, entry, read.control, read.value[axis]);
+    const auto place = read_place(log_, entry_path, entry, read.control, "[\"0 um\", \"-40 um\"]");
+    if (!place) return;
+    if (i > 0 && place->control != read.control) {
+      return log_.fault(entry_path, "mixes displacements and loads", "give lengths only, or forces only");
+    }
+    read.control = place->control;
+    read.values.push_back(place->value);
   }
-  target = read;
+  points = std::move(read);
 }
 
 void TableReader::file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) {

@@ -52,12 +52,14 @@ std::optional<std::string> contact_warning(const CycleResult& result, const Cycl
       1e6 * cycle.amplitude, 1e6 * *cycle.first_contact);
 }
 
-std::optional<std::string> settling_warning(const Cycle& cycle) {
+std::optional<std::string> settling_warning(const CycleResult& result, const Cycle& cycle) {
   const std::vector<double>& loops = cycle.loop_energies;
   if (loops.size() < 2 || cycle.settled || !cycle.converged()) return std::nullopt;
-  return fmt::format("the loop has not settled after {} cycles: its energy still changes from {:.4g} to {:.4g} mJ; raise "
-                     "cycle.cycles",
-                     loops.size(), 1e3 * *(loops.end() - 2), 1e3 * loops.back());
+  const bool orbits = result.experiment == Experiment::path;
+  return fmt::format(
+      "the loop has not settled after {} {}: its energy still changes from {:.4g} to {:.4g} mJ; raise {}", loops.size(),
+      orbits ? "orbits" : "cycles", 1e3 * *(loops.end() - 2), 1e3 * loops.back(),
+      orbits ? "path.orbits" : "cycle.cycles");
 }
 
 std::optional<std::string> truss_warning(const Case& input, const CycleResult& result) {
@@ -89,7 +91,7 @@ std::vector<std::string> warnings_of(const Case& input, const CycleResult& resul
   };
   take(compression_warning(input, of));
   take(contact_warning(result, of));
-  take(settling_warning(of));
+  take(settling_warning(result, of));
   take(truss_warning(input, result));
   for (const StressedFoil& foil : stressed_foils()) take(yield_warning(input, of, foil));
   return warnings;

@@ -244,6 +244,12 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   }
 }
 
+/// Displacement of the journal that presses the bumps flat, clearance and rise together; 0 if not known.
+double flat_limit(const Case& input, double rise) {
+  const bool usable = rise > 0.0 && std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius;
+  return usable ? input.bearing.radial_clearance + rise : 0.0;
+}
+
 /// How far the cycles of the journal go, from their preload on; `limit`: what presses the bumps flat, 0 if not known.
 void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
   const bool by_load = cycle.amplitude.control == Control::load;
@@ -263,15 +269,17 @@ void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
     judge.require(!is_load || value.norm() >= load_range.least, "cycle.preload", shown,
                   "is no load: the place of the journal would not be determined",
                   "give a load, or leave it out for cycles from the centre");
-    judge.require(is_load || !by_load, "cycle.preload", shown, "is a displacement where the cycles are controlled by load",
+    judge.require(is_load || !by_load, "cycle.preload", shown,
+                  "is a displacement where the cycles are controlled by load",
                   "give a load, or cycle.amplitude in place of cycle.load");
     if (!is_load) start = value.norm();
     judge.require(is_load || limit <= 0.0 || start < limit, "cycle.preload", shown, "would press the bumps flat",
                   fmt::format("give less than clearance and rise together, {:.6g} m", limit));
   }
   if (by_load || !amplitude || limit <= 0.0 || start >= limit) return;
-  judge.require(start + cycle.amplitude.value < limit, "cycle.amplitude", quantity(cycle.amplitude.value, "m"),
-                start > 0.0 ? "would press the bumps flat on top of cycle.preload" : "would press the bumps flat",
+  judge.require(start + cycle.amplitude.value<limit, "cycle.amplitude", quantity(cycle.amplitude.value, "m"), start> 0.0
+                    ? "would press the bumps flat on top of cycle.preload"
+                    : "would press the bumps flat",
                 fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
                             start > 0.0 ? ", preload included" : ""));
 }
@@ -285,8 +293,7 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
     judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
   }
   judge_repetition(judge, cycle.directions);
-  const bool clear = std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius;
-  judge_course(judge, cycle, rise > 0.0 && clear ? input.bearing.radial_clearance + rise : 0.0);
+  judge_course(judge, cycle, flat_limit(input, rise));
   const bool steps =
       judge.require(cycle.steps >= 1 && cycle.steps <= most_steps, "cycle.steps", std::to_string(cycle.steps),
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
@@ -355,6 +362,42 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
   judge_memory(judge, "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
 }
 
+/// @param limit  what presses the bumps flat, 0 if not known
+void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit) {
+  const bool by_load = path.control() == Control::load;
+  const double most = by_load ? load_range.most : limit > 0.0 ? limit : length_range.most;
+  const std::string_view unit = by_load ? "N" : "m";
+  const auto within_reach = [&](const std::string& key, double distance) {
+    return judge.require(distance < most, key, quantity(distance, unit),
+                         by_load || limit <= 0.0 ? "is unphysical" : "would press the bumps flat",
+                         fmt::format("stay below {} from the centre", quantity(most, unit)));
+  };
+  for (std::size_t i = 0; i < path.points.values.size(); ++i) {
+    if (!within_reach(fmt::format("path.points[{}]", i + 1), path.points.values[i].norm())) return;
+  }
+  std::int64_t increments = std::ssize(path.points.values);
+  if (path.is_orbit()) {
+    const Eigen::Vector2d& axes = path.semi_axes.value;
+    judge.require(path.semi_axes.control == path.centre.control, "path.semi_axes", "",
+                  by_load ? "are lengths where the centre is a load" : "are forces where the centre is a position",
+                  "give both as lengths, or both as forces");
+    judge.require(axes.minCoeff() >= 0.0 && axes.maxCoeff() > 0.0, "path.semi_axes",
+                  fmt::format("({}, {})", quantity(axes.x(), unit), quantity(axes.y(), unit)),
+                  "must not be negative, nor both zero", "give two lengths of an ellipse; one may be zero");
+    within_reach("path.centre", path.centre.value.norm() + axes.maxCoeff());
+    judge.angle("path.tilt", path.tilt);
+    const bool counts =
+        judge.require(path.orbits >= 1 && path.orbits <= most_steps, "path.orbits", std::to_string(path.orbits),
+                      "is no possible number of orbits", fmt::format("give a whole number from 1 to {}", most_steps)) &&
+        judge.require(path.steps >= 3 && path.steps <= most_steps, "path.steps", std::to_string(path.steps),
+                      "is no possible number of increments",
+                      fmt::format("give a whole number from 3 to {}", most_steps));
+    if (!counts) return;
+    increments = std::int64_t{path.steps} * (path.orbits + 1);
+  }
+  if (bumps > 0) judge_memory(judge, path.is_orbit() ? "path.steps" : "path.points", path.steps, increments, bumps);
+}
+
 void judge_combination(Judge& judge, const Case& input) {
   judge.require(input.solver.name == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
                 "solver.name", std::string(name_of(input.solver.name)),
@@ -365,9 +408,13 @@ void judge_combination(Judge& judge, const Case& input) {
                 "set model = \"truss\" or \"frame\", or remove [strip]");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
-  judge.require(plain || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+  judge.require(
+      plain || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+      std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
+      "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
+  judge.require(!input.path || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
-                "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
+                "set model = \"truss\" or \"frame\", or remove [path]");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", std::string(name_of(input.bump_foil.weld_at)),
                 "only the frame model can be welded at the start of the first arc",
@@ -415,6 +462,7 @@ std::vector<Fault> find_faults(const Case& input) {
   judge_solver(judge, input.solver.uzawa);
   judge_cycle(judge, input, bumps, rise);
   if (input.strip) judge_strip(judge, *input.strip, foil, rise);
+  if (input.path) judge_path(judge, *input.path, bumps ? foil.bumps : 0, flat_limit(input, rise));
   judge_combination(judge, input);
   return judge.take();
 }

@@ -159,6 +159,34 @@ TEST_F(Program, CompressesAStrip) {
   EXPECT_EQ(failed.at("reason"), "the load is not met before the bumps are pressed flat");
 }
 
+TEST_F(Program, FollowsAPath) {
+  const std::vector<std::string> path{"path", case_path_, "-o", results_};
+  EXPECT_NE(run(path).errors.find("add [path]"), std::string::npos);
+
+  // Beside the case file.
+  folder_.write("path.csv", "x_m,y_m\n0,0\n0,-4e-5\n1e-5,-4e-5\n");
+  const std::vector<std::string> file = path + std::vector<std::string>{"--set", "path.file=path.csv"};
+  const Outcome done = run(file);
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  const std::string csv = folder_.read("results/path.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
+  EXPECT_NE(csv.find(",orbit,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,kyy_N_per_m,kxx_stuck_N_per_m,"), std::string::npos);
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"path.csv", "result.nc", "summary.json"}));
+
+  const Outcome orbit = run(path + std::vector<std::string>{"--force", "--set", "path.centre=[\"0 N\", \"-80 N\"]",
+                                                            "--set", "path.semi_axes=[\"20 N\", \"10 N\"]", "--set",
+                                                            "path.steps=12", "--set", "path.orbits=2"});
+  EXPECT_EQ(orbit.exit_code, 0) << orbit.errors;
+  EXPECT_EQ(summary().at("cycles").at(0).at("orbits").size(), 2U);
+  EXPECT_NE(orbit.errors.find("warning: path: the loop has not settled"), std::string::npos);
+
+  folder_.write("path.csv", "x,y\n0,0\n");
+  const Outcome wrong = run(file + std::vector<std::string>{"--force"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.errors.find("path.csv:1: line = x,y: is no header of a path"), std::string::npos) << wrong.errors;
+  EXPECT_EQ(run({"report", results_}).exit_code, 4);  // cannot be shown yet, and is told so
+}
+
 TEST_F(Program, InitListsTheKeys) {
   const Outcome keys = run({"init", "--keys"});
   EXPECT_EQ(keys.exit_code, 0) << keys.errors;

@@ -22,6 +22,7 @@ ROOT = Path(sys.argv[1]).resolve()
 PROGRAM = Path(sys.argv[2]).resolve()
 OCTAVE = sys.argv[3]
 CASE = ROOT / "examples/gen1.toml"
+SORTED = [0, 2, 1, 3]  # +X, -X, +Y, -Y by their angles
 STEPS = 10
 # Ends of the names in summary.json and cycle.csv, and the units they stand for.
 UNITS = {"_N_per_m": "N/m", "_Pa": "Pa", "_deg": "degree", "_N": "N", "_J": "J", "_m": "m", "_s": "s"}
@@ -64,14 +65,15 @@ class Read(unittest.TestCase):
 
     def column(self, name):
         """Column of cycle.csv as (direction, increment)."""
-        return np.array([float(row[name]) for row in self.rows]).reshape(4, 2 * STEPS + 1)
+        rows = np.array([float(row[name]) for row in self.rows]).reshape(4, 2 * STEPS + 1)
+        return rows[SORTED]
 
     def test_dimensions_and_coordinates(self):
         self.assertEqual(
             dict(self.result.sizes),
             {"direction": 4, "increment": 2 * STEPS + 1, "bump": 26, "foot": 26, "clearance_force": 2},
         )
-        np.testing.assert_array_equal(self.result.direction, [0, 180, 90, 270])
+        np.testing.assert_array_equal(self.result.direction, [0, 90, 180, 270])
         np.testing.assert_array_equal(self.result.increment, np.arange(2 * STEPS + 1))
         np.testing.assert_array_equal(self.result.bump, np.arange(1, 27))
         np.testing.assert_array_equal(self.result.foot, np.arange(1, 27))
@@ -91,7 +93,7 @@ class Read(unittest.TestCase):
         self.assertEqual([meanings[int(flag)] for flag in self.result.branch[0]], branch)
         meanings = self.result.increment_status.attrs["flag_meanings"].split()
         flags = self.result.increment_status.values.ravel()
-        self.assertEqual([meanings[int(flag)] for flag in flags], [row["status"] for row in self.rows])
+        self.assertEqual({meanings[int(flag)] for flag in flags}, {row["status"] for row in self.rows})
 
     def test_every_quantity_of_the_summary(self):
         names = {"iterations": "total_iterations", "factorisations": "total_factorisations", "substeps": "total_substeps"}
@@ -101,17 +103,24 @@ class Read(unittest.TestCase):
                 continue
             name, unit = split_unit(key)
             variable = self.result[names.get(name, name)]
-            values = [cycle[key] for cycle in self.summary["cycles"]]
+            values = [self.summary["cycles"][i][key] for i in SORTED]
             if key == "status":
                 values = [variable.attrs["flag_meanings"].split().index(word) for word in values]
             expected = np.array(values, dtype=float)
             np.testing.assert_array_equal(variable.astype(float), expected, key)
             self.assertEqual(variable.attrs.get("units", "1"), unit)
 
+    def test_displacement_is_a_coordinate_and_the_nearest_direction_is_found(self):
+        self.assertIn("displacement", self.result.force_direct.coords)
+        self.assertIn("displacement", self.result.normal_force_top_bump.coords)
+        nearest = self.result.sel(direction=100, method="nearest")
+        self.assertEqual(float(nearest.direction), 90)
+        np.testing.assert_array_equal(nearest.force_x, self.result.sel(direction=90).force_x)
+
     def test_clearances(self):
         np.testing.assert_array_equal(self.result.clearance_force, [5, 10])
         self.assertEqual(self.result.clearance_force.units, "N")
-        for cycle, row in zip(self.summary["cycles"], self.result.clearance):
+        for cycle, row in zip([self.summary["cycles"][i] for i in SORTED], self.result.clearance):
             self.assertEqual([c["force_N"] for c in cycle["clearances"]], [5, 10])
             np.testing.assert_array_equal([c["displacement_m"] for c in cycle["clearances"]], row)
 

@@ -69,15 +69,24 @@ struct Clearance {
   bool operator==(const Clearance&) const = default;
 };
 
+/// What one orbit of a path took, and how far it was from closing.
+struct OrbitLoop {
+  double energy{};           ///< closed integral of F.dx, J
+  double force_defect{};     ///< from the force where it began to that where it ended, N
+  double position_defect{};  ///< the same of the position, m
+
+  bool operator==(const OrbitLoop&) const = default;
+};
+
 /// How a cycle goes round.
 enum class Course {
   push,   ///< from its start to full displacement and back
   swing,  ///< through its start as far to the other side, and back
 };
 
-/// A cycle of the journal in one direction, or one of a strip between plates, along the direction 0, and what is derived
-/// from it. Increment 0 of a first cycle without a preload is the assembly at the centred journal, solved in one step
-/// from the unstressed foils. Of cycles that were repeated this is the last; what the run cost is that of all.
+/// A cycle of the journal in one direction, or one of a strip between plates, along the direction 0, and what is
+/// derived from it. Increment 0 of a first cycle without a preload is the assembly at the centred journal, solved in
+/// one step from the unstressed foils. Of cycles that were repeated this is the last; what the run cost is that of all.
 /// Quantities that could not be computed are absent.
 struct Cycle {
   double direction{};  ///< rad
@@ -98,6 +107,7 @@ struct Cycle {
   double assembly_dissipation{};  ///< D0: dissipated at increment 0, J
   std::optional<TurningPoint> turning_point;
   std::vector<double> loop_energies;  ///< of the cycles up to this one, J; a strip has them apart
+  std::vector<OrbitLoop> orbits;      ///< of a path
   bool settled{};                     ///< its loop energy is that of the cycle before, to 1e-6
   std::optional<double> loop_energy;  ///< closed integral of F.dx by the trapezoidal rule, J
   /// Range of the force over that of the displacement, N/m: of a push from the take-up point, of a swing from turning
@@ -127,7 +137,7 @@ struct Cycle {
 };
 
 /// What was done to the foils.
-enum class Experiment { cycle, strip };
+enum class Experiment { cycle, strip, path };
 
 struct CycleResult {
   SolverName solver{};  ///< that was used
@@ -152,8 +162,8 @@ class CycleRunner {
  public:
   CycleRunner(SharedFoils foils, const SolverSettings& settings);
 
-  /// Cycles along `direction` (rad) from the unstressed foils, until they settle. Numerical failures are reported in the
-  /// result.
+  /// Cycles along `direction` (rad) from the unstressed foils, until they settle. Numerical failures are reported in
+  /// the result.
   /// @param settings  all but their directions
   /// @param centre    excitation at the centred journal: its position is taken from there
   [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,

@@ -4,26 +4,12 @@
 #include <optional>
 
 #include "bumpfoil/analysis/foil_state.hpp"
+#include "bumpfoil/analysis/tangents.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
 class ModeSystem;
-
-/// Tangent stiffnesses d(F.n)/ds at a state, N/m; absent where the closed contacts leave the foils loose.
-struct TangentStiffnesses {
-  std::optional<double> loading;    ///< slipping contacts go on slipping
-  std::optional<double> unloading;  ///< all closed contacts stick
-};
-
-/// The same for motion in any direction: dF/d(x, y), entry (i, j) = dF_i/dx_j, N/m.
-struct TangentMatrices {
-  std::optional<Eigen::Matrix2d> loading;
-  std::optional<Eigen::Matrix2d> unloading;
-
-  /// n . K n for the unit vector n.
-  [[nodiscard]] TangentStiffnesses along(const Eigen::Vector2d& direction) const;
-};
 
 /// The solver of a case, made for a problem of its own or somebody else's.
 /// @param modes  linear system of the problem, which the follower shares with its caller

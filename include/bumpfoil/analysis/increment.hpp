@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bumpfoil/analysis/foil_state.hpp"
+#include "bumpfoil/analysis/tangents.hpp"
 #include "bumpfoil/contact/residual.hpp"
 
 namespace bumpfoil {
@@ -23,7 +24,9 @@ struct Increment {
   ContactResiduals residuals;
   Status status{Status::converged};
   SolveCost cost;
-  int substeps{};  ///< extra solves because the increment had to be halved
+  int substeps{};            ///< extra solves because the increment had to be halved
+  int orbit{};               ///< of a path: which of its orbits this belongs to, from 1; 0 before
+  TangentMatrices tangents;  ///< of a path
 
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };

@@ -41,4 +41,7 @@ Program swing(Control control, const Line& line, double origin, double amplitude
 /// Increments of a program, the one that it starts from included.
 int increments_of(const Program& program);
 
+/// The largest distance of a leg's end from zero, m or N.
+double largest_place(const Program& program);
+
 }  // namespace bumpfoil

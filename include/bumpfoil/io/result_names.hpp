@@ -21,6 +21,6 @@ template <>
 inline constexpr auto enum_names<StressPlace> = std::to_array<std::string_view>({"weld", "crest", "foot", "arc"});
 /// The commands that experiments are run by.
 template <>
-inline constexpr auto enum_names<Experiment> = std::to_array<std::string_view>({"cycle", "strip"});
+inline constexpr auto enum_names<Experiment> = std::to_array<std::string_view>({"cycle", "strip", "path"});
 
 }  // namespace bumpfoil

@@ -43,8 +43,15 @@ Wording wording_of(const Case& input, Experiment experiment);
 /// A long name with {pressing}, {over_crest}, {carrying}, {along} and {start} in these words.
 std::string spelled(std::string_view long_name, const Wording& wording);
 
-/// Results that have a quantity.
-enum class Within { both, cycle, strip };
+/// Results that have a quantity: sums of these.
+enum Within : unsigned {
+  cycle = 1,
+  strip = 2,
+  path = 4,
+  bearing = cycle | path,
+  loops = cycle | strip,
+  all = cycle | strip | path,
+};
 
 /// Of one increment. Values that are not known are not numbers.
 struct IncrementQuantity {
@@ -52,7 +59,7 @@ struct IncrementQuantity {
   double (*value)(const Increment&);
   Form form{};
   bool in_csv{true};  ///< beside result.nc
-  Within within{Within::both};
+  unsigned within{Within::all};
 };
 
 /// How the terminal shows a number.
@@ -69,7 +76,7 @@ struct CycleQuantity {
   std::string_view label{};  ///< in tables for people; empty where it is in the files only
   ShownUnit shown{};         ///< on the terminal; a size of 0 where it is not
   bool of_solver{};          ///< says how it was computed
-  Within within{Within::both};
+  unsigned within{Within::all};
 };
 
 /// What the columns of a field stand for.

@@ -140,12 +140,40 @@ struct StripSettings {
   int bumps{};  ///< the first ones of the foil
   StripWeld weld{StripWeld::one_end};
   bool top_foil{true};  ///< there is one between plate and bumps
-  Target amplitude;                 ///< of the plate, from where it touches nominal foils, towards the base
+  Target amplitude;     ///< of the plate, from where it touches nominal foils, towards the base
   std::optional<Target> preload{};
   int cycles{1};   ///< one after the other, with the friction of the last
   int steps{100};  ///< equal increments from the start of a cycle to its full amplitude
 
   bool operator==(const StripSettings&) const = default;
+};
+
+/// Places that the journal is taken to one after the other: positions (m) of its centre, or loads (N) on it.
+struct PathPoints {
+  Control control{Control::displacement};
+  std::vector<Eigen::Vector2d> values;
+
+  bool operator==(const PathPoints&) const = default;
+};
+
+/// Sense of an orbit, seen with X to the right and Y up.
+enum class Sense { counterclockwise, clockwise };
+
+/// A path of the journal from the centre of the bearing: through given points, or to an ellipse and round it.
+struct PathSettings {
+  PathPoints points;  ///< where there are any, there is no orbit
+
+  PlaneTarget centre;     ///< of the ellipse
+  PlaneTarget semi_axes;  ///< along its own axes
+  double tilt{};          ///< of the first axis, from X towards Y, rad
+  Sense sense{Sense::counterclockwise};
+  int orbits{5};
+  int steps{200};  ///< equal parameter steps of an orbit, and increments of the straight way to its first point
+
+  bool operator==(const PathSettings&) const = default;
+
+  [[nodiscard]] bool is_orbit() const { return points.values.empty(); }
+  [[nodiscard]] Control control() const { return is_orbit() ? centre.control : points.control; }
 };
 
 /// A case as the program understands it: SI units, defaults filled in.
@@ -158,6 +186,7 @@ struct Case {
   SolverSettings solver;
   CycleSettings cycle;
   std::optional<StripSettings> strip{};
+  std::optional<PathSettings> path{};
 
   bool operator==(const Case&) const = default;
 };

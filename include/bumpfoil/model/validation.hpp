@@ -10,6 +10,9 @@ namespace bumpfoil {
 /// Most bumps that a foil may have.
 inline constexpr int most_bumps = 100'000;
 
+/// Most points that a path may be given by.
+inline constexpr int most_points = 1'000'000;
+
 /// Everything that is physically wrong with a case (signs, sizes, overlap, lengths of lists, models that do not fit
 /// together), one fault each with its key, the value in SI and what to change; empty when the case can be built.
 /// Entries of lists are counted from 1, as bumps are: "bump_foil.height_errors[3]". A value that is wrong by itself is

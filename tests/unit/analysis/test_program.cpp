@@ -22,8 +22,12 @@ TEST(Program, LegsJoinAndEndWhereTheyBegan) {
 }
 
 TEST(Program, TargetsAreEqualPartsThatMeetTheEndsExactly) {
-  const Leg leg{
-      .branch = Branch::loading, .control = Control::displacement, .line = along_y, .begin = 0.25, .end = 1.0, .steps = 3};
+  const Leg leg{.branch = Branch::loading,
+                .control = Control::displacement,
+                .line = along_y,
+                .begin = 0.25,
+                .end = 1.0,
+                .steps = 3};
   EXPECT_EQ(leg.target(0), 0.25);
   EXPECT_EQ(leg.target(1), 0.5);
   EXPECT_EQ(leg.target(3), 1.0);

@@ -197,8 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Free, FreeStrip,
 TEST(RunStrip, SwingsAboutItsPreload) {
   Case input = strip_case(BumpFoilModel::frame, StripWeld::one_end, false);
   input.strip->cycles = 2;
-  for (const Target preload :
-       {Target{Control::displacement, 15e-6}, Target{Control::load, 150.0}}) {
+  for (const Target preload : {Target{Control::displacement, 15e-6}, Target{Control::load, 150.0}}) {
     input.strip->preload = preload;
     const CycleResult result = run_strip(input);
     ASSERT_TRUE(result.converged());

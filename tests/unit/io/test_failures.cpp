@@ -40,10 +40,8 @@ TEST(Failures, AreNoneOfWhatConvergedAndNoLineOfWhatWasInterrupted) {
 
 TEST(Failures, SayThatAPreloadWasNotReached) {
   Case input = reference_case();
-  input.strip = StripSettings{.bumps = 3,
-                              .amplitude = {Control::displacement, 1e-6},
-                              .preload = Target{Control::load, 1e6},
-                              .steps = 4};
+  input.strip = StripSettings{
+      .bumps = 3, .amplitude = {Control::displacement, 1e-6}, .preload = Target{Control::load, 1e6}, .steps = 4};
   const CycleResult result = run_strip(input);
   const Failure failure = failure_of(input, result, 0).value();
   EXPECT_EQ(failure.increment, 0);

@@ -31,7 +31,7 @@ using testing::TemporaryFolder;
 
 Case short_case() {
   Case input = reference_case();
-  input.cycle.directions = {0.5 * std::numbers::pi, 0.3};
+  input.cycle.directions = {0.3, 0.5 * std::numbers::pi};
   input.cycle.steps = 5;
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[2] = 10e-6;
@@ -88,7 +88,7 @@ TEST(ResultNetcdf, HoldsEveryIncrementToTheLastBit) {
   const OpenedResult file(result);
   EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
   EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
-  EXPECT_EQ(file.at("direction", {0}), 90.0);
+  EXPECT_EQ(file.at("direction", {0}), to_degrees(0.3));
   EXPECT_EQ(file.at("increment", {10}), 10);
   for (const std::size_t d : {0U, 1U}) {
     for (std::size_t i = 0; i < 11; ++i) {
@@ -241,7 +241,7 @@ TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   // It is as large as the whole would be.
   EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
   EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
-  EXPECT_EQ(file.at("direction", {1}), to_degrees(0.3));
+  EXPECT_EQ(file.at("direction", {1}), 90.0);
   for (const std::size_t d : {0U, 1U}) {
     EXPECT_EQ(file.at("converged", {d}), 0);
     EXPECT_EQ(file.at("max_force", {d}), NC_FILL_DOUBLE);

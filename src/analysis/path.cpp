@@ -1,0 +1,148 @@
+#include "bumpfoil/analysis/path.hpp"
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "analysis/increment_log.hpp"
+#include "analysis/program_runner.hpp"
+#include "analysis/settling.hpp"
+#include "bumpfoil/analysis/cycle_quantities.hpp"
+#include "bumpfoil/core/error.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Goes on straight from where the program ends.
+void append(Program& program, Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {
+  const Eigen::Vector2d way = to - from;
+  const double length = way.norm();
+  program.push_back({.branch = Branch::loading,
+                     .control = control,
+                     .line = {.base = from, .direction = length > 0.0 ? Eigen::Vector2d(way / length) : way},
+                     .begin = 0.0,
+                     .end = length,
+                     .steps = steps});
+}
+
+Program orbit_program(const PathSettings& path) {
+  const double turn = (path.sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
+  const Eigen::Rotation2Dd tilt(path.tilt);
+  const auto point = [&](int step) -> Eigen::Vector2d {
+    const double t = turn * (step % path.steps) / path.steps;
+    return path.centre.value +
+           tilt * Eigen::Vector2d(path.semi_axes.value.x() * std::cos(t), path.semi_axes.value.y() * std::sin(t));
+  };
+  Program program;
+  if (!point(0).isZero(0.0)) append(program, path.control(), Eigen::Vector2d::Zero(), point(0), path.steps);
+  for (int k = 1; k <= path.orbits * path.steps; ++k) append(program, path.control(), point(k - 1), point(k), 1);
+  return program;
+}
+
+/// Unit vector from the centre of the bearing towards the journal.
+Eigen::Vector2d outward(const Eigen::Vector2d& position) {
+  const double distance = position.norm();
+  return distance > 0.0 ? Eigen::Vector2d(position / distance) : Eigen::Vector2d::UnitX();
+}
+
+/// Finds the orbits among the increments that pass.
+class OrbitCounter {
+ public:
+  OrbitCounter(const PathSettings& path, int increments)
+      : steps_(path.is_orbit() ? path.steps : 0), lead_in_(increments - 1 - path.orbits * steps_) {}
+
+  [[nodiscard]] int orbit_of(int increment) const {
+    return steps_ > 0 && increment > lead_in_ ? (increment - lead_in_ - 1) / steps_ + 1 : 0;
+  }
+
+  /// @return what the orbit took, if one ends here
+  std::optional<OrbitLoop> pass(const Increment& increment) {
+    if (steps_ == 0 || increment.index < lead_in_ || (increment.index - lead_in_) % steps_ != 0) return std::nullopt;
+    const Increment begin = std::exchange(begin_, increment);
+    if (increment.index == lead_in_) return std::nullopt;
+    return OrbitLoop{.energy = increment.work - begin.work,
+                     .force_defect = std::hypot(increment.force_x - begin.force_x, increment.force_y - begin.force_y),
+                     .position_defect = std::hypot(increment.x - begin.x, increment.y - begin.y)};
+  }
+
+ private:
+  int steps_;
+  int lead_in_;  ///< number of the last increment before the first orbit
+  Increment begin_;
+};
+
+/// Takes the foils along the path.
+Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const ProgressCallback& progress) {
+  const Program program = path_program(path);
+  Cycle cycle;
+  cycle.due = increments_of(program);
+  IncrementLog log(stepper, Recording::everything, cycle);
+  CycleQuantities quantities(cycle);
+  OrbitCounter orbits(path, cycle.due);
+
+  Step step;
+  const auto add = [&] {
+    const Eigen::Vector2d& position = step.state.excitation.position;
+    const Eigen::Vector2d direction = outward(position);
+    Increment next = log.make(step, Branch::loading, direction, position.norm(), true);
+    next.orbit = orbits.orbit_of(next.index);
+    if (next.converged()) next.tangents = stepper.tangents(step.state);
+    log.write_down(step, next, direction);
+    quantities.add(next, step.converged(), false);
+    if (!next.converged()) return false;
+    if (const auto loop = orbits.pass(next)) {
+      cycle.orbits.push_back(*loop);
+      cycle.loop_energies.push_back(loop->energy);
+      cycle.settled = is_settled(cycle.loop_energies);
+    }
+    return !progress || progress(static_cast<double>(next.index + 1) / cycle.due) || next.index + 1 == cycle.due;
+  };
+
+  stepper.assemble({}, step);
+  cycle.assembly_dissipation = step.state.dissipated_energy;
+  step.state.work = step.state.dissipated_energy = 0.0;
+  FoilState state = step.state;
+  bool goes_on = add();
+  if (step.converged()) {
+    cycle.initial_journal_load = interface_loads(stepper.foils(), step.state.contacts, Interface::journal_top).sum();
+  }
+  ProgramRunner runner(stepper, program, reach, state);
+  while (goes_on && runner.has_next()) {
+    runner.try_next(step);
+    goes_on = add();
+    if (goes_on) runner.commit(step);
+  }
+  if (!goes_on && cycle.converged()) cycle.status = Status::interrupted;
+  log.finish();
+  quantities.finish();
+  return cycle;
+}
+
+}  // namespace
+
+Program path_program(const PathSettings& path) {
+  if (path.is_orbit()) return orbit_program(path);
+  Program program;
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& point : path.points.values) {
+    const bool is_assembly = &point == &path.points.values.front() && point.isZero(0.0);
+    if (!is_assembly) append(program, path.control(), from, point, 1);
+    from = point;
+  }
+  return program;
+}
+
+CycleResult run_path(const Case& input, const ProgressCallback& progress) {
+  const SharedFoils foils = make_bearing_foils(input);
+  if (!input.path) throw Error(ErrorKind::input, {{"", 0, "path", "", "this table is missing", "add [path]"}});
+  const auto begin = std::chrono::steady_clock::now();
+  FoilStepper stepper(foils, input.solver);
+  CycleResult result{.solver = input.solver.name, .experiment = Experiment::path, .cycles = {}};
+  result.cycles.push_back(follow(stepper, *input.path, foils->clearance + foils->rise, progress));
+  result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace bumpfoil
