@@ -26,15 +26,15 @@ bool is_left_out(std::string_view name) {
   return name.starts_with("gap_") || name == "friction_force_journal_top" || name == "compression";
 }
 
-/// Fields of which the page shows the largest size at every increment, wherever it is.
+/// Fields of which the page shows the largest value at every increment, wherever it is: stresses have no sign.
 bool is_reduced(std::string_view name) {
   return name.starts_with("stress_");
 }
 
 /// NaN where none of them is known.
-double largest_size(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end) {
+double largest(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end) {
   return std::accumulate(begin, end, std::numeric_limits<double>::quiet_NaN(),
-                         [](double most, double number) { return std::fmax(most, std::abs(number)); });
+                         [](double most, double number) { return std::fmax(most, number); });
 }
 
 /// Of the cycles: a bearing has one per direction.
@@ -78,7 +78,7 @@ class CycleReader {
       if (variable.has_dims({cycle_, "increment"})) {
         json["series"][name] = encoded(variable, numbers(variable, cycle, kept, 1));
       } else if (is_field(variable, cycle_) && is_reduced(name)) {
-        json["series"][name] = encoded(variable, largest_sizes(variable, cycle, kept));
+        json["series"][name] = encoded(variable, largest_values(variable, cycle, kept));
       } else if (is_field(variable, cycle_) && !is_left_out(name)) {
         json["fields"][name] = {{"at", variable.dims[2]},
                                 {"values", encoded(variable, numbers(variable, cycle, kept, variable.extents[2]))}};
@@ -142,15 +142,15 @@ class CycleReader {
     return numbers;
   }
 
-  [[nodiscard]] std::vector<double> largest_sizes(const StoredVariable& variable, std::size_t cycle,
-                                                  const std::vector<std::size_t>& kept) const {
+  [[nodiscard]] std::vector<double> largest_values(const StoredVariable& variable, std::size_t cycle,
+                                                   const std::vector<std::size_t>& kept) const {
     const std::size_t width = variable.extents[2];
     const std::vector<double> all = numbers(variable, cycle, kept, width);
-    std::vector<double> sizes;
+    std::vector<double> most;
     for (auto row = all.begin(); row != all.end(); row += static_cast<std::ptrdiff_t>(width)) {
-      sizes.push_back(largest_size(row, row + static_cast<std::ptrdiff_t>(width)));
+      most.push_back(largest(row, row + static_cast<std::ptrdiff_t>(width)));
     }
-    return sizes;
+    return most;
   }
 
   [[nodiscard]] static std::string encoded(const StoredVariable& variable, const std::vector<double>& numbers) {

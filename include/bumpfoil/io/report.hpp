@@ -38,7 +38,7 @@ struct ReadingOptions {
 /// `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes; NaN and
 /// -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here. Left out are
 /// gaps, which the displacements give, and the friction at the journal, which is zero. Of stresses per node `series`
-/// has the largest size at every increment.
+/// has the largest at every increment.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///

@@ -228,7 +228,7 @@ const stress = (name: string, text: string, style: number, marker: PathQuantity[
   text,
   style,
   marker,
-  value: (loop, index) => Math.abs(loop.value(name, index)),
+  value: (loop, index) => loop.value(name, index),
 });
 
 const stressQuantities = [
