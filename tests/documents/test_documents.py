@@ -67,7 +67,9 @@ class Documents(unittest.TestCase):
         self.assertIn(f"version: {version}\n", (ROOT / "CITATION.cff").read_text(encoding="utf-8"))
 
 
-class Readme(unittest.TestCase):
+class InADirectory(unittest.TestCase):
+    """Runs commands where nothing else is, with the program on the path."""
+
     def setUp(self):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
@@ -78,6 +80,27 @@ class Readme(unittest.TestCase):
         done = subprocess.run(command, cwd=self.directory, env=environment, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+
+class Pages(InADirectory):
+    RUN = {
+        "sh": ["bash", "-euo", "pipefail", "-c"],
+        "python": [sys.executable, "-c"],
+        "octave": ["octave-cli", "--no-gui", "--eval"],
+    }
+
+    def test_blocks_of_code_run(self):
+        """On the results of the reference bearing, in the folder that they name."""
+        self.run_in_directory([str(PROGRAM), "cycle", str(ROOT / "examples/gen1.toml"), "-o", "loops"])
+        blocks = 0
+        for document in (ROOT / "docs").rglob("*.md"):
+            for language, code in re.findall(r"^```(\w+)\n(.*?)^```", document.read_text(encoding="utf-8"), re.M | re.S):
+                with self.subTest(document=document.name, language=language):
+                    self.run_in_directory([*self.RUN[language], code])
+                blocks += 1
+        self.assertGreater(blocks, 1)
+
+
+class Readme(InADirectory):
     def test_cpp_is_the_example(self):
         self.assertEqual(readme_block("cpp"), (ROOT / "examples/quickstart.cpp").read_text(encoding="utf-8"))
 
