@@ -25,6 +25,7 @@ void follow_on(const Cycle& before, Cycle& cycle) {
   cycle.settled = is_settled(cycle.loop_energies);
   cycle.cost += before.cost;
   cycle.substeps += before.substeps;
+  cycle.max_residual = std::max(cycle.max_residual, before.max_residual);
   cycle.wall_time += before.wall_time;
 }
 
