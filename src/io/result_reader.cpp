@@ -226,7 +226,7 @@ Json read_result(std::string bytes, const std::string& name, std::size_t most_va
           {"geometry", geometry_of(file)},
           {"nodes", nodes},
           {"last_increment", reader.last_increment()},
-          {"loops", cycles}};
+          {"cycles", cycles}};
 }
 
 }  // namespace bumpfoil

@@ -6,7 +6,7 @@
 
 namespace bumpfoil {
 
-/// What a report shows of result.nc: `kind`, `attributes`, `geometry`, `nodes`, `last_increment`, `loops`, see
+/// What a report shows of result.nc: `kind`, `attributes`, `geometry`, `nodes`, `last_increment`, `cycles`, see
 /// report_json. Whatever the file declares is compared with its size and with the rest of it before it is used.
 ///
 /// @param bytes        of the file; with a checksum, they are to be verified before: see NetcdfImage

@@ -148,15 +148,15 @@ void match_runs(const StoredSummary& summary, Json& result, const std::string& n
   require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
   const std::string place_key = SummaryChecker::place_key(experiment_of(result["kind"].get<std::string>()));
   const Json& cycles = summary.json["cycles"];
-  Json& loops = result["loops"];
-  require(cycles.size() <= loops.size(), "cycles");
-  require(summary.json["status"] != "complete" || cycles.size() == loops.size(), "cycles");
+  Json& stored = result["cycles"];
+  require(cycles.size() <= stored.size(), "cycles");
+  require(summary.json["status"] != "complete" || cycles.size() == stored.size(), "cycles");
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     // Directions are sorted in result.nc, and in the order of the case here.
-    const auto first = loops.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto first = stored.begin() + static_cast<std::ptrdiff_t>(i);
     const auto same =
-        std::find_if(first, loops.end(), [&](const Json& loop) { return loop["at"] == cycles[i][place_key]; });
-    require(same != loops.end(), place_key);
+        std::find_if(first, stored.end(), [&](const Json& one) { return one["at"] == cycles[i][place_key]; });
+    require(same != stored.end(), place_key);
     std::rotate(first, same, same + 1);
     // Out and back; a swing also to the other side and back.
     const Json& last = result["last_increment"];

@@ -27,8 +27,8 @@ struct StoredSummary {
 /// @throws Error (file) naming file and key
 StoredSummary read_summary(std::string_view text, const std::string& name);
 
-/// Verifies that a summary tells of the same run as a result that was read by read_result: command, run id, loops with
-/// their steps. Puts the loops into the order of the summary. @throws Error (file)
+/// Verifies that a summary tells of the same run as a result that was read by read_result: command, run id, cycles with
+/// their steps. Puts the cycles into the order of the summary. @throws Error (file)
 void match_runs(const StoredSummary& summary, nlohmann::ordered_json& result, const std::string& name);
 
 }  // namespace bumpfoil

@@ -4,10 +4,10 @@ import { labelOffsets } from '../src/charts/label_offsets';
 import { sweptKeys } from '../src/data/case_values';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
-import type { LoopData, Quantity, RunData } from '../src/data/format';
+import type { CycleData, Quantity, RunData } from '../src/data/format';
 import { directionName } from '../src/data/kinds';
 import { warningsOf } from '../src/data/outcome';
-import { Loop, Run, largest } from '../src/data/run';
+import { Cycle, Run, largest } from '../src/data/run';
 import { wrapped } from '../src/ui/lines';
 
 function base64(bytes: ArrayBuffer): string {
@@ -15,8 +15,8 @@ function base64(bytes: ArrayBuffer): string {
 }
 
 /** Two bumps, `states` increment by increment. */
-function loop(displacement: number[], steps: number, states: number[][]): Loop {
-  const data: LoopData = {
+function cycle(displacement: number[], steps: number, states: number[][]): Cycle {
+  const data: CycleData = {
     at: 90,
     increments: displacement.map((_, i) => i),
     series: {
@@ -25,7 +25,7 @@ function loop(displacement: number[], steps: number, states: number[][]): Loop {
     },
     fields: { state_top_bump: { at: 'bump', values: base64(new Int8Array(states.flat()).buffer) } },
   };
-  return new Loop(data, { bump: 2, foot: 2 }, 2 * steps, '+Y', undefined, steps, Math.max(...displacement));
+  return new Cycle(data, { bump: 2, foot: 2 }, 2 * steps, '+Y', undefined, steps, Math.max(...displacement));
 }
 
 describe('base64', () => {
@@ -43,7 +43,7 @@ describe('directions', () => {
   });
 
   it('know their turning point and their way', () => {
-    const whole = loop([0, 1, 2, 1, 0], 2, []);
+    const whole = cycle([0, 1, 2, 1, 0], 2, []);
     expect(whole.turning).toBe(2);
     expect([0, 1, 2, 3, 4].map((i) => whole.path(i))).toEqual([0, 1, 2, 3, 4]);
     expect(whole.branches()).toEqual([
@@ -53,7 +53,7 @@ describe('directions', () => {
   });
 
   it('end where the run ended', () => {
-    const broken = loop([0, 1], 2, []);
+    const broken = cycle([0, 1], 2, []);
     expect(broken.turning).toBe(1);
     expect(broken.size).toBe(2);
     expect(broken.value('work', 0)).toBeNaN();
@@ -70,7 +70,7 @@ describe('contact states', () => {
       [0, 3],
       [2, 3],
     ];
-    expect(stretchesOf(loop([0, 1, 2, 1, 0], 2, states), 'top_bump')).toEqual([
+    expect(stretchesOf(cycle([0, 1, 2, 1, 0], 2, states), 'top_bump')).toEqual([
       { node: 0, state: 'slip forward', first: 1, last: 2 },
       { node: 0, state: 'slip forward', first: 4, last: 4 },
       { node: 1, state: 'stick', first: 0, last: 1 },
@@ -121,7 +121,7 @@ it('finds the numbers of the case in which runs differ', () => {
       nodes: { bump: 1, foot: 1 },
       last_increment: 8,
       quantities: [],
-      loops: [],
+      cycles: [],
     });
   const runs = [run(0.1), run(0.2), run(0.1)];
   const keys = sweptKeys(runs, { friction: { title: 'Friction' }, 'friction.coefficient': { title: 'Coefficient' } });
@@ -141,7 +141,7 @@ describe('clearances', () => {
     nodes: { bump: 1, foot: 1 },
     last_increment: 2,
     quantities: [quantity('first_contact'), quantity('take_up'), quantity('max_compression')],
-    loops: [{ at: 0, increments: [0], series: {}, fields: {} }],
+    cycles: [{ at: 0, increments: [0], series: {}, fields: {} }],
   });
 
   it('are quantities of their own, beside the take-up point', () => {
@@ -151,7 +151,7 @@ describe('clearances', () => {
     ];
     const run = new Run(data({ clearances }, { clearance: { unit: 'm', text: 'where it reaches' } }));
     expect(run.quantities.map(({ label }) => label)).toEqual(['first_contact', 'take_up', 'clearance at 2.5 N', 'clearance at 20 N', 'max_compression']);
-    expect(run.quantities.slice(2, 4).map(({ key, meaning }) => [run.loops[0]?.summary?.[key], meaning])).toEqual([
+    expect(run.quantities.slice(2, 4).map(({ key, meaning }) => [run.cycles[0]?.summary?.[key], meaning])).toEqual([
       [3e-6, 'where it reaches'],
       [null, 'where it reaches'],
     ]);
@@ -159,7 +159,7 @@ describe('clearances', () => {
 
   it('are two in version 0.1', () => {
     const run = new Run(data({ clearance_5N_m: 1e-6, clearance_10N_m: null }, { clearance_5N: { unit: 'm', text: 'reaches 5 N' } }));
-    expect(run.quantities.slice(2, 4).map(({ label, key, meaning }) => [label, run.loops[0]?.summary?.[key], meaning])).toEqual([
+    expect(run.quantities.slice(2, 4).map(({ label, key, meaning }) => [label, run.cycles[0]?.summary?.[key], meaning])).toEqual([
       ['clearance at 5 N', 1e-6, 'reaches 5 N'],
       ['clearance at 10 N', null, ''],
     ]);
@@ -179,7 +179,7 @@ describe('warnings', () => {
         nodes: { bump: 1, foot: 1 },
         last_increment: 2,
         quantities: [],
-        loops: [{ at: 0, increments: [0], series: {}, fields: {} }],
+        cycles: [{ at: 0, increments: [0], series: {}, fields: {} }],
       }),
     );
 
@@ -188,7 +188,7 @@ describe('warnings', () => {
     expect(warned({ above_yield_top_foil: true })).toEqual(['+X: the bending stress of the top foil exceeds its yield stress.']);
   });
 
-  it('say where and why a loop ended', () => {
+  it('say where and why a cycle ended', () => {
     expect(warned({ converged: false, status: 'no_modes', failed_increment: 1, failed_displacement_m: 2e-6, reason: 'no modes were found' }, 'failed')).toEqual([
       'The run failed; its results are partial.',
       '+X: failed at increment 1 of 2, 2.00 µm: no modes were found.',

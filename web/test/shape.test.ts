@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BearingGeometry, shapeAt, undeformedGap } from '../src/bearing/shape';
-import type { LoopData, RunData } from '../src/data/format';
+import type { CycleData, RunData } from '../src/data/format';
 import { Run } from '../src/data/run';
 
 function base64(numbers: number[]): string {
@@ -9,7 +9,7 @@ function base64(numbers: number[]): string {
 
 /** Two bumps of pitch 4 mm on a radius of 10 mm, clearance 30 um; the journal is 50 um below the centre. */
 function run(feet: number): Run {
-  const field = (at: 'bump' | 'foot', numbers: number[]): LoopData['fields'][string] => ({ at, values: base64(numbers) });
+  const field = (at: 'bump' | 'foot', numbers: number[]): CycleData['fields'][string] => ({ at, values: base64(numbers) });
   const footPlaces = feet === 2 ? [4e-3, 8e-3] : [0.5e-3, 3.5e-3, 4.5e-3, 7.5e-3];
   const data: RunData = {
     name: '/results',
@@ -38,7 +38,7 @@ function run(feet: number): Run {
     nodes: { bump: 2, foot: feet },
     last_increment: 2,
     quantities: [],
-    loops: [
+    cycles: [
       {
         at: 270,
         increments: [0],
@@ -59,7 +59,7 @@ function run(feet: number): Run {
 
 function shapeOf(feet: number): ReturnType<typeof shapeAt> {
   const one = run(feet);
-  return shapeAt(new BearingGeometry(one), one.loops[0]!, 0);
+  return shapeAt(new BearingGeometry(one), one.cycles[0]!, 0);
 }
 
 describe('shape', () => {
@@ -91,7 +91,7 @@ describe('shape', () => {
     const one = run(2);
     const geometry = new BearingGeometry(one);
     // With the defaults C_r + x cos(theta) - y sin(theta).
-    expect(undeformedGap(geometry, 2e-3, one.loops[0]!, 0)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
+    expect(undeformedGap(geometry, 2e-3, one.cycles[0]!, 0)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
     expect(shapeOf(2).mover[0]!.moveIn).toBeCloseTo(30e-6, 10);
   });
 });

@@ -110,9 +110,9 @@ TEST(Report, HoldsEveryIncrementRoundedToBinary32) {
   for (const json& one : run.at("quantities")) {
     EXPECT_TRUE(run.at("summary").at("cycles")[0].contains(one.at("key"))) << one;
   }
-  ASSERT_EQ(run.at("loops").size(), 2U);
+  ASSERT_EQ(run.at("cycles").size(), 2U);
   for (std::size_t d = 0; d < 2; ++d) {
-    const json& direction = run.at("loops").at(d);
+    const json& direction = run.at("cycles").at(d);
     const std::vector<Increment>& increments = result.cycles[d].increments;
     const FoilFields& fields = result.cycles[d].fields;
     EXPECT_EQ(direction.at("at"), 90.0 * static_cast<double>(d));
@@ -145,10 +145,10 @@ TEST(Report, EndsWhereAPartialRunEnded) {
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const json run = json::parse(text).at("runs").at(0);
   EXPECT_EQ(run.at("attributes").at("status"), "partial");
-  EXPECT_EQ(run.at("loops").at(0).at("increments"), (json{0, 1, 2}));  // nothing is known of the one that failed
-  EXPECT_EQ(numbers_of(run.at("loops").at(0).at("series").at("work")).size(), 3U);
-  EXPECT_EQ(run.at("loops").at(1).at("increments"), json::array());
-  EXPECT_EQ(run.at("loops").at(1).at("series").at("work"), "");
+  EXPECT_EQ(run.at("cycles").at(0).at("increments"), (json{0, 1, 2}));  // nothing is known of the one that failed
+  EXPECT_EQ(numbers_of(run.at("cycles").at(0).at("series").at("work")).size(), 3U);
+  EXPECT_EQ(run.at("cycles").at(1).at("increments"), json::array());
+  EXPECT_EQ(run.at("cycles").at(1).at("series").at("work"), "");
 }
 
 TEST(Report, ThinsWhatIsTooMuchButKeepsTheTurningPoint) {
@@ -156,10 +156,10 @@ TEST(Report, ThinsWhatIsTooMuchButKeepsTheTurningPoint) {
   const json whole = json::parse(report_json({results.path()}));
   // 2 directions, 11 increments, 26 bumps, 13 fields are 7436 numbers: every third increment fits.
   const json thinned = json::parse(report_json({results.path()}, {.most_values = 7436 / 3 + 1}));
-  const json& direction = thinned.at("runs").at(0).at("loops").at(1);
+  const json& direction = thinned.at("runs").at(0).at("cycles").at(1);
   EXPECT_EQ(direction.at("increments"), (json{0, 3, 5, 8, 10}));
   const std::vector<float> all =
-      numbers_of(whole.at("runs").at(0).at("loops").at(1).at("fields").at("crest_v").at("values"));
+      numbers_of(whole.at("runs").at(0).at("cycles").at(1).at("fields").at("crest_v").at("values"));
   const std::vector<float> some = numbers_of(direction.at("fields").at("crest_v").at("values"));
   ASSERT_EQ(some.size(), 5U * 26U);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -259,7 +259,7 @@ TEST(Report, HasTheLargestStressOfEveryIncrement) {
   input.bump_foil.model = BumpFoilModel::frame;
   const CycleResult result = run_cycles(input);
   const Results results(result, input);
-  const json series = json::parse(report_json({results.path()})).at("runs").at(0).at("loops").at(1).at("series");
+  const json series = json::parse(report_json({results.path()})).at("runs").at(0).at("cycles").at(1).at("series");
   const StressFields& stress = result.cycles[1].fields.stress;
   for (const auto& [name, matrix] :
        {std::pair{"stress_top_foil", &stress.top_crest}, std::pair{"stress_bump_foil_foot", &stress.bump_foot},

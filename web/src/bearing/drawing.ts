@@ -1,5 +1,5 @@
 /** Pieces that both views of the bearing are drawn with. */
-import { contactStates, type Loop, type Interface } from '../data/run';
+import { contactStates, type Cycle, type Interface } from '../data/run';
 import { svg } from '../ui/dom';
 import { fontFamily, type Look } from '../ui/theme';
 
@@ -50,7 +50,7 @@ export function text(place: Place, content: string, current: Look, more: Record<
 /** State of a contact as a mark: ring, square, or a triangle that points where it slips to. */
 export function stateMark(
   place: Place,
-  loop: Loop,
+  cycle: Cycle,
   interfaceName: Interface['name'],
   index: number,
   node: number,
@@ -58,7 +58,7 @@ export function stateMark(
   /** Way of increasing place along the foil on the drawing. */
   forward: Place,
 ): SVGElement {
-  const state = contactStates[loop.states(interfaceName).at(index, node)] ?? 'open';
+  const state = contactStates[cycle.states(interfaceName).at(index, node)] ?? 'open';
   const { x, y } = place;
   if (state === 'open') {
     return svg('circle', { cx: x, cy: y, r: 2.2, fill: current.background, stroke: current.muted });

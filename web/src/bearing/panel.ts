@@ -1,4 +1,4 @@
-import { contactStates, largest, type Loop } from '../data/run';
+import { contactStates, largest, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { dropDown, el, svg, tickBox } from '../ui/dom';
@@ -97,23 +97,23 @@ export class BearingPanels {
     return (fittingAlong(this.geometry) * this.inwards) / fittingInwards(this.geometry);
   }
 
-  private get loop(): Loop {
-    return this.selection.loop;
+  private get cycle(): Cycle {
+    return this.selection.cycle;
   }
 
   private draw(): void {
-    if (this.loop.size === 0 || this.flatPlace.clientWidth === 0) return;
+    if (this.cycle.size === 0 || this.flatPlace.clientWidth === 0) return;
     const { index, run } = this.selection;
     const current = look();
     const scene: Scene = {
       geometry: this.geometry,
-      loop: this.loop,
+      cycle: this.cycle,
       index,
-      shape: shapeAt(this.geometry, this.loop, index),
+      shape: shapeAt(this.geometry, this.cycle, index),
       inwards: this.inwards,
       along: this.along,
       largestForce: largest(
-        ...run.loops.flatMap((one) => run.interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
+        ...run.cycles.flatMap((one) => run.interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
       ) || 1,
       forces: this.forces,
       bump: this.bump,
@@ -126,10 +126,10 @@ export class BearingPanels {
   }
 
   private get where(): string {
-    const { loop, index, run } = this.selection;
-    const branch = index === loop.turning ? 'full displacement' : loop.isLoading(index) ? 'loading' : 'unloading';
-    const values = [formatQuantity(loop.value('displacement', index), 'm'), formatQuantity(loop.value('force_direct', index), 'N')];
-    return [run.label, loop.name, branch, ...values].join(' · ');
+    const { cycle, index, run } = this.selection;
+    const branch = index === cycle.turning ? 'full displacement' : cycle.isLoading(index) ? 'loading' : 'unloading';
+    const values = [formatQuantity(cycle.value('displacement', index), 'm'), formatQuantity(cycle.value('force_direct', index), 'N')];
+    return [run.label, cycle.name, branch, ...values].join(' · ');
   }
 
   /** What is seen, and how much larger than it is. */
@@ -147,10 +147,10 @@ export class BearingPanels {
   }
 
   private bumpValues(bump: number): string {
-    const { loop, index, run } = this.selection;
-    const force = (name: string, node: number): string => formatQuantity(loop.field(name).at(index, node), 'N', 3);
-    const length = (name: string): string => formatQuantity(loop.field(name).at(index, bump), 'm', 3);
-    const state = (name: string, node: number): string => contactStates[loop.states(name).at(index, node)] ?? 'unknown';
+    const { cycle, index, run } = this.selection;
+    const force = (name: string, node: number): string => formatQuantity(cycle.field(name).at(index, node), 'N', 3);
+    const length = (name: string): string => formatQuantity(cycle.field(name).at(index, bump), 'm', 3);
+    const state = (name: string, node: number): string => contactStates[cycle.states(name).at(index, node)] ?? 'unknown';
     const feet = this.geometry.feetOf(bump).filter((foot): foot is number => foot !== undefined);
     const own = this.geometry.twoFeet ? feet : [bump];
     return [
@@ -182,26 +182,26 @@ export class BearingPanels {
   }
 
   private file(what: string): string {
-    return fileName(what, this.selection.run.label, this.loop.name, String(this.loop.increments[this.selection.index]));
+    return fileName(what, this.selection.run.label, this.cycle.name, String(this.cycle.increments[this.selection.index]));
   }
 
   /** All that is known of bumps and feet at the increment. */
   private csv(): string {
-    const { loop, index, run } = this.selection;
+    const { cycle, index, run } = this.selection;
     const atBumps = ['crest_u', 'crest_v', 'normal_force_top_bump', 'friction_force_top_bump'];
     if (this.geometry.topFoil) atBumps.push('top_displacement', 'normal_force_journal_top');
     const atFeet = ['foot_u', 'foot_v', 'normal_force_bump_sleeve', 'friction_force_bump_sleeve'];
-    const header = ['run', run.kind.loops.column, 'increment', 'node', 'number', 'quantity', 'value_SI'];
+    const header = ['run', run.kind.cycles.column, 'increment', 'node', 'number', 'quantity', 'value_SI'];
     const rows = (names: string[], node: string, count: number): (string | number)[][] =>
       names.flatMap((name) =>
         Array.from({ length: count }, (_, i) => [
           run.label,
-          loop.key,
-          loop.increments[index] ?? 0,
+          cycle.key,
+          cycle.increments[index] ?? 0,
           node,
           i + 1,
           name,
-          loop.field(name).at(index, i),
+          cycle.field(name).at(index, i),
         ]),
       );
     return toCsv(header, [...rows(atBumps, 'bump', run.bumps), ...rows(atFeet, 'foot', run.feet)]);

@@ -19,9 +19,9 @@ export function player(selection: Selection, comparison: Comparison): HTMLElemen
     runs.replaceChildren(...comparison.shown.map(({ label }) => el('option', {}, label)));
     runs.selectedIndex = comparison.shown.indexOf(selection.run);
   };
-  const loops = el('select', { 'aria-label': at(selection.runs, 0).kind.loops.title });
-  loops.addEventListener('change', () => {
-    selection.show({ key: at(selection.run.loops, loops.selectedIndex).key });
+  const cycles = el('select', { 'aria-label': at(selection.runs, 0).kind.cycles.title });
+  cycles.addEventListener('change', () => {
+    selection.show({ key: at(selection.run.cycles, cycles.selectedIndex).key });
   });
 
   let frame = 0;
@@ -31,15 +31,15 @@ export function player(selection: Selection, comparison: Comparison): HTMLElemen
     refresh();
   };
   const start = (): void => {
-    const { loop } = selection;
-    const first = selection.index >= loop.size - 1 ? 0 : selection.index;
-    const began = performance.now() - (duration * first) / Math.max(1, loop.size - 1);
+    const { cycle } = selection;
+    const first = selection.index >= cycle.size - 1 ? 0 : selection.index;
+    const began = performance.now() - (duration * first) / Math.max(1, cycle.size - 1);
     const step = (now: number): void => {
-      if (selection.loop !== loop) return stop();
-      const index = Math.floor((Math.max(0, now - began) / duration) * (loop.size - 1));
+      if (selection.cycle !== cycle) return stop();
+      const index = Math.floor((Math.max(0, now - began) / duration) * (cycle.size - 1));
       frame = requestAnimationFrame(step);
       if (index !== selection.index) selection.show({ index });
-      if (index >= loop.size - 1) stop();
+      if (index >= cycle.size - 1) stop();
     };
     frame = requestAnimationFrame(step);
     refresh();
@@ -52,25 +52,25 @@ export function player(selection: Selection, comparison: Comparison): HTMLElemen
 
   let listed: Run | undefined;
   const refresh = (): void => {
-    const { run, loop, index } = selection;
+    const { run, cycle, index } = selection;
     if (run !== listed) {
       listed = run;
       runs.selectedIndex = comparison.shown.indexOf(run);
-      loops.replaceChildren(...run.loops.map(({ name }) => el('option', {}, name)));
+      cycles.replaceChildren(...run.cycles.map(({ name }) => el('option', {}, name)));
     }
-    loops.selectedIndex = run.loops.indexOf(loop);
-    slider.max = String(Math.max(0, loop.size - 1));
+    cycles.selectedIndex = run.cycles.indexOf(cycle);
+    slider.max = String(Math.max(0, cycle.size - 1));
     slider.value = String(index);
-    slider.disabled = loop.size === 0;
-    play.disabled = loop.size === 0;
+    slider.disabled = cycle.size === 0;
+    play.disabled = cycle.size === 0;
     play.textContent = frame === 0 ? '▶' : '❚❚';
     play.setAttribute('aria-label', frame === 0 ? 'Play the cycle' : 'Pause');
-    if (loop.size === 0) {
-      readout.textContent = `${loop.name}: ${shortfallOf(run, loop) ?? 'no increment'}`;
+    if (cycle.size === 0) {
+      readout.textContent = `${cycle.name}: ${shortfallOf(run, cycle) ?? 'no increment'}`;
       return;
     }
-    const branch = loop.isLoading(index) ? 'loading' : 'unloading';
-    const text = `${formatQuantity(loop.value('displacement', index), 'm')} · ${formatQuantity(loop.value('force_direct', index), 'N')} · ${branch} ${at(loop.increments, index)} / ${loop.lastIncrement}`;
+    const branch = cycle.isLoading(index) ? 'loading' : 'unloading';
+    const text = `${formatQuantity(cycle.value('displacement', index), 'm')} · ${formatQuantity(cycle.value('force_direct', index), 'N')} · ${branch} ${at(cycle.increments, index)} / ${cycle.lastIncrement}`;
     readout.textContent = text;
     slider.setAttribute('aria-valuetext', text);
   };
@@ -83,7 +83,7 @@ export function player(selection: Selection, comparison: Comparison): HTMLElemen
     { class: 'player', role: 'region', 'aria-label': `Position along the cycle of the ${selection.run.kind.name}` },
     play,
     ...(selection.runs.length > 1 ? [runs] : []),
-    loops,
+    cycles,
     slider,
     readout,
   );

@@ -56,13 +56,13 @@ function onCircle(angle: number, radius: number): Place {
 
 /** Draws the bearing; returns how much larger heights are than the radius. */
 export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): number {
-  const { geometry, shape, loop, index } = scene;
+  const { geometry, shape, cycle, index } = scene;
   const layout = new RoundLayout(scene);
   const line = (points: ShapePoint[], lift: number): string => pathOf(points.map((point) => layout.place(point, lift)));
   const scale = scene.inwards * layout.perHeight;
   const journal = {
-    x: centre + scale * loop.value('x', index),
-    y: centre - scale * loop.value('y', index),
+    x: centre + scale * cycle.value('x', index),
+    y: centre - scale * cycle.value('y', index),
   };
   const journalRadius = sleeveRadius - bumpHeight - scale * geometry.clearance - 2 * foilGap;
   const weld = [onCircle(geometry.weldAngle, sleeveRadius + 5), layout.place(at(shape.topFoil, 0), foilGap)];
@@ -76,7 +76,7 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): num
     svg('path', { d: line(shape.bumpFoil, 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     svg('path', { d: line(shape.topFoil, foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
-    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), loop, 'bump_sleeve', index, i, current, layout.forward(foot))),
+    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), cycle, 'bump_sleeve', index, i, current, layout.forward(foot))),
     ...numbers(scene, layout, current),
     ...partNames(names(scene, layout, journal), current),
   );
@@ -125,7 +125,7 @@ function axes(current: Look): SVGElement[] {
 
 /** Loads of the journal on the top foil, of the sleeve on the feet, and the force that holds the journal. */
 function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current: Look): SVGElement[] {
-  const { shape, loop, index } = scene;
+  const { shape, cycle, index } = scene;
   const scale = longestArrow / scene.largestForce;
   let normals = '';
   const radial = (point: ShapePoint, lift: number, load: number): void => {
@@ -133,11 +133,11 @@ function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current:
     normals += arrowPath(onCircle(angle, radius - load * scale), onCircle(angle, radius));
   };
   shape.topNodes.forEach((node, bump) => {
-    radial(node, 2 * foilGap, loop.field('normal_force_journal_top').at(index, bump));
+    radial(node, 2 * foilGap, cycle.field('normal_force_journal_top').at(index, bump));
   });
-  shape.feet.forEach((foot, i) => radial(foot, -3, -loop.field('normal_force_bump_sleeve').at(index, i)));
-  const force = { x: loop.value('force_x', index), y: loop.value('force_y', index) };
-  const most = Math.max(...['force_x', 'force_y'].flatMap((name) => [...loop.values(name)].map(Math.abs)), 1e-30);
+  shape.feet.forEach((foot, i) => radial(foot, -3, -cycle.field('normal_force_bump_sleeve').at(index, i)));
+  const force = { x: cycle.value('force_x', index), y: cycle.value('force_y', index) };
+  const most = Math.max(...['force_x', 'force_y'].flatMap((name) => [...cycle.values(name)].map(Math.abs)), 1e-30);
   const reach = (0.5 * sleeveRadius) / most;
   const tip = { x: journal.x + force.x * reach, y: journal.y - force.y * reach };
   return [

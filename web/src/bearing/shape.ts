@@ -1,5 +1,5 @@
 /** Shapes of the parts of a deformed bearing. Nothing is drawn here: the two views lay these points out. */
-import { at, largest, type Loop, type Run } from '../data/run';
+import { at, largest, type Cycle, type Run } from '../data/run';
 
 /**
  * A point of a part: place along the foil from the weld and height over the sleeve (m, as designed), and what is to be
@@ -102,9 +102,9 @@ interface Move {
   inwards: number;
 }
 
-function bumpFoil(geometry: BearingGeometry, loop: Loop, index: number): ShapePoint[] {
-  const [crestU, crestV] = [loop.field('crest_u'), loop.field('crest_v')];
-  const [footU, footV] = [loop.field('foot_u'), loop.field('foot_v')];
+function bumpFoil(geometry: BearingGeometry, cycle: Cycle, index: number): ShapePoint[] {
+  const [crestU, crestV] = [cycle.field('crest_u'), cycle.field('crest_v')];
+  const [footU, footV] = [cycle.field('foot_u'), cycle.field('foot_v')];
   const footMove = (foot: number | undefined): Move =>
     foot === undefined ? { along: 0, inwards: 0 } : { along: footU.at(index, foot), inwards: -footV.at(index, foot) };
   const atFoot = (foot: number): ShapePoint => {
@@ -175,17 +175,17 @@ function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
 }
 
 /** Gap between the undeformed top foil (or the crests) and the journal or the plate. */
-export function undeformedGap(geometry: BearingGeometry, along: number, loop: Loop, index: number): number {
-  if (geometry.run.kind.flat) return -loop.value('displacement', index);
+export function undeformedGap(geometry: BearingGeometry, along: number, cycle: Cycle, index: number): number {
+  if (geometry.run.kind.flat) return -cycle.value('displacement', index);
   const phi = geometry.polarAngle(along);
-  return geometry.clearance - (loop.value('x', index) * Math.cos(phi) + loop.value('y', index) * Math.sin(phi));
+  return geometry.clearance - (cycle.value('x', index) * Math.cos(phi) + cycle.value('y', index) * Math.sin(phi));
 }
 
-function mover(geometry: BearingGeometry, loop: Loop, index: number): ShapePoint[] {
+function mover(geometry: BearingGeometry, cycle: Cycle, index: number): ShapePoint[] {
   const pieces = 120;
   return Array.from({ length: pieces + 1 }, (_, i) => {
     const along = (geometry.length * i) / pieces;
-    return { along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, along, loop, index) };
+    return { along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, along, cycle, index) };
   });
 }
 
@@ -202,10 +202,10 @@ function ground(geometry: BearingGeometry): ShapePoint[] {
 }
 
 /** The bearing at an increment. */
-export function shapeAt(geometry: BearingGeometry, loop: Loop, index: number): Shape {
-  const [crestU, crestV] = [loop.field('crest_u'), loop.field('crest_v')];
-  const [footU, footV] = [loop.field('foot_u'), loop.field('foot_v')];
-  const top = loop.field('top_displacement');
+export function shapeAt(geometry: BearingGeometry, cycle: Cycle, index: number): Shape {
+  const [crestU, crestV] = [cycle.field('crest_u'), cycle.field('crest_v')];
+  const [footU, footV] = [cycle.field('foot_u'), cycle.field('foot_v')];
+  const top = cycle.field('top_displacement');
   const places = geometry.topFoil ? geometry.crestPlaces : [];
   const topNodes = places.map((along, bump) => ({
     along,
@@ -214,9 +214,9 @@ export function shapeAt(geometry: BearingGeometry, loop: Loop, index: number): S
     moveIn: -top.at(index, bump),
   }));
   return {
-    bumpFoil: bumpFoil(geometry, loop, index),
+    bumpFoil: bumpFoil(geometry, cycle, index),
     topFoil: geometry.topFoil ? topFoil(geometry, topNodes) : [],
-    mover: mover(geometry, loop, index),
+    mover: mover(geometry, cycle, index),
     ground: ground(geometry),
     topNodes,
     crests: geometry.crestPlaces.map((along, bump) => ({
@@ -244,11 +244,11 @@ export interface Reach {
 }
 
 function reachOf(geometry: BearingGeometry): Reach {
-  const { loops, kind } = geometry.run;
+  const { cycles, kind } = geometry.run;
   const extremes = (name: string, sign: number): [number, number] => {
     let [least, most] = [0, 0];
-    for (const loop of loops) {
-      for (const value of loop.field(name).values) {
+    for (const cycle of cycles) {
+      for (const value of cycle.field(name).values) {
         if (sign * value > most) most = sign * value;
         if (sign * value < least) least = sign * value;
       }
@@ -262,10 +262,10 @@ function reachOf(geometry: BearingGeometry): Reach {
     extremes('foot_v', -1),
     extremes('top_displacement', -1),
     [-Math.max(0, ...geometry.sleeveGaps), 0],
-    ...(kind.flat ? loops.map((loop): [number, number] => [-Math.max(0, ...loop.values('displacement')), -Math.min(0, ...loop.values('displacement'))]) : []),
+    ...(kind.flat ? cycles.map((cycle): [number, number] => [-Math.max(0, ...cycle.values('displacement')), -Math.min(0, ...cycle.values('displacement'))]) : []),
   ];
   return {
-    along: largest(...loops.flatMap((loop) => ['crest_u', 'foot_u'].map((name) => loop.field(name).values))),
+    along: largest(...cycles.flatMap((cycle) => ['crest_u', 'foot_u'].map((name) => cycle.field(name).values))),
     inwards: Math.max(...ranges.map(([, most]) => most)),
     outwards: Math.min(...ranges.map(([least]) => least)),
   };
@@ -282,7 +282,7 @@ function largestFactor(most: number): number {
 /** The largest factor with which no bump of a run is drawn pressed by more than half its height. */
 export function fittingInwards(geometry: BearingGeometry): number {
   const pressed = Math.max(
-    largest(...geometry.run.loops.map((loop) => loop.values('displacement'))) - geometry.clearance,
+    largest(...geometry.run.cycles.map((cycle) => cycle.values('displacement'))) - geometry.clearance,
     Math.abs(geometry.clearance),
     largest(geometry.heightErrors),
   );
@@ -291,8 +291,8 @@ export function fittingInwards(geometry: BearingGeometry): number {
 
 /** The largest factor with which no foot or crest is drawn 0.4 pitches away from its place. */
 export function fittingAlong(geometry: BearingGeometry): number {
-  const fields = geometry.run.loops.flatMap((loop) =>
-    ['crest_u', 'foot_u'].map((name) => loop.field(name).values),
+  const fields = geometry.run.cycles.flatMap((cycle) =>
+    ['crest_u', 'foot_u'].map((name) => cycle.field(name).values),
   );
   return Math.min(100, largestFactor((0.4 * geometry.pitch) / largest(...fields)));
 }

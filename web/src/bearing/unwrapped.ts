@@ -1,4 +1,4 @@
-import type { Loop } from '../data/run';
+import type { Cycle } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
@@ -7,7 +7,7 @@ import type { BearingGeometry, Shape, ShapePoint } from './shape';
 
 export interface Scene {
   geometry: BearingGeometry;
-  loop: Loop;
+  cycle: Cycle;
   index: number;
   shape: Shape;
   /** Of displacements inwards and gaps, against the height of the bumps. */
@@ -146,11 +146,11 @@ function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: 
 }
 
 function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
-  const { shape, loop, index } = scene;
+  const { shape, cycle, index } = scene;
   const scale = longestArrow / scene.largestForce;
-  const normal = (name: string, node: number): number => loop.field(`normal_force_${name}`).at(index, node) * scale;
+  const normal = (name: string, node: number): number => cycle.field(`normal_force_${name}`).at(index, node) * scale;
   const along = (name: string, node: number): number =>
-    loop.field(`friction_force_${name}`).at(index, node) * scale * frictionFactor;
+    cycle.field(`friction_force_${name}`).at(index, node) * scale * frictionFactor;
   let normals = '';
   let frictions = '';
   shape.topNodes.forEach((node, bump) => {
@@ -174,11 +174,11 @@ function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGE
   return [svg('path', { d: normals, fill: current.force }), svg('path', { d: frictions, fill: current.friction })];
 }
 
-function marks({ shape, loop, index }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+function marks({ shape, cycle, index }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
   const forward = { x: 1, y: 0 };
   return [
-    ...shape.crests.map((crest, i) => stateMark(layout.place(crest), loop, 'top_bump', index, i, current, forward)),
-    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), loop, 'bump_sleeve', index, i, current, forward)),
+    ...shape.crests.map((crest, i) => stateMark(layout.place(crest), cycle, 'top_bump', index, i, current, forward)),
+    ...shape.feet.map((foot, i) => stateMark(layout.place(foot), cycle, 'bump_sleeve', index, i, current, forward)),
   ];
 }
 

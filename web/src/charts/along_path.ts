@@ -1,4 +1,4 @@
-import { at, largest, type Loop } from '../data/run';
+import { at, largest, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import type { Comparison } from '../ui/comparison';
@@ -19,7 +19,7 @@ export interface PathQuantity {
   /** Number of its colour. */
   style: number;
   marker: 'circle' | 'rect' | 'triangle' | 'diamond';
-  value: (loop: Loop, index: number) => number;
+  value: (cycle: Cycle, index: number) => number;
 }
 
 export interface PathSection {
@@ -50,8 +50,8 @@ function lineSample(text: string, dash: Curve['dash'], colour: (current: Look) =
 }
 
 /** Increments from one marker to the next. */
-function spacing(loop: Loop): number {
-  return Math.max(1, Math.round(loop.size / 9));
+function spacing(cycle: Cycle): number {
+  return Math.max(1, Math.round(cycle.size / 9));
 }
 
 /** Some quantities of one direction along the path: colours tell the quantities apart, dashes the runs in focus. */
@@ -96,19 +96,19 @@ class PathPanel {
   }
 
   /** Loops that the axes have room for. */
-  private get compared(): Loop[] {
-    if (this.comparison.ownAxes) return this.curves.map(({ loop }) => loop);
-    return this.comparison.focus.flatMap((run) => run.loops.filter((loop) => loop.size > 0));
+  private get compared(): Cycle[] {
+    if (this.comparison.ownAxes) return this.curves.map(({ cycle }) => cycle);
+    return this.comparison.focus.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
   }
 
   private get most(): number {
-    return largest(...this.compared.flatMap((loop) => this.section.quantities.map((quantity) => valuesOf(quantity, loop))));
+    return largest(...this.compared.flatMap((cycle) => this.section.quantities.map((quantity) => valuesOf(quantity, cycle))));
   }
 
   private description(name: string): string {
     const { quantities, title, unit } = this.section;
-    const peaks = this.curves.flatMap(({ loop, label }) =>
-      quantities.map((quantity) => `${label}, ${quantity.text}, at most ${formatQuantity(largest(valuesOf(quantity, loop)), unit)}`),
+    const peaks = this.curves.flatMap(({ cycle, label }) =>
+      quantities.map((quantity) => `${label}, ${quantity.text}, at most ${formatQuantity(largest(valuesOf(quantity, cycle)), unit)}`),
     );
     return `${title}, ${name}: ${peaks.join('; ')}`;
   }
@@ -139,7 +139,7 @@ class PathPanel {
   }
 
   private series(curve: Curve, quantity: PathQuantity, path: PathAxis, scale: Scale, current: Look): object {
-    const every = spacing(curve.loop);
+    const every = spacing(curve.cycle);
     const color = at(current.series, quantity.style);
     return {
       type: 'line',
@@ -149,7 +149,7 @@ class PathPanel {
       symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % every === every >> 1 ? 7 : 0),
       lineStyle: { color, width: 1.8, type: curve.dash },
       itemStyle: { color },
-      data: valuesOf(quantity, curve.loop).map((value, index) => [path.position(curve.loop, index), value * scale.factor]),
+      data: valuesOf(quantity, curve.cycle).map((value, index) => [path.position(curve.cycle, index), value * scale.factor]),
     };
   }
 
@@ -161,39 +161,39 @@ class PathPanel {
       const curve = at(curves, Math.floor(seriesIndex / quantities.length));
       const quantity = at(quantities, seriesIndex % quantities.length);
       const name = curves.length > 1 ? `${curve.label}: ${quantity.text}` : quantity.text;
-      return [name, formatQuantity(quantity.value(curve.loop, dataIndex), unit)];
+      return [name, formatQuantity(quantity.value(curve.cycle, dataIndex), unit)];
     });
-    const { loop } = at(curves, Math.floor(first.seriesIndex / quantities.length));
-    const branch = loop.isLoading(first.dataIndex) ? 'loading' : 'unloading';
-    return tooltipBox(`${loop.name}, ${branch}, ${formatQuantity(loop.value('displacement', first.dataIndex), 'm')}`, rows);
+    const { cycle } = at(curves, Math.floor(first.seriesIndex / quantities.length));
+    const branch = cycle.isLoading(first.dataIndex) ? 'loading' : 'unloading';
+    return tooltipBox(`${cycle.name}, ${branch}, ${formatQuantity(cycle.value('displacement', first.dataIndex), 'm')}`, rows);
   }
 
   private follow(): void {
-    const shown = this.curves.find((curve) => curve.loop === this.comparison.selection.loop);
+    const shown = this.curves.find((curve) => curve.cycle === this.comparison.selection.cycle);
     const path = new PathAxis(this.compared);
-    this.chart.setCursors(shown ? [{ name: 'line', grid: 0, x: path.position(shown.loop, this.comparison.selection.index) }] : []);
+    this.chart.setCursors(shown ? [{ name: 'line', grid: 0, x: path.position(shown.cycle, this.comparison.selection.index) }] : []);
   }
 
   private csv(): string {
     const { quantities, unit } = this.section;
-    const { column } = at(this.comparison.runs, 0).kind.loops;
+    const { column } = at(this.comparison.runs, 0).kind.cycles;
     return toCsv(
       ['run', column, 'increment', 'displacement_m', ...quantities.map(({ name }) => `${name}_${unit}`)],
-      this.curves.flatMap(({ run, loop }) =>
-        loop.increments.map((increment, index) => [
+      this.curves.flatMap(({ run, cycle }) =>
+        cycle.increments.map((increment, index) => [
           run.label,
-          loop.key,
+          cycle.key,
           increment,
-          loop.value('displacement', index),
-          ...quantities.map(({ name }) => loop.value(name, index)),
+          cycle.value('displacement', index),
+          ...quantities.map(({ name }) => cycle.value(name, index)),
         ]),
       ),
     );
   }
 }
 
-function valuesOf(quantity: PathQuantity, loop: Loop): number[] {
-  return loop.increments.map((_, index) => quantity.value(loop, index));
+function valuesOf(quantity: PathQuantity, cycle: Cycle): number[] {
+  return cycle.increments.map((_, index) => quantity.value(cycle, index));
 }
 
 /** One chart per direction. */
@@ -207,7 +207,7 @@ const energy = (name: string, text: string, style: number, marker: PathQuantity[
   style,
   marker,
   // Since the start of the path, as work and dissipation are.
-  value: (loop, index) => loop.value(name, index) - (name === 'elastic_energy' ? loop.value(name, 0) : 0),
+  value: (cycle, index) => cycle.value(name, index) - (name === 'elastic_energy' ? cycle.value(name, 0) : 0),
 });
 
 /** Where the work goes. */
@@ -228,7 +228,7 @@ const stress = (name: string, text: string, style: number, marker: PathQuantity[
   text,
   style,
   marker,
-  value: (loop, index) => loop.value(name, index),
+  value: (cycle, index) => cycle.value(name, index),
 });
 
 const stressQuantities = [
@@ -239,8 +239,8 @@ const stressQuantities = [
 ];
 
 /** The largest bending stresses that the results have. */
-export function stresses(loops: Loop[]): PathSection {
-  const known = (name: string): boolean => loops.some((loop) => loop.values(name).some(Number.isFinite));
+export function stresses(cycles: Cycle[]): PathSection {
+  const known = (name: string): boolean => cycles.some((cycle) => cycle.values(name).some(Number.isFinite));
   return {
     title: 'Largest bending stress',
     axis: 'Stress',

@@ -1,13 +1,13 @@
-import { at, type Loop, type Run } from '../data/run';
+import { at, type Cycle, type Run } from '../data/run';
 import type { Comparison } from '../ui/comparison';
 import { svg } from '../ui/dom';
 import type { LegendEntry } from '../ui/legend';
 import { markers, type Look } from '../ui/theme';
 
-/** One loop: a direction of a run, and how it is told from others of its chart. */
+/** One cycle: a direction of a run, and how it is told from others of its chart. */
 export interface Curve {
   run: Run;
-  loop: Loop;
+  cycle: Cycle;
   label: string;
   colour: (current: Look) => string;
   marker: (typeof markers)[number];
@@ -19,13 +19,13 @@ const dashes: Curve['dash'][] = ['solid', [7, 3], [2, 2], [9, 3, 2, 3]];
 /** The curves of some runs in one direction, told apart by run. */
 export function curvesOf(comparison: Comparison, key: number, runs: Run[]): Curve[] {
   return runs.flatMap((run, i) => {
-    const loop = run.loop(key);
-    if (!loop || loop.size === 0) return [];
+    const cycle = run.cycle(key);
+    if (!cycle || cycle.size === 0) return [];
     const place = comparison.runs.indexOf(run);
     return [
       {
         run,
-        loop,
+        cycle,
         label: run.label,
         colour: (current: Look) => comparison.colour(run, current),
         marker: at(markers, place % markers.length),
@@ -37,14 +37,14 @@ export function curvesOf(comparison: Comparison, key: number, runs: Run[]): Curv
 
 /** The curves of one run, told apart by direction. */
 export function curvesOfRun(run: Run): Curve[] {
-  return run.loops.flatMap((loop, place) =>
-    loop.size === 0
+  return run.cycles.flatMap((cycle, place) =>
+    cycle.size === 0
       ? []
       : [
           {
             run,
-            loop,
-            label: loop.name,
+            cycle,
+            label: cycle.name,
             colour: (current: Look) => at(current.series, place % current.series.length),
             marker: at(markers, place % markers.length),
             dash: 'solid' as const,

@@ -1,6 +1,6 @@
 import { at } from '../data/run';
 
-/** Room that a label at the end of a loop takes, px. */
+/** Room that a label at the end of a cycle takes, px. */
 const labelHeight = 15;
 
 /** By how much labels at these heights must move so that none covers another; in their order. */

@@ -1,4 +1,4 @@
-import { at, largest, type Interface, type Loop } from '../data/run';
+import { at, largest, type Interface, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import type { Comparison } from '../ui/comparison';
@@ -10,8 +10,8 @@ import { type Look } from '../ui/theme';
 import { axis, Chart, roundAbove, tooltip, tooltipBox, type Option, type RenderApi } from './chart';
 import { curvesOf, runLegend, type Curve } from './curves';
 
-function loadsAt(loop: Loop, kind: Interface, index: number): number[] {
-  const field = loop.field(`normal_force_${kind.name}`);
+function loadsAt(cycle: Cycle, kind: Interface, index: number): number[] {
+  const field = cycle.field(`normal_force_${kind.name}`);
   return Array.from({ length: field.width }, (_, node) => field.at(index, node));
 }
 
@@ -67,9 +67,9 @@ class LoadPanel {
 
   private get most(): number {
     const compared = this.comparison.ownAxes
-      ? this.curves.map(({ loop }) => loop)
-      : this.comparison.focus.flatMap((run) => run.loops.filter((loop) => loop.size > 0));
-    return largest(...compared.map((loop) => loadsAt(loop, this.kind, loop.turning)));
+      ? this.curves.map(({ cycle }) => cycle)
+      : this.comparison.focus.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
+    return largest(...compared.map((cycle) => loadsAt(cycle, this.kind, cycle.turning)));
   }
 
   private get scale(): Scale {
@@ -77,8 +77,8 @@ class LoadPanel {
   }
 
   private description(): string {
-    const peaks = this.curves.map(({ loop, label }) => {
-      const loads = loadsAt(loop, this.kind, loop.turning);
+    const peaks = this.curves.map(({ cycle, label }) => {
+      const loads = loadsAt(cycle, this.kind, cycle.turning);
       const most = largest(loads);
       return `${label} ${most > 0 ? `${formatQuantity(most, 'N')} on ${this.node} ${loads.indexOf(most) + 1}` : 'none'}`;
     });
@@ -91,7 +91,7 @@ class LoadPanel {
 
   private option(current: Look, width: number): Option {
     const { curves, scale } = this;
-    const nodes = Math.max(1, ...curves.map((curve) => curve.loop.field(`normal_force_${this.kind.name}`).width));
+    const nodes = Math.max(1, ...curves.map((curve) => curve.cycle.field(`normal_force_${this.kind.name}`).width));
     const node = this.node === 'foot' ? 'Foot' : 'Bump';
     return {
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
@@ -114,7 +114,7 @@ class LoadPanel {
           type: 'custom',
           name: curve.label,
           clip: true,
-          data: this.scaled(curve.loop, curve.loop.turning),
+          data: this.scaled(curve.cycle, curve.cycle.turning),
           renderItem: (_: unknown, api: RenderApi) => bar(api, i, curves.length, curve.colour(current)),
         })),
         ...curves.map((curve, i) => ({
@@ -131,35 +131,35 @@ class LoadPanel {
     };
   }
 
-  private scaled(loop: Loop, index: number): [number, number][] {
+  private scaled(cycle: Cycle, index: number): [number, number][] {
     const { factor } = this.scale;
-    return loadsAt(loop, this.kind, index).map((load, node) => [node, load * factor]);
+    return loadsAt(cycle, this.kind, index).map((load, node) => [node, load * factor]);
   }
 
   /** Loads at the part of the way that the reader looks at. */
-  private now({ loop }: Curve): [number, number][] {
-    return this.scaled(loop, this.comparison.selection.indexIn(loop)).filter(([, load]) => load > 0);
+  private now({ cycle }: Curve): [number, number][] {
+    return this.scaled(cycle, this.comparison.selection.indexIn(cycle)).filter(([, load]) => load > 0);
   }
 
   private tip(node: string, index: number): HTMLElement {
-    const rows = this.curves.flatMap(({ label, loop }): [string, string][] => {
-      const now = this.comparison.selection.indexIn(loop);
+    const rows = this.curves.flatMap(({ label, cycle }): [string, string][] => {
+      const now = this.comparison.selection.indexIn(cycle);
       return [
-        [`${label}, full displacement`, formatQuantity(loadsAt(loop, this.kind, loop.turning)[index], 'N')],
-        [`${label}, increment ${at(loop.increments, now)}`, formatQuantity(loadsAt(loop, this.kind, now)[index], 'N')],
+        [`${label}, full displacement`, formatQuantity(loadsAt(cycle, this.kind, cycle.turning)[index], 'N')],
+        [`${label}, increment ${at(cycle.increments, now)}`, formatQuantity(loadsAt(cycle, this.kind, now)[index], 'N')],
       ];
     });
     return tooltipBox(`${node} ${index + 1}`, rows);
   }
 
   private csv(): string {
-    const { column } = at(this.comparison.runs, 0).kind.loops;
+    const { column } = at(this.comparison.runs, 0).kind.cycles;
     return toCsv(
       ['run', column, 'interface', this.node, 'normal_force_N', 'increment', 'normal_force_there_N'],
-      this.curves.flatMap(({ run, loop }) => {
-        const now = this.comparison.selection.indexIn(loop);
-        const there = loadsAt(loop, this.kind, now);
-        return loadsAt(loop, this.kind, loop.turning).map((load, i) => [run.label, loop.key, this.kind.name, i + 1, load, at(loop.increments, now), there[i]]);
+      this.curves.flatMap(({ run, cycle }) => {
+        const now = this.comparison.selection.indexIn(cycle);
+        const there = loadsAt(cycle, this.kind, now);
+        return loadsAt(cycle, this.kind, cycle.turning).map((load, i) => [run.label, cycle.key, this.kind.name, i + 1, load, at(cycle.increments, now), there[i]]);
       }),
     );
   }

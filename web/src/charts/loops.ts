@@ -1,5 +1,5 @@
 import type { EChartsType } from 'echarts/core';
-import { at, largest, type Branch, type Loop, type Run } from '../data/run';
+import { at, largest, type Branch, type Cycle, type Run } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import type { Comparison } from '../ui/comparison';
@@ -55,7 +55,7 @@ export interface LoopPanelContents {
   focus: () => Curve[];
 }
 
-/** Force over displacement: the hysteresis loops of several directions or runs, linked with the bearing. */
+/** Force over displacement: the hysteresis cycles of several directions or runs, linked with the bearing. */
 export class LoopPanel {
   readonly root: HTMLElement;
   private readonly forces: Force[];
@@ -87,7 +87,7 @@ export class LoopPanel {
         controls: this.forces.length > 1 ? [this.chooser()] : [],
         subject: () => `${this.force.title} over displacement · ${comparison.names}`,
         legend: () => [branchSample(true), branchSample(false), ...runLegend(comparison)],
-        file: () => fileName('loops', this.force.name, comparison.names, ...new Set(this.curves.map((curve) => curve.loop.name))),
+        file: () => fileName('loops', this.force.name, comparison.names, ...new Set(this.curves.map((curve) => curve.cycle.name))),
         drawing: () => this.chart.drawing,
         csv: () => this.csv(),
       },
@@ -107,13 +107,13 @@ export class LoopPanel {
   private read(): void {
     this.curves = this.contents.curves();
     this.series = this.contents.focus().flatMap((curve, i) =>
-      curve.loop.branches().map((branch, k) => ({ curve, branch, label: k === 0 ? i : undefined })),
+      curve.cycle.branches().map((branch, k) => ({ curve, branch, label: k === 0 ? i : undefined })),
     );
     this.scale();
   }
 
   private description(): string {
-    const peaks = this.contents.focus().map(({ label, loop }) => `${label} ${formatQuantity(loop.value('force_direct', loop.turning), 'N')}`);
+    const peaks = this.contents.focus().map(({ label, cycle }) => `${label} ${formatQuantity(cycle.value('force_direct', cycle.turning), 'N')}`);
     return `${this.contents.title}: ${this.force.title.toLowerCase()} over displacement; at full displacement ${peaks.join(', ')}`;
   }
 
@@ -135,18 +135,18 @@ export class LoopPanel {
   }
 
   /** What the axes must have room for. */
-  private get compared(): Loop[] {
-    return this.comparison.ownAxes ? this.curves.map(({ loop }) => loop) : this.comparison.shownLoops;
+  private get compared(): Cycle[] {
+    return this.comparison.ownAxes ? this.curves.map(({ cycle }) => cycle) : this.comparison.shownLoops;
   }
 
   private scale(): void {
-    this.across = scaleFor(largest(...this.compared.map((loop) => loop.values('displacement'))), 'm');
-    this.upwards = scaleFor(largest(...this.compared.map((loop) => loop.values(this.force.name))), 'N');
+    this.across = scaleFor(largest(...this.compared.map((cycle) => cycle.values('displacement'))), 'm');
+    this.upwards = scaleFor(largest(...this.compared.map((cycle) => cycle.values(this.force.name))), 'N');
   }
 
-  private points(loop: Loop, indices: number[]): Point[] {
+  private points(cycle: Cycle, indices: number[]): Point[] {
     const [across, upwards] = [this.across.factor, this.upwards.factor];
-    return indices.map((index) => [loop.value('displacement', index) * across, loop.value(this.force.name, index) * upwards]);
+    return indices.map((index) => [cycle.value('displacement', index) * across, cycle.value(this.force.name, index) * upwards]);
   }
 
   private option(current: Look, width: number): Option {
@@ -157,7 +157,7 @@ export class LoopPanel {
     const [upper, lower] = reach(compared, this.force.name, upwards);
     const perUnit = (this.height(width) - frame.top - frame.bottom) / (upper - lower);
     const focus = this.contents.focus();
-    const offsets = labelOffsets(focus.map(({ loop }) => -perUnit * at(this.points(loop, [loop.turning]), 0)[1]));
+    const offsets = labelOffsets(focus.map(({ cycle }) => -perUnit * at(this.points(cycle, [cycle.turning]), 0)[1]));
     return {
       grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, ...frame },
       xAxis: axis(current, axisTitle('Displacement', across), { min: left, max: right }),
@@ -176,7 +176,7 @@ export class LoopPanel {
             ...branchLook(current, curve, loading),
             symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? 7 : 0),
             showAllSymbol: true,
-            data: this.points(curve.loop, indices),
+            data: this.points(curve.cycle, indices),
             z: 4,
             ...(label !== undefined ? { endLabel: endLabel(curve, current, narrow, at(offsets, label)) } : {}),
           };
@@ -187,7 +187,7 @@ export class LoopPanel {
           silent: true,
           symbol: 'none',
           lineStyle: { color: curve.colour(current), width: 1.1, opacity: 0.75 },
-          data: this.points(curve.loop, curve.loop.increments.map((_, index) => index)),
+          data: this.points(curve.cycle, curve.cycle.increments.map((_, index) => index)),
           z: 3,
         })),
       ],
@@ -196,8 +196,8 @@ export class LoopPanel {
 
   /** Drawn as a family, without markers. */
   private others(): Curve[] {
-    const focus = new Set(this.contents.focus().map(({ loop }) => loop));
-    return this.curves.filter(({ loop }) => !focus.has(loop));
+    const focus = new Set(this.contents.focus().map(({ cycle }) => cycle));
+    return this.curves.filter(({ cycle }) => !focus.has(cycle));
   }
 
   private tip(seriesIndex: number, dataIndex: number): HTMLElement | string {
@@ -205,11 +205,11 @@ export class LoopPanel {
     const curve = series?.curve ?? this.others()[seriesIndex - this.series.length];
     const index = series ? series.branch.indices[dataIndex] : dataIndex;
     if (!curve || index === undefined) return '';
-    const { loop, label } = curve;
+    const { cycle, label } = curve;
     return tooltipBox(label, [
-      ['Increment', `${at(loop.increments, index)}, ${loop.isLoading(index) ? 'loading' : 'unloading'}`],
-      ['Displacement', formatQuantity(loop.value('displacement', index), 'm')],
-      ...this.forces.map(({ name, title }): [string, string] => [title, formatQuantity(loop.value(name, index), 'N')]),
+      ['Increment', `${at(cycle.increments, index)}, ${cycle.isLoading(index) ? 'loading' : 'unloading'}`],
+      ['Displacement', formatQuantity(cycle.value('displacement', index), 'm')],
+      ...this.forces.map(({ name, title }): [string, string] => [title, formatQuantity(cycle.value(name, index), 'N')]),
     ]);
   }
 
@@ -218,7 +218,7 @@ export class LoopPanel {
     const others = this.others();
     const drawn = [
       ...this.series.map(({ curve, branch }) => ({ curve, indices: branch.indices })),
-      ...others.map((curve) => ({ curve, indices: curve.loop.increments.map((_, index) => index) })),
+      ...others.map((curve) => ({ curve, indices: curve.cycle.increments.map((_, index) => index) })),
     ];
     // Axes are linear: two points tell where all others are.
     const [x0, y0] = this.chart.pixel(0, 0, 0);
@@ -226,7 +226,7 @@ export class LoopPanel {
     let found: { seriesIndex: number; dataIndex: number; curve: Curve; index: number } | undefined;
     let least = within ** 2;
     drawn.forEach(({ curve, indices }, seriesIndex) => {
-      this.points(curve.loop, indices).forEach(([px, py], dataIndex) => {
+      this.points(curve.cycle, indices).forEach(([px, py], dataIndex) => {
         const distance = (x0 + px * (x1 - x0) - x) ** 2 + (y0 + py * (y1 - y0) - y) ** 2;
         if (distance >= least) return;
         least = distance;
@@ -246,40 +246,40 @@ export class LoopPanel {
     area.on('globalout', () => instance.dispatchAction({ type: 'hideTip' }));
     area.on('click', (event) => {
       const point = this.nearest(event.offsetX, event.offsetY, 60);
-      if (point) this.comparison.selection.show({ run: point.curve.run, key: point.curve.loop.key, index: point.index });
+      if (point) this.comparison.selection.show({ run: point.curve.run, key: point.curve.cycle.key, index: point.index });
     });
   }
 
   private follow(): void {
-    const { loop, index, run } = this.comparison.selection;
-    const shown = loop.size > 0 && this.curves.some((curve) => curve.run === run && curve.loop === loop);
-    const [x, y] = shown ? at(this.points(loop, [index]), 0) : [0, 0];
+    const { cycle, index, run } = this.comparison.selection;
+    const shown = cycle.size > 0 && this.curves.some((curve) => curve.run === run && curve.cycle === cycle);
+    const [x, y] = shown ? at(this.points(cycle, [index]), 0) : [0, 0];
     this.chart.setCursors(shown ? [{ name: 'point', grid: 0, x, y }] : []);
   }
 
   private csv(): string {
     const names = this.forces.map(({ name }) => name);
-    const rows: Cell[][] = this.curves.flatMap(({ run, loop }) =>
-      loop.increments.map((increment, index) => [
+    const rows: Cell[][] = this.curves.flatMap(({ run, cycle }) =>
+      cycle.increments.map((increment, index) => [
         run.label,
-        loop.key,
+        cycle.key,
         increment,
-        loop.isLoading(index) ? 'loading' : 'unloading',
-        ...['displacement', ...names].map((name) => loop.value(name, index)),
+        cycle.isLoading(index) ? 'loading' : 'unloading',
+        ...['displacement', ...names].map((name) => cycle.value(name, index)),
       ]),
     );
     return toCsv(
-      ['run', at(this.comparison.runs, 0).kind.loops.column, 'increment', 'branch', 'displacement_m', ...names.map((name) => `${name}_N`)],
+      ['run', at(this.comparison.runs, 0).kind.cycles.column, 'increment', 'branch', 'displacement_m', ...names.map((name) => `${name}_N`)],
       rows,
     );
   }
 }
 
 /** Round numbers around all values, with 0 between them. */
-function reach(loops: Loop[], name: string, scale: Scale): [number, number] {
+function reach(cycles: Cycle[], name: string, scale: Scale): [number, number] {
   let [most, least] = [0, 0];
-  for (const loop of loops) {
-    for (const value of loop.values(name)) {
+  for (const cycle of cycles) {
+    for (const value of cycle.values(name)) {
       if (value > most) most = value;
       if (value < least) least = value;
     }

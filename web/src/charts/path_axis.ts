@@ -1,4 +1,4 @@
-import type { Loop } from '../data/run';
+import type { Cycle } from '../data/run';
 import { axisTitle, scaleFor, type Scale } from '../data/units';
 import type { Look } from '../ui/theme';
 import { axis, tickText } from './chart';
@@ -11,19 +11,19 @@ export class PathAxis {
   /** One push from the start and the way back, the same for all. */
   private readonly same: boolean;
 
-  constructor(loops: Loop[]) {
-    this.amplitude = Math.max(0, ...loops.map((loop) => loop.amplitude));
-    this.same = loops.every(
-      (loop) =>
-        loop.amplitude === this.amplitude && loop.lastIncrement === 2 * loop.steps && loop.value('displacement', 0) === 0,
+  constructor(cycles: Cycle[]) {
+    this.amplitude = Math.max(0, ...cycles.map((cycle) => cycle.amplitude));
+    this.same = cycles.every(
+      (cycle) =>
+        cycle.amplitude === this.amplitude && cycle.lastIncrement === 2 * cycle.steps && cycle.value('displacement', 0) === 0,
     );
-    const ways = loops.map((loop) => loop.path(loop.size - 1)).filter(Number.isFinite);
+    const ways = cycles.map((cycle) => cycle.path(cycle.size - 1)).filter(Number.isFinite);
     this.end = this.same ? 2 * this.amplitude : Math.max(0, ...ways);
     this.scale = scaleFor(this.amplitude, 'm');
   }
 
-  position(loop: Loop, index: number): number {
-    return loop.path(index) * this.scale.factor;
+  position(cycle: Cycle, index: number): number {
+    return cycle.path(index) * this.scale.factor;
   }
 
   private get turning(): number {

@@ -1,4 +1,4 @@
-import { at, contactStates, type ContactState, type Interface, type Loop } from '../data/run';
+import { at, contactStates, type ContactState, type Interface, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
@@ -34,11 +34,11 @@ export class StatePanel {
   private readonly panel: Panel;
   private path: PathAxis;
   private stretches: Stretch[][] = [];
-  private loop: Loop;
+  private cycle: Cycle;
 
   constructor(private readonly selection: Selection) {
-    this.loop = selection.loop;
-    this.path = new PathAxis([this.loop]);
+    this.cycle = selection.cycle;
+    this.path = new PathAxis([this.cycle]);
     this.chart = new Chart(
       () => `Contact states of every bump along the path, at each interface; ${this.subject}`,
       () => this.layout().height,
@@ -49,7 +49,7 @@ export class StatePanel {
         title: 'Contact states along the path',
         subject: () => this.subject,
         legend: () => contactStates.map(stateSample),
-        file: () => fileName('contact-states', selection.run.label, this.loop.name),
+        file: () => fileName('contact-states', selection.run.label, this.cycle.name),
         drawing: () => this.chart.drawing,
         csv: () => this.csv(),
       },
@@ -62,7 +62,7 @@ export class StatePanel {
   }
 
   private get subject(): string {
-    return `${this.selection.run.label} · ${this.loop.name}`;
+    return `${this.selection.run.label} · ${this.cycle.name}`;
   }
 
   private get interfaces(): Interface[] {
@@ -70,13 +70,13 @@ export class StatePanel {
   }
 
   private read(): void {
-    this.loop = this.selection.loop;
-    this.path = new PathAxis([this.loop]);
-    this.stretches = this.interfaces.map(({ name }) => stretchesOf(this.loop, name));
+    this.cycle = this.selection.cycle;
+    this.path = new PathAxis([this.cycle]);
+    this.stretches = this.interfaces.map(({ name }) => stretchesOf(this.cycle, name));
   }
 
   private follow(): void {
-    if (this.loop !== this.selection.loop) {
+    if (this.cycle !== this.selection.cycle) {
       this.read();
       this.panel.refresh();
       this.chart.fit();
@@ -85,13 +85,13 @@ export class StatePanel {
   }
 
   private setCursors(): void {
-    if (this.loop.size === 0) return;
-    const x = this.path.position(this.loop, this.selection.index);
+    if (this.cycle.size === 0) return;
+    const x = this.path.position(this.cycle, this.selection.index);
     this.chart.setCursors(this.interfaces.map((_, grid) => ({ name: 'line', grid, x })));
   }
 
   private nodes(interfaceIndex: number): number {
-    return Math.max(1, this.loop.states(at(this.interfaces, interfaceIndex).name).width);
+    return Math.max(1, this.cycle.states(at(this.interfaces, interfaceIndex).name).width);
   }
 
   /** Places of the three maps, one above the other. */
@@ -159,8 +159,8 @@ export class StatePanel {
 
   /** From half-way since the increment before to half-way to the next. */
   private extent({ first, last }: Stretch): [number, number] {
-    const position = (index: number): number => this.path.position(this.loop, index);
-    const end = this.loop.size - 1;
+    const position = (index: number): number => this.path.position(this.cycle, index);
+    const end = this.cycle.size - 1;
     return [
       first === 0 ? position(0) : 0.5 * (position(first - 1) + position(first)),
       last === end ? position(end) : 0.5 * (position(last) + position(last + 1)),
@@ -171,7 +171,7 @@ export class StatePanel {
     const { node, title } = at(this.interfaces, interfaceIndex);
     const stretch = at(at(this.stretches, interfaceIndex), dataIndex);
     const where = (index: number): string =>
-      `${formatQuantity(this.loop.value('displacement', index), 'm')}, ${this.loop.isLoading(index) ? 'loading' : 'unloading'}`;
+      `${formatQuantity(this.cycle.value('displacement', index), 'm')}, ${this.cycle.isLoading(index) ? 'loading' : 'unloading'}`;
     return tooltipBox(`${node === 'foot' ? 'Foot' : 'Bump'} ${stretch.node + 1}: ${stretch.state}`, [
       ['Interface', title],
       ['From', where(stretch.first)],
@@ -180,17 +180,17 @@ export class StatePanel {
   }
 
   private csv(): string {
-    const { loop } = this;
+    const { cycle } = this;
     return toCsv(
-      ['run', this.selection.run.kind.loops.column, 'increment', 'displacement_m', 'interface', 'node', 'state'],
+      ['run', this.selection.run.kind.cycles.column, 'increment', 'displacement_m', 'interface', 'node', 'state'],
       this.interfaces.flatMap(({ name }) => {
-        const states = loop.states(name);
-        return loop.increments.flatMap((increment, index) =>
+        const states = cycle.states(name);
+        return cycle.increments.flatMap((increment, index) =>
           Array.from({ length: states.width }, (_, node) => [
             this.selection.run.label,
-            loop.key,
+            cycle.key,
             increment,
-            loop.value('displacement', index),
+            cycle.value('displacement', index),
             name,
             node + 1,
             contactStates[states.at(index, node)],

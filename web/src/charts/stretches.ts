@@ -1,4 +1,4 @@
-import { contactStates, type ContactState, type Loop } from '../data/run';
+import { contactStates, type ContactState, type Cycle } from '../data/run';
 
 /** Successive increments of a contact with the same state; `first` to `last` are indices. */
 export interface Stretch {
@@ -9,12 +9,12 @@ export interface Stretch {
 }
 
 /** States of an interface along the path, without the open ones. */
-export function stretchesOf(loop: Loop, interfaceName: string): Stretch[] {
-  const states = loop.states(interfaceName);
+export function stretchesOf(cycle: Cycle, interfaceName: string): Stretch[] {
+  const states = cycle.states(interfaceName);
   const stretches: Stretch[] = [];
   for (let node = 0; node < states.width; node += 1) {
     let current: Stretch | undefined;
-    for (let index = 0; index < loop.size; index += 1) {
+    for (let index = 0; index < cycle.size; index += 1) {
       const state = contactStates[states.at(index, node)];
       if (current && current.state === state) {
         current.last = index;

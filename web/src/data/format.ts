@@ -24,7 +24,7 @@ export interface RunData {
   last_increment: number;
   /** What tables show of the summary, in their order. */
   quantities: Quantity[];
-  loops: LoopData[];
+  cycles: CycleData[];
 }
 
 export interface Meaning {
@@ -55,7 +55,7 @@ export interface Quantity {
 }
 
 /** Values are base64: of binary32, of signed bytes for states and other flags. */
-export interface LoopData {
+export interface CycleData {
   at: number;
   increments: number[];
   series: Record<string, string>;

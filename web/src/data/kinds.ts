@@ -4,8 +4,8 @@ export interface Kind {
   /** In the titles of sections, where there are results of other kinds, too. */
   name: string;
   title: string;
-  /** What its loops are: the title of a list of them, the column of files, the name of each. */
-  loops: { title: string; column: string; name: (key: number) => string };
+  /** What its cycles are: the title of a list of them, the column of files, the name of each. */
+  cycles: { title: string; column: string; name: (key: number) => string };
   /** What is pushed into the foils, and what they rest on. */
   mover: string;
   ground: string;
@@ -25,7 +25,7 @@ export const kinds: Record<string, Kind> = {
   cycle: {
     name: 'bearing',
     title: 'Loops and bearing',
-    loops: { title: 'Direction', column: 'direction_deg', name: directionName },
+    cycles: { title: 'Direction', column: 'direction_deg', name: directionName },
     mover: 'journal',
     ground: 'sleeve',
     force: 'Direct force',
@@ -34,7 +34,7 @@ export const kinds: Record<string, Kind> = {
   strip: {
     name: 'strip',
     title: 'Loops and strip',
-    loops: { title: 'Cycle', column: 'cycle', name: (number) => `Cycle ${number}` },
+    cycles: { title: 'Cycle', column: 'cycle', name: (number) => `Cycle ${number}` },
     mover: 'plate',
     ground: 'base',
     force: 'Load',

@@ -1,18 +1,18 @@
-/** How runs and their loops ended, in words. */
+/** How runs and their cycles ended, in words. */
 import type { CycleSummary } from './format';
-import { at, type Loop, type Run } from './run';
+import { at, type Cycle, type Run } from './run';
 import { formatQuantity } from './units';
 
-/** What keeps a loop from being complete; undefined where nothing does. */
-export function shortfallOf(run: Run, loop: Loop): string | undefined {
-  const { summary, size, lastIncrement } = loop;
+/** What keeps a cycle from being complete; undefined where nothing does. */
+export function shortfallOf(run: Run, cycle: Cycle): string | undefined {
+  const { summary, size, lastIncrement } = cycle;
   if (!summary) return run.data.summary.status === 'interrupted' ? 'not begun: the run was interrupted before' : 'not begun';
   if (summary.converged) return undefined;
   const { status, failed_increment: failed, failed_displacement_m: displacement, reason } = summary;
   if (status === 'interrupted' || (status === undefined && run.data.summary.status === 'interrupted')) {
     return size === 0
       ? 'interrupted before the first increment'
-      : `interrupted after increment ${at(loop.increments, size - 1)} of ${lastIncrement}, ${formatQuantity(loop.value('displacement', size - 1), 'm', 3)}`;
+      : `interrupted after increment ${at(cycle.increments, size - 1)} of ${lastIncrement}, ${formatQuantity(cycle.value('displacement', size - 1), 'm', 3)}`;
   }
   const why = typeof reason === 'string' ? `: ${reason}` : '';
   if (typeof failed !== 'number') return `failed${why}`;
@@ -39,9 +39,9 @@ export function warningsOf(run: Run): string[] {
   const warnings: string[] = [];
   const outcome = outcomeOf(run);
   if (outcome !== '') warnings.push(`The run ${outcome === 'failed' ? 'failed' : 'was interrupted'}; its results are partial.`);
-  for (const loop of run.loops) {
-    const { name, size, summary, increments } = loop;
-    const shortfall = shortfallOf(run, loop);
+  for (const cycle of run.cycles) {
+    const { name, size, summary, increments } = cycle;
+    const shortfall = shortfallOf(run, cycle);
     if (shortfall !== undefined) warnings.push(`${name}: ${shortfall}.`);
     if (summary) warnings.push(...ownWarnings(summary).map((warning) => `${name}: ${warning}.`));
     const stride = size > 1 && at(increments, 1) > 1 ? at(increments, 1) : 0;

@@ -1,7 +1,7 @@
 import { quantitiesOf, withClearances } from './clearances';
 import { kinds, type Kind } from './kinds';
 import { decodeFlags, decodeNumbers } from './decode';
-import type { CycleSummary, LoopData, Quantity, ReportData, RunData } from './format';
+import type { CycleSummary, CycleData, Quantity, ReportData, RunData } from './format';
 
 /** States of a contact, in the order of their flags. */
 export const contactStates = ['open', 'stick', 'slip forward', 'slip backward'] as const;
@@ -41,7 +41,7 @@ export interface Branch {
 }
 
 /** One direction of a bearing or cycle of a strip: what was computed of it, increment by increment. Indices count the increments kept. */
-export class Loop {
+export class Cycle {
   /** The direction in degrees, or the number of the cycle. */
   readonly key: number;
   readonly increments: number[];
@@ -51,12 +51,12 @@ export class Loop {
   private readonly flags = new Map<string, Field<Int8Array>>();
 
   constructor(
-    private readonly data: LoopData,
+    private readonly data: CycleData,
     private readonly nodes: RunData['nodes'],
     /** Number of the last increment that was asked for. */
     readonly lastIncrement: number,
     readonly name: string,
-    /** Absent if the loop was never begun. */
+    /** Absent if the cycle was never begun. */
     readonly summary: CycleSummary | undefined,
     /** Of the turning point. */
     readonly steps: number,
@@ -154,7 +154,7 @@ export function capital(word: string): string {
 /** The results of one folder. */
 export class Run {
   readonly kind: Kind;
-  readonly loops: Loop[];
+  readonly cycles: Cycle[];
   /** What tables show of a cycle, in their order. */
   readonly quantities: Quantity[];
 
@@ -163,19 +163,19 @@ export class Run {
     if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
     this.kind = kind;
     this.quantities = quantitiesOf(data);
-    const cycle = data.summary.case[data.kind] as { amplitude?: number; steps?: number } | undefined;
-    this.loops = data.loops.map((loop, i) => {
+    const settings = data.summary.case[data.kind] as { amplitude?: number; steps?: number } | undefined;
+    this.cycles = data.cycles.map((cycle, i) => {
       const cycleSummary = data.summary.cycles[i];
       const summary = cycleSummary && withClearances(cycleSummary);
-      const steps = summary?.steps ?? cycle?.steps ?? 0;
-      return new Loop(loop, data.nodes, data.last_increment, kind.loops.name(loop.at), summary, steps, summary?.amplitude_m ?? cycle?.amplitude ?? 0);
+      const steps = summary?.steps ?? settings?.steps ?? 0;
+      return new Cycle(cycle, data.nodes, data.last_increment, kind.cycles.name(cycle.at), summary, steps, summary?.amplitude_m ?? settings?.amplitude ?? 0);
     });
   }
 
   /** From the mover outwards; where it presses on the bumps themselves, without a top foil. */
   get interfaces(): Interface[] {
     const { mover, ground } = this.kind;
-    const withTopFoil = this.loops.some((loop) => (loop.states('journal_top').values[0] ?? -1) >= 0);
+    const withTopFoil = this.cycles.some((cycle) => (cycle.states('journal_top').values[0] ?? -1) >= 0);
     const upper: Interface[] = withTopFoil
       ? [
           { name: 'journal_top', title: `${capital(mover)} on top foil`, node: 'bump' },
@@ -214,8 +214,8 @@ export class Run {
     return Array.isArray(value) ? value.map((number) => number ?? 0) : [];
   }
 
-  loop(key: number): Loop | undefined {
-    return this.loops.find((loop) => loop.key === key);
+  cycle(key: number): Cycle | undefined {
+    return this.cycles.find((cycle) => cycle.key === key);
   }
 }
 
@@ -223,9 +223,9 @@ export function readRuns(report: ReportData): Run[] {
   return report.runs.map((run) => new Run(run));
 }
 
-/** Keys of the loops of all runs, each once, in their order. */
+/** Keys of the cycles of all runs, each once, in their order. */
 export function allKeys(runs: Run[]): number[] {
-  return [...new Set(runs.flatMap((run) => run.loops.map((loop) => loop.key)))];
+  return [...new Set(runs.flatMap((run) => run.cycles.map((cycle) => cycle.key)))];
 }
 
 /** Largest size of numbers that are known; 0 if none is. */

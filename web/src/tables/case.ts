@@ -60,9 +60,9 @@ function csv(runs: Run[]): string {
 
 /** Where a run comes from, and how it ended. */
 function provenance(run: Run): HTMLElement {
-  const shortfalls = run.loops.flatMap((loop) => {
-    const shortfall = shortfallOf(run, loop);
-    return shortfall === undefined ? [] : [`${loop.name}: ${shortfall}`];
+  const shortfalls = run.cycles.flatMap((cycle) => {
+    const shortfall = shortfallOf(run, cycle);
+    return shortfall === undefined ? [] : [`${cycle.name}: ${shortfall}`];
   });
   const rows: [string, string][] = [
     ['Made by', run.attribute('source')],

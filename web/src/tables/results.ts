@@ -16,13 +16,13 @@ interface Column {
   values: Partial<CycleSummary>;
 }
 
-/** A loop of every run that has it: the reference first. */
+/** A cycle of every run that has it: the reference first. */
 function columnsOf(runs: Run[], reference: Run, keys: number[]): Column[] {
   const order = [...runs].sort((a, b) => Number(b === reference) - Number(a === reference));
   return keys.flatMap((key) =>
     order.flatMap((run) => {
-      const loop = run.loop(key);
-      return loop ? [{ run, key, values: loop.summary ?? {} }] : [];
+      const cycle = run.cycle(key);
+      return cycle ? [{ run, key, values: cycle.summary ?? {} }] : [];
     }),
   );
 }
@@ -120,9 +120,9 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
   const { kind } = at(comparison.runs, 0);
   const { several, selection } = comparison;
   const place = el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of results' });
-  let key = selection.loop.key;
+  let key = selection.cycle.key;
   const columns = (): Column[] => columnsOf(comparison.shown, comparison.reference, several ? [key] : keys);
-  const fill = (): void => place.replaceChildren(table(columns(), several ? comparison.reference : undefined, kind.loops.name));
+  const fill = (): void => place.replaceChildren(table(columns(), several ? comparison.reference : undefined, kind.cycles.name));
   const controls: HTMLElement[] = [];
   const references = dropDown(
     'Reference run',
@@ -130,9 +130,9 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
     (reference) => comparison.set({ reference }),
   );
   if (several) {
-    const options = keys.map((value) => ({ value, text: kind.loops.name(value) }));
+    const options = keys.map((value) => ({ value, text: kind.cycles.name(value) }));
     controls.push(
-      choice(`${kind.loops.title} of the results`, options, key, (chosen) => {
+      choice(`${kind.cycles.title} of the results`, options, key, (chosen) => {
         key = chosen;
         panel.refresh();
         fill();
@@ -142,11 +142,11 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
   }
   const panel = new Panel(
     {
-      title: `Results by ${kind.loops.title.toLowerCase()}`,
+      title: `Results by ${kind.cycles.title.toLowerCase()}`,
       controls,
-      subject: () => (several ? `${kind.loops.name(key)} · ${comparison.names} · reference ${comparison.reference.label}` : comparison.names),
+      subject: () => (several ? `${kind.cycles.name(key)} · ${comparison.names} · reference ${comparison.reference.label}` : comparison.names),
       file: () => fileName('results', comparison.names),
-      csv: () => csv(columnsOf(comparison.shown, comparison.reference, keys), several, kind.loops.name),
+      csv: () => csv(columnsOf(comparison.shown, comparison.reference, keys), several, kind.cycles.name),
     },
     place,
   );

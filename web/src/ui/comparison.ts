@@ -1,4 +1,4 @@
-import { at, type Loop, type Run } from '../data/run';
+import { at, type Cycle, type Run } from '../data/run';
 import type { SweptKey } from '../data/case_values';
 import type { Selection } from './selection';
 import { rampColour, type Look } from './theme';
@@ -55,8 +55,8 @@ export class Comparison {
     return this.runs.filter((run) => run === this.reference || run === this.selection.run);
   }
 
-  get shownLoops(): Loop[] {
-    return this.shown.flatMap((run) => run.loops.filter((loop) => loop.size > 0));
+  get shownLoops(): Cycle[] {
+    return this.shown.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
   }
 
   isShown(run: Run): boolean {

@@ -1,17 +1,17 @@
-import { at, type Loop, type Run } from '../data/run';
+import { at, type Cycle, type Run } from '../data/run';
 
 /** What the reader looks at: a run, one of its directions, and an increment of that. All views follow it. */
 export class Selection {
   run: Run;
-  loop: Loop;
+  cycle: Cycle;
   /** Of the increments kept. */
   index: number;
   private readonly listeners: (() => void)[] = [];
 
   constructor(readonly runs: Run[]) {
-    this.run = runs.find((run) => run.loops.some((loop) => loop.size > 0)) ?? at(runs, 0);
-    this.loop = this.run.loops.find((loop) => loop.size > 0) ?? at(this.run.loops, 0);
-    this.index = this.loop.turning;
+    this.run = runs.find((run) => run.cycles.some((cycle) => cycle.size > 0)) ?? at(runs, 0);
+    this.cycle = this.run.cycles.find((cycle) => cycle.size > 0) ?? at(this.run.cycles, 0);
+    this.index = this.cycle.turning;
   }
 
   onChange(listener: () => void): void {
@@ -19,24 +19,24 @@ export class Selection {
   }
 
   /** Shows an increment; the same part of the way when run or direction change alone. */
-  show({ run = this.run, key = this.loop.key, index }: { run?: Run; key?: number; index?: number }): void {
-    const loop = run.loop(key) ?? at(run.loops, 0);
-    const wanted = index ?? this.sameWay(loop);
+  show({ run = this.run, key = this.cycle.key, index }: { run?: Run; key?: number; index?: number }): void {
+    const cycle = run.cycle(key) ?? at(run.cycles, 0);
+    const wanted = index ?? this.sameWay(cycle);
     this.run = run;
-    this.loop = loop;
-    this.index = Math.min(Math.max(0, wanted), Math.max(0, loop.size - 1));
+    this.cycle = cycle;
+    this.index = Math.min(Math.max(0, wanted), Math.max(0, cycle.size - 1));
     for (const listener of this.listeners) listener();
   }
 
-  /** The increment of another loop at the same part of the way. */
-  indexIn(loop: Loop): number {
-    return Math.min(this.sameWay(loop), Math.max(0, loop.size - 1));
+  /** The increment of another cycle at the same part of the way. */
+  indexIn(cycle: Cycle): number {
+    return Math.min(this.sameWay(cycle), Math.max(0, cycle.size - 1));
   }
 
-  private sameWay(loop: Loop): number {
-    if (loop === this.loop || this.loop.size === 0) return this.index;
-    const way = at(this.loop.increments, this.index) / Math.max(1, this.loop.steps);
-    const next = loop.increments.findIndex((increment) => increment >= way * loop.steps);
-    return next >= 0 ? next : loop.size - 1;
+  private sameWay(cycle: Cycle): number {
+    if (cycle === this.cycle || this.cycle.size === 0) return this.index;
+    const way = at(this.cycle.increments, this.index) / Math.max(1, this.cycle.steps);
+    const next = cycle.increments.findIndex((increment) => increment >= way * cycle.steps);
+    return next >= 0 ? next : cycle.size - 1;
   }
 }

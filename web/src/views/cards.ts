@@ -1,6 +1,6 @@
 import { shortfallOf } from '../data/outcome';
 import type { Quantity } from '../data/format';
-import { at, type Loop, type Run } from '../data/run';
+import { at, type Cycle, type Run } from '../data/run';
 import { formatNumber, formatQuantity } from '../data/units';
 import type { Comparison } from '../ui/comparison';
 import { el } from '../ui/dom';
@@ -20,26 +20,26 @@ function quantitiesOf(runs: Run[], several: boolean): Quantity[] {
   return all.filter((quantity, i) => all.findIndex(({ key, label }) => key === quantity.key && label === quantity.label) === i);
 }
 
-function valueText(run: Run, loop: Loop, { key, label, unit }: Quantity): string {
+function valueText(run: Run, cycle: Cycle, { key, label, unit }: Quantity): string {
   const has = run.quantities.some((quantity) => quantity.key === key && quantity.label === label);
-  const number = has ? numberOf(loop.summary?.[key]) : null;
+  const number = has ? numberOf(cycle.summary?.[key]) : null;
   return unit === '' ? formatNumber(number, 3) : formatQuantity(number, unit, 3);
 }
 
-/** The main results of one loop; in columns where there are several runs. */
-function result(comparison: Comparison, run: Run, loop: Loop, quantities: Quantity[]): HTMLElement {
+/** The main results of one cycle; in columns where there are several runs. */
+function result(comparison: Comparison, run: Run, cycle: Cycle, quantities: Quantity[]): HTMLElement {
   const { several } = comparison;
   const colour = el('span', { class: 'key' });
-  const curve = curvesOfRun(run).find((one) => one.loop === loop);
+  const curve = curvesOfRun(run).find((one) => one.cycle === cycle);
   colour.style.backgroundColor = (several ? comparison.colour(run, look()) : curve?.colour(look())) ?? 'transparent';
-  const shortfall = shortfallOf(run, loop);
-  const [first, ...rest] = quantities.map((quantity) => ({ quantity, text: valueText(run, loop, quantity) }));
+  const shortfall = shortfallOf(run, cycle);
+  const [first, ...rest] = quantities.map((quantity) => ({ quantity, text: valueText(run, cycle, quantity) }));
   const words = (one: { quantity: Quantity; text: string }): string => (several ? one.text : `${one.quantity.label} ${one.text}`);
   const small = rest.map((one) => el('span', { title: one.quantity.meaning }, words(one)));
   return el(
     'span',
     { class: 'result' },
-    el('span', { class: 'who' }, colour, several ? run.label : loop.name),
+    el('span', { class: 'who' }, colour, several ? run.label : cycle.name),
     el('strong', { title: first ? `${first.quantity.label}: ${first.quantity.meaning}` : '' }, first?.text ?? '–'),
     ...(several ? small : [el('small', { class: 'headline' }, first?.quantity.label ?? ''), el('small', {}, ...small)]),
     ...(shortfall === undefined ? [] : [el('small', { class: 'shortfall' }, shortfall.split(':')[0] ?? '')]),
@@ -56,15 +56,15 @@ export function cards(keys: number[], comparison: Comparison): HTMLElement {
     const fill = (): void => {
       const quantities = quantitiesOf(comparison.focus, several);
       const results = comparison.focus.flatMap((run) => {
-        const loop = run.loop(key);
-        return loop ? [result(comparison, run, loop, quantities)] : [];
+        const cycle = run.cycle(key);
+        return cycle ? [result(comparison, run, cycle, quantities)] : [];
       });
       card.style.setProperty('--columns', String(quantities.length));
       const columns = quantities.map(({ label }) => el('span', { class: 'column' }, label));
-      const heading = several ? [el('span', { class: 'heading' }, kind.loops.name(key)), ...columns] : [];
+      const heading = several ? [el('span', { class: 'heading' }, kind.cycles.name(key)), ...columns] : [];
       card.replaceChildren(...heading, ...results);
     };
-    const follow = (): void => card.setAttribute('aria-pressed', String(key === selection.loop.key));
+    const follow = (): void => card.setAttribute('aria-pressed', String(key === selection.cycle.key));
     comparison.onChange(fill);
     onLookChange(fill);
     selection.onChange(follow);
@@ -72,5 +72,5 @@ export function cards(keys: number[], comparison: Comparison): HTMLElement {
     follow();
     return card;
   });
-  return roving(el('div', { class: 'cards', role: 'group', 'aria-label': `${kind.loops.title}: main results` }, ...buttons));
+  return roving(el('div', { class: 'cards', role: 'group', 'aria-label': `${kind.cycles.title}: main results` }, ...buttons));
 }

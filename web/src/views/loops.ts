@@ -16,7 +16,7 @@ import { Selection } from '../ui/selection';
 import { cards } from './cards';
 import { runChooser } from './chooser';
 
-/** The loops of one run in one chart; of several in one for each direction, in the same axes. */
+/** The cycles of one run in one chart; of several in one for each direction, in the same axes. */
 function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
   const run = at(comparison.runs, 0);
   if (!comparison.several) {
@@ -27,7 +27,7 @@ function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
     (key) =>
       new LoopPanel(
         {
-          title: `Loops, ${run.kind.loops.name(key)}`,
+          title: `Loops, ${run.kind.cycles.name(key)}`,
           curves: () => curvesOf(comparison, key, comparison.shown),
           focus: () => curvesOf(comparison, key, comparison.focus),
         },
@@ -37,7 +37,7 @@ function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
 }
 
 /**
- * Sections of the report on loops, of a bearing or of a strip, and the bar that moves along them.
+ * Sections of the report on cycles, of a bearing or of a strip, and the bar that moves along them.
  * @param alone  whether there is no other view, from whose sections these are to be told
  */
 export function loopView(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLElement[] {
@@ -52,10 +52,10 @@ export function loopView(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLE
     part('results', 'Results', resultTable(comparison, keys)),
     part('case', 'Case and origin', caseSection(comparison, caseKeys)),
   ];
-  const begun = keys.filter((key) => runs.some((run) => (run.loop(key)?.size ?? 0) > 0));
+  const begun = keys.filter((key) => runs.some((run) => (run.cycle(key)?.size ?? 0) > 0));
   if (begun.length === 0) return ends;
-  const named = begun.map((key) => ({ key, name: kind.loops.name(key) }));
-  const loops = loopPanels(comparison, begun);
+  const named = begun.map((key) => ({ key, name: kind.cycles.name(key) }));
+  const cycles = loopPanels(comparison, begun);
   const bearing = new BearingPanels(selection);
   const section = stresses(comparison.shownLoops);
   const sameAxes = comparison.several
@@ -71,7 +71,7 @@ export function loopView(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLE
       el(
         'div',
         { class: 'beside' },
-        el('div', { class: comparison.several ? 'multiples' : 'single' }, ...loops.map((loop) => loop.root)),
+        el('div', { class: comparison.several ? 'multiples' : 'single' }, ...cycles.map((cycle) => cycle.root)),
         el('div', { class: 'in-sight' }, kind.flat ? bearing.unwrapped : bearing.round),
       ),
       ...(kind.flat ? [] : [bearing.unwrapped]),
