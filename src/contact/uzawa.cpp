@@ -51,7 +51,12 @@ UzawaOptions uzawa_options_for(const ContactProblem& problem) {
   BUMPFOIL_ASSERT(k > 0.0);
   const double eps_alm = 4.5 * k;
   const double length = 6.5e-6 * problem.force_scale / k;
-  return {.eps_alm = eps_alm, .eps_f = 1e2 * eps_alm, .eps_r = 1e4 * eps_alm, .tau_f = length, .gap_tolerance = length};
+  return {.eps_alm = eps_alm,
+          .eps_f = 1e2 * eps_alm,
+          .eps_r = 1e4 * eps_alm,
+          .tau_f = length,
+          .gap_tolerance = length,
+          .max_contact_updates = UzawaOptions{}.max_contact_updates + problem.contacts()};
 }
 
 struct UzawaSolver::Workspace {

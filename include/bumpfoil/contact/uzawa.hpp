@@ -32,11 +32,12 @@ struct UzawaOptions {
   int max_newton_steps{100};        ///< for one set of sticking contacts
 };
 
-/// The four parameters and the gap tolerance that suit a problem. With k the mean stiffness (diagonal of K) of what
-/// meets at a contact with friction, across it, and F = ContactProblem::force_scale,
+/// The four parameters, the gap tolerance and the number of contact updates that suit a problem. With k the mean
+/// stiffness (diagonal of K) of what meets at a contact with friction, across it, and F = ContactProblem::force_scale,
 ///
 ///     eps_alm = 4.5 k,   eps_f = 100 eps_alm,   eps_r = 1e4 eps_alm,   tau_f = gap_tolerance = 6.5e-6 F / k
 ///
+/// and max_contact_updates lets each contact change once more, alone: changes run along the foils, bump after bump.
 /// For the truss of the reference bearing k is 22 MN/m, F / k 15 um.
 UzawaOptions uzawa_options_for(const ContactProblem& problem);
 

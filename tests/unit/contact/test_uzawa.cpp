@@ -49,6 +49,7 @@ TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   EXPECT_DOUBLE_EQ(found.eps_r, 4.5e10);
   EXPECT_DOUBLE_EQ(found.tau_f, 6.5e-11);
   EXPECT_DOUBLE_EQ(found.gap_tolerance, 6.5e-11);
+  EXPECT_EQ(found.max_contact_updates, 61);
   problem.force_scale = 40.0;
   EXPECT_DOUBLE_EQ(uzawa_options_for(problem).tau_f, 2.6e-10);
 
@@ -224,13 +225,31 @@ TEST(Uzawa, OpensManyContactsAtOnce) {
 /// Three springs coupled so that contacts that change all at once go round for ever: all closed, the first alone, the
 /// second alone, all closed. After twelve such changes they are all closed again, and change one at a time: the third
 /// opens, which pulls hardest, and the other two hold. Thus the fourteenth round finds nothing to change.
-TEST(Uzawa, ChangesOneContactAtATimeWhereTheyGoRoundTogether) {
+/// `blocks` of three springs coupled so that contacts that change all at once go round for ever: all closed, the first
+/// alone, the second alone, all closed. The fourth unknown slides freely.
+ContactProblem going_round(int blocks) {
   ContactProblem problem;
-  problem.K = BlockTridiagonal(1, 3);
-  problem.K.diagonal[0] = (Matrix(3, 3) << 6.0, -5.0, -7.0, -5.0, 14.0, 13.0, -7.0, 13.0, 14.0).finished() * stiffness;
-  problem.pairs = {{.plus = 0}, {.plus = 1}, {.plus = 2}};
+  problem.K = BlockTridiagonal(blocks, 4);
+  for (Matrix& K : problem.K.diagonal) {
+    K.topLeftCorner(3, 3) << 6.0, -5.0, -7.0, -5.0, 14.0, 13.0, -7.0, 13.0, 14.0;
+    K(3, 3) = 1.0;
+    K *= stiffness;
+  }
+  problem.pairs = {{.plus = 0, .tangential = 3}, {.plus = 1, .tangential = 3}, {.plus = 2, .tangential = 3}};
+  return problem;
+}
+
+ContactLoading loading_that_goes_round(const ContactProblem& problem) {
   ContactLoading loading = ContactLoading::none(problem);
-  loading.load << -5.0, 1.0, 5.0;
+  for (int block = 0; block < problem.K.blocks(); ++block) loading.load.segment(4 * block, 3) << -5.0, 1.0, 5.0;
+  return loading;
+}
+
+/// After twelve changes of all at once they are all closed again, and change one at a time: the third opens, which
+/// pulls hardest, and the other two hold. Thus the fourteenth round finds nothing to change.
+TEST(Uzawa, ChangesOneContactAtATimeWhereTheyGoRoundTogether) {
+  const ContactProblem problem = going_round(1);
+  const ContactLoading loading = loading_that_goes_round(problem);
   const ContactState start = ContactState::unstressed(problem);
   UzawaOptions limited = options;
   limited.max_contact_updates = 14;
@@ -238,6 +257,14 @@ TEST(Uzawa, ChangesOneContactAtATimeWhereTheyGoRoundTogether) {
   ASSERT_TRUE(solved.report.converged());
   limited.max_contact_updates = 13;
   EXPECT_FALSE(solve(problem, loading, start, limited).report.converged());
+}
+
+/// Sixty such blocks need 12 + 60 + 1 rounds; a number that does not grow with the contacts would not do.
+TEST(Uzawa, HasRoundsEnoughForOneContactAtATime) {
+  const ContactProblem problem = going_round(60);
+  const Solved solved =
+      solve(problem, loading_that_goes_round(problem), ContactState::unstressed(problem), uzawa_options_for(problem));
+  EXPECT_TRUE(solved.report.converged());
 }
 
 }  // namespace
