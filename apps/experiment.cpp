@@ -29,18 +29,6 @@ struct ExperimentOptions {
   bool force{};
 };
 
-ExitCode exit_code_of(RunStatus status) {
-  switch (status) {
-    case RunStatus::complete:
-      return ExitCode::done;
-    case RunStatus::failed:
-      return ExitCode::numerical_failure;
-    case RunStatus::interrupted:
-      return ExitCode::interrupted;
-  }
-  return ExitCode::numerical_failure;
-}
-
 ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& options, const Session& session) {
   std::vector<std::string> overrides = options.overrides;
   if (!options.solver.empty()) overrides.push_back("solver.name=" + options.solver);
@@ -82,6 +70,18 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
 }
 
 }  // namespace
+
+ExitCode exit_code_of(RunStatus status) {
+  switch (status) {
+    case RunStatus::complete:
+      return ExitCode::done;
+    case RunStatus::failed:
+      return ExitCode::numerical_failure;
+    case RunStatus::interrupted:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::numerical_failure;
+}
 
 void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
   const auto options = std::make_shared<ExperimentOptions>();

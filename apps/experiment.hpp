@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/io/summary.hpp"
 #include "commands.hpp"
 
 namespace bumpfoil {
@@ -16,6 +17,9 @@ struct ExperimentCommand {
   std::string examples;
   std::function<CycleResult(const Case&, const ProgressCallback&)> run;
 };
+
+/// What the shell is told of a run that ended so.
+ExitCode exit_code_of(RunStatus status);
 
 /// Adds it to the program.
 void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment);

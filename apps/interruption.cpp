@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <string_view>
@@ -14,22 +15,24 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 std::array<struct sigaction, signals.size()> actions_before{};
-volatile std::sig_atomic_t signal_seen = 0;
+/// Signals may come to any thread.
+std::atomic<bool> signal_seen{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void note_signal(int signal) {
   // Other signals may come twice without anybody's impatience: to a group and to its member, or second after second.
-  if (signal == SIGINT && signal_seen != 0) {
+  if (signal == SIGINT && signal_seen) {
     constexpr std::string_view message = "\nbumpfoil: interrupted twice: what was not written yet is lost\n";
     [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, message.data(), message.size());
     ::_exit(static_cast<int>(ExitCode::interrupted));
   }
-  signal_seen = 1;
+  signal_seen = true;
 }
 
 }  // namespace
 
 InterruptionGuard::InterruptionGuard() {
-  signal_seen = 0;
+  signal_seen = false;
   struct sigaction action {};
   action.sa_handler = note_signal;
   action.sa_flags = SA_RESTART;
@@ -44,7 +47,7 @@ InterruptionGuard::~InterruptionGuard() {
 }
 
 bool InterruptionGuard::interrupted() const {
-  return signal_seen != 0;
+  return signal_seen;
 }
 
 }  // namespace bumpfoil

@@ -18,6 +18,7 @@
 #include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/studies/gnuplot.hpp"
+#include "bumpfoil/studies/parallel_runs.hpp"
 #include "bumpfoil/studies/study.hpp"
 #include "bumpfoil/studies/study_report.hpp"
 #include "bumpfoil/studies/study_tables.hpp"
@@ -80,18 +81,15 @@ class StudyWriter {
 
   /// Runs everything. @return false if it was stopped
   bool run(const ProgressCallback& progress) {
-    const auto runs = static_cast<double>(cases_.size());
-    for (const Case& input : cases_) {
-      bool stopped = false;
-      CycleResult result = run_cycles(input, [&](double fraction) {
-        stopped = !progress((static_cast<double>(results_.size()) + fraction) / runs);
-        return !stopped;
-      });
-      if (stopped) return false;
-      const RunStatus status = result.converged() ? RunStatus::complete : RunStatus::failed;
-      results_.push_back({input, std::move(result), status});
-    }
-    return true;
+    results_.resize(cases_.size());
+    return run_in_parallel(
+        cases_.size(), available_threads(),
+        [this](std::size_t i, const ProgressCallback& progress_of_run) {
+          CycleResult result = run_cycles(cases_[i], progress_of_run);
+          const RunStatus status = result.converged() ? RunStatus::complete : RunStatus::failed;
+          results_[i] = {cases_[i], std::move(result), status};
+        },
+        progress);
   }
 
   /// Writes the results of all runs, the tables and the picture.

@@ -99,8 +99,10 @@ void NewNetcdf::put(const NcVar& variable, const std::vector<std::size_t>& start
   variable.putVar(start, count, values.data());
 }
 
-void NewNetcdf::put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values) {
-  define(meaning, dims).putVar(values.data());
+NcVar NewNetcdf::put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values) {
+  const NcVar variable = define(meaning, dims);
+  variable.putVar(values.data());
+  return variable;
 }
 
 std::string NewNetcdf::close() {

@@ -40,7 +40,7 @@ class NewNetcdf {
                   const std::vector<std::size_t>& count, std::vector<double> values);
 
   /// A variable that is all there.
-  void put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values);
+  netCDF::NcVar put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values);
 
   /// Closes it. @return its bytes
   std::string close();

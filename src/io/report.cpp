@@ -70,6 +70,11 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (!fs::exists(folder, code)) refuse("does not exist");
   if (!fs::is_directory(folder, code)) refuse("is no folder");
   complete_publication_quietly(folder);
+  if (fs::exists(published_file(folder, "sweep.nc"), code)) {
+    throw Error(ErrorKind::file,
+                {{folder.string(), 0, "", "", "holds a sweep, which reports cannot show yet",
+                  "its tables are sweep.csv and sweep.nc; reports show single points, run by `bumpfoil cycle --set`"}});
+  }
   const auto read = [&folder](const char* name) { return read_binary_file(published_file(folder, name)); };
   for (const char* name : {"result.nc", "summary.json"}) {
     if (!fs::exists(published_file(folder, name), code)) refuse(fmt::format("holds no results: {} is missing", name));

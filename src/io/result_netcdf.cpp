@@ -1,23 +1,18 @@
 #include "bumpfoil/io/result_netcdf.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <numeric>
 
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/core/error.hpp"
-#include "bumpfoil/core/version.hpp"
-#include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/warnings.hpp"
-#include "bumpfoil/model/case_names.hpp"
+#include "io/netcdf_provenance.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/result_layout.hpp"
 
@@ -251,33 +246,19 @@ std::string message_of(const Case& input, const CycleResult& result, RunStatus s
   return fmt::format("{}", fmt::join(messages, "; "));
 }
 
-void write_provenance(NewNetcdf& file, const Case& input, const CycleResult& result, RunStatus status,
-                      const Provenance& provenance, std::string_view run_id) {
-  const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  file.add_text("Conventions", "CF-1.8");
-  file.add_text("schema", "bumpfoil-result/2");
-  file.add_text("title", input.title);
-  file.add_text("source", fmt::format("bumpfoil {} ({})", version(), commit()));
-  file.add_text("history", fmt::format("{}: {}", date, provenance.command_line));
-  file.add_text("date_created", date);
-  file.add_text("run_id", run_id);
-  file.add_text("command_line", provenance.command_line);
-  file.add_text("bumpfoil_command", name_of(result.experiment));
-  file.add_text("solver", name_of(result.solver));
-  file.add_text("status", status == RunStatus::complete ? "complete" : "partial");
-  file.add_text("status_message", message_of(input, result, status));
-  file.add_text("warnings", fmt::format("{}", fmt::join(warning_lines(input, result), "\n")));
-  file.add_text("case_text", provenance.case_text);
-  file.add_text("case_understood", case_to_toml(input));
-}
-
 }  // namespace
 
 std::string result_netcdf(const Case& input, const CycleResult& result, RunStatus status, const Provenance& provenance,
                           std::string_view run_id) {
   try {
     NewNetcdf file;
-    write_provenance(file, input, result, status, provenance, run_id);
+    add_provenance(file, {.input = input,
+                          .command = name_of(result.experiment),
+                          .status = status,
+                          .message = message_of(input, result, status),
+                          .warnings = warning_lines(input, result),
+                          .provenance = provenance,
+                          .run_id = run_id});
     ResultWriter writer(file, input, result);
     writer.write_coordinates();
     writer.write_geometry();
@@ -289,11 +270,7 @@ std::string result_netcdf(const Case& input, const CycleResult& result, RunStatu
     writer.write_events();
     return file.close();
   } catch (const netCDF::exceptions::NcException& error) {
-    // The first line says what went wrong, the second where in the library.
-    const std::string_view reason = error.what();
-    throw Error(ErrorKind::file,
-                {{"result.nc", 0, "", "", fmt::format("cannot be built: {}", reason.substr(0, reason.find('\n'))),
-                  "the memory may not suffice: fewer steps or directions take less"}});
+    throw unbuilt("result.nc", error, "fewer steps or directions take less");
   }
 }
 

@@ -13,6 +13,7 @@
 #include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "io/case_json.hpp"
+#include "io/summary_json.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -41,6 +42,31 @@ Json peak_json(const std::optional<StressPeak>& peak) {
           {"bump", peak->bump >= 0 ? Json(peak->bump + 1) : Json()},
           {"increment", peak->increment},
           {"displacement_m", peak->displacement}};
+}
+
+/// Loads at full displacement.
+void add_loads(Json& json, const Cycle& cycle) {
+  for (const LoadQuantity& quantity : load_quantities()) {
+    Json& values = json[key_of(quantity.name, quantity.unit)];
+    if (!cycle.turning_point) continue;
+    for (const double load : (*cycle.turning_point).*quantity.loads) values.push_back(value_json(load));
+  }
+}
+
+Json files_json(const Manifest& manifest) {
+  Json json = Json::object();
+  for (const FileChecksum& file : manifest.files) {
+    json[file.name] = {{"bytes", file.bytes}, {"xxh3_128", file.xxh3_128}};
+  }
+  return json;
+}
+
+}  // namespace
+
+double to_degrees(double angle) {
+  const double degrees = angle * (180.0 / std::numbers::pi);
+  const double whole = std::round(degrees);
+  return std::abs(degrees - whole) < 1e-12 * (1.0 + std::abs(whole)) ? whole : degrees;
 }
 
 Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
@@ -74,47 +100,38 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   for (const StressedFoil& foil : stressed_foils()) {
     json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(cycle.*foil.peak);
   }
-  if (result.experiment == Experiment::path) return json;  // which has no full displacement
-  for (const LoadQuantity& quantity : load_quantities()) {
-    Json& values = json[key_of(quantity.name, quantity.unit)];
-    if (!cycle.turning_point) continue;
-    for (const double load : (*cycle.turning_point).*quantity.loads) values.push_back(value_json(load));
-  }
   return json;
 }
 
-Json files_json(const Manifest& manifest) {
-  Json json = Json::object();
-  for (const FileChecksum& file : manifest.files) {
-    json[file.name] = {{"bytes", file.bytes}, {"xxh3_128", file.xxh3_128}};
-  }
-  return json;
-}
-
-}  // namespace
-
-double to_degrees(double angle) {
-  const double degrees = angle * (180.0 / std::numbers::pi);
-  const double whole = std::round(degrees);
-  return std::abs(degrees - whole) < 1e-12 * (1.0 + std::abs(whole)) ? whole : degrees;
-}
-
-std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest) {
+Json summary_head(std::string_view command, const Case& input, RunStatus status, const Manifest& manifest) {
   Json json;
   json["schema"] = "bumpfoil-summary/2";
   // Before all texts of users, which could hold the same.
   json["xxh3_128"] = blank_checksum;
-  json["command"] = name_of(result.experiment);
+  json["command"] = command;
   json["case"] = case_json(input);
   json["version"] = version();
   json["commit"] = commit();
-  json["solver"] = name_of(result.solver);
+  json["solver"] = name_of(input.solver.name);
   json["status"] = name_of(status);
   json["run_id"] = manifest.run_id;
   json["files"] = files_json(manifest);
-  json["cycles"] = Json::array();
-  for (std::size_t i = 0; i < result.cycles.size(); ++i) json["cycles"].push_back(cycle_json(input, result, i));
+  return json;
+}
+
+std::string sealed_summary(const Json& json) {
   return sealed(dump_json(json, 2) + '\n');
+}
+
+std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest) {
+  Json json = summary_head(name_of(result.experiment), input, status, manifest);
+  json["cycles"] = Json::array();
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) {
+    json["cycles"].push_back(cycle_json(input, result, i));
+    // A path has no full displacement.
+    if (result.experiment != Experiment::path) add_loads(json["cycles"].back(), result.cycles[i]);
+  }
+  return sealed_summary(json);
 }
 
 }  // namespace bumpfoil

@@ -10,6 +10,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/swept_key.hpp"
 #include "studies/study_library.hpp"
 
 namespace bumpfoil {
@@ -101,19 +102,20 @@ std::vector<std::string> overrides_of(DescriptionReader& reader, const std::vect
 }
 
 void add_sweep(DescriptionReader& sweep, const std::vector<std::string>& common, Study& study) {
-  const std::string key = sweep.text("key");
-  const std::string unit = sweep.text_or_empty("unit");
+  const SweptKey swept = parse_swept_key(sweep.text("over"));
   const std::string name = sweep.text("name");
   const std::vector<std::string> overrides = overrides_of(sweep, common);
-  study.parameter = key.substr(key.rfind('.') + 1);
-  study.parameter_unit = unit;
-  for (const double value : sweep.list<double>("values")) {
-    StudyRun run{.name = fmt::format("{}_{}{}", name, value, unit),
-                 .label = unit.empty() ? fmt::format("{} {}", name, value) : fmt::format("{} {} {}", name, value, unit),
+  study.parameter = swept.key.substr(swept.key.rfind('.') + 1);
+  for (const std::string& value : swept.values) {
+    std::size_t end = 0;
+    const double number = std::stod(value, &end);
+    const std::string unit = value.substr(std::min(value.find_first_not_of(' ', end), value.size()));
+    study.parameter_unit = unit;
+    StudyRun run{.name = fmt::format("{}_{}{}", name, number, unit),
+                 .label = fmt::format("{} {}", name, value),
                  .overrides = overrides,
-                 .parameter = value};
-    run.overrides.push_back(unit.empty() ? fmt::format("{}={}", key, value)
-                                         : fmt::format("{}=\"{} {}\"", key, value, unit));
+                 .parameter = number};
+    run.overrides.push_back(swept.key + '=' + value);
     study.runs.push_back(std::move(run));
   }
   sweep.finish();

@@ -1,11 +1,6 @@
 // The program as users and scripts meet it: exit codes, what is printed where, and what is written.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,91 +13,11 @@
 #include <thread>
 #include <vector>
 
-#include "support/temporary_folder.hpp"
+#include "cli/running_program.hpp"
 #include "support/wrong_cases.hpp"
-
-extern char** environ;
 
 namespace bumpfoil {
 namespace {
-
-using nlohmann::json;
-using testing::TemporaryFolder;
-
-/// A program that runs in the background; its output goes to files.
-class Running {
- public:
-  Running(const std::vector<std::string>& arguments, const std::string& output) : output_(output) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    std::vector<std::string> words{BUMPFOIL_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    EXPECT_EQ(posix_spawn(&process_, BUMPFOIL_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-
-  void interrupt() const { kill(process_, SIGINT); }
-
-  /// Exit code, or 1000 plus the signal that ended it.
-  int wait() const {
-    int status = 0;
-    waitpid(process_, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  }
-
-  [[nodiscard]] std::string errors() const { return folder_.read("errors"); }
-
- private:
-  TemporaryFolder folder_;
-  std::string output_;
-  std::string errors_{(folder_.path() / "errors").string()};
-  pid_t process_{};
-};
-
-struct Outcome {
-  int exit_code{};
-  std::string output, errors;
-};
-
-Outcome run(const std::vector<std::string>& arguments) {
-  const TemporaryFolder folder;
-  const Running program(arguments, (folder.path() / "output").string());
-  const int exit_code = program.wait();
-  return {exit_code, folder.read("output"), program.errors()};
-}
-
-/// A folder with a case file and a place for results.
-class Program : public ::testing::Test {
- protected:
-  Program() { EXPECT_EQ(run({"init", "-o", case_path_}).exit_code, 0); }
-
-  [[nodiscard]] bool wrote_results() const { return std::filesystem::exists(results_); }
-  [[nodiscard]] json summary() const { return json::parse(folder_.read("results/summary.json")); }
-
-  [[nodiscard]] std::set<std::string> names_in(const std::string& folder) const {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / folder)) {
-      names.insert(entry.path().filename());
-    }
-    return names;
-  }
-
-  TemporaryFolder folder_;
-  std::string case_path_{(folder_.path() / "case.toml").string()};
-  std::string results_{(folder_.path() / "results").string()};
-  std::vector<std::string> cycle_{"cycle", case_path_, "-o", results_, "--set", "cycle.steps=4"};
-};
-
-std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 TEST_F(Program, GoesFromInitOverCheckToCycle) {
   const Outcome check = run({"check", case_path_});
@@ -325,7 +240,7 @@ TEST_F(Program, NamesTheWordThatIsNoCommand) {
 }
 
 TEST_F(Program, HelpsEverywhere) {
-  for (const char* command : {"init", "check", "properties", "cycle", "reproduce"}) {
+  for (const char* command : {"init", "check", "properties", "cycle", "sweep", "reproduce"}) {
     const Outcome help = run({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.output.find("Example"), std::string::npos) << command;

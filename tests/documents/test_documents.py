@@ -89,8 +89,11 @@ class Pages(InADirectory):
     }
 
     def test_blocks_of_code_run(self):
-        """On the results of the reference bearing, in the folder that they name."""
-        self.run_in_directory([str(PROGRAM), "cycle", str(ROOT / "examples/gen1.toml"), "-o", "loops"])
+        """On the results of the reference bearing, in the folders that they name."""
+        case = str(ROOT / "examples/gen1.toml")
+        self.run_in_directory([str(PROGRAM), "cycle", case, "-o", "loops"])
+        over = ["--over", "cycle.amplitude=60 um:90 um:10 um", "--over", "friction.coefficient=[0.05, 0.1]"]
+        self.run_in_directory([str(PROGRAM), "sweep", case, *over, "-o", "grid"])
         blocks = 0
         for document in (ROOT / "docs").rglob("*.md"):
             for language, code in re.findall(r"^```(\w+)\n(.*?)^```", document.read_text(encoding="utf-8"), re.M | re.S):

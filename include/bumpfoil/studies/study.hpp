@@ -58,7 +58,7 @@ std::vector<std::string> study_names();
 /// | `tables` | names of StudyTableKind |
 /// | `set` | overrides of every run that is not of another study |
 /// | `[[run]]` | `name`, `label`, `set` of one run |
-/// | `[[sweep]]` | a run for each of `values` of `key` (in `unit`), called `name`_value, with `set` |
+/// | `[[sweep]]` | a run for each value that `over` says, see parse_swept_key(), called `name`_value, with `set` |
 /// | `runs_of`, `only` | runs of other studies come first: all, or those named by `only`; each name once |
 /// | `[[variant]]` | these are run once for each variant: `name` is added to theirs, `set` to their overrides |
 /// | `script_of` | the study whose script draws this one too |

@@ -75,9 +75,7 @@ set = ["friction.coefficient=0"]
 tables = ["quantities", "loads"]
 [[sweep]]
 name = "clearance"
-key = "bearing.radial_clearance"
-values = [-10, 2.5]
-unit = "um"
+over = "bearing.radial_clearance=[-10 um, 2.5 um]"
 )",
                                   "clearance");
   EXPECT_EQ(study.parameter, "radial_clearance");

@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/strip.hpp"
+#include "bumpfoil/core/printable.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/sweep.hpp"
+#include "bumpfoil/io/sweep_files.hpp"
+#include "bumpfoil/io/sweep_table.hpp"
+#include "bumpfoil/studies/parallel_runs.hpp"
+#include "commands.hpp"
+#include "experiment.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A command that can be run at every point.
+struct SweptCommand {
+  Experiment experiment;
+  CycleResult (*run)(const Case&, const ProgressCallback&);
+};
+constexpr std::array swept_commands{SweptCommand{Experiment::cycle, run_cycles},
+                                    SweptCommand{Experiment::strip, run_strip}};
+
+/// Failures and warnings that are listed one by one.
+constexpr std::size_t most_messages = 5;
+
+struct SweepOptions {
+  std::string case_path;
+  std::string folder;
+  std::string command{"cycle"};
+  std::vector<std::string> over;
+  std::vector<std::string> overrides;
+  unsigned threads{available_threads()};
+  bool force{};
+};
+
+std::vector<std::string> names_of_commands() {
+  std::vector<std::string> names;
+  for (const SweptCommand& one : swept_commands) names.emplace_back(name_of(one.experiment));
+  return names;
+}
+
+const SweptCommand& command_called(std::string_view name) {
+  return *std::find_if(swept_commands.begin(), swept_commands.end(),
+                       [name](const SweptCommand& one) { return name_of(one.experiment) == name; });
+}
+
+/// The first of the lines, and how many there are beside.
+void print_some(std::string_view prefix, const std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i < std::min(lines.size(), most_messages); ++i) {
+    print_message(fmt::format("{}{}", prefix, lines[i]));
+  }
+  if (lines.size() > most_messages) {
+    print_message(fmt::format("{}and {} more, all in summary.json", prefix, lines.size() - most_messages));
+  }
+}
+
+ExitCode run_sweep(const SweepOptions& options, const Session& session) {
+  const SweptCommand& command = command_called(options.command);
+  // Read once: what is written beside the results is what they came from.
+  const std::string case_text = read_case_text(options.case_path);
+  const Sweep sweep =
+      parse_sweep(case_text, options.case_path,
+                  {.experiment = command.experiment, .over = options.over, .overrides = options.overrides});
+  const InterruptionGuard guard;  // from before there is anything to clean up
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, sweep_file_names());
+
+  std::vector<SweepPoint> points(sweep.cases.size());
+  const bool with_loops = keeps_loops(sweep);
+  {
+    ProgressBar bar(!session.quiet);
+    run_in_parallel(
+        points.size(), options.threads,
+        [&](std::size_t i, const ProgressCallback& progress) {
+          points[i] = sweep_point(sweep.cases[i], command.run(sweep.cases[i], progress), with_loops);
+        },
+        [&](double fraction) {
+          bar.show(fraction);
+          return !guard.interrupted();
+        });
+  }
+
+  const std::string place = printable(options.folder, longest_path);
+  const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+  for (const ResultFile& file : sweep_files(sweep, points, provenance)) folder.stage(file.name, file.contents);
+  folder.publish();
+  if (!session.quiet) {
+    print_output(sweep_table(sweep, points));
+    print_output(fmt::format("\n{} points; results in {} (summary.json, sweep.csv, sweep.nc)\n", points.size(), place));
+    if (!with_loops) print_message("warning: sweep.nc is without the loops, which are too many");
+    print_some("warning: ", warning_lines(sweep, points));
+  }
+  print_some("bumpfoil: ", failure_lines(sweep, points));
+  const RunStatus status = status_of(points);
+  if (status == RunStatus::interrupted) {
+    const auto missing = std::count_if(points.begin(), points.end(),
+                                       [](const SweepPoint& point) { return point.status == RunStatus::interrupted; });
+    print_message(fmt::format("bumpfoil: interrupted: {} of {} points are missing", missing, points.size()));
+  }
+  if (status != RunStatus::complete) {
+    print_message(fmt::format("bumpfoil: the results in {} are partial, and flagged so", place));
+  }
+  return exit_code_of(status);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App* command =
+      program.add_subcommand("sweep", "Run a command for every value of one or several keys, on all cores");
+  command->add_option("CASE", options->case_path, "Case file")->required();
+  command
+      ->add_option("--over", options->over,
+                   "Key and values: friction.coefficient=0:0.5:0.05 (TO included), or a list, "
+                   "cycle.amplitude=[60 um, 80 um]; given again, every combination is run")
+      ->type_name("KEY=FROM:TO:STEP")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->required();
+  command->add_option("-o,--output", options->folder, "Folder for summary.json, sweep.csv and sweep.nc")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--command", options->command, "What is run at every point")
+      ->check(CLI::IsMember(names_of_commands()))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "Points that are run at a time; results do not depend on it")
+      ->check(CLI::Range(1U, 1024U))
+      ->type_name("N");
+  add_overrides(*command, options->overrides);
+  command->add_flag("--force", options->force, "Replace results that the folder holds");
+  command->footer(fmt::format(
+      "Examples:\n"
+      "  bumpfoil sweep case.toml --over friction.coefficient=0:0.5:0.05 -o friction\n"
+      "  bumpfoil sweep case.toml --over 'cycle.amplitude=60 um:90 um:10 um' --over 'friction.coefficient=[0.05, "
+      "0.1]' -o grid\n"
+      "  bumpfoil sweep case.toml --over 'bump_foil.bumps=[20, 26, 32]' --set cycle.steps=50 -o bumps\n"
+      "  bumpfoil sweep examples/strip.toml --command strip --over 'strip.displacement=5 um:25 um:5 um' -o strips\n"
+      "A grid has at most {} points. All cases are checked before the first is run. A point that fails is kept, with "
+      "its status. Ctrl-C ends the run; what there is by then is written and flagged as partial.",
+      most_sweep_points));
+  command->callback([options, &session] { session.exit_code = run_sweep(*options, session); });
+}
+
+}  // namespace bumpfoil

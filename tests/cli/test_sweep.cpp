@@ -1,0 +1,126 @@
+// `bumpfoil sweep` as users and scripts meet it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/running_program.hpp"
+
+namespace bumpfoil {
+namespace {
+
+class SweepProgram : public Program {
+ protected:
+  [[nodiscard]] std::vector<std::string> sweep_over(const std::string& over) const {
+    return {"sweep", case_path_, "--over", over, "-o", results_, "--set", "cycle.steps=4"};
+  }
+};
+
+/// Without how long it took.
+json timeless(json cycles) {
+  for (json& cycle : cycles) cycle.erase("wall_time_s");
+  return cycles;
+}
+
+TEST_F(SweepProgram, GivesWhatCycleGivesAtEveryPoint) {
+  const Outcome sweep = run(sweep_over("friction.coefficient=0:0.5:0.05"));
+  EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
+  EXPECT_NE(sweep.output.find("\n0.15 "), std::string::npos) << sweep.output;
+  EXPECT_NE(sweep.output.find("11 points; results in " + results_ + " (summary.json, sweep.csv, sweep.nc)\n"),
+            std::string::npos);
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"summary.json", "sweep.csv", "sweep.nc"}));
+  const json swept = summary();
+  EXPECT_EQ(swept.at("status"), "complete");
+  ASSERT_EQ(swept.at("points").size(), 11U);
+
+  const std::string alone = (folder_.path() / "alone").string();
+  ASSERT_EQ(
+      run({"cycle", case_path_, "-o", alone, "--set", "cycle.steps=4", "--set", "friction.coefficient=0.15"}).exit_code,
+      0);
+  json cycles = json::parse(folder_.read("alone/summary.json")).at("cycles");
+  for (json& cycle : cycles) {
+    for (const char* loads : {"bump_loads_N", "foot_loads_N", "journal_loads_N"}) cycle.erase(loads);
+  }
+  // All digits: numbers in JSON read back to the last bit.
+  EXPECT_EQ(timeless(swept.at("points").at(3).at("cycles")), timeless(cycles));
+}
+
+TEST_F(SweepProgram, ThreadsMakeNoDifference) {
+  const std::vector<std::string> sweep = sweep_over("cycle.amplitude=60 um:80 um:10 um") +
+                                         std::vector<std::string>{"--over", "friction.coefficient=[0, 0.1]", "--force"};
+  ASSERT_EQ(run(sweep + std::vector<std::string>{"--threads", "1"}).exit_code, 0);
+  const json one = summary();
+  ASSERT_EQ(run(sweep + std::vector<std::string>{"--threads", "5"}).exit_code, 0);
+  const json five = summary();
+  ASSERT_EQ(one.at("points").size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(timeless(one.at("points").at(i).at("cycles")), timeless(five.at("points").at(i).at("cycles")));
+  }
+  EXPECT_EQ(run(sweep + std::vector<std::string>{"--threads", "0"}).exit_code, 2);
+}
+
+TEST_F(SweepProgram, RunsNothingWhereAnythingIsWrong) {
+  const Outcome points = run(sweep_over("friction.coefficient=[0.1, -0.2, -0.3]"));
+  EXPECT_EQ(points.exit_code, 2);
+  EXPECT_NE(points.errors.find("--over: friction.coefficient = -0.2: "), std::string::npos) << points.errors;
+  EXPECT_NE(points.errors.find("(at friction.coefficient=-0.3)"), std::string::npos) << points.errors;
+  const Outcome key = run(sweep_over("friction.coeficient=0:1:0.5"));
+  EXPECT_EQ(key.exit_code, 2);
+  EXPECT_NE(key.errors.find("did you mean \"friction.coefficient\"?"), std::string::npos) << key.errors;
+  EXPECT_EQ(run({"sweep", case_path_, "-o", results_}).exit_code, 2);
+  EXPECT_EQ(run(sweep_over("cycle.amplitude=[60 um]") + std::vector<std::string>{"--command", "check"}).exit_code, 2);
+  const Outcome strip = run(sweep_over("cycle.amplitude=[60 um]") + std::vector<std::string>{"--command", "strip"});
+  EXPECT_EQ(strip.exit_code, 2);
+  EXPECT_NE(strip.errors.find("add [strip]"), std::string::npos) << strip.errors;
+  EXPECT_FALSE(wrote_results());
+}
+
+TEST_F(SweepProgram, KeepsPointsThatFail) {
+  // 1 MN is more than bumps that are flat carry.
+  const Outcome sweep =
+      run(sweep_over("strip.load=[50 N, 1 MN, 60 N]") +
+          std::vector<std::string>{"--command", "strip", "--set", "strip.bumps=4", "--set", "strip.steps=4"});
+  EXPECT_EQ(sweep.exit_code, 3) << sweep.errors;
+  EXPECT_NE(sweep.errors.find("bumpfoil: strip.load=1 MN: cycle 1, increment 1 of 8, "), std::string::npos)
+      << sweep.errors;
+  EXPECT_NE(sweep.errors.find("are partial, and flagged so"), std::string::npos);
+  const json swept = summary();
+  EXPECT_EQ(swept.at("status"), "failed");
+  EXPECT_EQ(swept.at("points").at(0).at("status"), "complete");
+  EXPECT_EQ(swept.at("points").at(1).at("status"), "failed");
+  EXPECT_EQ(swept.at("points").at(1).at("cycles").at(0).at("status"), "load_out_of_reach");
+  EXPECT_EQ(swept.at("points").at(2).at("status"), "complete");
+  const std::string csv = folder_.read("results/sweep.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
+
+  EXPECT_EQ(run(sweep_over("friction.coefficient=[0]")).exit_code, 4);  // holds results
+  EXPECT_EQ(run(cycle_).exit_code, 4);
+  EXPECT_EQ(run(cycle_ + std::vector<std::string>{"--force"}).exit_code, 0);
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"cycle.csv", "result.nc", "summary.json"}));
+}
+
+TEST_F(SweepProgram, AnInterruptedSweepLeavesFlaggedResults) {
+  // The first point is done at once, the others are long enough to be interrupted on any machine.
+  const Running program({"sweep", case_path_, "--over", "cycle.steps=[2, 80000, 80001]", "-o", results_, "--set",
+                         "cycle.directions=[\"+X\"]", "--threads", "1"},
+                        (folder_.path() / "output").string());
+  while (!wrote_results()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  program.interrupt();
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_NE(program.errors().find("interrupted: 2 of 3 points are missing"), std::string::npos) << program.errors();
+  const json swept = summary();
+  EXPECT_EQ(swept.at("status"), "interrupted");
+  ASSERT_EQ(swept.at("points").size(), 3U);
+  EXPECT_EQ(swept.at("points").at(0).at("status"), "complete");
+  EXPECT_EQ(swept.at("points").at(1).at("status"), "interrupted");
+  EXPECT_EQ(swept.at("points").at(1).at("cycles").at(0).at("status"), "interrupted");
+  EXPECT_TRUE(swept.at("points").at(2).at("cycles").empty());
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,177 @@
+#include "bumpfoil/io/sweep_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <netcdf>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/report.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+/// Two amplitudes and three friction coefficients; the last point fails, the one before was not begun.
+class SweepFiles : public ::testing::Test {
+ protected:
+  SweepFiles()
+      : sweep_(parse_sweep(case_template("gen1"), "case.toml",
+                           {.experiment = Experiment::cycle,
+                            .over = {"cycle.amplitude=[60 um, 70 um]", "friction.coefficient=0:0.2:0.1"},
+                            .overrides = {"cycle.steps=3", "cycle.directions=[\"-X\", \"+Y\"]"}})),
+        points_(sweep_.cases.size()) {
+    for (const std::size_t i : {0U, 1U, 2U, 3U, 5U}) {
+      CycleResult result = run_cycles(sweep_.cases[i]);
+      if (i == 5) {
+        result.cycles[1].status = Status::no_modes;
+        result.cycles[1].increments.back().status = Status::no_modes;
+      }
+      points_[i] = sweep_point(sweep_.cases[i], std::move(result), true);
+    }
+    for (const ResultFile& file : sweep_files(sweep_, points_, {.command_line = "bumpfoil", .case_text = "text"})) {
+      folder_.write(file.name, file.contents);
+    }
+  }
+
+  [[nodiscard]] json summary() const { return json::parse(folder_.read("summary.json")); }
+
+  /// Lines of sweep.csv, split at their commas.
+  [[nodiscard]] std::vector<std::vector<std::string>> rows() const {
+    std::istringstream csv(folder_.read("sweep.csv"));
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(csv, line);) {
+      std::istringstream cells(line + ",");
+      rows.emplace_back();
+      for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    return rows;
+  }
+
+  Sweep sweep_;
+  std::vector<SweepPoint> points_;
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(SweepFiles, AreASetThatVouchesForItself) {
+  EXPECT_EQ(sweep_file_names(), (std::vector<std::string>{"sweep.csv", "sweep.nc", "summary.json"}));
+  const json written = summary();
+  EXPECT_TRUE(is_sealed(folder_.read("summary.json"), written.at("xxh3_128").get<std::string>()));
+  for (const char* name : {"sweep.csv", "sweep.nc"}) {
+    EXPECT_EQ(written.at("files").at(name).at("xxh3_128"), xxh3_128(folder_.read(name)));
+    EXPECT_EQ(written.at("files").at(name).at("bytes"), folder_.read(name).size());
+  }
+}
+
+TEST_F(SweepFiles, SummaryHasEveryPointWithItsStatus) {
+  const json written = summary();
+  EXPECT_EQ(written.at("schema"), "bumpfoil-summary/2");
+  EXPECT_EQ(written.at("command"), "sweep");
+  EXPECT_EQ(written.at("swept_command"), "cycle");
+  EXPECT_EQ(written.at("status"), "interrupted");
+  const json axis{{"key", "cycle.amplitude"},
+                  {"name", "cycle_amplitude"},
+                  {"title", "Cycle: Amplitude"},
+                  {"unit", "m"},
+                  {"values", json::array({60e-6, 70e-6})},
+                  {"written", json::array({"60 um", "70 um"})}};
+  EXPECT_EQ(written.at("axes").at(0), axis);
+  ASSERT_EQ(written.at("points").size(), 6U);
+  const json& first = written.at("points").at(0);
+  EXPECT_EQ(first.at("status"), "complete");
+  EXPECT_EQ(first.at("values"), json::parse(R"({"cycle.amplitude": 60e-6, "friction.coefficient": 0})"));
+  EXPECT_EQ(first.at("cycles").at(1).at("direction_deg"), 90);
+  EXPECT_EQ(first.at("cycles").at(1).at("max_force_N"), points_[0].result.cycles[1].turning_point->max_force);
+  EXPECT_EQ(written.at("points").at(4).at("status"), "interrupted");
+  EXPECT_TRUE(written.at("points").at(4).at("cycles").empty());
+  const json& failed = written.at("points").at(5);
+  EXPECT_EQ(failed.at("status"), "failed");
+  EXPECT_EQ(failed.at("cycles").at(1).at("status"), "no_modes");
+  EXPECT_EQ(failed.at("cycles").at(1).at("failed_increment"), 6);
+}
+
+TEST_F(SweepFiles, CsvHasARowForEachPointAndDirection) {
+  const std::vector<std::vector<std::string>> table = rows();
+  ASSERT_EQ(table.size(), 1U + 6U * 2U);
+  EXPECT_EQ(table[0][0], "cycle_amplitude_m");
+  EXPECT_EQ(table[0][1], "friction_coefficient");
+  EXPECT_EQ(table[0][2], "direction_deg");
+  const auto column = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), name) - table[0].begin());
+  };
+  for (const std::vector<std::string>& row : table) EXPECT_EQ(row.size(), table[0].size());
+  const std::vector<std::string>& row = table[1 + 2 * 4 - 1];  // point 3, +Y
+  EXPECT_EQ(std::stod(row[0]), 70e-6);
+  EXPECT_EQ(row[1], "0");
+  EXPECT_EQ(row[2], "90");
+  EXPECT_EQ(std::stod(row[column("loaded_stiffness_N_per_m")]), *points_[3].result.cycles[1].loaded_stiffness);
+  EXPECT_EQ(row[column("status")], "converged");
+  EXPECT_EQ(row[column("converged")], "true");
+  // Not begun, and failed.
+  EXPECT_EQ(table[9][column("status")], "interrupted");
+  EXPECT_EQ(table[9][column("max_force_N")], "");
+  EXPECT_EQ(table[12][column("status")], "no_modes");
+  EXPECT_EQ(table[12][column("converged")], "false");
+}
+
+TEST_F(SweepFiles, NetcdfHasTheKeysAsDimensions) {
+  const netCDF::NcFile file((folder_.path() / "sweep.nc").string(), netCDF::NcFile::read);
+  const netCDF::NcVar force = file.getVar("max_force");
+  ASSERT_EQ(force.getDimCount(), 3);
+  EXPECT_EQ(force.getDim(0).getName(), "cycle_amplitude");
+  EXPECT_EQ(force.getDim(1).getName(), "friction_coefficient");
+  EXPECT_EQ(force.getDim(2).getName(), "direction");
+  double value = 0.0;
+  force.getVar({1, 0, 1}, {1, 1, 1}, &value);
+  EXPECT_EQ(value, points_[3].result.cycles[1].turning_point->max_force);
+  force.getVar({1, 1, 0}, {1, 1, 1}, &value);
+  EXPECT_EQ(value, NC_FILL_DOUBLE);
+  const netCDF::NcVar loops = file.getVar("force_direct");
+  ASSERT_EQ(loops.getDimCount(), 4);
+  loops.getVar({0, 2, 1, 3}, {1, 1, 1, 1}, &value);
+  EXPECT_EQ(value, points_[2].loops[1].force_direct[3]);
+  std::string text;
+  file.getAtt("bumpfoil_command").getValues(text);
+  EXPECT_EQ(text, "sweep");
+  file.getAtt("status").getValues(text);
+  EXPECT_EQ(text, "partial");
+  file.getVar("cycle_amplitude").getAtt("case_key").getValues(text);
+  EXPECT_EQ(text, "cycle.amplitude");
+}
+
+TEST_F(SweepFiles, ReportSaysThatItCannotShowThem) {
+  try {
+    static_cast<void>(report_json({folder_.path()}));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::file);
+    EXPECT_NE(std::string(error.what()).find("holds a sweep, which reports cannot show yet"), std::string::npos);
+  }
+}
+
+/// Points of a strip differ in how many cycles they have, and in how many increments.
+TEST(SweepFilesOfStrips, HaveRoomForTheLongest) {
+  const Sweep sweep = parse_sweep(case_template("gen1"), "case.toml",
+                                  {.experiment = Experiment::strip,
+                                   .over = {"strip.cycles=[1, 2]", "strip.steps=[2, 3]"},
+                                   .overrides = {"strip.bumps=2", "strip.displacement=10 um"}});
+  std::vector<SweepPoint> points(4);  // none is begun
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
+  const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
+  EXPECT_EQ(file.getDim("cycle").getSize(), 2U);
+  EXPECT_EQ(file.getDim("increment").getSize(), 7U);
+  const std::string csv = folder.read("sweep.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 1 + 2 * 2);
+}
+
+}  // namespace
+}  // namespace bumpfoil
