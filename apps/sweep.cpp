@@ -48,6 +48,7 @@ struct SweepOptions {
 
 std::vector<std::string> names_of_commands() {
   std::vector<std::string> names;
+  names.reserve(swept_commands.size());
   for (const SweptCommand& one : swept_commands) names.emplace_back(name_of(one.experiment));
   return names;
 }

@@ -161,6 +161,32 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
   }
 }
 
+/// However few the increments: no load before the first contact, and where `events` knows every piece no difference.
+TEST(CycleRunner, FindsClearancesInsideIncrements) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Case input = reference_case();
+    input.bump_foil.height_errors = random_case(seed).bump_foil.height_errors;
+    input.bump_foil.height_errors.resize(26, 0.0);
+    const SharedFoils foils = make_bearing_foils(input);
+    std::vector<Cycle> by_events;
+    for (const int steps : {1, 2, 7}) {
+      input.cycle.steps = steps;
+      const Cycle coarse = CycleRunner(foils, {}).run(0.9, input.cycle);
+      ASSERT_TRUE(coarse.converged());
+      for (const Clearance& clearance : coarse.clearances) {
+        EXPECT_GE(clearance.displacement.value_or(1.0), *coarse.first_contact) << seed;
+      }
+      by_events.push_back(CycleRunner(foils, {.name = SolverName::events, .uzawa = {}}).run(0.9, input.cycle));
+    }
+    for (const Cycle& cycle : by_events) {
+      ASSERT_TRUE(cycle.converged());
+      EXPECT_NEAR(*cycle.take_up, *by_events[0].take_up, 1e-15);
+      EXPECT_NEAR(*cycle.clearances[0].displacement, *by_events[0].clearances[0].displacement, 1e-15);
+      EXPECT_NEAR(*cycle.clearances[1].displacement, *by_events[0].clearances[1].displacement, 1e-15);
+    }
+  }
+}
+
 TEST(CycleRunner, SwingsAboutALoadThatTheJournalCarries) {
   for (const SolverName solver : {SolverName::newton, SolverName::events}) {
     Case input = short_case(20);
