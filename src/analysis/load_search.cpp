@@ -130,7 +130,7 @@ Eigen::Vector2d newton_move(const TangentMatrices& tangents, const Eigen::Vector
   for (double spring = 0.0;; spring = std::max(softest_spring * stiff, 10.0 * spring)) {
     const Eigen::Matrix2d K = *tangents.loading + spring * Eigen::Matrix2d::Identity();
     if (!(std::abs(K.determinant()) > 1e-12 * K.squaredNorm())) continue;
-    const Eigen::Vector2d move = K.inverse() * lacking;
+    Eigen::Vector2d move = K.inverse() * lacking;
     if (move.norm() <= longest && move.dot(lacking) > 0.0) return move;
   }
 }
