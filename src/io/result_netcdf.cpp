@@ -140,8 +140,9 @@ class ResultWriter {
     const NcDim number = file_.add_dim("orbit_number", orbits.size());
     file_.put_all({"orbit_number", "1", "orbit, counted from 1", {Form::whole}}, {number}, numbers_from(1.0, number));
     const auto put_member = [&](const VariableMeaning& meaning, double OrbitLoop::*member) {
-      std::vector<double> values;
-      for (const OrbitLoop& orbit : orbits) values.push_back(orbit.*member);
+      std::vector<double> values(orbits.size());
+      std::transform(orbits.begin(), orbits.end(), values.begin(),
+                     [member](const OrbitLoop& orbit) { return orbit.*member; });
       file_.put_all(meaning, {number}, values);
     };
     put_member({"loop_energies", "J", "closed integral of force over displacement of each orbit"}, &OrbitLoop::energy);
