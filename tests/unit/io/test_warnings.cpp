@@ -9,8 +9,8 @@ namespace {
 CycleResult harmless() {
   Cycle cycle;
   cycle.amplitude = 50e-6;
-  cycle.start = Increment{};
-  cycle.turning_point = TurningPoint{};
+  cycle.start.emplace();
+  cycle.turning_point.emplace();
   cycle.turning_point->max_force = 10.0;
   cycle.turning_point->bump_loads = Vector::Ones(3);
   cycle.first_contact = 30e-6;
