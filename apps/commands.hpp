@@ -29,6 +29,7 @@ void add_cycle_command(CLI::App& program, Session& session);
 void add_path_command(CLI::App& program, Session& session);
 void add_strip_command(CLI::App& program, Session& session);
 void add_sweep_command(CLI::App& program, Session& session);
+void add_vibration_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 

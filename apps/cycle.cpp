@@ -7,13 +7,12 @@ namespace bumpfoil {
 
 void add_cycle_command(CLI::App& program, Session& session) {
   add_experiment(program, session,
-                 {.name = "cycle",
-                  .summary = "Push the journal in each direction of [cycle] and pull it back",
-                  .examples = "  bumpfoil cycle case.toml -o results\n"
-                              "  bumpfoil cycle case.toml -o frictionless --set friction.coefficient=0\n"
-                              "  bumpfoil cycle case.toml -o fine --set cycle.steps=400 --set "
-                              "'cycle.directions=[\"+X\"]'\n",
-                  .run = run_cycles});
+                 cycle_experiment("cycle", "Push the journal in each direction of [cycle] and pull it back",
+                                  "  bumpfoil cycle case.toml -o results\n"
+                                  "  bumpfoil cycle case.toml -o frictionless --set friction.coefficient=0\n"
+                                  "  bumpfoil cycle case.toml -o fine --set cycle.steps=400 --set "
+                                  "'cycle.directions=[\"+X\"]'\n",
+                                  run_cycles));
 }
 
 }  // namespace bumpfoil

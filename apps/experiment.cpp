@@ -1,6 +1,7 @@
 #include "experiment.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <vector>
@@ -37,32 +38,31 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   const Case input =
       parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {experiment.name}});
   const InterruptionGuard guard;  // from before there is anything to clean up
-  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse,
-                      cycle_file_names(experiment.name));
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
 
-  CycleResult result;
+  Outcome outcome;
   RunStatus status = RunStatus::complete;
   {
     ProgressBar bar(!session.quiet);
-    result = experiment.run(input, [&](double fraction) {
+    outcome = experiment.run(input, [&](double fraction) {
       bar.show(fraction);
       return !guard.interrupted();
     });
-    if (!result.converged()) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
+    if (!outcome.converged) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
   }
 
   const std::string place = printable(options.folder, longest_path);
   const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
-  for (const ResultFile& file : cycle_files(input, result, status, provenance)) folder.stage(file.name, file.contents);
+  for (const ResultFile& file : outcome.files(status, provenance)) folder.stage(file.name, file.contents);
   folder.publish();
   if (!session.quiet) {
-    print_output(cycle_table(input, result));
-    print_output(fmt::format("\nsolver {}; results in {} (summary.json, {}.csv, result.nc)\n", name_of(result.solver),
-                             place, experiment.name));
-    for (const std::string& warning : warning_lines(input, result)) print_message("warning: " + warning);
+    print_output(outcome.table);
+    print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.name), place,
+                             fmt::join(experiment.files, ", ")));
+    for (const std::string& warning : outcome.warnings) print_message("warning: " + warning);
   }
   const std::string partial = fmt::format("the results in {} are partial, and flagged so", place);
-  for (const std::string& failure : failure_lines(input, result)) {
+  for (const std::string& failure : outcome.failures) {
     print_message(fmt::format("bumpfoil: {}; {}", failure, partial));
   }
   if (status == RunStatus::interrupted) print_message("bumpfoil: interrupted: " + partial);
@@ -83,13 +83,32 @@ ExitCode exit_code_of(RunStatus status) {
   return ExitCode::numerical_failure;
 }
 
+ExperimentCommand cycle_experiment(std::string name, std::string summary, std::string examples,
+                                   CycleResult (*run)(const Case&, const ProgressCallback&)) {
+  std::vector<std::string> files = cycle_file_names(name);
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .examples = std::move(examples),
+          .files = std::move(files),
+          .run = [run](const Case& input, const ProgressCallback& progress) {
+            CycleResult result = run(input, progress);
+            Outcome outcome{.converged = result.converged(),
+                            .table = cycle_table(input, result),
+                            .warnings = warning_lines(input, result),
+                            .failures = failure_lines(input, result),
+                            .files = {}};
+            outcome.files = [input, result = std::move(result)](RunStatus status, const Provenance& provenance) {
+              return cycle_files(input, result, status, provenance);
+            };
+            return outcome;
+          }};
+}
+
 void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
   const auto options = std::make_shared<ExperimentOptions>();
   CLI::App* command = program.add_subcommand(experiment.name, experiment.summary);
   command->add_option("CASE", options->case_path, "Case file")->required();
-  command
-      ->add_option("-o,--output", options->folder,
-                   fmt::format("Folder for summary.json, {}.csv and result.nc", experiment.name))
+  command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
       ->required();
   command->add_option("--solver", options->solver, "The same as --set solver.name=...: newton, uzawa or events")

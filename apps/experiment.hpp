@@ -3,20 +3,36 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "commands.hpp"
 
 namespace bumpfoil {
 
-/// A command that runs the cycles of a case and writes them to a folder.
+/// What a run has to show.
+struct Outcome {
+  bool converged{};
+  std::string table;                  ///< for the terminal
+  std::vector<std::string> warnings;  ///< a line each
+  std::vector<std::string> failures;
+  std::function<std::vector<ResultFile>(RunStatus, const Provenance&)> files;
+};
+
+/// A command that does to the foils what its table of the case says, and writes the results to a folder.
 struct ExperimentCommand {
   std::string name;     ///< of the command, and of the table of the case that it needs
   std::string summary;  ///< what it does, for --help
   std::string examples;
-  std::function<CycleResult(const Case&, const ProgressCallback&)> run;
+  std::vector<std::string> files;  ///< names of all that it writes
+  std::function<Outcome(const Case&, const ProgressCallback&)> run;
 };
+
+/// One whose result are cycles.
+ExperimentCommand cycle_experiment(std::string name, std::string summary, std::string examples,
+                                   CycleResult (*run)(const Case&, const ProgressCallback&));
 
 /// What the shell is told of a run that ended so.
 ExitCode exit_code_of(RunStatus status);

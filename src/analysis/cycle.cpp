@@ -16,21 +16,6 @@ bool CycleResult::converged() const {
 
 CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}
 
-namespace {
-
-/// Adds what came before a cycle to what it tells of the whole run.
-void follow_on(const Cycle& before, Cycle& cycle) {
-  cycle.assembly_dissipation = before.assembly_dissipation;
-  cycle.loop_energies.insert(cycle.loop_energies.begin(), before.loop_energies.begin(), before.loop_energies.end());
-  cycle.settled = is_settled(cycle.loop_energies);
-  cycle.cost += before.cost;
-  cycle.substeps += before.substeps;
-  cycle.max_residual = std::max(cycle.max_residual, before.max_residual);
-  cycle.wall_time += before.wall_time;
-}
-
-}  // namespace
-
 Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recording recording,
                        const ProgressCallback& progress, const Excitation& centre) {
   const Foils& foils = stepper_.foils();
@@ -43,17 +28,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
   std::vector<Clearance> clearances;
   for (const double force : settings.clearance_forces) clearances.push_back({force, {}});
   CycleSeries series(stepper_, course, centre, step_);
-  Cycle cycle;
-  for (int i = 0; i < settings.cycles && cycle.converged() && !cycle.settled; ++i) {
-    const auto progress_of_cycle = [&](double fraction) {
-      return !progress || progress((i + fraction) / settings.cycles);
-    };
-    Cycle next = series.next(recording, progress_of_cycle, clearances);
-    if (next.loop_energy) next.loop_energies = {*next.loop_energy};
-    if (i > 0) follow_on(cycle, next);
-    cycle = std::move(next);
-  }
-  return cycle;
+  return series.until_settled(settings.cycles, recording, progress, clearances);
 }
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {

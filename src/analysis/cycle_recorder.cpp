@@ -15,6 +15,7 @@ class CycleRecorder {
   CycleRecorder(FoilStepper& stepper, Recording recording, Cycle cycle)
       : stepper_(stepper),
         everything_(recording == Recording::everything),
+        keeps_curve_(recording == Recording::curve),
         normal_(unit_vector(cycle.direction)),
         cycle_(std::move(cycle)),
         log_(stepper, recording, cycle_),
@@ -35,6 +36,7 @@ class CycleRecorder {
       cycle_.initial_journal_load = interface_loads(foils(), step.state.contacts, Interface::journal_top).sum();
     }
     log_.write_down(step, next, normal_);
+    if (keeps_curve_ && next.converged()) draw(step, next);
     return next.converged();
   }
 
@@ -62,8 +64,16 @@ class CycleRecorder {
  private:
   [[nodiscard]] const Foils& foils() const { return stepper_.foils(); }
 
+  void draw(const Step& step, const Increment& next) {
+    for (const Waypoint& point : step.waypoints) {
+      cycle_.curve.push_back({point.position.dot(normal_), point.force});
+    }
+    cycle_.curve.push_back({next.displacement, {next.force_x, next.force_y}});
+  }
+
   FoilStepper& stepper_;
   bool everything_;
+  bool keeps_curve_;
   Eigen::Vector2d normal_;
   Cycle cycle_;
   IncrementLog log_;

@@ -178,6 +178,26 @@ void describe(CaseVisitor& keys, PathSettings& path) {
   keys.value({"steps", defaulted, "Increments per orbit", "and on the straight way to its first point"}, &path.steps);
 }
 
+void describe(CaseVisitor& keys, VibrationSettings& vibration) {
+  keys.vectors(
+      {"loads", required, "Loads", "static loads on the journal, along X and Y; each from the unstressed foils",
+       "[[\"0 N\", \"-50 N\"]]", force},
+      vibration.loads);
+  keys.directions({"directions", required, "Directions", "of the vibrations: one, or two at right angles",
+                   "[\"+X\", \"+Y\"]", angle},
+                  vibration.directions);
+  keys.value({"amplitudes", required, "Amplitudes", "how far the journal goes to each side; it does not move sideways",
+              "[\"1 um\", \"2 um\", \"5 um\"]", length},
+             &vibration.amplitudes);
+  keys.value({"frequencies", required, "Frequencies",
+              "that damping coefficients are given at; the loops do not depend on them. Also \"12000 rpm\"",
+              "[\"200 Hz\"]", frequency},
+             &vibration.frequencies);
+  keys.value({"steps", defaulted, "Increments per amplitude",
+              "equal increments of the way to a load, and from the middle to a turning point"},
+             &vibration.steps);
+}
+
 /// A table that is given if anything in it is not as by default.
 template <typename Table>
 void table(CaseVisitor& keys, const Key& key, Table& members) {
@@ -209,6 +229,11 @@ void describe(CaseVisitor& keys, Case& input) {
   table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
         input.strip);
   table(keys, {"path", optional, "Path", "a path of the journal from the centre, for the command path"}, input.path);
+  table(keys,
+        {"vibration", optional, "Vibration",
+         "the journal vibrates about static loads, for the command vibration: each load in each direction with each "
+         "amplitude"},
+        input.vibration);
 }
 
 }  // namespace bumpfoil

@@ -49,6 +49,9 @@ class CaseVisitor {
   /// A list of angles, in which "+X", "+Y", "-X" and "-Y" stand for theirs.
   virtual void directions(const Key& key, std::vector<double>& angles) = 0;
 
+  /// A list of vectors in the X-Y plane, each by its components along X and Y.
+  virtual void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) = 0;
+
   /// One of a few words, by its index.
   virtual void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) = 0;
 

@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 std::vector<std::string> cycle_file_names(std::string_view command) {
-  return {fmt::format("{}.csv", command), "result.nc", "summary.json"};
+  return {"summary.json", fmt::format("{}.csv", command), "result.nc"};
 }
 
 std::vector<ResultFile> cycle_files(const Case& input, const CycleResult& result, RunStatus status,

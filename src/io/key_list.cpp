@@ -17,6 +17,10 @@ std::string_view noun(const Key& key) {
   return key.dimension ? name_of(*key.dimension).substr(name_of(*key.dimension).find(' ') + 1) : "number";
 }
 
+std::string plural(std::string_view noun) {
+  return noun.ends_with('y') ? fmt::format("{}ies", noun.substr(0, noun.size() - 1)) : fmt::format("{}s", noun);
+}
+
 struct KindOf {
   const Key& key;
   std::string operator()(const std::string*) const { return "text"; }
@@ -24,7 +28,7 @@ struct KindOf {
   std::string operator()(const int*) const { return "whole number"; }
   std::string operator()(const double*) const { return std::string(noun(key)); }
   std::string operator()(const std::optional<double>*) const { return std::string(noun(key)); }
-  std::string operator()(const std::vector<double>*) const { return fmt::format("list of {}s", noun(key)); }
+  std::string operator()(const std::vector<double>*) const { return "list of " + plural(noun(key)); }
 };
 
 Json json_of(const std::optional<double>* number) {
@@ -54,6 +58,12 @@ class KeyLister final : public CaseVisitor {
 
   void directions(const Key& key, std::vector<double>& angles) override {
     add(key, "list of directions", json_of(&angles));
+  }
+
+  void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) override {
+    Json value;
+    for (const Eigen::Vector2d& vector : vectors) value.push_back({vector.x(), vector.y()});
+    add(key, "list of pairs of " + plural(noun(key)), std::move(value));
   }
 
   void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override {

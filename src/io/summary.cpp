@@ -20,21 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json value_json(double value, const Form& form = {}) {
-  if (!std::isfinite(value)) return {};
-  switch (form.kind) {
-    case Form::real:
-      return value;
-    case Form::whole:
-      return static_cast<int>(value);
-    case Form::truth:
-      return value != 0.0;
-    case Form::flag:
-      return form.words[static_cast<std::size_t>(value)];
-  }
-  return {};
-}
-
 /// Where and when the largest stress acts.
 Json peak_json(const std::optional<StressPeak>& peak) {
   if (!peak) return {};
@@ -62,6 +47,21 @@ Json files_json(const Manifest& manifest) {
 }
 
 }  // namespace
+
+Json value_json(double value, const Form& form) {
+  if (!std::isfinite(value)) return {};
+  switch (form.kind) {
+    case Form::real:
+      return value;
+    case Form::whole:
+      return static_cast<int>(value);
+    case Form::truth:
+      return value != 0.0;
+    case Form::flag:
+      return form.words[static_cast<std::size_t>(value)];
+  }
+  return {};
+}
 
 double to_degrees(double angle) {
   const double degrees = angle * (180.0 / std::numbers::pi);

@@ -5,9 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/summary.hpp"
 
 namespace bumpfoil {
+
+/// A number; null where it is not finite.
+nlohmann::ordered_json value_json(double value, const Form& form = {});
 
 /// The quantities of a cycle, its warnings, and why it ended before its time.
 nlohmann::ordered_json cycle_json(const Case& input, const CycleResult& result, std::size_t cycle);

@@ -162,15 +162,21 @@ void read_target(ReadingLog& log, const std::string& path, const toml::node& nod
               fmt::format(", or {}", example_quantity(dimension_of(other)))}(&value);
 }
 
+/// The two entries of a vector in the X-Y plane; null where it is none, which goes into the log.
+const toml::array* plane_vector(ReadingLog& log, const std::string& path, const toml::node& node,
+                                std::string_view example) {
+  const auto* list = node.as_array();
+  if (list != nullptr && list->size() == 2) return list;
+  log.fault(path, list == nullptr ? is_where(node, "a list") : fmt::format("has {} entries", list->size()),
+            fmt::format("give two, along X and Y: {}", example));
+  return nullptr;
+}
+
 /// A list of two, along X and Y; absent where it is none.
 std::optional<PlaneTarget> read_place(ReadingLog& log, const std::string& path, const toml::node& node, Control plain,
                                       std::string_view example) {
-  const auto* list = node.as_array();
-  if (list == nullptr || list->size() != 2) {
-    log.fault(path, list == nullptr ? is_where(node, "a list") : fmt::format("has {} entries", list->size()),
-              fmt::format("give two, along X and Y: {}", example));
-    return std::nullopt;
-  }
+  const toml::array* list = plane_vector(log, path, node, example);
+  if (list == nullptr) return std::nullopt;
   std::optional<Control> control;
   for (const toml::node& entry : *list) {
     const std::optional<Control> met = control_of(entry);
@@ -228,6 +234,32 @@ void TableReader::value(const Key& key, Value value) {
 void TableReader::directions(const Key& key, std::vector<double>& angles) {
   const auto [node, path] = find(key);
   if (node != nullptr) ValueReader{log_, path, *node, key.dimension}.read_list(angles, axes);
+}
+
+void TableReader::vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) {
+  const auto [node, path] = find(key);
+  if (node == nullptr) return;
+  const auto* list = node->as_array();
+  if (list == nullptr) {
+    return log_.fault(path, is_where(*node, "a list"), fmt::format("write a list of vectors: {}", key.example));
+  }
+  if (list->size() > static_cast<std::size_t>(most_bumps)) {
+    return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
+  }
+  vectors.assign(list->size(), Eigen::Vector2d::Zero());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string vector_path = fmt::format("{}[{}]", path, i + 1);
+    const toml::node& vector = *list->get(i);
+    log_.met(vector_path, vector);
+    const toml::array* entries = plane_vector(log_, vector_path, vector, key.example);
+    if (entries == nullptr) continue;
+    for (const int axis : {0, 1}) {
+      const std::string entry_path = fmt::format("{}[{}]", vector_path, axis + 1);
+      const toml::node& entry = *entries->get(static_cast<std::size_t>(axis));
+      log_.met(entry_path, entry);
+      ValueReader{log_, entry_path, entry, key.dimension}(&vectors[i][axis]);
+    }
+  }
 }
 
 void TableReader::word(const Key& key, std::span<const std::string_view> words, std::size_t& index) {

@@ -29,6 +29,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::force, "a force", "N", "\"5 N\""},
     DimensionText{Dimension::stiffness, "a stiffness", "N/m", "\"150 MN/m\""},
     DimensionText{Dimension::pressure, "a pressure", "Pa", "\"214 GPa\""},
+    DimensionText{Dimension::frequency, "a frequency", "rad/s", "\"200 Hz\""},
 };
 
 /// Longer texts are no quantities; the grammar of UDUNITS-2 recurses.
@@ -78,7 +79,12 @@ bool counts_radians(ut_unit* unit) {
 
 bool measures(ut_unit* unit, Dimension dimension) {
   const Unit si = parse_unit(text_of(dimension).si_unit);
-  return ut_are_convertible(unit, si.get()) != 0 && counts_radians(unit) == (dimension == Dimension::angle);
+  const bool radians = counts_radians(unit);
+  // A second could be converted to a frequency, too, as its inverse.
+  const Unit product(ut_multiply(unit, si.get()));
+  if (dimension == Dimension::frequency && ut_is_dimensionless(product.get()) != 0) return false;
+  return ut_are_convertible(unit, si.get()) != 0 &&
+         (dimension == Dimension::frequency || radians == (dimension == Dimension::angle));
 }
 
 /// UDUNITS-2 takes numbers inside units: "1 000 mm" would be nothing, "mm^1.5" half a millimetre. Digits are
@@ -97,6 +103,11 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(' ');
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Turns, or parts of them, by their name: for UDUNITS-2 a hertz is 1/s.
+bool is_hertz(std::string_view unit) {
+  return unit.ends_with("Hz") || unit.ends_with("hertz");
 }
 
 /// Scale of a proportional unit in SI; none if the unit is shifted or logarithmic ("degC", "lg(re 1 m)").
@@ -148,7 +159,8 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
   if (unit_text.empty()) {
     return QuantityFault{"has no unit", fmt::format("{}, or a number in {} without quotes", advice, si_unit(due))};
   }
-  if (unit_text.front() == ',' || has_stray_digits(unit_text)) {
+  const bool inverse = due == Dimension::frequency && unit_text.starts_with("1/");
+  if (unit_text.front() == ',' || has_stray_digits(unit_text.substr(inverse ? 1 : 0))) {
     return QuantityFault{
         fmt::format("has digits where a unit is due, in \"{}\"", unit_text),
         "write one number with a decimal point, without separators, and one unit with whole exponents"};
@@ -165,7 +177,14 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
   }
   const std::optional<double> scale = scale_to_si(unit.get(), due);
   if (!scale) return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
-  const double value = scaled(number, *scale);
+  double value = scaled(number, *scale);
+  if (due == Dimension::frequency && !counts_radians(unit.get())) {
+    if (!is_hertz(unit_text)) {
+      return QuantityFault{fmt::format("has the unit \"{}\", which may count turns or radians", unit_text),
+                           "write \"Hz\" or \"rpm\" for turns, \"rad/s\" for radians"};
+    }
+    value *= 2.0 * std::numbers::pi;
+  }
   if (!std::isfinite(value)) return QuantityFault{"is not finite", advice};
   return value;
 }

@@ -12,75 +12,11 @@
 
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "model/judge.hpp"
+#include "model/judge_vibration.hpp"
 
 namespace bumpfoil {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
-
-/// Values past these are slips of units, and could overflow what is computed from them.
-struct Range {
-  double least, most;
-  std::string_view unit;
-};
-constexpr Range length_range{1e-9, 1e3, "m"};
-constexpr Range modulus_range{1e6, 1e13, "Pa"};
-constexpr Range stiffness_range{1.0, 1e15, "N/m"};
-constexpr Range load_range{1e-6, 1e9, "N"};
-constexpr Range strength_range{1e5, 1e11, "Pa"};
-constexpr Range coefficient_range{0.0, 1.0, ""};
-constexpr Range poisson_range{0.0, 0.5, ""};
-
-/// Foils thicker than this fraction of the bearing's radius, and clearances beyond it, are no bearing's.
-constexpr double thin = 0.1;
-
-/// What a run may keep in memory: some 200 bytes per bump and increment.
-constexpr std::int64_t most_bump_increments = 20'000'000;
-constexpr int most_steps = 1'000'000;
-
-/// Adding up pitches may miss the circumference by a rounding.
-constexpr double rounding = 1e-9;
-
-std::string quantity(double value, std::string_view unit) {
-  return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
-}
-
-class Judge {
- public:
-  /// Keeps the fault if `right` is false; returns `right`.
-  bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
-    if (!right) faults_.push_back({"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)});
-    return right;
-  }
-
-  bool finite(const std::string& key, double value, std::string_view unit) {
-    return require(std::isfinite(value), key, quantity(value, unit), "is not finite", "give a finite number");
-  }
-
-  bool within(const std::string& key, double value, const Range& range) {
-    if (!finite(key, value, range.unit)) return false;
-    const std::string shown = quantity(value, range.unit);
-    const bool sign_right = range.least > 0.0 ? value > 0.0 : value >= 0.0;
-    if (!require(sign_right, key, shown, range.least > 0.0 ? "must be positive" : "must not be negative",
-                 fmt::format("give a value from {} to {}", quantity(range.least, range.unit),
-                             quantity(range.most, range.unit)))) {
-      return false;
-    }
-    return require(value >= range.least && value <= range.most, key, shown, "is unphysical",
-                   fmt::format("give a value from {} to {}{}", quantity(range.least, range.unit),
-                               quantity(range.most, range.unit), range.unit.empty() ? "" : "; is the unit right?"));
-  }
-
-  bool angle(const std::string& key, double value) {
-    return finite(key, value, "rad") && require(std::abs(value) <= turn * (1.0 + rounding), key, quantity(value, "rad"),
-                                                "is more than a full turn", "give at most 360 degrees either way");
-  }
-
-  std::vector<Fault> take() { return std::move(faults_); }
-
- private:
-  std::vector<Fault> faults_;
-};
 
 bool judge_bearing(Judge& judge, const Bearing& bearing) {
   const bool radius = judge.within("bearing.radius", bearing.radius, length_range);
@@ -244,12 +180,6 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   }
 }
 
-/// Displacement of the journal that presses the bumps flat, clearance and rise together; 0 if not known.
-double flat_limit(const Case& input, double rise) {
-  const bool usable = rise > 0.0 && std::abs(input.bearing.radial_clearance) <= thin * input.bearing.radius;
-  return usable ? input.bearing.radial_clearance + rise : 0.0;
-}
-
 /// How far the cycles of the journal go, from their preload on; `limit`: what presses the bumps flat, 0 if not known.
 void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
   const bool by_load = cycle.amplitude.control == Control::load;
@@ -284,6 +214,12 @@ void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
                             start > 0.0 ? ", preload included" : ""));
 }
 
+/// Displacement of the journal that presses the bumps flat, m; 0 if it is not known.
+double flattening(const Bearing& bearing, double rise) {
+  const bool clear = std::abs(bearing.radial_clearance) <= thin * bearing.radius;
+  return rise > 0.0 && clear ? bearing.radial_clearance + rise : 0.0;
+}
+
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   const CycleSettings& cycle = input.cycle;
   if (cycle.directions.empty() && cycle.amplitude.value == 0.0) return;
@@ -293,7 +229,7 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
     judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
   }
   judge_repetition(judge, cycle.directions);
-  judge_course(judge, cycle, flat_limit(input, rise));
+  judge_course(judge, cycle, flattening(input.bearing, rise));
   const bool steps =
       judge.require(cycle.steps >= 1 && cycle.steps <= most_steps, "cycle.steps", std::to_string(cycle.steps),
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
@@ -406,6 +342,10 @@ void judge_combination(Judge& judge, const Case& input) {
                 std::string(name_of(input.bump_foil.model)),
                 "knows no strip: without gaps and history its loops would have no area",
                 "set model = \"truss\" or \"frame\", or remove [strip]");
+  judge.require(!input.vibration || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)),
+                "has no history: its loops have no area, and it cannot vibrate about a load",
+                "set model = \"truss\" or \"frame\", or remove [vibration]");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
   judge.require(
@@ -462,7 +402,8 @@ std::vector<Fault> find_faults(const Case& input) {
   judge_solver(judge, input.solver.uzawa);
   judge_cycle(judge, input, bumps, rise);
   if (input.strip) judge_strip(judge, *input.strip, foil, rise);
-  if (input.path) judge_path(judge, *input.path, bumps ? foil.bumps : 0, flat_limit(input, rise));
+  if (input.path) judge_path(judge, *input.path, bumps ? foil.bumps : 0, flattening(input.bearing, rise));
+  if (input.vibration) judge_vibration(judge, *input.vibration, flattening(input.bearing, rise));
   judge_combination(judge, input);
   return judge.take();
 }

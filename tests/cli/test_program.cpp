@@ -40,6 +40,44 @@ TEST_F(Program, GoesFromInitOverCheckToCycle) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 9);
 }
 
+TEST_F(Program, VibratesAboutLoads) {
+  const std::vector<std::string> vibration{"vibration", case_path_,
+                                           "-o",        results_,
+                                           "--set",     "vibration.directions=[\"+X\", \"+Y\"]",
+                                           "--set",     "vibration.amplitudes=[\"1 um\"]",
+                                           "--set",     "vibration.steps=8"};
+  const auto with = [&](const std::string& load, const std::string& frequency) {
+    return vibration + std::vector<std::string>{"--set", "vibration.loads=[[\"0 N\", \"" + load + "\"]]", "--set",
+                                                "vibration.frequencies=[\"" + frequency + "\"]"};
+  };
+  const Outcome still = run(with("-50 N", "0 Hz"));
+  EXPECT_EQ(still.exit_code, 2);
+  EXPECT_NE(still.errors.find("vibration.frequencies[1] = 0 Hz: must be positive"), std::string::npos) << still.errors;
+  EXPECT_EQ(run(with("-50 N", "200 1/s")).exit_code, 2);
+  EXPECT_FALSE(wrote_results());
+
+  const Outcome done = run(with("-50 N", "200 Hz"));
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_EQ(done.errors.find("warning: load (0, -50) N, 0 deg, 1 um: the loop has not settled"), 0U) << done.errors;
+  EXPECT_NE(done.output.find("loss factor"), std::string::npos);
+  EXPECT_NE(
+      done.output.find(results_ + " (summary.json, vibration.csv, coefficients.csv, coefficients.toml, result.nc)"),
+      std::string::npos);
+  EXPECT_EQ(summary().at("command"), "vibration");
+  EXPECT_EQ(summary().at("status"), "complete");
+  const json coefficients = summary().at("coefficients").at(0);
+  EXPECT_NEAR(coefficients.at("frequency_rad_per_s"), 1256.637061435917, 1e-9);
+  EXPECT_GT(coefficients.at("kyy_N_per_m"), 1e6);
+  EXPECT_GT(coefficients.at("cyy_N_s_per_m"), 0.0);
+  EXPECT_EQ(run(with("-50 N", "200 Hz")).exit_code, 4);  // holds results
+
+  const Outcome beyond = run(with("-1 GN", "200 Hz") + std::vector<std::string>{"--force"});
+  EXPECT_EQ(beyond.exit_code, 3);
+  EXPECT_EQ(beyond.errors.find("bumpfoil: load (0, -1e+09) N was not reached: "), 0U) << beyond.errors;
+  EXPECT_EQ(summary().at("status"), "failed");
+  EXPECT_TRUE(summary().at("coefficients").at(0).at("kyy_N_per_m").is_null());
+}
+
 TEST_F(Program, CompressesAStrip) {
   const std::vector<std::string> strip{"strip", case_path_,      "-o",    results_,
                                        "--set", "strip.bumps=4", "--set", "strip.steps=4"};

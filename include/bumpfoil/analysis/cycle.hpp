@@ -78,6 +78,12 @@ struct OrbitLoop {
   bool operator==(const OrbitLoop&) const = default;
 };
 
+/// A point of a loop.
+struct LoopPoint {
+  double displacement{};            ///< along the direction, m
+  Eigen::Vector2d force{0.0, 0.0};  ///< that holds the journal, N
+};
+
 /// How a cycle goes round.
 enum class Course {
   push,   ///< from its start to full displacement and back
@@ -101,6 +107,7 @@ struct Cycle {
   FoilFields fields;               ///< one row per increment that was solved; empty with quantities alone
   std::vector<CycleEvent> events;  ///< only from the event-driven solver
   std::optional<Increment> start;  ///< increment 0
+  std::vector<LoopPoint> curve;    ///< where it was asked for: the loop, linear between its points
   std::vector<Increment> turns;    ///< ends of the legs that were reached; the first is the turning point
 
   double initial_journal_load{};  ///< sum of journal loads at increment 0, N
@@ -154,6 +161,7 @@ using ProgressCallback = std::function<bool(double)>;
 /// What is kept of a cycle beside its quantities.
 enum class Recording {
   everything,  ///< increments and fields; every increment is judged by its residuals
+  curve,       ///< the loop alone; judged as with `quantities`
   quantities,  ///< nothing: increment 0, those where legs end and the last are judged; no stresses
 };
 

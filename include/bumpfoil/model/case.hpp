@@ -176,6 +176,18 @@ struct PathSettings {
   [[nodiscard]] Control control() const { return is_orbit() ? centre.control : points.control; }
 };
 
+/// Vibrations of the journal about static loads: about each load in each direction with each amplitude, until the loop
+/// has settled. The journal moves along the direction alone.
+struct VibrationSettings {
+  std::vector<Eigen::Vector2d> loads;  ///< N
+  std::vector<double> directions;      ///< rad, from the X axis towards Y; one, or two at right angles
+  std::vector<double> amplitudes;      ///< from the middle to a turning point, m
+  std::vector<double> frequencies;     ///< that the damping is given at, rad/s
+  int steps{100};  ///< equal increments of the way to a load, and from the middle to a turning point
+
+  bool operator==(const VibrationSettings&) const = default;
+};
+
 /// A case as the program understands it: SI units, defaults filled in.
 struct Case {
   std::string title;
@@ -187,6 +199,7 @@ struct Case {
   CycleSettings cycle;
   std::optional<StripSettings> strip{};
   std::optional<PathSettings> path{};
+  std::optional<VibrationSettings> vibration{};
 
   bool operator==(const Case&) const = default;
 };

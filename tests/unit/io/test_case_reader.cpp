@@ -116,6 +116,33 @@ TEST(ParseCase, ReadsStrips) {
   EXPECT_NE(refusal({"strip.displacement=20 um", "strip.welt=none"}).find("did you mean \"weld\"?"), std::string::npos);
 }
 
+TEST(ParseCase, ReadsVibrations) {
+  EXPECT_FALSE(with({}).vibration);
+  const std::vector<std::string> given{
+      "vibration.loads=[[\"0 N\", \"-50 N\"], [10, 0]]", "vibration.directions=[\"+X\", \"90 deg\"]",
+      "vibration.amplitudes=[\"1 um\", 2e-6]", "vibration.frequencies=[\"6000 rpm\", 500]"};
+  constexpr double pi = std::numbers::pi;
+  const VibrationSettings vibration = with(given).vibration.value();
+  EXPECT_EQ(vibration, (VibrationSettings{.loads = {{0.0, -50.0}, {10.0, 0.0}},
+                                          .directions = {0.0, 0.5 * pi},
+                                          .amplitudes = {1e-6, 2e-6},
+                                          .frequencies = {200.0 * pi, 500.0}}));
+  const auto changed = [&](const std::string& key) {
+    std::vector<std::string> all = given;
+    all.push_back(key);
+    return refusal(all);
+  };
+  EXPECT_NE(changed("vibration.loads=[0, -50]").find("vibration.loads[1]"), std::string::npos);
+  EXPECT_NE(changed("vibration.loads=[[0, -50, 1]]").find("vibration.loads[1]"), std::string::npos);
+  EXPECT_NE(changed("vibration.loads=[[0, -50, 1]]").find("has 3 entries; give two, along X and Y"), std::string::npos);
+  EXPECT_NE(changed("vibration.loads=[[5, \"5 um\"]]").find("vibration.loads[1][2] = 5 um: is a length where a force"),
+            std::string::npos);
+  EXPECT_NE(changed("vibration.loads=5 N").find("write a list of vectors"), std::string::npos);
+  EXPECT_NE(changed("vibration.frequencies=[\"0 Hz\"]").find("vibration.frequencies[1] = 0 Hz: must be positive"),
+            std::string::npos);
+  EXPECT_NE(refusal({"vibration.loads=[[0, 5]]"}).find("vibration.amplitudes: is missing"), std::string::npos);
+}
+
 TEST(ParseCase, ReadsWhatCyclesGoAbout) {
   const auto preload = [](const std::string& text) { return with({"cycle.preload=" + text}).cycle.preload.value(); };
   EXPECT_EQ(with({}).cycle.preload, std::nullopt);

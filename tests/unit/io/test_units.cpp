@@ -49,6 +49,24 @@ TEST(ParseQuantity, ReadsDegreesInEverySpelling) {
   }
 }
 
+TEST(ParseQuantity, ReadsTurnsAndRadians) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  EXPECT_DOUBLE_EQ(value_of("200 Hz", Dimension::frequency), turn * 200.0);
+  EXPECT_DOUBLE_EQ(value_of("1.5 kHz", Dimension::frequency), turn * 1500.0);
+  EXPECT_DOUBLE_EQ(value_of("2 hertz", Dimension::frequency), turn * 2.0);
+  EXPECT_DOUBLE_EQ(value_of("45000 rpm", Dimension::frequency), turn * 750.0);
+  EXPECT_DOUBLE_EQ(value_of("300 rad/s", Dimension::frequency), 300.0);
+  EXPECT_DOUBLE_EQ(value_of("360 deg/s", Dimension::frequency), turn);
+  for (const char* text : {"200 1/s", "200 s-1", "200 s^-1", "200 1/min", "200 Bq"}) {
+    EXPECT_NE(fault_of(text, Dimension::frequency).find("which may count turns or radians"), std::string::npos) << text;
+  }
+  EXPECT_NE(fault_of("30 deg", Dimension::frequency).find("is an angle where a frequency is due"), std::string::npos);
+  EXPECT_NE(fault_of("200 Hz", Dimension::length).find("is a frequency where a length is due"), std::string::npos);
+  EXPECT_NE(fault_of("200 Hz", Dimension::angle), "");
+  EXPECT_NE(fault_of("3 s", Dimension::frequency).find("has the unit \"s\" where a frequency is due"),
+            std::string::npos);
+}
+
 TEST(ParseQuantity, ReadsOtherSystemsOfUnits) {
   EXPECT_DOUBLE_EQ(value_of("1 inch", Dimension::length), 25.4e-3);
   EXPECT_DOUBLE_EQ(value_of("1 mil", Dimension::length), 25.4e-6);

@@ -1,0 +1,40 @@
+#include "bumpfoil/analysis/vibration.hpp"
+
+#include <utility>
+
+#include "bumpfoil/io/vibration_files.hpp"
+#include "commands.hpp"
+#include "experiment.hpp"
+
+namespace bumpfoil {
+namespace {
+
+Outcome run(const Case& input, const ProgressCallback& progress) {
+  VibrationResult result = run_vibration(input, progress);
+  Outcome outcome{.converged = result.converged(),
+                  .table = vibration_table(input, result),
+                  .warnings = warning_lines(input, result),
+                  .failures = failure_lines(input, result),
+                  .files = {}};
+  outcome.files = [input, result = std::move(result)](RunStatus status, const Provenance& provenance) {
+    return vibration_files(input, result, status, provenance);
+  };
+  return outcome;
+}
+
+}  // namespace
+
+void add_vibration_command(CLI::App& program, Session& session) {
+  add_experiment(program, session,
+                 {.name = "vibration",
+                  .summary = "Let the journal vibrate about static loads: stiffness, damping and loss factor",
+                  .examples = "  bumpfoil vibration examples/vibration.toml -o vibration\n"
+                              "  bumpfoil vibration examples/vibration.toml -o heavy --set "
+                              "'vibration.loads=[[\"0 N\", \"-200 N\"]]'\n"
+                              "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program "
+                              "ROSS.\n",
+                  .files = vibration_file_names(),
+                  .run = run});
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/first_harmonic.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// A static load that the journal vibrates about, reached by one ramp from the unstressed foils.
+struct StaticLoad {
+  Eigen::Vector2d load{0.0, 0.0};      ///< N
+  Status status{Status::converged};    ///< of the way there; `interrupted` where it was not begun
+  Eigen::Vector2d position{0.0, 0.0};  ///< of the journal, m; zero where the load was not reached
+  TangentMatrices tangents;            ///< there
+};
+
+/// One vibration: about one load, in one direction, with one amplitude.
+struct Vibration {
+  Cycle cycle;                            ///< the last, with its curve; where there was none its status says why
+  std::optional<FirstHarmonic> harmonic;  ///< of a whole loop
+};
+
+struct VibrationResult {
+  std::vector<StaticLoad> loads;
+  /// About each load, in each direction, with each amplitude: that of the settings, the last running fastest.
+  std::vector<Vibration> vibrations;
+
+  [[nodiscard]] bool converged() const;
+};
+
+/// Vibrations about the loads of a case. About each load every vibration begins with a copy of the state there, and is
+/// repeated until its loop energy changes by less than 1e-6, at most `most_vibration_loops` times. Numerical failures
+/// are reported in the result: loads and vibrations beside them are not touched.
+/// @throws Error (input) if the case cannot be built, or has no vibration.
+VibrationResult run_vibration(const Case& input, const ProgressCallback& progress = {});
+
+/// Loops of one vibration at most.
+inline constexpr int most_vibration_loops = 100;
+
+/// Linear foils that answer the vibrations about one load with one amplitude in the same way, first harmonic for first
+/// harmonic: dF = K dx + (H/omega) d(dx)/dt with F = what holds the journal, and so K_ij = dF_i/dx_j. Entries that no
+/// vibration tells are not numbers: two directions at right angles tell all, one along an axis the column of that.
+struct LinearFoils {
+  Eigen::Vector2d load{0.0, 0.0};  ///< N
+  double amplitude{};              ///< m
+  Eigen::Matrix2d stiffness;       ///< K, N/m
+  Eigen::Matrix2d loss;            ///< H = omega c, N/m
+  double residual{};               ///< the larger one of the directions, see FirstHarmonic
+  Eigen::Vector2d loss_factor;     ///< of a vibration along X and of one along Y, see Cycle
+
+  /// c, N s/m, at `frequency` (rad/s).
+  [[nodiscard]] Eigen::Matrix2d damping(double frequency) const { return loss / frequency; }
+};
+
+/// About each load with each amplitude, the last running fastest.
+std::vector<LinearFoils> linear_foils(const VibrationSettings& vibration, const VibrationResult& result);
+
+}  // namespace bumpfoil

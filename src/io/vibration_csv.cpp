@@ -1,0 +1,52 @@
+#include "io/vibration_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bumpfoil/io/summary.hpp"
+#include "io/vibration_quantities.hpp"
+
+namespace bumpfoil {
+namespace {
+
+std::string text_of(double value, const Form& form = {}) {
+  if (!std::isfinite(value)) return {};
+  return form.words.empty() ? fmt::format("{:.17g}", value) : std::string(form.words[static_cast<std::size_t>(value)]);
+}
+
+}  // namespace
+
+std::string vibration_csv(const VibrationSettings& settings, const VibrationResult& result) {
+  std::string out = "load_x_N,load_y_N,direction_deg,amplitude_m";
+  for (const VibrationQuantity& column : vibration_quantities()) out += ',' + key_of(column.name, column.unit);
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    const auto [load, direction, amplitude] = place_of(settings, i);
+    out += fmt::format("\n{:.17g},{:.17g},{:.17g},{:.17g}", settings.loads[load].x(), settings.loads[load].y(),
+                       to_degrees(settings.directions[direction]), settings.amplitudes[amplitude]);
+    for (const VibrationQuantity& column : vibration_quantities()) {
+      out += ',' + text_of(column.value(result.vibrations[i]), column.form);
+    }
+  }
+  return out + '\n';
+}
+
+std::string coefficients_csv(const VibrationSettings& settings, const std::vector<LinearFoils>& all) {
+  std::string out = "load_x_N,load_y_N,amplitude_m,frequency_rad_per_s";
+  for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",k{}_N_per_m", entry.axes);
+  for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",c{}_N_s_per_m", entry.axes);
+  for (const LinearQuantity& column : linear_quantities()) out += ',' + key_of(column.name, column.unit);
+  for (const LinearFoils& foils : all) {
+    for (const double frequency : settings.frequencies) {
+      out +=
+          fmt::format("\n{:.17g},{:.17g},{:.17g},{:.17g}", foils.load.x(), foils.load.y(), foils.amplitude, frequency);
+      for (const Eigen::Matrix2d& matrix : {foils.stiffness, foils.damping(frequency)}) {
+        for (const auto& [axes, row, column] : matrix_entries) out += ',' + text_of(matrix(row, column));
+      }
+      for (const LinearQuantity& column : linear_quantities()) out += ',' + text_of(column.value(foils));
+    }
+  }
+  return out + '\n';
+}
+
+}  // namespace bumpfoil

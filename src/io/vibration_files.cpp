@@ -1,0 +1,44 @@
+#include "bumpfoil/io/vibration_files.hpp"
+
+#include <new>
+
+#include "bumpfoil/core/error.hpp"
+#include "io/manifest.hpp"
+#include "io/ross_toml.hpp"
+#include "io/vibration_csv.hpp"
+#include "io/vibration_netcdf.hpp"
+#include "io/vibration_quantities.hpp"
+#include "io/vibration_summary.hpp"
+
+namespace bumpfoil {
+
+std::vector<std::string> vibration_file_names() {
+  return {"summary.json", "vibration.csv", "coefficients.csv", "coefficients.toml", "result.nc"};
+}
+
+std::vector<ResultFile> vibration_files(const Case& input, const VibrationResult& result, RunStatus status,
+                                        const Provenance& provenance) try {
+  const std::string run_id = make_run_id();
+  const VibrationSettings& settings = *input.vibration;
+  const std::vector<LinearFoils> all = linear_foils(settings, result);
+  std::vector<ResultFile> files;
+  files.push_back({"vibration.csv", vibration_csv(settings, result)});
+  files.push_back({"coefficients.csv", coefficients_csv(settings, all)});
+  files.push_back({"coefficients.toml", ross_toml(settings, all, run_id)});
+  files.push_back({"result.nc", vibration_netcdf(input, result, all, status, provenance, run_id)});
+  files.push_back({"summary.json", vibration_summary(input, result, all, status, make_manifest(run_id, files))});
+  return files;
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorKind::file, {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice",
+                                 "fewer steps, loads or amplitudes take less"}});
+}
+
+std::vector<std::string> failure_lines(const Case& input, const VibrationResult& result) {
+  return failure_lines(*input.vibration, result);
+}
+
+std::vector<std::string> warning_lines(const Case& input, const VibrationResult& result) {
+  return warning_lines(*input.vibration, result);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/io/result_netcdf.hpp"
+
+namespace bumpfoil {
+
+/// Contents of result.nc of vibrations: loads, vibrations with their loops, and coefficients, with their provenance. As
+/// result_netcdf(), it is not thread-safe. @throws Error (file) if netCDF cannot build it
+std::string vibration_netcdf(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
+                             RunStatus status, const Provenance& provenance, std::string_view run_id);
+
+}  // namespace bumpfoil

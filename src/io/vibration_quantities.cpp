@@ -1,0 +1,164 @@
+#include "io/vibration_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double known(const std::optional<double>& number) {
+  return number.value_or(unknown);
+}
+
+/// A part of the harmonic along the direction of the vibration.
+double direct(const Vibration& vibration, Eigen::Vector2d FirstHarmonic::*part) {
+  return vibration.harmonic ? unit_vector(vibration.cycle.direction).dot((*vibration.harmonic).*part) : unknown;
+}
+
+/// And across it, to the left.
+double cross(const Vibration& vibration, Eigen::Vector2d FirstHarmonic::*part) {
+  if (!vibration.harmonic) return unknown;
+  const Eigen::Vector2d n = unit_vector(vibration.cycle.direction);
+  return Eigen::Vector2d(-n.y(), n.x()).dot((*vibration.harmonic).*part);
+}
+
+constexpr auto truth_words = std::to_array<std::string_view>({"no", "yes"});
+constexpr Form truth{Form::truth, truth_words};
+constexpr ShownUnit plain{"", 1.0};
+constexpr ShownUnit stiffness{"MN/m", 1e6};
+
+constexpr auto vibration_list = std::to_array<VibrationQuantity>({
+    {"stiffness_direct",
+     "N/m",
+     "first harmonic of the force along the direction in phase with the displacement, over that",
+     [](const Vibration& v) { return direct(v, &FirstHarmonic::stiffness); },
+     {},
+     "stiffness",
+     stiffness},
+    {"stiffness_cross", "N/m", "the same of the force across the direction, turned by +90 degrees",
+     [](const Vibration& v) { return cross(v, &FirstHarmonic::stiffness); }},
+    {"loss_stiffness_direct",
+     "N/m",
+     "first harmonic of the force along the direction a quarter of a turn ahead of the displacement, "
+     "over that: frequency times damping",
+     [](const Vibration& v) { return direct(v, &FirstHarmonic::loss); },
+     {},
+     "loss",
+     stiffness},
+    {"loss_stiffness_cross", "N/m", "the same of the force across the direction",
+     [](const Vibration& v) { return cross(v, &FirstHarmonic::loss); }},
+    {"harmonic_residual",
+     "1",
+     "norm of the higher harmonics of the force over that of the first",
+     [](const Vibration& v) { return v.harmonic ? v.harmonic->residual : unknown; },
+     {},
+     "residual",
+     plain},
+    {"loaded_stiffness", "N/m", "range of the force along the direction over that of the displacement",
+     [](const Vibration& v) { return known(v.cycle.loaded_stiffness); }},
+    {"loop_energy", "J", "closed integral of force over displacement",
+     [](const Vibration& v) { return known(v.cycle.loop_energy); }},
+    {"loss_factor",
+     "1",
+     "loop energy over (pi K X^2): K loaded stiffness, X half the range of the displacement",
+     [](const Vibration& v) { return known(v.cycle.loss_factor); },
+     {},
+     "loss factor",
+     plain},
+    {"loops",
+     "1",
+     "loops that were run, the last of which is shown",
+     [](const Vibration& v) { return static_cast<double>(v.cycle.loop_energies.size()); },
+     {Form::whole},
+     "loops",
+     plain},
+    {"settled", "1", "whether the energy of the loop is that of the loop before",
+     [](const Vibration& v) { return v.cycle.settled ? 1.0 : 0.0; }, truth},
+    {"status", "", "how the vibration ended", [](const Vibration& v) { return static_cast<double>(v.cycle.status); },
+     flags<Status>, "status", plain},
+    {"max_residual", "1", "largest residual where branches end",
+     [](const Vibration& v) { return v.harmonic ? v.cycle.max_residual : unknown; }},
+    {"total_iterations",
+     "1",
+     "linear solves of all loops",
+     [](const Vibration& v) { return static_cast<double>(v.cycle.cost.iterations); },
+     {Form::whole}},
+    {"total_substeps",
+     "1",
+     "extra solves because increments had to be halved",
+     [](const Vibration& v) { return static_cast<double>(v.cycle.substeps); },
+     {Form::whole}},
+    {"wall_time", "s", "time that the vibration took", [](const Vibration& v) { return v.cycle.wall_time; }},
+});
+
+constexpr auto linear_list = std::to_array<LinearQuantity>({
+    {"residual", "1", "norm of the higher harmonics over that of the first, the larger of the directions",
+     [](const LinearFoils& foils) { return foils.residual; }},
+    {"loss_factor_x", "1", "loss factor of the vibration along X",
+     [](const LinearFoils& foils) { return foils.loss_factor.x(); }},
+    {"loss_factor_y", "1", "loss factor of the vibration along Y",
+     [](const LinearFoils& foils) { return foils.loss_factor.y(); }},
+});
+
+std::string load_text(const Eigen::Vector2d& load) {
+  return fmt::format("load ({:.4g}, {:.4g}) N", load.x(), load.y());
+}
+
+std::string vibration_text(const VibrationSettings& settings, std::size_t vibration) {
+  const auto [load, direction, amplitude] = place_of(settings, vibration);
+  return fmt::format("{}, {:.6g} deg, {:.4g} um", load_text(settings.loads[load]),
+                     to_degrees(settings.directions[direction]), 1e6 * settings.amplitudes[amplitude]);
+}
+
+}  // namespace
+
+std::span<const VibrationQuantity> vibration_quantities() {
+  return vibration_list;
+}
+
+std::span<const LinearQuantity> linear_quantities() {
+  return linear_list;
+}
+
+VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration) {
+  const std::size_t amplitudes = settings.amplitudes.size();
+  const std::size_t directions = settings.directions.size();
+  return {vibration / amplitudes / directions, vibration / amplitudes % directions, vibration % amplitudes};
+}
+
+std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result) {
+  std::vector<std::string> lines;
+  const auto tell = [&lines](const std::string& place, Status status) {
+    if (status == Status::converged || status == Status::interrupted) return;
+    lines.push_back(fmt::format("{}: {}", place, explanation(status)));
+  };
+  for (const StaticLoad& load : result.loads) tell(load_text(load.load) + " was not reached", load.status);
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    if (result.loads[place_of(settings, i).load].status != Status::converged) continue;  // said already
+    tell(vibration_text(settings, i), result.vibrations[i].cycle.status);
+  }
+  return lines;
+}
+
+std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    const Cycle& cycle = result.vibrations[i].cycle;
+    if (!cycle.converged() || cycle.settled) continue;
+    lines.push_back(
+        fmt::format("{}: the loop has not settled after {} loops, its energy still changes from {:.4g} to "
+                    "{:.4g} mJ",
+                    vibration_text(settings, i), cycle.loop_energies.size(), 1e3 * *(cycle.loop_energies.end() - 2),
+                    1e3 * cycle.loop_energies.back()));
+  }
+  return lines;
+}
+
+}  // namespace bumpfoil

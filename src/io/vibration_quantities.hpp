@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
+
+namespace bumpfoil {
+
+/// Of one vibration, described once for all files and the table, as CycleQuantity is.
+struct VibrationQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const Vibration&);
+  Form form{};
+  std::string_view label{};  ///< in the table on the terminal; empty where it is in the files only
+  ShownUnit shown{};
+};
+std::span<const VibrationQuantity> vibration_quantities();
+
+/// Of the foils about one load with one amplitude.
+struct LinearQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const LinearFoils&);
+};
+std::span<const LinearQuantity> linear_quantities();
+
+/// Entry of a matrix, by the name of the coefficient: kxy is dF_x/dy.
+struct MatrixEntry {
+  std::string_view axes;
+  int row, column;
+};
+inline constexpr std::array<MatrixEntry, 4> matrix_entries{{{"xx", 0, 0}, {"xy", 0, 1}, {"yx", 1, 0}, {"yy", 1, 1}}};
+
+/// What keeps vibrations from being found, each with its place.
+std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result);
+
+/// Where an answer is less than it seems, and what to do about it.
+std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result);
+
+/// Place of a vibration among those of a result.
+struct VibrationPlace {
+  std::size_t load, direction, amplitude;
+};
+VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration);
+
+}  // namespace bumpfoil

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/io/summary.hpp"
+
+namespace bumpfoil {
+
+/// Contents of summary.json of vibrations: as summary_json(), with `loads`, `vibrations` and `coefficients` in place of
+/// cycles.
+std::string vibration_summary(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
+                              RunStatus status, const Manifest& manifest);
+
+}  // namespace bumpfoil

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/io/vibration_files.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "io/number_text.hpp"
+#include "io/vibration_quantities.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr int column_width = 12;
+
+std::string cell(const VibrationQuantity& quantity, const Vibration& vibration) {
+  const double value = quantity.value(vibration);
+  if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
+  if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
+  return number_text(value, quantity.shown.size);
+}
+
+}  // namespace
+
+std::string vibration_table(const Case& input, const VibrationResult& result) {
+  const VibrationSettings& settings = *input.vibration;
+  std::string names;
+  std::string units;
+  const auto add = [&](std::string_view name, std::string_view unit) {
+    names += fmt::format("{:>{}}", name, column_width);
+    units += fmt::format("{:>{}}", unit, column_width);
+  };
+  add("load X", "N");
+  add("load Y", "N");
+  add("direction", "deg");
+  add("amplitude", "um");
+  for (const VibrationQuantity& quantity : vibration_quantities()) {
+    if (!quantity.label.empty()) add(quantity.label, quantity.shown.name);
+  }
+  std::string out = names + '\n' + units + '\n' + std::string(names.size(), '-') + '\n';
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    const auto [load, direction, amplitude] = place_of(settings, i);
+    out += fmt::format("{:>{w}.5g}{:>{w}.5g}{:>{w}.6g}{:>{w}.5g}", settings.loads[load].x(), settings.loads[load].y(),
+                       to_degrees(settings.directions[direction]), 1e6 * settings.amplitudes[amplitude],
+                       fmt::arg("w", column_width));
+    for (const VibrationQuantity& quantity : vibration_quantities()) {
+      if (!quantity.label.empty()) out += fmt::format("{:>{}}", cell(quantity, result.vibrations[i]), column_width);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+
+namespace bumpfoil {
+
+inline constexpr double turn = 2.0 * std::numbers::pi;
+
+/// Values past these are slips of units, and could overflow what is computed from them.
+struct Range {
+  double least, most;
+  std::string_view unit;
+};
+inline constexpr Range length_range{1e-9, 1e3, "m"};
+inline constexpr Range modulus_range{1e6, 1e13, "Pa"};
+inline constexpr Range stiffness_range{1.0, 1e15, "N/m"};
+inline constexpr Range load_range{1e-6, 1e9, "N"};
+inline constexpr Range strength_range{1e5, 1e11, "Pa"};
+inline constexpr Range coefficient_range{0.0, 1.0, ""};
+inline constexpr Range poisson_range{0.0, 0.5, ""};
+
+/// Foils thicker than this fraction of the bearing's radius, and clearances beyond it, are no bearing's.
+inline constexpr double thin = 0.1;
+
+/// What a run may keep in memory: some 200 bytes per bump and increment.
+inline constexpr std::int64_t most_bump_increments = 20'000'000;
+inline constexpr int most_steps = 1'000'000;
+
+/// Adding up pitches may miss the circumference by a rounding.
+inline constexpr double rounding = 1e-9;
+
+/// As messages show it.
+inline std::string quantity(double value, std::string_view unit) {
+  return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+/// Collects the faults of a case.
+class Judge {
+ public:
+  /// Keeps the fault if `right` is false; returns `right`.
+  bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
+    if (!right) faults_.push_back({"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)});
+    return right;
+  }
+
+  bool finite(const std::string& key, double value, std::string_view unit) {
+    return require(std::isfinite(value), key, quantity(value, unit), "is not finite", "give a finite number");
+  }
+
+  bool within(const std::string& key, double value, const Range& range) {
+    if (!finite(key, value, range.unit)) return false;
+    const std::string shown = quantity(value, range.unit);
+    const bool sign_right = range.least > 0.0 ? value > 0.0 : value >= 0.0;
+    if (!require(sign_right, key, shown, range.least > 0.0 ? "must be positive" : "must not be negative",
+                 fmt::format("give a value from {} to {}", quantity(range.least, range.unit),
+                             quantity(range.most, range.unit)))) {
+      return false;
+    }
+    return require(value >= range.least && value <= range.most, key, shown, "is unphysical",
+                   fmt::format("give a value from {} to {}{}", quantity(range.least, range.unit),
+                               quantity(range.most, range.unit), range.unit.empty() ? "" : "; is the unit right?"));
+  }
+
+  bool angle(const std::string& key, double value) {
+    return finite(key, value, "rad") && require(std::abs(value) <= turn * (1.0 + rounding), key, quantity(value, "rad"),
+                                                "is more than a full turn", "give at most 360 degrees either way");
+  }
+
+  std::vector<Fault> take() { return std::move(faults_); }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+}  // namespace bumpfoil

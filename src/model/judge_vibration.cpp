@@ -1,0 +1,74 @@
+#include "model/judge_vibration.hpp"
+
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr Range frequency_range{1e-3, 1e7, "rad/s"};
+/// Points of all loops, which are kept until the end, and rows of all coefficients.
+constexpr std::int64_t most_points = 20'000'000;
+constexpr std::int64_t most_rows = 1'000'000;
+
+/// @param example  of an entry
+bool judge_presence(Judge& judge, const std::string& key, std::size_t size, std::string_view example) {
+  return judge.require(size > 0, key, "[]", "is empty", fmt::format("give at least one: [{}]", example));
+}
+
+void judge_directions(Judge& judge, const std::vector<double>& directions) {
+  if (!judge_presence(judge, "vibration.directions", directions.size(), "\"+X\"")) return;
+  bool finite = true;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    finite = judge.angle(fmt::format("vibration.directions[{}]", i + 1), directions[i]) && finite;
+  }
+  if (!finite || directions.size() == 1) return;
+  const double across = unit_vector(directions[0]).dot(unit_vector(directions[1]));
+  judge.require(directions.size() == 2 && std::abs(across) <= rounding, "vibration.directions",
+                fmt::format("{} directions", directions.size()), "are not two at right angles",
+                "give one, or two such as [\"+X\", \"+Y\"]: these tell all coefficients");
+}
+
+void judge_size(Judge& judge, const VibrationSettings& vibration) {
+  const auto vibrations =
+      std::ssize(vibration.loads) * std::ssize(vibration.directions) * std::ssize(vibration.amplitudes);
+  judge.require(vibrations <= most_points / (4 * std::int64_t{vibration.steps}), "vibration.steps",
+                std::to_string(vibration.steps),
+                fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
+                "give fewer steps, loads or amplitudes");
+  const auto rows = std::ssize(vibration.loads) * std::ssize(vibration.amplitudes) * std::ssize(vibration.frequencies);
+  judge.require(rows <= most_rows, "vibration.frequencies", fmt::format("{} frequencies", vibration.frequencies.size()),
+                fmt::format("make {} rows of coefficients", rows), fmt::format("give less than {}", most_rows));
+}
+
+}  // namespace
+
+void judge_vibration(Judge& judge, const VibrationSettings& vibration, double limit) {
+  judge_presence(judge, "vibration.loads", vibration.loads.size(), "[\"0 N\", \"-50 N\"]");
+  for (std::size_t i = 0; i < vibration.loads.size(); ++i) {
+    const double load = vibration.loads[i].norm();
+    const std::string key = fmt::format("vibration.loads[{}]", i + 1);
+    const bool any = judge.require(load != 0.0, key, "(0 N, 0 N)",
+                                   "is no load: the place of the journal would not be determined", "give a load");
+    if (any) judge.within(key, load, load_range);
+  }
+  judge_directions(judge, vibration.directions);
+  judge_presence(judge, "vibration.amplitudes", vibration.amplitudes.size(), "\"2 um\"");
+  for (std::size_t i = 0; i < vibration.amplitudes.size(); ++i) {
+    const std::string key = fmt::format("vibration.amplitudes[{}]", i + 1);
+    const double amplitude = vibration.amplitudes[i];
+    if (!judge.within(key, amplitude, length_range) || limit <= 0.0) continue;
+    judge.require(amplitude < limit, key, quantity(amplitude, "m"), "would press the bumps flat",
+                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+  }
+  judge_presence(judge, "vibration.frequencies", vibration.frequencies.size(), "\"200 Hz\"");
+  for (std::size_t i = 0; i < vibration.frequencies.size(); ++i) {
+    judge.within(fmt::format("vibration.frequencies[{}]", i + 1), vibration.frequencies[i], frequency_range);
+  }
+  if (judge.require(vibration.steps >= 1 && vibration.steps <= most_steps, "vibration.steps",
+                    std::to_string(vibration.steps), "is no possible number of increments",
+                    fmt::format("give a whole number from 1 to {}", most_steps))) {
+    judge_size(judge, vibration);
+  }
+}
+
+}  // namespace bumpfoil

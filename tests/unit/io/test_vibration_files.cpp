@@ -1,0 +1,203 @@
+#include "bumpfoil/io/vibration_files.hpp"
+
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <netcdf>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "bumpfoil/io/checksum.hpp"
+#include "io/ross_toml.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+/// One load is within reach, one is not.
+Case vibration_case() {
+  Case input = reference_case();
+  input.vibration = VibrationSettings{.loads = {{0.0, -50.0}, {0.0, -1e8}},
+                                      .directions = {0.0, 0.5 * std::numbers::pi},
+                                      .amplitudes = {1e-6, 2e-6},
+                                      .frequencies = {1000.0, 2000.0},
+                                      .steps = 8};
+  return input;
+}
+
+struct Run {
+  Case input{vibration_case()};
+  VibrationResult result{run_vibration(input)};
+  std::vector<LinearFoils> foils{linear_foils(*input.vibration, result)};
+  std::vector<ResultFile> files{
+      vibration_files(input, result, RunStatus::failed, {.command_line = "bumpfoil", .case_text = ""})};
+
+  [[nodiscard]] std::string file(std::string_view name) const {
+    for (const ResultFile& one : files) {
+      if (one.name == name) return one.contents;
+    }
+    ADD_FAILURE() << name;
+    return {};
+  }
+};
+
+const Run& run() {
+  static const Run one;
+  return one;
+}
+
+std::vector<std::vector<std::string>> table_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> table;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    table.emplace_back();
+    std::istringstream cells(line + ',');
+    for (std::string cell; std::getline(cells, cell, ',');) table.back().push_back(cell);
+  }
+  return table;
+}
+
+TEST(VibrationFiles, AreOneSetWithSummaryKnowingTheOthers) {
+  const json summary = json::parse(run().file("summary.json"));
+  ASSERT_EQ(run().files.size(), vibration_file_names().size());
+  EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/2");
+  EXPECT_EQ(summary.at("command"), "vibration");
+  EXPECT_EQ(summary.at("status"), "failed");
+  EXPECT_EQ(summary.at("case").at("vibration").at("loads"), json::parse("[[0.0, -50.0], [0.0, -1e8]]"));
+  for (const std::string& name : vibration_file_names()) {
+    if (name == "summary.json") continue;
+    EXPECT_EQ(summary.at("files").at(name).at("xxh3_128"), xxh3_128(run().file(name))) << name;
+  }
+}
+
+TEST(VibrationFiles, TabulateCoefficientsInTheColumnsThatOthersRelyOn) {
+  const auto table = table_of(run().file("coefficients.csv"));
+  ASSERT_EQ(run().file("coefficients.csv").substr(0, run().file("coefficients.csv").find('\n')),
+            "load_x_N,load_y_N,amplitude_m,frequency_rad_per_s,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,kyy_N_per_m,"
+            "cxx_N_s_per_m,cxy_N_s_per_m,cyx_N_s_per_m,cyy_N_s_per_m,residual,loss_factor_x,loss_factor_y");
+  ASSERT_EQ(table.size(), 1U + 2U * 2U * 2U);
+  const LinearFoils& foils = run().foils[1];  // the first load with the second amplitude
+  const std::vector<std::string>& row = table[4];
+  EXPECT_EQ(std::stod(row[1]), -50.0);
+  EXPECT_EQ(std::stod(row[2]), 2e-6);
+  EXPECT_EQ(std::stod(row[3]), 2000.0);
+  EXPECT_EQ(std::stod(row[5]), foils.stiffness(0, 1));  // dF_x/dy
+  EXPECT_EQ(std::stod(row[6]), foils.stiffness(1, 0));
+  EXPECT_EQ(std::stod(row[8]), foils.loss(0, 0) / 2000.0);
+  EXPECT_EQ(std::stod(row[12]), foils.residual);
+  EXPECT_EQ(std::stod(row[13]), foils.loss_factor.x());
+  EXPECT_EQ(table[5][4], "");  // not reached
+}
+
+TEST(VibrationFiles, TabulateVibrationsAndSaysWhatFailed) {
+  const auto table = table_of(run().file("vibration.csv"));
+  ASSERT_EQ(table.size(), 1U + 8U);
+  const auto column = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), name) - table[0].begin());
+  };
+  EXPECT_EQ(table[3][column("direction_deg")], "90");
+  EXPECT_EQ(std::stod(table[3][column("stiffness_direct_N_per_m")]), run().foils[0].stiffness(1, 1));
+  EXPECT_EQ(table[3][column("status")], "converged");
+  EXPECT_EQ(table[5][column("status")], "load_out_of_reach");
+  EXPECT_EQ(table[5][column("loop_energy_J")], "");
+  const std::vector<std::string> failures = failure_lines(run().input, run().result);
+  ASSERT_EQ(failures.size(), 1U);  // not once more for each vibration
+  EXPECT_EQ(failures[0], "load (0, -1e+08) N was not reached: the load is not met before the bumps are pressed flat");
+  const std::vector<Vibration>& vibrations = run().result.vibrations;
+  const auto unsettled = std::count_if(vibrations.begin(), vibrations.end(), [](const Vibration& one) {
+    return one.cycle.converged() && !one.cycle.settled;
+  });
+  ASSERT_GT(unsettled, 0);
+  const std::vector<std::string> warnings = warning_lines(run().input, run().result);
+  EXPECT_EQ(std::ssize(warnings), unsettled);
+  EXPECT_EQ(warnings[0].find("load (0, -50) N, 0 deg, 1 um: the loop has not settled after 100 loops, its energy"), 0U);
+  EXPECT_NE(vibration_table(run().input, run().result).find("loss factor"), std::string::npos);
+}
+
+TEST(VibrationFiles, SummaryHasTheSameNumbers) {
+  const json summary = json::parse(run().file("summary.json"));
+  EXPECT_EQ(summary.at("vibrations").size(), 8U);
+  EXPECT_EQ(summary.at("coefficients").size(), 8U);
+  EXPECT_EQ(summary.at("coefficients")[3].at("cxy_N_s_per_m"), run().foils[1].loss(0, 1) / 2000.0);
+  EXPECT_TRUE(summary.at("coefficients")[4].at("kxx_N_per_m").is_null());
+  EXPECT_EQ(summary.at("loads")[0].at("stuck").at("kyy_N_per_m"), (*run().result.loads[0].tangents.unloading)(1, 1));
+  EXPECT_EQ(summary.at("loads")[1].at("status"), "load_out_of_reach");
+  EXPECT_EQ(summary.at("vibrations")[0].at("settled"), run().result.vibrations[0].cycle.settled);
+  EXPECT_EQ(summary.at("failures").size(), 1U);
+}
+
+TEST(VibrationFiles, NetcdfHasTheLoopsAndTheSameNumbers) {
+  const testing::TemporaryFolder folder;
+  const netCDF::NcFile file(folder.write("result.nc", run().file("result.nc")), netCDF::NcFile::read);
+  std::string text;
+  file.getAtt("bumpfoil_command").getValues(text);
+  EXPECT_EQ(text, "vibration");
+  file.getAtt("status").getValues(text);
+  EXPECT_EQ(text, "partial");
+  double value = 0.0;
+  file.getVar("cyx").getVar({0, 1, 0}, &value);
+  EXPECT_EQ(value, run().foils[1].loss(1, 0) / 1000.0);
+  file.getVar("kyy_stuck").getVar({0}, &value);
+  EXPECT_EQ(value, (*run().result.loads[0].tangents.unloading)(1, 1));
+  ASSERT_EQ(file.getDim("point").getSize(), 33U);
+  const LoopPoint& point = run().result.vibrations[2].cycle.curve[8];
+  file.getVar("displacement").getVar({0, 1, 0, 8}, &value);
+  EXPECT_EQ(value, point.displacement);
+  file.getVar("force_y").getVar({0, 1, 0, 8}, &value);
+  EXPECT_EQ(value, point.force.y());
+}
+
+TEST(RossToml, ReadsBackAsTheArgumentsOfABearing) {
+  const toml::table document = toml::parse(run().file("coefficients.toml"));
+  const toml::array& bearings = *document.get_as<toml::array>("bearing");
+  ASSERT_EQ(bearings.size(), 2U);  // about the load that was reached
+  const toml::table& bearing = *bearings[1].as_table();
+  EXPECT_EQ(bearing["load_N"][1].value<double>(), -50.0);
+  EXPECT_EQ(bearing["amplitude_m"].value<double>(), 2e-6);
+  const toml::table& element = *bearing["element"].as_table();
+  // Nothing that a constructor would not take.
+  EXPECT_EQ(element.size(), 9U);
+  const LinearFoils& foils = run().foils[1];
+  const toml::array& frequencies = *element["frequency"].as_array();
+  ASSERT_GE(frequencies.size(), 5U);
+  double last = 0.0;
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    const double frequency = frequencies[i].value<double>().value();
+    EXPECT_GT(frequency, last);  // as interpolation needs it
+    last = frequency;
+    EXPECT_TRUE(frequencies[i].is_floating_point());
+    EXPECT_EQ(element["kxx"][i].value<double>(), foils.stiffness(0, 0));
+    EXPECT_EQ(element["kxy"][i].value<double>(), foils.stiffness(0, 1));
+    EXPECT_EQ(element["kyx"][i].value<double>(), foils.stiffness(1, 0));
+    EXPECT_EQ(element["kyy"][i].value<double>(), foils.stiffness(1, 1));
+    EXPECT_EQ(element["cxx"][i].value<double>(), foils.loss(0, 0) / frequency);
+    EXPECT_EQ(element["cxy"][i].value<double>(), foils.loss(0, 1) / frequency);
+    EXPECT_EQ(element["cyx"][i].value<double>(), foils.loss(1, 0) / frequency);
+    EXPECT_EQ(element["cyy"][i].value<double>(), foils.loss(1, 1) / frequency);
+  }
+  for (const char* words : {"foils at rest", "gas film", "The case asks for 2 frequencies", "1e+08"}) {
+    EXPECT_NE(run().file("coefficients.toml").find(words), std::string::npos) << words;
+  }
+}
+
+TEST(ExportedFrequencies, AreFiveAtLeast) {
+  const std::vector<double> enough{5.0, 3.0, 1.0, 2.0, 4.0};
+  EXPECT_EQ(exported_frequencies(enough), (std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0}));
+  const std::vector<double> one = exported_frequencies({300.0});
+  ASSERT_EQ(one.size(), 9U);  // the one of the case is among the nine
+  EXPECT_EQ(one[0], 150.0);
+  EXPECT_EQ(one[4], 300.0);
+  EXPECT_NEAR(one[8], 600.0, 1e-9);  // a root and its power
+  const std::vector<double> two = exported_frequencies({1000.0, 100.0});
+  EXPECT_NE(std::find(two.begin(), two.end(), 1000.0), two.end());
+  EXPECT_EQ(two.front(), 50.0);
+  EXPECT_NEAR(two.back(), 2000.0, 1e-8);
+}
+
+}  // namespace
+}  // namespace bumpfoil
