@@ -121,7 +121,6 @@ TEST(ParseCase, ReadsVibrations) {
   const std::vector<std::string> given{
       "vibration.loads=[[\"0 N\", \"-50 N\"], [10, 0]]", "vibration.directions=[\"+X\", \"90 deg\"]",
       "vibration.amplitudes=[\"1 um\", 2e-6]", "vibration.frequencies=[\"6000 rpm\", 500]"};
-  constexpr double pi = std::numbers::pi;
   const VibrationSettings vibration = with(given).vibration.value();
   EXPECT_EQ(vibration, (VibrationSettings{.loads = {{0.0, -50.0}, {10.0, 0.0}},
                                           .directions = {0.0, 0.5 * pi},
