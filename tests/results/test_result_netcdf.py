@@ -283,7 +283,8 @@ class Documentation(unittest.TestCase):
             columns = (Path(directory) / "results/cycle.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
         self.assertEqual(documented, written)
         # Keys and columns mean what the variables mean.
-        meanings = dict(re.findall(r"^\| `(\w+)` \| ([^|]*) \|$", self.TEXT, re.MULTILINE))
+        of_cycles = self.TEXT.split("\n## Strip\n")[0]
+        meanings = dict(re.findall(r"^\| `(\w+)` \| ([^|]*) \|$", of_cycles, re.MULTILINE))
         for key in [*keys, *columns]:
             name = split_unit(key)[0]
             candidates = {meaning for prefix in ("", "total_", "increment_") for meaning in written.get(prefix + name, ())[2:]}

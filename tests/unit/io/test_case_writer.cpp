@@ -148,7 +148,7 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
     const bool contradicts = line.starts_with("height_errors") || line.starts_with("sleeve_gaps") ||
                              line.starts_with("top_bump") || line.starts_with("bump_sleeve") ||
-                             line.starts_with("load");
+                             line.starts_with("load ");
     const bool assigns = line.starts_with('[') || line.find(" = ") < line.find('#');
     if (assigns && !contradicts) text.erase(at + 1, 2);
   }
