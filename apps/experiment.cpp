@@ -41,19 +41,17 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
 
   Outcome outcome;
-  RunStatus status = RunStatus::complete;
   {
     ProgressBar bar(!session.quiet);
     outcome = experiment.run(input, [&](double fraction) {
       bar.show(fraction);
       return !guard.interrupted();
     });
-    if (!outcome.converged) status = guard.interrupted() ? RunStatus::interrupted : RunStatus::failed;
   }
 
   const std::string place = printable(options.folder, longest_path);
   const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
-  for (const ResultFile& file : outcome.files(status, provenance)) folder.stage(file.name, file.contents);
+  for (const ResultFile& file : outcome.files(provenance)) folder.stage(file.name, file.contents);
   folder.publish();
   if (!session.quiet) {
     print_output(outcome.table);
@@ -65,8 +63,8 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   for (const std::string& failure : outcome.failures) {
     print_message(fmt::format("bumpfoil: {}; {}", failure, partial));
   }
-  if (status == RunStatus::interrupted) print_message("bumpfoil: interrupted: " + partial);
-  return exit_code_of(status);
+  if (outcome.status == RunStatus::interrupted) print_message("bumpfoil: interrupted: " + partial);
+  return exit_code_of(outcome.status);
 }
 
 }  // namespace
@@ -92,12 +90,13 @@ ExperimentCommand cycle_experiment(std::string name, std::string summary, std::s
           .files = std::move(files),
           .run = [run](const Case& input, const ProgressCallback& progress) {
             CycleResult result = run(input, progress);
-            Outcome outcome{.converged = result.converged(),
+            const RunStatus status = status_of(result);
+            Outcome outcome{.status = status,
                             .table = cycle_table(input, result),
                             .warnings = warning_lines(input, result),
                             .failures = failure_lines(input, result),
                             .files = {}};
-            outcome.files = [input, result = std::move(result)](RunStatus status, const Provenance& provenance) {
+            outcome.files = [input, status, result = std::move(result)](const Provenance& provenance) {
               return cycle_files(input, result, status, provenance);
             };
             return outcome;

@@ -14,11 +14,11 @@ namespace bumpfoil {
 
 /// What a run has to show.
 struct Outcome {
-  bool converged{};
+  RunStatus status{};
   std::string table;                  ///< for the terminal
   std::vector<std::string> warnings;  ///< a line each
   std::vector<std::string> failures;
-  std::function<std::vector<ResultFile>(RunStatus, const Provenance&)> files;
+  std::function<std::vector<ResultFile>(const Provenance&)> files;
 };
 
 /// A command that does to the foils what its table of the case says, and writes the results to a folder.

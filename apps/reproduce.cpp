@@ -86,7 +86,7 @@ class StudyWriter {
         cases_.size(), available_threads(),
         [this](std::size_t i, const ProgressCallback& progress_of_run) {
           CycleResult result = run_cycles(cases_[i], progress_of_run);
-          const RunStatus status = result.converged() ? RunStatus::complete : RunStatus::failed;
+          const RunStatus status = status_of(result);
           results_[i] = {cases_[i], std::move(result), status};
         },
         progress);

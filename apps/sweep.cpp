@@ -85,7 +85,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
     run_in_parallel(
         points.size(), options.threads,
         [&](std::size_t i, const ProgressCallback& progress) {
-          points[i] = sweep_point(sweep.cases[i], command.run(sweep.cases[i], progress), with_loops);
+          points[i] = sweep_point(command.run(sweep.cases[i], progress), with_loops);
         },
         [&](double fraction) {
           bar.show(fraction);

@@ -11,12 +11,13 @@ namespace {
 
 Outcome run(const Case& input, const ProgressCallback& progress) {
   VibrationResult result = run_vibration(input, progress);
-  Outcome outcome{.converged = result.converged(),
+  const RunStatus status = status_of(result);
+  Outcome outcome{.status = status,
                   .table = vibration_table(input, result),
                   .warnings = warning_lines(input, result),
                   .failures = failure_lines(input, result),
                   .files = {}};
-  outcome.files = [input, result = std::move(result)](RunStatus status, const Provenance& provenance) {
+  outcome.files = [input, status, result = std::move(result)](const Provenance& provenance) {
     return vibration_files(input, result, status, provenance);
   };
   return outcome;

@@ -11,7 +11,8 @@
 namespace bumpfoil {
 
 bool CycleResult::converged() const {
-  return std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged(); });
+  return cycles.size() >= due &&
+         std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged(); });
 }
 
 CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}

@@ -102,7 +102,8 @@ class KeyLister final : public CaseVisitor {
       for (const double along : point) pair.push_back(json_of(along, points.control, Control::displacement));
       list.push_back(std::move(pair));
     }
-    add(key, "list of pairs of lengths or forces", std::move(list));
+    const bool none = list.is_null();
+    add(key, "list of pairs of lengths or forces", std::move(list), none);
   }
 
   void file(const Key& key, std::string_view /*other*/,

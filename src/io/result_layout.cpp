@@ -1,6 +1,7 @@
 #include "io/result_layout.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/io/summary.hpp"
@@ -62,15 +63,21 @@ ResultLayout layout_of_bearing(const Case& input) {
 ResultLayout layout_of_cycles(const Case& input) {
   ResultLayout layout = layout_of_bearing(input);
   layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
-  for (const double direction : input.cycle.directions) layout.cycles.values.push_back(to_degrees(direction));
-  // Sorted, so that readers can look for the nearest.
-  std::sort(layout.cycles.values.begin(), layout.cycles.values.end());
+  std::vector<double>& sorted = layout.cycles.values;
+  for (const double direction : input.cycle.directions) sorted.push_back(to_degrees(direction));
+  // So that readers can look for the nearest.
+  std::sort(sorted.begin(), sorted.end());
+  for (const double direction : input.cycle.directions) {
+    const auto found = std::find(sorted.begin(), sorted.end(), to_degrees(direction));
+    layout.places.push_back(static_cast<std::size_t>(found - sorted.begin()));
+  }
   layout.increments = std::size_t{input.cycle.swings() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
   return layout;
 }
 
 ResultLayout layout_of_path(const Case& input) {
   ResultLayout layout = layout_of_bearing(input);
+  layout.places = {0};
   layout.increments = static_cast<std::size_t>(increments_of(path_program(*input.path)));
   return layout;
 }
@@ -83,6 +90,8 @@ ResultLayout layout_of_strip(const Case& input) {
   ResultLayout layout = layout_of_foil(cut);
   layout.cycles = {"cycle", "1", "cycle of the plate", {}};
   for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.cycles.values.push_back(cycle);
+  layout.places.resize(layout.cycles.values.size());
+  std::iota(layout.places.begin(), layout.places.end(), std::size_t{0});
   layout.increments = std::size_t{strip.preload ? 4U : 2U} * static_cast<std::size_t>(strip.steps) + 1;
   layout.feet = static_cast<std::size_t>(feet.size());
   layout.at_bumps.push_back({"crest_position", "m", "place of the crest along the strip, from the weld or its like",

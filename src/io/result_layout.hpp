@@ -20,7 +20,8 @@ struct NamedNumbers {
 /// What result.nc of a bearing and of a strip call and place differently.
 struct ResultLayout {
   NamedNumbers cycles;  ///< their coordinate: directions, or numbers of a strip's cycles, begun or not; a path: none
-  std::size_t increments{};  ///< of a cycle
+  std::vector<std::size_t> places;  ///< of the cycles of the case among these, which are sorted; a path: one
+  std::size_t increments{};         ///< of a cycle
   std::size_t bumps{};
   std::size_t feet{};
   std::vector<NamedNumbers> scalars;   ///< geometry

@@ -39,12 +39,11 @@ class ResultWriter {
         result_(result),
         layout_(make_result_layout(input, result.experiment)),
         wording_(wording_of(input, result.experiment)),
-        cycles_(std::max<std::size_t>(1, layout_.cycles.values.size())),
+        cycles_(layout_.places.size()),
         increment_(file.add_dim("increment", layout_.increments)),
         bump_(file.add_dim("bump", layout_.bumps)),
         foot_(file.add_dim("foot", layout_.feet)) {
     BUMPFOIL_ASSERT(result.cycles.size() <= cycles_);
-    for (std::size_t i = 0; i < result.cycles.size(); ++i) places_.push_back(place_of(i));
     if (!layout_.cycles.values.empty()) of_cycles_ = {file.add_dim(layout_.cycles.name, cycles_)};
   }
 
@@ -70,7 +69,8 @@ class ResultWriter {
       // A cycle that was never begun did not converge; nothing else is known of it.
       const bool known = quantity.name == "converged";
       std::vector<double> values(cycles_, known ? 0.0 : absent);
-      for (std::size_t i = 0; i < places_.size(); ++i) values[places_[i]] = quantity.value(result_.cycles[i], input_);
+      for (std::size_t i = 0; i < result_.cycles.size(); ++i)
+        values[layout_.places[i]] = quantity.value(result_.cycles[i], input_);
       if (known) {
         file_.put_all(meaning(quantity, quantity.form), of_cycles_, values);
       } else {
@@ -157,7 +157,7 @@ class ResultWriter {
     std::vector<CycleEvent> events;
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
       const std::vector<CycleEvent>& more = result_.cycles[i].events;
-      if (!of_cycles_.empty()) cycles.insert(cycles.end(), more.size(), layout_.cycles.values[places_[i]]);
+      if (!of_cycles_.empty()) cycles.insert(cycles.end(), more.size(), layout_.cycles.values[layout_.places[i]]);
       events.insert(events.end(), more.begin(), more.end());
     }
     if (events.empty()) return;
@@ -176,14 +176,6 @@ class ResultWriter {
   template <typename Quantity>
   [[nodiscard]] VariableMeaning meaning(const Quantity& quantity, const Form& form = {}) const {
     return {std::string(quantity.name), std::string(quantity.unit), spelled(quantity.long_name, wording_), form};
-  }
-
-  /// Where the file holds a cycle of the result: directions are sorted there.
-  [[nodiscard]] std::size_t place_of(std::size_t cycle) const {
-    if (result_.experiment != Experiment::cycle) return cycle;
-    const std::vector<double>& sorted = layout_.cycles.values;
-    const double direction = to_degrees(input_.cycle.directions[cycle]);
-    return static_cast<std::size_t>(std::find(sorted.begin(), sorted.end(), direction) - sorted.begin());
   }
 
   [[nodiscard]] NewNetcdf::Dims of_cycles_and(const NewNetcdf::Dims& more) const {
@@ -225,7 +217,7 @@ class ResultWriter {
     if (values.empty()) return;
     if (!of_cycles_.empty()) count.insert(count.begin(), 1);
     std::vector<std::size_t> start(count.size());
-    if (!of_cycles_.empty()) start[0] = places_[cycle];
+    if (!of_cycles_.empty()) start[0] = layout_.places[cycle];
     NewNetcdf::put(variable, start, count, std::move(values));
   }
 
@@ -234,9 +226,8 @@ class ResultWriter {
   const CycleResult& result_;
   ResultLayout layout_;
   Wording wording_;
-  std::vector<std::size_t> places_;  ///< of the cycles in the file
-  std::size_t cycles_;               ///< that there are, begun or not
-  NewNetcdf::Dims of_cycles_;        ///< none for a path, which is one
+  std::size_t cycles_;         ///< that there are, begun or not
+  NewNetcdf::Dims of_cycles_;  ///< none for a path, which is one
   NcDim increment_, bump_, foot_;
 };
 

@@ -117,35 +117,22 @@ FieldMatrix state(const FoilFields& fields) {
 }
 
 // What tells some quantities from others: results that have them, and that they say how it was computed.
-constexpr IncrementQuantity only(unsigned within, IncrementQuantity quantity) {
-  quantity.within = within;
-  return quantity;
-}
-constexpr CycleQuantity only(unsigned within, CycleQuantity quantity) {
-  quantity.within = within;
-  return quantity;
-}
-constexpr IncrementQuantity bearing(IncrementQuantity quantity) {
-  return only(Within::bearing, quantity);
-}
-constexpr IncrementQuantity path(IncrementQuantity quantity) {
-  return only(Within::path, quantity);
-}
-constexpr CycleQuantity bearing(CycleQuantity quantity) {
-  return only(Within::bearing, quantity);
-}
-constexpr CycleQuantity path(CycleQuantity quantity) {
-  return only(Within::path, quantity);
-}
-constexpr CycleQuantity cycle(CycleQuantity quantity) {
-  return only(Within::cycle, quantity);
-}
-constexpr CycleQuantity strip(CycleQuantity quantity) {
-  return only(Within::strip, quantity);
-}
-constexpr CycleQuantity loop(CycleQuantity quantity) {
-  return only(Within::loops, quantity);
-}
+template <unsigned within>
+struct Only {
+  constexpr IncrementQuantity operator()(IncrementQuantity quantity) const {
+    quantity.within = within;
+    return quantity;
+  }
+  constexpr CycleQuantity operator()(CycleQuantity quantity) const {
+    quantity.within = within;
+    return quantity;
+  }
+};
+constexpr Only<Within::bearing> bearing_only;
+constexpr Only<Within::cycle> cycle_only;
+constexpr Only<Within::strip> strip_only;
+constexpr Only<Within::path> path_only;
+constexpr Only<Within::loops> loops_only;
 constexpr CycleQuantity solver(CycleQuantity quantity) {
   quantity.of_solver = true;
   return quantity;
@@ -164,15 +151,15 @@ double last_orbit(const Cycle& cycle, const Case& /*input*/) {
 }
 
 constexpr auto increment_table = std::to_array<IncrementQuantity>({
-    only(Within::loops, IncrementQuantity{"branch", "", "branch of the cycle", of<&Increment::branch>, flags<Branch>}),
+    loops_only({"branch", "", "branch of the cycle", of<&Increment::branch>, flags<Branch>}),
     {"displacement", "m", "displacement of the {pressing} {along}", of<&Increment::displacement>},
-    bearing({"x", "m", "journal centre, X", of<&Increment::x>}),
-    bearing({"y", "m", "journal centre, Y", of<&Increment::y>}),
-    bearing({"force_x", "N", "force that holds the journal, X", of<&Increment::force_x>}),
-    bearing({"force_y", "N", "force that holds the journal, Y", of<&Increment::force_y>}),
+    bearing_only({"x", "m", "journal centre, X", of<&Increment::x>}),
+    bearing_only({"y", "m", "journal centre, Y", of<&Increment::y>}),
+    bearing_only({"force_x", "N", "force that holds the journal, X", of<&Increment::force_x>}),
+    bearing_only({"force_y", "N", "force that holds the journal, Y", of<&Increment::force_y>}),
     {"force_direct", "N", "force that holds the {pressing}, {along}", of<&Increment::force_direct>},
-    bearing({"force_cross", "N", "force that holds the journal, 90 degrees ahead of the direction",
-             of<&Increment::force_cross>}),
+    bearing_only({"force_cross", "N", "force that holds the journal, 90 degrees ahead of the direction",
+                  of<&Increment::force_cross>}),
     {"elastic_energy", "J", "elastic energy of the foils", of<&Increment::elastic_energy>},
     {"dissipated_energy", "J",
      "energy dissipated since increment 0: by friction and, with `events`, where the foils snap",
@@ -187,19 +174,19 @@ constexpr auto increment_table = std::to_array<IncrementQuantity>({
     {"increment_converged", "", "whether the increment meets the bounds of the solver",
      [](const Increment& increment) { return increment.converged() ? 1.0 : 0.0; }, truth, false},
     {"increment_status", "", "how the increment ended", of<&Increment::status>, flags<Status>},
-    path({"orbit", "1", "orbit that the increment belongs to; 0 before the first", of<&Increment::orbit>, whole}),
-    path({"kxx", "N/m", "tangent stiffness dFx/dx, further motion", entry<&TangentMatrices::loading, 0, 0>}),
-    path({"kxy", "N/m", "tangent stiffness dFx/dy, further motion", entry<&TangentMatrices::loading, 0, 1>}),
-    path({"kyx", "N/m", "tangent stiffness dFy/dx, further motion", entry<&TangentMatrices::loading, 1, 0>}),
-    path({"kyy", "N/m", "tangent stiffness dFy/dy, further motion", entry<&TangentMatrices::loading, 1, 1>}),
-    path({"kxx_stuck", "N/m", "tangent stiffness dFx/dx, all closed contacts sticking",
-          entry<&TangentMatrices::unloading, 0, 0>}),
-    path({"kxy_stuck", "N/m", "tangent stiffness dFx/dy, all closed contacts sticking",
-          entry<&TangentMatrices::unloading, 0, 1>}),
-    path({"kyx_stuck", "N/m", "tangent stiffness dFy/dx, all closed contacts sticking",
-          entry<&TangentMatrices::unloading, 1, 0>}),
-    path({"kyy_stuck", "N/m", "tangent stiffness dFy/dy, all closed contacts sticking",
-          entry<&TangentMatrices::unloading, 1, 1>}),
+    path_only({"orbit", "1", "orbit that the increment belongs to; 0 before the first", of<&Increment::orbit>, whole}),
+    path_only({"kxx", "N/m", "tangent stiffness dFx/dx, further motion", entry<&TangentMatrices::loading, 0, 0>}),
+    path_only({"kxy", "N/m", "tangent stiffness dFx/dy, further motion", entry<&TangentMatrices::loading, 0, 1>}),
+    path_only({"kyx", "N/m", "tangent stiffness dFy/dx, further motion", entry<&TangentMatrices::loading, 1, 0>}),
+    path_only({"kyy", "N/m", "tangent stiffness dFy/dy, further motion", entry<&TangentMatrices::loading, 1, 1>}),
+    path_only({"kxx_stuck", "N/m", "tangent stiffness dFx/dx, all closed contacts sticking",
+               entry<&TangentMatrices::unloading, 0, 0>}),
+    path_only({"kxy_stuck", "N/m", "tangent stiffness dFx/dy, all closed contacts sticking",
+               entry<&TangentMatrices::unloading, 0, 1>}),
+    path_only({"kyx_stuck", "N/m", "tangent stiffness dFy/dx, all closed contacts sticking",
+               entry<&TangentMatrices::unloading, 1, 0>}),
+    path_only({"kyy_stuck", "N/m", "tangent stiffness dFy/dy, all closed contacts sticking",
+               entry<&TangentMatrices::unloading, 1, 1>}),
 });
 
 constexpr std::string_view loaded_stiffness_text =
@@ -207,64 +194,67 @@ constexpr std::string_view loaded_stiffness_text =
     "preload from turning point to turning point";
 
 constexpr auto cycle_table = std::to_array<CycleQuantity>({
-    cycle({"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>}),
-    strip({"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_strip>,
-           real, "amplitude", micrometres}),
-    loop(solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"})),
+    cycle_only(
+        {"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>}),
+    strip_only({"amplitude", "m", "displacement from the start to full displacement or load",
+                amplitude<control_of_strip>, real, "amplitude", micrometres}),
+    loops_only(
+        solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"})),
     solver({"converged", "", "whether every increment of the cycle is there and converged",
             [](const Cycle& cycle, const Case&) { return cycle.converged() ? 1.0 : 0.0; }, truth, "converged", plain}),
     solver({"status", "", "how the cycle ended", of_cycle<&Cycle::status>, flags<Status>, "status"}),
-    loop({"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>, real,
-          "maximum force", newtons}),
-    cycle({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>, real,
-           "cross force there", newtons}),
-    cycle({"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>}),
-    cycle({"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>}),
-    strip({"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, real,
-           "displacement at the start", micrometres}),
-    loop({"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real, "force at the start",
-          newtons}),
-    bearing({"initial_force_x", "N", "force {start}, X", at_start<&Increment::force_x>}),
-    bearing({"initial_force_y", "N", "force {start}, Y", at_start<&Increment::force_y>}),
-    bearing({"initial_journal_load", "N", "sum of the loads of the journal on the top foil {start}",
-             once_begun<&Cycle::initial_journal_load>, real, "sum of journal loads at the start"}),
+    loops_only({"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>, real,
+                "maximum force", newtons}),
+    cycle_only({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>,
+                real, "cross force there", newtons}),
+    cycle_only({"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>}),
+    cycle_only({"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>}),
+    strip_only({"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, real,
+                "displacement at the start", micrometres}),
+    loops_only({"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real,
+                "force at the start", newtons}),
+    bearing_only({"initial_force_x", "N", "force {start}, X", at_start<&Increment::force_x>}),
+    bearing_only({"initial_force_y", "N", "force {start}, Y", at_start<&Increment::force_y>}),
+    bearing_only({"initial_journal_load", "N", "sum of the loads of the journal on the top foil {start}",
+                  once_begun<&Cycle::initial_journal_load>, real, "sum of journal loads at the start"}),
     {"initial_elastic_energy", "J", "elastic energy {start}", at_start<&Increment::elastic_energy>, real,
      "elastic energy at the start"},
     {"assembly_dissipation", "J", "energy dissipated by the assembly", once_begun<&Cycle::assembly_dissipation>, real,
      "dissipated by the assembly"},
-    loop({"loaded_stiffness", "N/m", loaded_stiffness_text, derived<&Cycle::loaded_stiffness>, real, "loaded stiffness",
-          stiffness}),
-    loop({"secant_stiffness", "N/m", "maximum force over displacement, free travel included",
-          derived<&Cycle::secant_stiffness>, real, "secant with free travel", stiffness}),
-    loop({"tangent_stiffness_loading", "N/m",
-          "tangent stiffness at full displacement, slipping contacts going on to slip",
-          tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness}),
-    loop({"tangent_stiffness_unloading", "N/m", "tangent stiffness at full displacement, all closed contacts sticking",
-          tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", stiffness}),
-    loop({"loop_energy", "J", "closed integral of force over displacement, trapezoidal rule",
-          derived<&Cycle::loop_energy>, real, "loop energy", millijoules}),
-    loop({"elastic_energy_at_max", "J", "elastic energy at full displacement", at_turn<&TurningPoint::elastic_energy>,
-          real, "elastic energy at full displacement"}),
-    loop({"loss_factor", "1",
-          "loop energy over (pi K X^2): K loaded stiffness, X half the displacement that it is taken over",
-          derived<&Cycle::loss_factor>, real, "loss factor", plain}),
-    loop({"specific_damping_capacity", "1",
-          "loop energy over the elastic energy stored between start and full displacement",
-          derived<&Cycle::specific_damping_capacity>, real, "specific damping capacity"}),
-    cycle({"first_contact", "m", "displacement at which the journal first touches the top foil",
-           derived<&Cycle::first_contact>, real, "first contact", micrometres}),
-    loop({"take_up", "m", "displacement at which the force last rises through 1 % of its maximum",
-          derived<&Cycle::take_up>, real, "take-up point", micrometres}),
-    cycle({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
-           derived<&Cycle::clearance_5N>}),
-    cycle({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
-           derived<&Cycle::clearance_10N>}),
-    path({"orbit_energy", "J", "closed integral of force over displacement of the last orbit, trapezoidal rule",
-          last_orbit<&OrbitLoop::energy>, real, "energy of the last orbit", millijoules}),
-    path({"orbit_force_defect", "N", "difference of the forces at both ends of the last orbit",
-          last_orbit<&OrbitLoop::force_defect>, real, "its forces differ by", newtons}),
-    path({"orbit_position_defect", "m", "distance of the positions at both ends of the last orbit",
-          last_orbit<&OrbitLoop::position_defect>, real, "its positions differ by", micrometres}),
+    loops_only({"loaded_stiffness", "N/m", loaded_stiffness_text, derived<&Cycle::loaded_stiffness>, real,
+                "loaded stiffness", stiffness}),
+    loops_only({"secant_stiffness", "N/m", "maximum force over displacement, free travel included",
+                derived<&Cycle::secant_stiffness>, real, "secant with free travel", stiffness}),
+    loops_only({"tangent_stiffness_loading", "N/m",
+                "tangent stiffness at full displacement, slipping contacts going on to slip",
+                tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness}),
+    loops_only({"tangent_stiffness_unloading", "N/m",
+                "tangent stiffness at full displacement, all closed contacts sticking",
+                tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", stiffness}),
+    loops_only({"loop_energy", "J", "closed integral of force over displacement, trapezoidal rule",
+                derived<&Cycle::loop_energy>, real, "loop energy", millijoules}),
+    loops_only({"elastic_energy_at_max", "J", "elastic energy at full displacement",
+                at_turn<&TurningPoint::elastic_energy>, real, "elastic energy at full displacement"}),
+    loops_only({"loss_factor", "1",
+                "loop energy over (pi K X^2): K loaded stiffness, X half the displacement that it is taken over",
+                derived<&Cycle::loss_factor>, real, "loss factor", plain}),
+    loops_only({"specific_damping_capacity", "1",
+                "loop energy over the elastic energy stored between start and full displacement",
+                derived<&Cycle::specific_damping_capacity>, real, "specific damping capacity"}),
+    cycle_only({"first_contact", "m", "displacement at which the journal first touches the top foil",
+                derived<&Cycle::first_contact>, real, "first contact", micrometres}),
+    loops_only({"take_up", "m", "displacement at which the force last rises through 1 % of its maximum",
+                derived<&Cycle::take_up>, real, "take-up point", micrometres}),
+    cycle_only({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
+                derived<&Cycle::clearance_5N>}),
+    cycle_only({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
+                derived<&Cycle::clearance_10N>}),
+    path_only({"orbit_energy", "J", "closed integral of force over displacement of the last orbit, trapezoidal rule",
+               last_orbit<&OrbitLoop::energy>, real, "energy of the last orbit", millijoules}),
+    path_only({"orbit_force_defect", "N", "difference of the forces at both ends of the last orbit",
+               last_orbit<&OrbitLoop::force_defect>, real, "its forces differ by", newtons}),
+    path_only({"orbit_position_defect", "m", "distance of the positions at both ends of the last orbit",
+               last_orbit<&OrbitLoop::position_defect>, real, "its positions differ by", micrometres}),
     {"max_compression", "m", "largest compression of a bump over all increments",
      [](const Cycle& cycle, const Case&) { return cycle.compression ? cycle.compression->compression : absent; }, real,
      "highest compression", micrometres},
@@ -274,11 +264,11 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
      peak<&Cycle::bump_foil_stress>, real, "highest stress, bump foil", megapascals},
     {"above_yield_top_foil", "", "whether the stress of the top foil exceeds its yield stress", yields<0>, truth},
     {"above_yield_bump_foil", "", "whether the stress of the bump foil exceeds its yield stress", yields<1>, truth},
-    bearing({"settled", "", "whether the loop is that of the cycle before, of cycles that are repeated",
-             [](const Cycle& cycle, const Case&) {
-               return cycle.loop_energies.size() < 2 ? absent : cycle.settled ? 1.0 : 0.0;
-             },
-             truth}),
+    bearing_only({"settled", "", "whether the loop is that of the cycle before, of cycles that are repeated",
+                  [](const Cycle& cycle, const Case&) {
+                    return cycle.loop_energies.size() < 2 ? absent : cycle.settled ? 1.0 : 0.0;
+                  },
+                  truth}),
     solver({"total_iterations", "1", "linear solves (back-substitutions) of all increments",
             total<&SolveCost::iterations>, whole, "linear solves", plain}),
     solver({"total_factorisations", "1", "factorisations of all increments; kept ones serve many",

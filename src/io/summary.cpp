@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -63,6 +64,19 @@ Json value_json(double value, const Form& form) {
   return {};
 }
 
+RunStatus run_status(const std::vector<Status>& parts, std::size_t due) {
+  const auto is = [](Status one) { return [one](Status status) { return status == one; }; };
+  if (std::any_of(parts.begin(), parts.end(), is(Status::interrupted))) return RunStatus::interrupted;
+  if (!std::all_of(parts.begin(), parts.end(), is(Status::converged))) return RunStatus::failed;
+  return parts.size() < due ? RunStatus::interrupted : RunStatus::complete;
+}
+
+RunStatus status_of(const CycleResult& result) {
+  std::vector<Status> cycles;
+  for (const Cycle& cycle : result.cycles) cycles.push_back(cycle.status);
+  return run_status(cycles, result.due);
+}
+
 double to_degrees(double angle) {
   const double degrees = angle * (180.0 / std::numbers::pi);
   const double whole = std::round(degrees);
@@ -72,8 +86,9 @@ double to_degrees(double angle) {
 Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   const Cycle& cycle = result.cycles[i];
   Json json;
-  if (result.experiment == Experiment::strip) json["cycle"] = i + 1;
-  if (result.experiment == Experiment::cycle) json["direction_deg"] = to_degrees(cycle.direction);
+  const std::string key(cycle_key(result.experiment));
+  if (result.experiment == Experiment::strip) json[key] = i + 1;
+  if (result.experiment == Experiment::cycle) json[key] = to_degrees(cycle.direction);
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
     json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, input), quantity.form);
   }

@@ -64,7 +64,8 @@ class SummaryChecker {
   }
 
   void check_cycle(const Json& cycle, Experiment experiment) const {
-    if (!at(cycle, place_key(experiment)).is_number()) refuse(place_key(experiment), "is no number");
+    const std::string place_key(cycle_key(experiment));
+    if (!at(cycle, place_key).is_number()) refuse(place_key, "is no number");
     for (const char* key : {"amplitude_m", "steps", "converged", "max_force_N"}) static_cast<void>(at(cycle, key));
     // Versions differ in what else they have; numbers that are not known are null.
     for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
@@ -77,11 +78,6 @@ class SummaryChecker {
     // Of a cycle that is there they are known.
     if (cycle["steps"].is_null()) refuse("steps", "is no whole number");
     if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");
-  }
-
-  /// What a summary calls the coordinate of its cycles.
-  [[nodiscard]] static std::string place_key(Experiment experiment) {
-    return experiment == Experiment::strip ? "cycle" : "direction_deg";
   }
 
  private:
@@ -146,7 +142,7 @@ void match_runs(const StoredSummary& summary, Json& result, const std::string& n
   };
   require(summary.json["command"] == result["kind"], "command");
   require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
-  const std::string place_key = SummaryChecker::place_key(experiment_of(result["kind"].get<std::string>()));
+  const std::string place_key(cycle_key(experiment_of(result["kind"].get<std::string>())));
   const Json& cycles = summary.json["cycles"];
   Json& stored = result["cycles"];
   require(cycles.size() <= stored.size(), "cycles");

@@ -175,15 +175,6 @@ double value_in(const Case& input, const std::string& key) {
   return number;
 }
 
-/// How a run ended whose cycles may have been stopped between two of them.
-RunStatus status_of(const Case& input, const CycleResult& result) {
-  const auto stopped = [](const Cycle& cycle) { return cycle.status == Status::interrupted; };
-  if (std::any_of(result.cycles.begin(), result.cycles.end(), stopped)) return RunStatus::interrupted;
-  if (!result.converged()) return RunStatus::failed;
-  const std::size_t due = make_result_layout(input, result.experiment).cycles.values.size();
-  return result.cycles.size() < due ? RunStatus::interrupted : RunStatus::complete;
-}
-
 std::size_t points_of(const std::vector<SweepAxis>& axes) {
   std::size_t points = 1;
   for (const SweepAxis& axis : axes) points *= axis.swept.values.size();
@@ -255,9 +246,9 @@ std::string point_name(const Sweep& sweep, std::size_t point) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-SweepPoint sweep_point(const Case& input, CycleResult result, bool with_loops) {
+SweepPoint sweep_point(CycleResult result, bool with_loops) {
   SweepPoint point{.result = std::move(result), .status = {}, .loops = {}};
-  point.status = status_of(input, point.result);
+  point.status = status_of(point.result);
   for (Cycle& cycle : point.result.cycles) {
     if (with_loops) {
       Loop& loop = point.loops.emplace_back();

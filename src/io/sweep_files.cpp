@@ -9,6 +9,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "io/csv_value.hpp"
 #include "io/manifest.hpp"
 #include "io/summary_json.hpp"
 #include "io/sweep_netcdf.hpp"
@@ -19,36 +20,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void append(std::string& out, double value, const Form& form) {
-  if (!std::isfinite(value)) return;
-  if (form.kind == Form::truth) {
-    out += value != 0.0 ? "true" : "false";
-  } else if (form.kind == Form::flag) {
-    out += form.words[static_cast<std::size_t>(value)];
-  } else {
-    fmt::format_to(std::back_inserter(out), "{:.17g}", value);
-  }
-}
-
 /// A row for each point and cycle, begun or not.
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const std::vector<CycleQuantity> quantities = cycle_quantities(sweep.experiment);
   std::string out;
   for (const SweepAxis& axis : sweep.axes) out += key_of(axis.name, axis.unit) + ',';
-  out += sweep.experiment == Experiment::strip ? "cycle" : "direction_deg";
+  out += cycle_key(sweep.experiment);
   for (const CycleQuantity& quantity : quantities) out += ',' + key_of(quantity.name, quantity.unit);
   for (std::size_t point = 0; point < points.size(); ++point) {
     const Case& input = sweep.cases[point];
     const std::vector<std::size_t> indices = indices_of(sweep, point);
-    const std::vector<double> places = places_of(input, sweep.experiment);
-    for (std::size_t cycle = 0; cycle < places.size(); ++cycle) {
+    const ResultLayout layout = make_result_layout(input, sweep.experiment);
+    for (std::size_t cycle = 0; cycle < layout.places.size(); ++cycle) {
       out += '\n';
       for (std::size_t i = 0; i < indices.size(); ++i) {
         fmt::format_to(std::back_inserter(out), "{:.17g},", sweep.axes[i].values[indices[i]]);
       }
-      fmt::format_to(std::back_inserter(out), "{:.17g}", places[cycle]);
+      fmt::format_to(std::back_inserter(out), "{:.17g}", layout.cycles.values[layout.places[cycle]]);
       for (const CycleQuantity& quantity : quantities) {
-        append(out += ',', value_at(quantity, input, points[point], cycle), quantity.form);
+        append_csv(out += ',', value_at(quantity, input, points[point], cycle), quantity.form);
       }
     }
   }

@@ -30,9 +30,9 @@ class SweepWriter {
         sweep_(sweep),
         points_(points),
         wording_(wording_of(sweep.cases.front(), sweep.experiment)),
-        cycles_(cycles_of(sweep)) {
+        layout_(layout_of(sweep)) {
     for (const SweepAxis& axis : sweep.axes) dims_.push_back(file.add_dim(axis.name, axis.values.size()));
-    dims_.push_back(file.add_dim(cycles_.name, cycles_.values.size()));
+    dims_.push_back(file.add_dim(cycles().name, cycles().values.size()));
   }
 
   void write_coordinates() {
@@ -40,15 +40,15 @@ class SweepWriter {
       const SweepAxis& axis = sweep_.axes[i];
       file_.put_all({axis.name, axis.unit, axis.title}, {dims_[i]}, axis.values).putAtt("case_key", axis.swept.key);
     }
-    file_.put_all({cycles_.name, cycles_.unit, cycles_.long_name}, {dims_.back()}, cycles_.values);
+    file_.put_all({cycles().name, cycles().unit, cycles().long_name}, {dims_.back()}, cycles().values);
   }
 
   void write_quantities() {
     for (const CycleQuantity& quantity : cycle_quantities(sweep_.experiment)) {
-      std::vector<double> values;
+      std::vector<double> values(points_.size() * layout_.places.size());
       for (std::size_t point = 0; point < points_.size(); ++point) {
-        for (std::size_t cycle = 0; cycle < cycles_.values.size(); ++cycle) {
-          values.push_back(value_at(quantity, sweep_.cases[point], points_[point], cycle));
+        for (std::size_t cycle = 0; cycle < layout_.places.size(); ++cycle) {
+          values[row(point, cycle)] = value_at(quantity, sweep_.cases[point], points_[point], cycle);
         }
       }
       put({std::string(quantity.name), std::string(quantity.unit), spelled(quantity.long_name, wording_),
@@ -75,7 +75,7 @@ class SweepWriter {
   }
 
   void write_loops() {
-    const NcDim increment = file_.add_dim("increment", increments_of(sweep_));
+    const NcDim increment = file_.add_dim("increment", layout_.increments);
     std::vector<double> numbers(increment.getSize());
     std::iota(numbers.begin(), numbers.end(), 0.0);
     file_.put_all({"increment", "1", "increment; 0 is the start of the cycle", {Form::whole}}, {increment}, numbers);
@@ -93,6 +93,13 @@ class SweepWriter {
   }
 
  private:
+  [[nodiscard]] const NamedNumbers& cycles() const { return layout_.cycles; }
+
+  /// Where the file holds a cycle of a point.
+  [[nodiscard]] std::size_t row(std::size_t point, std::size_t cycle) const {
+    return point * layout_.places.size() + layout_.places[cycle];
+  }
+
   /// All dimensions, and one more.
   [[nodiscard]] NewNetcdf::Dims inside(const NcDim& last) const {
     NewNetcdf::Dims dims = dims_;
@@ -104,13 +111,12 @@ class SweepWriter {
   /// @param numbers_of  (point, cycle that was begun) -> numbers
   template <typename NumbersOf>
   [[nodiscard]] std::vector<double> blocks(std::size_t size, const NumbersOf& numbers_of) const {
-    std::vector<double> all(points_.size() * cycles_.values.size() * size, absent);
+    std::vector<double> all(points_.size() * layout_.places.size() * size, absent);
     for (std::size_t point = 0; point < points_.size(); ++point) {
       for (std::size_t cycle = 0; cycle < points_[point].result.cycles.size(); ++cycle) {
         const std::vector<double> numbers = numbers_of(points_[point], cycle);
         BUMPFOIL_ASSERT(numbers.size() <= size);
-        const std::size_t begin = (point * cycles_.values.size() + cycle) * size;
-        std::copy(numbers.begin(), numbers.end(), all.begin() + static_cast<std::ptrdiff_t>(begin));
+        std::copy(numbers.begin(), numbers.end(), all.begin() + static_cast<std::ptrdiff_t>(row(point, cycle) * size));
       }
     }
     return all;
@@ -128,7 +134,7 @@ class SweepWriter {
   const Sweep& sweep_;
   const std::vector<SweepPoint>& points_;
   Wording wording_;
-  NamedNumbers cycles_;
+  ResultLayout layout_;
   NewNetcdf::Dims dims_;  ///< of the keys, and of the cycles
 };
 

@@ -133,7 +133,7 @@ std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<Sweep
 
 std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const bool listed = sweep.axes.size() == 1 && points.size() <= most_rows;
-  const std::size_t cycles = cycles_of(sweep).values.size();
+  const std::size_t cycles = layout_of(sweep).cycles.values.size();
   std::string out;
   for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
     const Block block(sweep, points, cycle);

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-
-#include "bumpfoil/io/summary.hpp"
+#include <utility>
 
 namespace bumpfoil {
 
@@ -16,29 +15,15 @@ double value_at(const CycleQuantity& quantity, const Case& input, const SweepPoi
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<double> places_of(const Case& input, Experiment experiment) {
-  if (experiment == Experiment::strip) return make_result_layout(input, experiment).cycles.values;
-  std::vector<double> places;
-  for (const double direction : input.cycle.directions) places.push_back(to_degrees(direction));
-  return places;
-}
-
-NamedNumbers cycles_of(const Sweep& sweep) {
-  NamedNumbers longest;
+ResultLayout layout_of(const Sweep& sweep) {
+  ResultLayout widest;
   for (const Case& input : sweep.cases) {
-    NamedNumbers cycles = make_result_layout(input, sweep.experiment).cycles;
-    cycles.values = places_of(input, sweep.experiment);
-    if (cycles.values.size() > longest.values.size()) longest = std::move(cycles);
+    ResultLayout layout = make_result_layout(input, sweep.experiment);
+    const std::size_t increments = std::max(widest.increments, layout.increments);
+    if (layout.places.size() > widest.places.size()) widest = std::move(layout);
+    widest.increments = increments;
   }
-  return longest;
-}
-
-std::size_t increments_of(const Sweep& sweep) {
-  std::size_t increments = 0;
-  for (const Case& input : sweep.cases) {
-    increments = std::max(increments, make_result_layout(input, sweep.experiment).increments);
-  }
-  return increments;
+  return widest;
 }
 
 }  // namespace bumpfoil

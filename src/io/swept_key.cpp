@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "bumpfoil/core/error.hpp"
-#include "io/number_text.hpp"
+#include "io/csv_lines.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -31,12 +31,6 @@ struct Quantity {
   Decimal number;
   std::string unit;  ///< empty for a plain number
 };
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 /// The number that a text, which std::from_chars takes as a whole, says; absent if it has too many digits.
 std::optional<Decimal> decimal_of(std::string_view text) {

@@ -2,20 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "bumpfoil/io/summary.hpp"
+#include "io/csv_value.hpp"
 #include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
-namespace {
-
-std::string text_of(double value, const Form& form = {}) {
-  if (!std::isfinite(value)) return {};
-  return form.words.empty() ? fmt::format("{:.17g}", value) : std::string(form.words[static_cast<std::size_t>(value)]);
-}
-
-}  // namespace
 
 std::string vibration_csv(const VibrationSettings& settings, const VibrationResult& result) {
   std::string out = "load_x_N,load_y_N,direction_deg,amplitude_m";
@@ -25,7 +16,7 @@ std::string vibration_csv(const VibrationSettings& settings, const VibrationResu
     out += fmt::format("\n{:.17g},{:.17g},{:.17g},{:.17g}", settings.loads[load].x(), settings.loads[load].y(),
                        to_degrees(settings.directions[direction]), settings.amplitudes[amplitude]);
     for (const VibrationQuantity& column : vibration_quantities()) {
-      out += ',' + text_of(column.value(result.vibrations[i]), column.form);
+      append_csv(out += ',', column.value(result.vibrations[i]), column.form);
     }
   }
   return out + '\n';
@@ -41,9 +32,9 @@ std::string coefficients_csv(const VibrationSettings& settings, const std::vecto
       out +=
           fmt::format("\n{:.17g},{:.17g},{:.17g},{:.17g}", foils.load.x(), foils.load.y(), foils.amplitude, frequency);
       for (const Eigen::Matrix2d& matrix : {foils.stiffness, foils.damping(frequency)}) {
-        for (const auto& [axes, row, column] : matrix_entries) out += ',' + text_of(matrix(row, column));
+        for (const auto& [axes, row, column] : matrix_entries) append_csv(out += ',', matrix(row, column));
       }
-      for (const LinearQuantity& column : linear_quantities()) out += ',' + text_of(column.value(foils));
+      for (const LinearQuantity& column : linear_quantities()) append_csv(out += ',', column.value(foils));
     }
   }
   return out + '\n';

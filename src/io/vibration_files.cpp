@@ -12,6 +12,12 @@
 
 namespace bumpfoil {
 
+RunStatus status_of(const VibrationResult& result) {
+  std::vector<Status> vibrations;
+  for (const Vibration& vibration : result.vibrations) vibrations.push_back(vibration.cycle.status);
+  return run_status(vibrations, vibrations.size());
+}
+
 std::vector<std::string> vibration_file_names() {
   return {"summary.json", "vibration.csv", "coefficients.csv", "coefficients.toml", "result.nc"};
 }

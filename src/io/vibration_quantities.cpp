@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
@@ -152,11 +153,7 @@ std::vector<std::string> warning_lines(const VibrationSettings& settings, const 
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     const Cycle& cycle = result.vibrations[i].cycle;
     if (!cycle.converged() || cycle.settled) continue;
-    lines.push_back(
-        fmt::format("{}: the loop has not settled after {} loops, its energy still changes from {:.4g} to "
-                    "{:.4g} mJ",
-                    vibration_text(settings, i), cycle.loop_energies.size(), 1e3 * *(cycle.loop_energies.end() - 2),
-                    1e3 * cycle.loop_energies.back()));
+    lines.push_back(fmt::format("{}: {}", vibration_text(settings, i), unsettled(cycle, "loops")));
   }
   return lines;
 }

@@ -56,10 +56,8 @@ std::optional<std::string> settling_warning(const CycleResult& result, const Cyc
   const std::vector<double>& loops = cycle.loop_energies;
   if (loops.size() < 2 || cycle.settled || !cycle.converged()) return std::nullopt;
   const bool orbits = result.experiment == Experiment::path;
-  return fmt::format(
-      "the loop has not settled after {} {}: its energy still changes from {:.4g} to {:.4g} mJ; raise {}", loops.size(),
-      orbits ? "orbits" : "cycles", 1e3 * *(loops.end() - 2), 1e3 * loops.back(),
-      orbits ? "path.orbits" : "cycle.cycles");
+  return fmt::format("{}; raise {}", unsettled(cycle, orbits ? "orbits" : "cycles"),
+                     orbits ? "path.orbits" : "cycle.cycles");
 }
 
 std::optional<std::string> truss_warning(const Case& input, const CycleResult& result) {
@@ -82,6 +80,15 @@ std::optional<std::string> yield_warning(const Case& input, const Cycle& cycle, 
 }
 
 }  // namespace
+
+std::string unsettled(const Cycle& cycle, std::string_view loops) {
+  const double last = cycle.loop_energies.back();
+  const double before = *(cycle.loop_energies.end() - 2);
+  return fmt::format(
+      "the loop has not settled after {} {}: the energy of the last, {:.4g} mJ, is by {:.2g} % {} than that before",
+      cycle.loop_energies.size(), loops, 1e3 * last, 100.0 * std::abs(last / before - 1.0),
+      last < before ? "smaller" : "larger");
+}
 
 std::vector<std::string> warnings_of(const Case& input, const CycleResult& result, std::size_t cycle) {
   const Cycle& of = result.cycles[cycle];

@@ -312,7 +312,11 @@ void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit)
     if (!within_reach(fmt::format("path.points[{}]", i + 1), path.points.values[i].norm())) return;
   }
   std::int64_t increments = std::ssize(path.points.values);
-  if (path.is_orbit()) {
+  if (!path.is_orbit()) {
+    judge.require(path.centre.value.isZero(0.0) && path.semi_axes.value.isZero(0.0),
+                  path.centre.value.isZero(0.0) ? "path.semi_axes" : "path.centre", "",
+                  "belongs to an orbit, and the path goes through points", "remove it, or the points");
+  } else {
     const Eigen::Vector2d& axes = path.semi_axes.value;
     judge.require(path.semi_axes.control == path.centre.control, "path.semi_axes", "",
                   by_load ? "are lengths where the centre is a load" : "are forces where the centre is a position",

@@ -49,11 +49,11 @@ class Sweep(unittest.TestCase):
         self.assertEqual(result.loss_factor.dims, ("cycle_amplitude", "friction_coefficient", "direction"))
         np.testing.assert_array_equal(result.cycle_amplitude, [60e-6, 70e-6, 79.5e-6])
         np.testing.assert_array_equal(result.friction_coefficient, FRICTIONS)
-        np.testing.assert_array_equal(result.direction, [0, 180, 90, 270])
+        np.testing.assert_array_equal(result.direction, [0, 90, 180, 270])
         self.assertEqual(result.cycle_amplitude.units, "m")
         self.assertEqual(result.friction_coefficient.units, "1")
         self.assertEqual(result.friction_coefficient.case_key, "friction.coefficient")
-        one = result.sel(friction_coefficient=0.11, cycle_amplitude=69e-6, method="nearest").sel(direction=90)
+        one = result.sel(friction_coefficient=0.11, cycle_amplitude=69e-6, direction=91, method="nearest")
         self.assertEqual(float(one.friction_coefficient), 0.1)
         self.assertTrue(np.isfinite(one.loaded_stiffness))
 
@@ -75,7 +75,8 @@ class Sweep(unittest.TestCase):
             ("iterations", "total_iterations"),
         ):
             values = np.array([float(row[column]) for row in self.rows]).reshape(3, 4, 4)
-            np.testing.assert_array_equal(self.result[name], values, column)
+            as_in_case = self.result[name].sel(direction=[0, 180, 90, 270])
+            np.testing.assert_array_equal(as_in_case, values, column)
         meanings = self.result.status.attrs["flag_meanings"].split()
         self.assertEqual(
             [meanings[int(flag)] for flag in self.result.status.values.ravel()], [row["status"] for row in self.rows]

@@ -149,8 +149,10 @@ enum class Experiment { cycle, strip, path };
 struct CycleResult {
   SolverName solver{};  ///< that was used
   Experiment experiment{Experiment::cycle};
+  std::size_t due{};          ///< cycles that were to be run
   std::vector<Cycle> cycles;  ///< one per direction, in the order of the case; of a strip, one after the other
 
+  /// All cycles that were due are there, and converged.
   [[nodiscard]] bool converged() const;
 };
 

@@ -43,14 +43,20 @@ Wording wording_of(const Case& input, Experiment experiment);
 /// A long name with {pressing}, {over_crest}, {carrying}, {along} and {start} in these words.
 std::string spelled(std::string_view long_name, const Wording& wording);
 
+/// What CSV files and summaries call the coordinate of the cycles of an experiment; a path has none.
+constexpr std::string_view cycle_key(Experiment experiment) {
+  if (experiment == Experiment::path) return {};
+  return experiment == Experiment::strip ? "cycle" : "direction_deg";
+}
+
 /// Results that have a quantity: sums of these.
-enum Within : unsigned {
-  cycle = 1,
-  strip = 2,
-  path = 4,
-  bearing = cycle | path,
-  loops = cycle | strip,
-  all = cycle | strip | path,
+struct Within {
+  static constexpr unsigned cycle = 1;
+  static constexpr unsigned strip = 2;
+  static constexpr unsigned path = 4;
+  static constexpr unsigned bearing = cycle | path;
+  static constexpr unsigned loops = cycle | strip;
+  static constexpr unsigned all = cycle | strip | path;
 };
 
 /// Of one increment. Values that are not known are not numbers.

@@ -22,6 +22,13 @@ enum class RunStatus {
 template <>
 inline constexpr auto enum_names<RunStatus> = std::to_array<std::string_view>({"complete", "failed", "interrupted"});
 
+/// How a run ended whose parts ended so, of `due` ones: stopped between two parts, it lacks some without any that says
+/// so.
+RunStatus run_status(const std::vector<Status>& parts, std::size_t due);
+
+/// How a run of cycles ended.
+RunStatus status_of(const CycleResult& result);
+
 /// A file beside summary.json.
 struct FileChecksum {
   std::string name;

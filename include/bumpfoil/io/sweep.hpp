@@ -63,7 +63,7 @@ struct SweepPoint {
 };
 
 /// What is kept of the result of a point, whose case this is.
-SweepPoint sweep_point(const Case& input, CycleResult result, bool with_loops);
+SweepPoint sweep_point(CycleResult result, bool with_loops);
 
 /// Numbers of each of displacement and force that sweeps keep of their loops at most.
 inline constexpr std::size_t most_loop_values = 4'000'000;

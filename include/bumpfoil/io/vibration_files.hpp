@@ -8,6 +8,9 @@
 
 namespace bumpfoil {
 
+/// How a run ended.
+RunStatus status_of(const VibrationResult& result);
+
 /// Names of the files that the command writes.
 std::vector<std::string> vibration_file_names();
 

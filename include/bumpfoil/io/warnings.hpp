@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
@@ -16,6 +17,9 @@ namespace bumpfoil {
 /// - a truss of one to three bumps;
 /// - a foil whose bending stress exceeds the yield stress that the case gives.
 std::vector<std::string> warnings_of(const Case& input, const CycleResult& result, std::size_t cycle);
+
+/// Says of a loop that has not settled by how much it still changes. @param loops  what they are called: "cycles"
+std::string unsettled(const Cycle& cycle, std::string_view loops);
 
 /// Those of all cycles, each behind the name of its cycle: "-X: ...".
 std::vector<std::string> warning_lines(const Case& input, const CycleResult& result);

@@ -209,6 +209,26 @@ TEST(SummaryJson, HoldsACycleWithoutIncrements) {
   EXPECT_TRUE(cycle.at("initial_force_N").is_null());
 }
 
+TEST(RunStatus, IsInterruptedWhereverTheUserStopsIt) {
+  int due = 0;
+  run_cycles(short_case(), [&](double) { return ++due > 0; });
+  // Between two directions, too, where all that there is has converged.
+  bool between = false;
+  for (int increments = 1; increments < due; ++increments) {
+    const CycleResult result = stopped_after(increments);
+    EXPECT_EQ(status_of(result), RunStatus::interrupted) << increments;
+    EXPECT_FALSE(result.converged()) << increments;
+    between = between || (result.cycles.size() == 1 && result.cycles[0].converged());
+  }
+  EXPECT_TRUE(between);
+  EXPECT_EQ(status_of(run_cycles(short_case())), RunStatus::complete);
+}
+
+TEST(RunStatus, IsFailedWhereNothingWasInterrupted) {
+  EXPECT_EQ(run_status({Status::converged, Status::no_modes}, 3), RunStatus::failed);
+  EXPECT_EQ(run_status({Status::no_modes, Status::interrupted}, 2), RunStatus::interrupted);
+}
+
 TEST(ToDegrees, GivesWholeDegreesWhereTheyWereMeant) {
   for (int degrees = -360; degrees <= 360; ++degrees) {
     EXPECT_EQ(to_degrees(degrees * (std::numbers::pi / 180.0)), degrees);

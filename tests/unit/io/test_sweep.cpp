@@ -135,7 +135,7 @@ CycleResult result_of(const Sweep& sweep, std::size_t point) {
 TEST(Sweep, PointKeepsQuantitiesAndLoops) {
   const Sweep sweep = sweep_over({"friction.coefficient=[0.1]"}, {"cycle.steps=3"});
   const CycleResult whole = result_of(sweep, 0);
-  const SweepPoint point = sweep_point(sweep.cases[0], whole, true);
+  const SweepPoint point = sweep_point(whole, true);
   EXPECT_EQ(point.status, RunStatus::complete);
   ASSERT_EQ(point.loops.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -145,16 +145,16 @@ TEST(Sweep, PointKeepsQuantitiesAndLoops) {
     EXPECT_EQ(point.loops[i].force_direct[3], whole.cycles[i].increments[3].force_direct);
     EXPECT_EQ(point.loops[i].displacement[3], whole.cycles[i].increments[3].displacement);
   }
-  EXPECT_TRUE(sweep_point(sweep.cases[0], whole, false).loops.empty());
+  EXPECT_TRUE(sweep_point(whole, false).loops.empty());
 }
 
 TEST(Sweep, PointThatWasStoppedBetweenCyclesIsInterrupted) {
   const Sweep sweep = sweep_over({"friction.coefficient=[0.1]"}, {"cycle.steps=3"});
   CycleResult result = result_of(sweep, 0);
   result.cycles.pop_back();
-  EXPECT_EQ(sweep_point(sweep.cases[0], result, true).status, RunStatus::interrupted);
+  EXPECT_EQ(sweep_point(result, true).status, RunStatus::interrupted);
   result.cycles.back().status = Status::no_modes;
-  EXPECT_EQ(sweep_point(sweep.cases[0], result, true).status, RunStatus::failed);
+  EXPECT_EQ(sweep_point(result, true).status, RunStatus::failed);
   EXPECT_EQ(status_of({SweepPoint{.result = {}, .status = RunStatus::complete, .loops = {}},
                        SweepPoint{.result = {}, .status = RunStatus::failed, .loops = {}}}),
             RunStatus::failed);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <netcdf>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -35,7 +36,7 @@ class SweepFiles : public ::testing::Test {
         result.cycles[1].status = Status::no_modes;
         result.cycles[1].increments.back().status = Status::no_modes;
       }
-      points_[i] = sweep_point(sweep_.cases[i], std::move(result), true);
+      points_[i] = sweep_point(std::move(result), true);
     }
     for (const ResultFile& file : sweep_files(sweep_, points_, {.command_line = "bumpfoil", .case_text = "text"})) {
       folder_.write(file.name, file.contents);
@@ -130,13 +131,17 @@ TEST_F(SweepFiles, NetcdfHasTheKeysAsDimensions) {
   EXPECT_EQ(force.getDim(1).getName(), "friction_coefficient");
   EXPECT_EQ(force.getDim(2).getName(), "direction");
   double value = 0.0;
-  force.getVar({1, 0, 1}, {1, 1, 1}, &value);
+  // Directions are sorted, unlike those of the case.
+  std::array<double, 2> directions{};
+  file.getVar("direction").getVar(directions.data());
+  EXPECT_EQ(directions, (std::array{90.0, 180.0}));
+  force.getVar({1, 0, 0}, {1, 1, 1}, &value);
   EXPECT_EQ(value, points_[3].result.cycles[1].turning_point->max_force);
   force.getVar({1, 1, 0}, {1, 1, 1}, &value);
   EXPECT_EQ(value, NC_FILL_DOUBLE);
   const netCDF::NcVar loops = file.getVar("force_direct");
   ASSERT_EQ(loops.getDimCount(), 4);
-  loops.getVar({0, 2, 1, 3}, {1, 1, 1, 1}, &value);
+  loops.getVar({0, 2, 0, 3}, {1, 1, 1, 1}, &value);
   EXPECT_EQ(value, points_[2].loops[1].force_direct[3]);
   std::string text;
   file.getAtt("bumpfoil_command").getValues(text);

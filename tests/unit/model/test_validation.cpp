@@ -306,6 +306,25 @@ TEST(FindFaults, JudgesWhatCyclesGoAbout) {
   EXPECT_EQ(course([](CycleSettings& c) { c.clearance_forces = {5.0, -1.0}; }), Keys{"cycle.clearance_forces[2]"});
 }
 
+TEST(FindFaults, KnowsPathsThroughPointsOrRoundAnEllipse) {
+  const auto path = [](const PathSettings& settings) {
+    return faulty_keys([&](Case& input) { input.path = settings; });
+  };
+  PathSettings orbit;
+  orbit.centre.value = {0.0, -40e-6};
+  orbit.semi_axes.value = {10e-6, 0.0};
+  EXPECT_EQ(path(orbit), Keys{});
+  PathSettings points;
+  points.points.values = {{0.0, -40e-6}};
+  EXPECT_EQ(path(points), Keys{});
+  points.semi_axes = orbit.semi_axes;
+  EXPECT_EQ(path(points), Keys{"path.semi_axes"});
+  points.centre = orbit.centre;
+  EXPECT_EQ(path(points), Keys{"path.centre"});
+  orbit.centre.control = Control::load;
+  EXPECT_EQ(path(orbit), Keys{"path.semi_axes"});
+}
+
 TEST(FindFaults, PushesTheFormerModelFromTheCentreAlone) {
   const auto former = [](const auto& change) {
     return faulty_keys([&](Case& input) {
