@@ -90,6 +90,8 @@ ExitCode run(int argc, char** argv) {
   add_path_command(program, session);
   add_sweep_command(program, session);
   add_vibration_command(program, session);
+  add_equilibrium_command(program, session);
+  add_film_command(program, session);
   add_reproduce_command(program, session);
   add_report_command(program, session);
   for (CLI::App* command : program.get_subcommands({})) refuse_empty_values(*command);

@@ -30,6 +30,8 @@ void add_path_command(CLI::App& program, Session& session);
 void add_strip_command(CLI::App& program, Session& session);
 void add_sweep_command(CLI::App& program, Session& session);
 void add_vibration_command(CLI::App& program, Session& session);
+void add_equilibrium_command(CLI::App& program, Session& session);
+void add_film_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 

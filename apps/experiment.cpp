@@ -35,8 +35,9 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   if (!options.solver.empty()) overrides.push_back("solver.name=" + options.solver);
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
-  const Case input =
-      parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {experiment.name}});
+  const Case input = parse_case(
+      case_text, options.case_path,
+      {.overrides = overrides, .required_tables = {experiment.table.empty() ? experiment.name : experiment.table}});
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
 
@@ -103,7 +104,7 @@ ExperimentCommand cycle_experiment(std::string name, std::string summary, std::s
           }};
 }
 
-void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
+CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
   const auto options = std::make_shared<ExperimentOptions>();
   CLI::App* command = program.add_subcommand(experiment.name, experiment.summary);
   command->add_option("CASE", options->case_path, "Case file")->required();
@@ -118,6 +119,7 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentCommand
                   "Ctrl-C, or a limit of a batch system, ends the run; what there is by then is written and flagged as "
                   "partial. A second Ctrl-C ends it at once.");
   command->callback([options, experiment, &session] { session.exit_code = run(experiment, *options, session); });
+  return command;
 }
 
 }  // namespace bumpfoil

@@ -23,7 +23,8 @@ struct Outcome {
 
 /// A command that does to the foils what its table of the case says, and writes the results to a folder.
 struct ExperimentCommand {
-  std::string name;     ///< of the command, and of the table of the case that it needs
+  std::string name;
+  std::string table{};  ///< of the case that it needs; empty: the one of its own name
   std::string summary;  ///< what it does, for --help
   std::string examples;
   std::vector<std::string> files;  ///< names of all that it writes
@@ -37,7 +38,7 @@ ExperimentCommand cycle_experiment(std::string name, std::string summary, std::s
 /// What the shell is told of a run that ended so.
 ExitCode exit_code_of(RunStatus status);
 
-/// Adds it to the program.
-void add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment);
+/// Adds it to the program. @return the command, for options of its own
+CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment);
 
 }  // namespace bumpfoil

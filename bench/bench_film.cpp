@@ -64,7 +64,8 @@ void warm_step(benchmark::State& bench) {
   int iterations = 0;
   for (auto _ : bench) {
     FilmBearingState state = start;
-    const FilmReport report = solver.solve({0.55 * bearing.clearance, 0.0}, speed, start.contact, state);
+    const FilmReport report =
+        solver.solve(OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, speed), start.contact, state);
     if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
@@ -80,6 +81,47 @@ void cold_start(benchmark::State& bench) {
   }
 }
 BENCHMARK(cold_start)->Apply(meshes);
+
+/// The same by load: 50 N, from the state under 45 N.
+void equilibrium_from_a_neighbour(benchmark::State& bench) {
+  const FilmBearing bearing = frictionless_bearing(bench);
+  FilmBearingState start = cold_state(bearing, 0.6, bench);
+  FilmBearingSolver solver(bearing);
+  const FilmReport there = solver.follow(OperatingPoint::loaded_by({45.0, 0.0}, speed), start.contact, start);
+  if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
+  int iterations = 0;
+  for (auto _ : bench) {
+    FilmBearingState state = start;
+    const FilmReport report = solver.follow(OperatingPoint::loaded_by({50.0, 0.0}, speed), start.contact, state);
+    if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
+    iterations = report.iterations;
+  }
+  bench.counters["iterations"] = iterations;
+}
+BENCHMARK(equilibrium_from_a_neighbour)->Apply(meshes);
+
+/// 50 speeds from 45,000 to 5,000 rpm under 50 N, without the way to the first.
+void coasting_down(benchmark::State& bench) {
+  constexpr int speeds = 50;
+  const FilmBearing bearing = frictionless_bearing(bench);
+  FilmBearingState start = cold_state(bearing, 0.6, bench);
+  FilmBearingSolver solver(bearing);
+  const FilmReport there = solver.follow(OperatingPoint::loaded_by({50.0, 0.0}, speed), start.contact, start);
+  if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
+  int iterations = 0;
+  for (auto _ : bench) {
+    FilmBearingState state = start;
+    iterations = 0;
+    for (int i = 1; i <= speeds; ++i) {
+      const OperatingPoint to = OperatingPoint::loaded_by({50.0, 0.0}, speed * (1.0 - 8.0 / 9.0 * i / speeds));
+      const FilmReport report = solver.follow(to, state.contact, state);
+      if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
+      iterations += report.iterations;
+    }
+  }
+  bench.counters["iterations"] = iterations;
+}
+BENCHMARK(coasting_down)->Apply(meshes);
 
 }  // namespace
 }  // namespace bumpfoil

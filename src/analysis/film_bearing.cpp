@@ -1,6 +1,8 @@
 #include "bumpfoil/analysis/film_bearing.hpp"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/core/assert.hpp"
@@ -54,6 +56,16 @@ FoilFilm make_foil(const Case& input, const FilmScales& scales, const FilmResolu
 
 }  // namespace
 
+Gas gas_of(const GasSettings& settings) {
+  return {.viscosity = settings.viscosity.value_or(viscosity(settings.preset, settings.temperature)),
+          .ambient_pressure = settings.ambient_pressure,
+          .mean_free_path = settings.mean_free_path};
+}
+
+double film_thickness_scale(double clearance) {
+  return clearance != 0.0 ? std::abs(clearance) : smallest_scale;
+}
+
 Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const {
   Matrix H = foil.mesh.field(clearance / scales.thickness);
   H.rowwise() -= (position / scales.thickness).transpose() * normals;
@@ -65,7 +77,7 @@ FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResol
   const Foils& foils = *shared;
   FilmBearing bearing;
   const double clearance = foils.clearance;
-  bearing.scales = {gas, input.bearing.radius, clearance != 0.0 ? std::abs(clearance) : smallest_scale};
+  bearing.scales = {gas, input.bearing.radius, film_thickness_scale(clearance)};
   bearing.foil = make_foil(input, bearing.scales, resolution);
   bearing.dofs = foils.structure.dofs;
   bearing.problem.K = bump_foil_alone(foils.structure, resolution.rows);
@@ -86,6 +98,11 @@ FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResol
   return bearing;
 }
 
+FilmBearing make_film_bearing(const Case& input) {
+  return make_film_bearing(input, gas_of(input.gas),
+                           {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
+}
+
 FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed) {
   FilmBearingState state{.position = position,
                          .speed = speed,
@@ -101,37 +118,89 @@ ReynoldsEquation film_equation(const FilmBearing& bearing, double speed) {
           .knudsen = bearing.scales.knudsen()};
 }
 
-Eigen::Vector2d plane_force(const FilmBearing& bearing, const FilmIntegrals& sums) {
-  // The direction of theta = 0 and that of theta = 90 degrees.
-  const Eigen::Vector2d n = unit_vector(bearing.weld_angle);
-  const Eigen::Vector2d t = bearing.wrap_sign * Eigen::Vector2d(-n.y(), n.x());
-  return bearing.scales.force() * (sums.cosine * n + sums.sine * t);
+Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
+  const FilmMesh& mesh = bearing.foil.mesh;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    double excess = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, k) - 1.0);
+    force += mesh.column_weight(k) * excess * bearing.normals.col(k);
+  }
+  return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
 }
+
+namespace {
+
+/// Integral of (P - 1) dU/dtheta over the whole width, U what the wall has yielded.
+double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix& yield) {
+  double sum = 0.0;
+  for (int k = 0; k < mesh.columns; ++k) {
+    const int next = mesh.next(k);
+    for (int j = 0; j < mesh.rows; ++j) {
+      const double excess = 0.5 * (pressure(j, k) + pressure(j, next)) - 1.0;
+      sum += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (yield(j, next) - yield(j, k));
+    }
+  }
+  return sum;
+}
+
+/// In (-pi, pi].
+double wrapped(double angle) {
+  return angle - 2.0 * std::numbers::pi * std::ceil(angle / (2.0 * std::numbers::pi) - 0.5);
+}
+
+void find_drag(const FilmBearing& bearing, const FilmBearingState& state, const FilmIntegrals& sums,
+               FilmBearingOutcome& outcome) {
+  const FilmScales& scales = bearing.scales;
+  const double couette = scales.couette_torque(state.speed * scales.radius);
+  outcome.couette_torque = couette * sums.couette;
+  outcome.torque = outcome.couette_torque + bearing.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
+  outcome.power = outcome.torque * state.speed;
+  outcome.couette_dissipation = outcome.couette_torque * state.speed;
+  outcome.dissipation = outcome.couette_dissipation + scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
+  const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
+  const double slope = scales.force() * scales.thickness *
+                       pressing_slope(bearing.foil.mesh, state.foil.film.pressure,
+                                      state.foil.film.thickness - bearing.undeformed_thickness(state.position));
+  outcome.torque_of_moments = outcome.couette_torque - 0.5 * (lever + bearing.wrap_sign * slope);
+}
+
+void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
+  for (int b = 0; b < std::ssize(bearing.foil.supports); ++b) {
+    if (state.contact.normal_force[b * pairs] <= 0.0) continue;
+    ++outcome.loaded_bumps;
+    if (outcome.first_loaded < 0) outcome.first_loaded = b;
+    outcome.last_loaded = b;
+  }
+}
+
+}  // namespace
 
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state) {
   const FilmMesh& mesh = bearing.foil.mesh;
   const FilmScales& scales = bearing.scales;
   const ReynoldsEquation equation = film_equation(bearing, state.speed);
-  const FilmIntegrals sums = film_integrals(equation, state.foil.film);
   FilmBearingOutcome outcome;
-  outcome.force = plane_force(bearing, sums);
-  const double surface = state.speed * scales.radius;
-  outcome.torque =
-      scales.couette_torque(surface) * sums.couette + bearing.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
-  outcome.power = outcome.torque * state.speed;
-  outcome.dissipation = scales.couette_torque(surface) * state.speed * sums.couette +
-                        scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
+  outcome.force = film_force(bearing, state.foil.film.pressure);
+  outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
+  const double turned =
+      std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
+  outcome.attitude_angle = wrapped(state.speed < 0.0 ? -turned : turned);
+  find_drag(bearing, state, film_integrals(equation, state.foil.film), outcome);
   Matrix residual;
   reynolds_residual(equation, state.foil.film, residual);
   outcome.flows = film_flows(mesh, residual);
   for (double* flow : {&outcome.flows.start, &outcome.flows.end, &outcome.flows.sides}) *flow *= scales.flow();
-  outcome.thinnest = thinnest_place(mesh, state.foil.film.thickness);
+  const Matrix& H = state.foil.film.thickness;
+  outcome.thinnest = thinnest_place(mesh, H);
+  outcome.thinnest_crest = std::numeric_limits<double>::infinity();
+  for (const int crest : bearing.foil.supports) {
+    outcome.thinnest_crest = std::min(outcome.thinnest_crest, H.col(crest).minCoeff());
+  }
   outcome.max_pressure = state.foil.film.pressure.maxCoeff();
   outcome.min_pressure = state.foil.film.pressure.minCoeff();
-  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
-  const auto bumps = static_cast<Eigen::Index>(bearing.foil.supports.size());
-  outcome.loaded_bumps =
-      static_cast<int>((state.contact.normal_force(Eigen::seqN(0, bumps, pairs)).array() > 0.0).count());
+  find_loaded_bumps(bearing, state, outcome);
   return outcome;
 }
 

@@ -31,6 +31,7 @@ struct Key {
   std::string_view example{};            ///< as `init` shows it; none: what the reference case holds
   std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
   std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
+  bool instead{};                        ///< in place of the key before it: nobody gives both
 };
 
 /// Where the value of a key is kept. An absent number and an empty list stand for no value.

@@ -125,6 +125,7 @@ class KeyLister final : public CaseVisitor {
 
   ListedKey& add(const Key& key, std::string kind, Json value, bool instead = false) {
     const bool there = !value.is_null();
+    instead = instead || key.instead;
     return list_.emplace_back(ListedKey{path_of(key), key, std::move(kind), std::move(value), held_ && there,
                                         live_ && there && !instead, instead});
   }

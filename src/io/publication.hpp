@@ -10,9 +10,10 @@
 namespace bumpfoil {
 
 /// Files whose presence makes a folder one that holds results.
-inline constexpr std::array<std::string_view, 14> result_names{
-    "summary.json",      "cycle.csv", "strip.csv", "path.csv",    "sweep.csv",  "vibration.csv", "coefficients.csv",
-    "coefficients.toml", "result.nc", "sweep.nc",  "ensemble.nc", "study.json", "picture.svg",   "report.html"};
+inline constexpr std::array<std::string_view, 16> result_names{
+    "summary.json",     "cycle.csv",         "strip.csv",       "path.csv",   "sweep.csv", "vibration.csv",
+    "coefficients.csv", "coefficients.toml", "equilibrium.csv", "film.csv",   "result.nc", "sweep.nc",
+    "ensemble.nc",      "study.json",        "picture.svg",     "report.html"};
 
 /// Called before every step of a publication that changes the disk; tests stop there.
 using BeforeStep = std::function<void()>;

@@ -420,12 +420,13 @@ std::string key_of(std::string_view name, std::string_view unit) {
   }
   std::string key(name);
   if (unit.empty() || unit == "1") return key;
+  if (unit == "degree") return key + "_deg";
   key += '_';
   for (const char letter : unit) {
     if (letter == '/') {
       key += "_per_";
     } else {
-      key += letter;
+      key += letter == ' ' ? '_' : letter;
     }
   }
   return key;

@@ -30,6 +30,9 @@ constexpr std::array dimensions{
     DimensionText{Dimension::stiffness, "a stiffness", "N/m", "\"150 MN/m\""},
     DimensionText{Dimension::pressure, "a pressure", "Pa", "\"214 GPa\""},
     DimensionText{Dimension::frequency, "a frequency", "rad/s", "\"200 Hz\""},
+    DimensionText{Dimension::temperature, "a temperature", "K", "\"293 K\""},
+    DimensionText{Dimension::viscosity, "a viscosity", "Pa s", "\"18.5 uPa s\""},
+    DimensionText{Dimension::bed_stiffness, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
 };
 
 /// Longer texts are no quantities; the grammar of UDUNITS-2 recurses.

@@ -13,6 +13,7 @@
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "model/judge.hpp"
+#include "model/judge_film.hpp"
 #include "model/judge_vibration.hpp"
 
 namespace bumpfoil {
@@ -408,6 +409,7 @@ std::vector<Fault> find_faults(const Case& input) {
   if (input.strip) judge_strip(judge, *input.strip, foil, rise);
   if (input.path) judge_path(judge, *input.path, bumps ? foil.bumps : 0, flattening(input.bearing, rise));
   if (input.vibration) judge_vibration(judge, *input.vibration, flattening(input.bearing, rise));
+  judge_film_settings(judge, input, bumps);
   judge_combination(judge, input);
   return judge.take();
 }

@@ -78,10 +78,16 @@ ReferencePath read_path() {
 
 }  // namespace
 
-FilmBearing film_reference_bearing(const FilmResolution& resolution, double friction_coefficient) {
+Case film_reference_case(const FilmResolution& resolution, double friction_coefficient) {
   Case input = case_with_given_constants();
   input.friction = {.top_bump = friction_coefficient, .bump_sleeve = friction_coefficient};
-  return make_film_bearing(input, {.viscosity = 1.85e-5, .ambient_pressure = 101325.0}, resolution);
+  input.gas = {.viscosity = 1.85e-5, .ambient_pressure = 101325.0};
+  input.film = {.columns_per_pitch = resolution.columns_per_pitch, .rows = resolution.rows};
+  return input;
+}
+
+FilmBearing film_reference_bearing(const FilmResolution& resolution, double friction_coefficient) {
+  return make_film_bearing(film_reference_case(resolution, friction_coefficient));
 }
 
 double speed_of_rpm(double rpm) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bumpfoil/analysis/film_equilibrium.hpp"
+#include "bumpfoil/analysis/equilibrium.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_runs.hpp"
 
@@ -25,8 +25,8 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
     SCOPED_TRACE(increment.eccentricity);
     const Eigen::Vector2d position(increment.eccentricity * bearing.clearance, 0.0);
     const ContactState previous = state.contact;
-    const FilmReport report =
-        first ? solver.cold_start(position, path.speed, state) : solver.solve(position, path.speed, previous, state);
+    const FilmReport report = first ? solver.cold_start(position, path.speed, state)
+                                    : solver.solve(OperatingPoint::held_at(position, path.speed), previous, state);
     first = false;
     ASSERT_EQ(report.status, FilmStatus::converged);
     const Vector slip = tangential_displacements(bearing.problem, state.contact.x) -
@@ -49,14 +49,14 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
 TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
   for (const ReferenceEquilibrium& reference : reference_equilibria()) {
     SCOPED_TRACE(reference.load.x());
-    const FilmBearing bearing = film_reference_bearing(reference.resolution);
-    FilmBearingSolver solver(bearing);
-    FilmBearingState state;
-    ASSERT_EQ(solver.cold_start({0.6 * bearing.clearance, 0.0}, reference.speed, state).status, FilmStatus::converged);
-    ASSERT_EQ(find_equilibrium(solver, bearing, reference.load, reference.speed, 10, state).status,
-              FilmStatus::converged);
-    EXPECT_LT((state.position / bearing.clearance - reference.position).norm(), 1e-6);
-    const auto K = solver.stiffness(state);
+    Case input = film_reference_case(reference.resolution);
+    input.equilibrium =
+        EquilibriumSettings{.speeds = {reference.speed}, .loads = {{reference.load.x(), reference.load.y()}}};
+    const EquilibriumResult result = run_equilibrium(input);
+    ASSERT_TRUE(result.converged());
+    const RunningState& state = result.states.front();
+    EXPECT_LT((state.last->position / input.bearing.radial_clearance - reference.position).norm(), 1e-6);
+    const auto& K = state.stiffness;
     ASSERT_TRUE(K.has_value());
     // The prototype's contacts keep a little of their proximal springs.
     EXPECT_LT((*K - reference.stiffness).norm(), 1e-4 * reference.stiffness.norm());

@@ -10,6 +10,12 @@
 
 namespace bumpfoil {
 
+/// The gas of a case.
+Gas gas_of(const GasSettings& settings);
+
+/// c of a bearing, m: the size of its clearance, or 10 um where it has none.
+double film_thickness_scale(double clearance);
+
 /// Mesh of the film over the foil of a bearing.
 struct FilmResolution {
   int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
@@ -44,6 +50,9 @@ struct FilmBearing {
 /// @throws Error (input) if the case cannot be built.
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
 
+/// The same in the gas and on the mesh of the case.
+FilmBearing make_film_bearing(const Case& input);
+
 /// What is known of a bearing that runs: a plain value, all that a next state needs.
 struct FilmBearingState {
   Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< of the journal, m
@@ -58,18 +67,25 @@ FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& posi
 /// What a state is good for.
 struct FilmBearingOutcome {
   Eigen::Vector2d force{Eigen::Vector2d::Zero()};  ///< to be applied to the journal, N
-  double torque{};                                 ///< against rotation for Omega > 0, N m
-  double power{};                                  ///< torque times Omega, W
-  double dissipation{};                            ///< of Couette and of pressure flow, W: equal to the power but for
-                                                   ///< the discretisation
-  FilmFlows flows;                                 ///< m^3/s at ambient pressure; `start` is the weld
-  ThinnestPlace thinnest;                          ///< without dimension
-  double max_pressure{}, min_pressure{};           ///< P
-  int loaded_bumps{};                              ///< bumps that the top foil presses
+  double eccentricity{};                           ///< |(x, y)| / |C_r|; infinite without a clearance
+  double
+      attitude_angle{};  ///< from the force to the displacement, positive in the sense of rotation, in (-pi, pi], rad
+  double torque{};       ///< against rotation for Omega > 0, N m
+  double couette_torque{};       ///< of which the moving surface alone makes this much, N m; the rest is the pressure's
+  double torque_of_moments{};    ///< the same torque by the balance of moments: equal but for the discretisation
+  double power{};                ///< torque times Omega, W
+  double couette_dissipation{};  ///< of the moving surface, W
+  double dissipation{};          ///< of it and of the pressure flow, W: equal to the power but for the discretisation
+  FilmFlows flows;               ///< m^3/s at ambient pressure; `start` is the weld
+  ThinnestPlace thinnest;        ///< without dimension
+  double thinnest_crest{};       ///< least H over a crest
+  double max_pressure{}, min_pressure{};  ///< P
+  int loaded_bumps{};                     ///< bumps that the top foil presses
+  int first_loaded{-1}, last_loaded{-1};  ///< of them, from 0; -1 where there is none
 };
 
-/// The integrals of (P - 1) cos(theta), (P - 1) sin(theta) as a force on the journal in the X-Y plane, N.
-Eigen::Vector2d plane_force(const FilmBearing& bearing, const FilmIntegrals& sums);
+/// Force that must be applied to the journal under the pressure P at all nodes: the integral of (p - pa) n, N.
+Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure);
 
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state);
 

@@ -45,7 +45,7 @@ class BlockTridiagonalLU {
   [[nodiscard]] bool factor(int first = 0) {
     for (auto i = static_cast<std::size_t>(first); i < diagonal_.size(); ++i) {
       factors_[i] = diagonal_[i];
-      if (i > 0) subtract_product(lower_[i], reduced_upper_[i - 1], factors_[i]);
+      if (i > 0) subtract_sparse_product(lower_[i], reduced_upper_[i - 1], factors_[i]);
       if (!factor_block(i)) return false;
       if (i + 1 < diagonal_.size()) {
         reduced_upper_[i] = upper_[i];
@@ -81,7 +81,7 @@ class BlockTridiagonalLU {
     solve_block(start, solution[start]);
     for (std::size_t i = start + 1; i < factors_.size(); ++i) {
       solution[i].setZero();
-      subtract_product(lower_[i], solution[i - 1], solution[i]);
+      subtract_sparse_product(lower_[i], solution[i - 1], solution[i]);
       solve_block(i, solution[i]);
     }
     for (std::size_t i = factors_.size() - 1; i-- > 0;) {
@@ -116,6 +116,21 @@ class BlockTridiagonalLU {
   void subtract_product(const Block& a, const Block& b, Block& result) const {
     const Eigen::Index n = size();
     for (Eigen::Index r = 0; r < n; ++r) subtract_rows(a.data() + r * n, b.data(), n, result.data() + r * n);
+  }
+
+  /// result -= a * b where most of a is zero, as couplings of neighbouring blocks are. In large blocks that is worth a
+  /// look at every entry.
+  void subtract_sparse_product(const Block& a, const Block& b, Block& result) const {
+    if constexpr (B != Eigen::Dynamic && B < 12) return subtract_product(a, b, result);
+    const Eigen::Index n = size();
+    for (Eigen::Index r = 0; r < n; ++r) {
+      const double* factors = a.data() + r * n;
+      double* row = result.data() + r * n;
+      for (Eigen::Index k = 0; k < n; ++k) {
+        if (factors[k] == 0.0) continue;
+        for (Eigen::Index c = 0; c < n; ++c) row[c] -= factors[k] * b.data()[k * n + c];
+      }
+    }
   }
 
   /// y -= a x

@@ -31,6 +31,9 @@ enum class FilmStatus : std::uint8_t {
   not_converged,  ///< max_iterations were spent, or the equations became singular
   touchdown,      ///< converged, but somewhere H < FilmSolverOptions::thickness_floor
   no_room,        ///< H <= 0 somewhere at the start
+  fold,           ///< of a path: the branch of states ends, and from its end the film comes to rest nowhere
+  not_reached,    ///< of a path: an earlier state was not found
+  interrupted,    ///< stopped from outside
 };
 
 struct FilmSolverOptions {
@@ -50,6 +53,7 @@ struct FilmReport {
   int iterations{};      ///< Newton steps, a factorisation of the film each
   int factorisations{};  ///< of contact systems, where there are contacts
   double residual{};     ///< norm of the residuals at the last step, the film's per area of a cell
+  int jumps{};           ///< of a path: over folds, to where the film came to rest in time
 };
 
 /// Newton's method for the pressure over rigid walls or a Winkler foundation. Steps are cut so that P and H stay

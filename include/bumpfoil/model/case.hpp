@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bumpfoil/model/foil_design.hpp"
+#include "bumpfoil/model/gas_preset.hpp"
 
 namespace bumpfoil {
 
@@ -188,6 +190,56 @@ struct VibrationSettings {
   bool operator==(const VibrationSettings&) const = default;
 };
 
+/// The gas of a film: isothermal, ideal.
+struct GasSettings {
+  GasPreset preset{GasPreset::air};   ///< whose viscosity it has at `temperature`, unless that is given
+  double temperature{293.0};          ///< K
+  std::optional<double> viscosity{};  ///< Pa s, in place of the preset's
+  double ambient_pressure{101325.0};  ///< Pa
+  double mean_free_path{};            ///< at ambient pressure, m; 0: no slip at the walls
+
+  bool operator==(const GasSettings&) const = default;
+};
+
+/// What takes the place of the foils in the command film.
+enum class FilmWall {
+  rigid,
+  springs,       ///< yields at every place to the pressure there (Winkler foundation)
+  rigid_across,  ///< the same, to the mean pressure over the width
+};
+
+/// Mesh of the film over the foils, and what counts as too thin; walls in place of foils.
+struct FilmSettings {
+  int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
+  int rows{16};              ///< intervals on half the width
+  double h_floor{0.1e-6};    ///< m; the journal touches where the film is thinner
+  FilmWall wall{FilmWall::rigid};
+  std::optional<double> wall_stiffness{};  ///< pressure over displacement of a wall that yields, Pa/m
+  bool closed{};                           ///< the wall closes at the weld
+  std::optional<double> h_lift_off{};      ///< m; the journal has lifted off where no film is thinner: no default
+
+  bool operator==(const FilmSettings&) const = default;
+};
+
+/// How a bearing that runs comes to its states: there may be several at one speed and load, and the path decides.
+enum class FilmPath {
+  load_ramp,     ///< one load after the other, at every speed anew
+  speed_ramp,    ///< one speed after the other, under every load or at every position anew
+  position_ray,  ///< one position after the other, at every speed anew
+  cold_start,    ///< every state by itself
+};
+
+/// States of a bearing that runs: all speeds with all loads or with all positions.
+struct EquilibriumSettings {
+  std::vector<double> speeds{};              ///< Omega, rad/s; positive turns X to Y
+  std::vector<Eigen::Vector2d> loads{};      ///< on the journal, N; empty with positions
+  std::vector<Eigen::Vector2d> positions{};  ///< of the journal, m; empty with loads
+  FilmPath path{FilmPath::load_ramp};
+  int steps{10};  ///< equal increments of the ramp to the first state of a path
+
+  bool operator==(const EquilibriumSettings&) const = default;
+};
+
 /// A case as the program understands it: SI units, defaults filled in.
 struct Case {
   std::string title;
@@ -200,6 +252,9 @@ struct Case {
   std::optional<StripSettings> strip{};
   std::optional<PathSettings> path{};
   std::optional<VibrationSettings> vibration{};
+  GasSettings gas{};
+  FilmSettings film{};
+  std::optional<EquilibriumSettings> equilibrium{};
 
   bool operator==(const Case&) const = default;
 };

@@ -25,5 +25,12 @@ template <>
 inline constexpr auto enum_names<Sense> = std::to_array<std::string_view>({"counterclockwise", "clockwise"});
 template <>
 inline constexpr auto enum_names<StripWeld> = std::to_array<std::string_view>({"one_end", "none"});
+template <>
+inline constexpr auto enum_names<GasPreset> = std::to_array<std::string_view>({"air", "helium", "nitrogen", "steam"});
+template <>
+inline constexpr auto enum_names<FilmWall> = std::to_array<std::string_view>({"rigid", "springs", "rigid_across"});
+template <>
+inline constexpr auto enum_names<FilmPath> = std::to_array<std::string_view>({"load_ramp", "speed_ramp", "position_ray",
+                                                                              "cold_start"});
 
 }  // namespace bumpfoil

@@ -54,10 +54,12 @@ TEST(FilmBearingSolver, ColdStartsAndFollowsToSolutions) {
   ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
   EXPECT_EQ(state.position, position);
   expect_solved(bearing, state, state.contact);
-  ASSERT_EQ(solver.follow(2.0 * position, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(solver.follow(OperatingPoint::held_at(2.0 * position, speed), state.contact, state).status,
+            FilmStatus::converged);
   EXPECT_EQ(state.position, 2.0 * position);
   expect_solved(bearing, state, state.contact);
-  ASSERT_EQ(solver.follow(2.0 * position, 0.5 * speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(solver.follow(OperatingPoint::held_at(2.0 * position, 0.5 * speed), state.contact, state).status,
+            FilmStatus::converged);
   EXPECT_EQ(state.speed, 0.5 * speed);
   expect_solved(bearing, state, state.contact);
 }
@@ -73,7 +75,7 @@ TEST(FilmBearingSolver, KeepsTheHistoryOfFriction) {
   const double loaded = film_bearing_outcome(bearing, state).force.x();
   for (const double e : {0.8, 0.5}) {
     const ContactState previous = state.contact;
-    ASSERT_EQ(solver.solve(at(e), speed, previous, state).status, FilmStatus::converged);
+    ASSERT_EQ(solver.solve(OperatingPoint::held_at(at(e), speed), previous, state).status, FilmStatus::converged);
     expect_solved(bearing, state, previous);
   }
   EXPECT_LT(film_bearing_outcome(bearing, state).force.x(),
@@ -87,9 +89,11 @@ TEST(FilmBearingSolver, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
   FilmBearingState state = rest;
   const Eigen::Vector2d outside(1.2 * bearing.clearance, 0.0);
   EXPECT_EQ(solver.cold_start(outside, 1000.0, state).status, FilmStatus::no_room);
-  EXPECT_EQ(solver.solve(outside, 1000.0, rest.contact, state).status, FilmStatus::no_room);
   EXPECT_EQ(state.foil.film.pressure, rest.foil.film.pressure);
   EXPECT_EQ(state.position, rest.position);
+  // With foils that give way on the way there is.
+  ASSERT_EQ(solver.follow(OperatingPoint::held_at(outside, 4000.0), rest.contact, state).status, FilmStatus::converged);
+  EXPECT_EQ(state.position, outside);
 }
 
 TEST(FilmBearingSolver, SaysWhenSurfacesTouch) {
@@ -98,9 +102,79 @@ TEST(FilmBearingSolver, SaysWhenSurfacesTouch) {
   FilmBearingState state;
   const double speed = speed_of_rpm(45000.0);
   ASSERT_EQ(solver.cold_start({0.2 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
-  EXPECT_EQ(solver.follow({0.9 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::touchdown);
+  EXPECT_EQ(solver.follow(OperatingPoint::held_at({0.9 * bearing.clearance, 0.0}, speed), state.contact, state).status,
+            FilmStatus::touchdown);
   EXPECT_GE(state.foil.film.thickness.minCoeff(), 0.5);  // the last good state
   EXPECT_GT(state.position.x(), 0.2 * bearing.clearance);
+}
+
+TEST(FilmBearingSolver, StiffnessIsTheDerivativeOfTheForce) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
+  ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
+  const auto K = solver.stiffness(state);
+  ASSERT_TRUE(K.has_value());
+  constexpr double h = 1e-9;  // m; no contact changes its mode over so little
+  for (const int axis : {0, 1}) {
+    Eigen::Vector2d force[2];
+    for (const int side : {0, 1}) {
+      FilmBearingState moved = state;
+      const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
+      ASSERT_EQ(solver.solve(OperatingPoint::held_at(there, speed), state.contact, moved).status,
+                FilmStatus::converged);
+      force[side] = film_bearing_outcome(bearing, moved).force;
+    }
+    // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.
+    EXPECT_LT(((force[1] - force[0]) / (2.0 * h) - K->col(axis)).norm(), 3e-6 * K->norm());
+  }
+}
+
+TEST(FilmBearingSolver, StuckContactsAreStiffer) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  ASSERT_EQ(solver.cold_start({0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  const auto slipping = solver.stiffness(state);
+  const auto stuck = solver.stiffness(state, true);
+  ASSERT_TRUE(slipping.has_value() && stuck.has_value());
+  EXPECT_GT((*stuck)(0, 0), 1.1 * (*slipping)(0, 0));
+}
+
+TEST(FilmBearingSolver, FindsThePositionThatCarriesALoad) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  ASSERT_EQ(solver.cold_start({0.6 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  const Eigen::Vector2d load(40.0, 0.0);
+  const FilmBearingState start = state;
+  ASSERT_EQ(solver.follow(OperatingPoint::loaded_by(load, 0.8 * speed), state.contact, state).status,
+            FilmStatus::converged);
+  EXPECT_EQ(state.speed, 0.8 * speed);
+  // Newton's last step moved P by less than 1e-9: some 1e-8 N.
+  EXPECT_LT((film_bearing_outcome(bearing, state).force - load).norm(), 1e-7);
+  EXPECT_GT(state.position.y(), 0.0);  // the journal leans in the sense of rotation
+  expect_solved(bearing, state, start.contact);
+
+  // Let go, the journal comes to rest where it carries the load, if not in the same state.
+  FilmBearingState released = start;
+  ASSERT_EQ(solver.settle(OperatingPoint::loaded_by(load, 0.8 * speed), start.contact, released).status,
+            FilmStatus::converged);
+  EXPECT_LT((film_bearing_outcome(bearing, released).force - load).norm(), 1e-7);
+  expect_solved(bearing, released, start.contact);
+}
+
+TEST(FilmBearingSolver, StopsWhenTold) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  int solves = 0;
+  FilmBearingSolver solver(bearing, {.keep_going = [&] { return ++solves < 5; }});
+  FilmBearingState state;
+  EXPECT_EQ(solver.cold_start({0.6 * bearing.clearance, 0.0}, 4000.0, state).status, FilmStatus::interrupted);
+  EXPECT_EQ(solves, 5);
 }
 
 }  // namespace

@@ -161,6 +161,57 @@ TEST(ParseCase, ReadsWhatCyclesGoAbout) {
   EXPECT_NE(refusal({"cycle.preload=50 N"}).find("is not a list"), std::string::npos);
 }
 
+TEST(ReadCase, KnowsTheRunningBearing) {
+  EXPECT_FALSE(with({}).equilibrium);
+  EXPECT_EQ(with({}).gas.preset, GasPreset::air);
+  const Case input =
+      with({"gas.preset=helium", "gas.temperature=350 K", "gas.ambient_pressure=2 bar", "gas.mean_free_path=120 nm",
+            "film.rows=8", "film.h_lift_off=2 um", "equilibrium.speeds=[\"30000 rpm\", 1000]",
+            "equilibrium.loads=[[\"50 N\", \"-5 N\"], [1, 2]]", "equilibrium.steps=5"});
+  EXPECT_EQ(input.gas.preset, GasPreset::helium);
+  EXPECT_EQ(input.gas.temperature, 350.0);
+  EXPECT_EQ(input.gas.ambient_pressure, 2e5);
+  EXPECT_EQ(input.gas.mean_free_path, 120e-9);
+  EXPECT_EQ(input.film.rows, 8);
+  EXPECT_EQ(input.film.h_lift_off, 2e-6);
+  const EquilibriumSettings& equilibrium = input.equilibrium.value();
+  ASSERT_EQ(equilibrium.speeds.size(), 2U);
+  EXPECT_DOUBLE_EQ(equilibrium.speeds[0], 1000.0 * pi);
+  EXPECT_EQ(equilibrium.loads, (std::vector<Eigen::Vector2d>{{50.0, -5.0}, {1.0, 2.0}}));
+  EXPECT_EQ(equilibrium.path, FilmPath::load_ramp);
+  EXPECT_EQ(equilibrium.steps, 5);
+  // What is written of it means the same.
+  EXPECT_EQ(parse_case(case_to_toml(input), "again.toml"), input);
+}
+
+TEST(ReadCase, TakesARayToPositions) {
+  const auto to = [](const std::string& path) {
+    std::vector<std::string> overrides{"equilibrium.speeds=[1000]", "equilibrium.positions=[[\"25 um\", 0]]"};
+    if (!path.empty()) overrides.push_back("equilibrium.path=" + path);
+    return with(overrides).equilibrium.value();
+  };
+  EXPECT_EQ(to("").path, FilmPath::position_ray);
+  EXPECT_EQ(to("cold_start").path, FilmPath::cold_start);
+  EXPECT_EQ(to("").positions, (std::vector<Eigen::Vector2d>{{25e-6, 0.0}}));
+}
+
+TEST(ReadCase, SaysWhatIsWrongWithARunningBearing) {
+  const auto fault = [](const std::string& loads) {
+    return refusal({"equilibrium.speeds=[\"300 Hz\"]", "equilibrium.loads=" + loads});
+  };
+  EXPECT_NE(fault("[]").find("equilibrium.loads: there is no load to carry"), std::string::npos);
+  EXPECT_NE(fault("50 N").find("write a list of vectors: [[\"50 N\", \"0 N\"]]"), std::string::npos);
+  EXPECT_NE(fault("[\"50 N\", \"0 N\"]").find("equilibrium.loads[1]"), std::string::npos);
+  EXPECT_NE(fault("[[\"50 N\"]]").find("give two, along X and Y"), std::string::npos);
+  EXPECT_NE(fault("[[\"50 N\", \"3 um\"]]").find("equilibrium.loads[1][2] = 3 um: is a length where a force is due"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal({"equilibrium.speeds=[\"50 1/s\"]", "equilibrium.loads=[[5, 0]]"}).find("may count turns or radians"),
+      std::string::npos);
+  EXPECT_NE(refusal({"equilibrium.loads=[[5, 0]]"}).find("equilibrium.speeds: is missing"), std::string::npos);
+  EXPECT_NE(refusal({"gas.preset=steam"}).find("gas.temperature"), std::string::npos);
+}
+
 TEST(ParseCase, ReadsFlags) {
   EXPECT_TRUE(
       with({"bump_foil.model=frame", "bump_foil.stiffness_follows_height=true"}).bump_foil.stiffness_follows_height);

@@ -67,6 +67,13 @@ TEST(ParseQuantity, ReadsTurnsAndRadians) {
             std::string::npos);
 }
 
+TEST(ParseQuantity, ReadsWhatGasesAreToldBy) {
+  EXPECT_EQ(value_of("293 K", Dimension::temperature), 293.0);
+  EXPECT_NE(fault_of("20 degC", Dimension::temperature).find("plain multiple"), std::string::npos);
+  EXPECT_EQ(value_of("18.5 uPa s", Dimension::viscosity), 18.5e-6);
+  EXPECT_DOUBLE_EQ(value_of("0.0185 mPa s", Dimension::viscosity), 18.5e-6);
+}
+
 TEST(ParseQuantity, ReadsOtherSystemsOfUnits) {
   EXPECT_DOUBLE_EQ(value_of("1 inch", Dimension::length), 25.4e-3);
   EXPECT_DOUBLE_EQ(value_of("1 mil", Dimension::length), 25.4e-6);
@@ -132,7 +139,8 @@ TEST(ParseQuantity, PrintsNothing) {
 
 TEST(Dimension, TextsBelongToTheirDimension) {
   for (const Dimension dimension :
-       {Dimension::length, Dimension::angle, Dimension::force, Dimension::stiffness, Dimension::pressure}) {
+       {Dimension::length, Dimension::angle, Dimension::force, Dimension::stiffness, Dimension::pressure,
+        Dimension::frequency, Dimension::temperature, Dimension::viscosity, Dimension::bed_stiffness}) {
     std::string example(example_quantity(dimension));
     example = example.substr(1, example.size() - 2);  // without its quotes
     EXPECT_TRUE(std::isfinite(value_of(example, dimension)));

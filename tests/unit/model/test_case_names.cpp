@@ -22,6 +22,17 @@ TEST(CaseNames, BelongToTheirValues) {
   EXPECT_EQ(name_of(SolverName::events), "events");
   EXPECT_EQ(name_of(StripWeld::one_end), "one_end");
   EXPECT_EQ(name_of(StripWeld::none), "none");
+  EXPECT_EQ(name_of(GasPreset::air), "air");
+  EXPECT_EQ(name_of(GasPreset::helium), "helium");
+  EXPECT_EQ(name_of(GasPreset::nitrogen), "nitrogen");
+  EXPECT_EQ(name_of(GasPreset::steam), "steam");
+  EXPECT_EQ(name_of(FilmWall::rigid), "rigid");
+  EXPECT_EQ(name_of(FilmWall::springs), "springs");
+  EXPECT_EQ(name_of(FilmWall::rigid_across), "rigid_across");
+  EXPECT_EQ(name_of(FilmPath::load_ramp), "load_ramp");
+  EXPECT_EQ(name_of(FilmPath::speed_ramp), "speed_ramp");
+  EXPECT_EQ(name_of(FilmPath::position_ray), "position_ray");
+  EXPECT_EQ(name_of(FilmPath::cold_start), "cold_start");
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+#include "bumpfoil/analysis/equilibrium.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/analysis/film_limits.hpp"
+#include "bumpfoil/analysis/wall_film.hpp"
+#include "bumpfoil/io/equilibrium_files.hpp"
+#include "commands.hpp"
+#include "experiment.hpp"
+
+namespace bumpfoil {
+namespace {
+
+Outcome outcome_of(const Case& input, EquilibriumResult result) {
+  const RunStatus status = status_of(result);
+  Outcome outcome{.status = status,
+                  .table = equilibrium_table(result),
+                  .warnings = warning_lines(input, result),
+                  .failures = failure_lines(result),
+                  .files = {}};
+  outcome.files = [input, status, result = std::move(result)](const Provenance& provenance) {
+    return equilibrium_files(input, result, status, provenance);
+  };
+  return outcome;
+}
+
+struct EquilibriumFlags {
+  bool all_paths{};
+  bool limits{};
+};
+
+}  // namespace
+
+void add_equilibrium_command(CLI::App& program, Session& session) {
+  const auto flags = std::make_shared<EquilibriumFlags>();
+  CLI::App* command = add_experiment(
+      program, session,
+      {.name = "equilibrium",
+       .summary = "Find where the journal of a running bearing is, with gas film, foils and friction",
+       .examples = "  bumpfoil equilibrium examples/running.toml -o running\n"
+                   "  bumpfoil equilibrium examples/running.toml -o coasting --set equilibrium.path=speed_ramp\n"
+                   "Several states may exist at one speed and load, even without friction: the path decides which is "
+                   "found.\n",
+       .files = equilibrium_file_names("equilibrium"),
+       .run = [flags](const Case& input, const ProgressCallback& progress) {
+         const std::vector<FilmPath> paths =
+             flags->all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{};
+         EquilibriumResult result = run_equilibrium(input, paths, progress);
+         if (flags->limits) result.limits = run_film_limits(input, progress);
+         return outcome_of(input, std::move(result));
+       }});
+  command->add_flag("--paths", flags->all_paths,
+                    "Come to every state by every path that leads there, and tell how far they lie apart");
+  command->add_flag("--limits", flags->limits,
+                    "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin");
+}
+
+void add_film_command(CLI::App& program, Session& session) {
+  add_experiment(program, session,
+                 {.name = "film",
+                  .table = "equilibrium",
+                  .summary = "Find the gas film over a rigid wall, or one of springs, in place of the foils",
+                  .examples = "  bumpfoil film case.toml -o rigid --set 'equilibrium.speeds=[\"45000 rpm\"]' --set "
+                              "'equilibrium.positions=[[\"15 um\", \"0 um\"]]'\n"
+                              "  bumpfoil film case.toml -o winkler --set film.wall=springs --set "
+                              "film.wall_stiffness=\"5 GPa/m\" --set film.closed=true\n"
+                              "With positions alone: there is one film for each.\n",
+                  .files = equilibrium_file_names("film"),
+                  .run = [](const Case& input, const ProgressCallback& progress) {
+                    return outcome_of(input, run_wall_films(input, progress));
+                  }});
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/analysis/film_bearing_solver.hpp"
+#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/core/enum_names.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// A state of a bearing that runs, as it was asked for and as it was found.
+struct RunningState {
+  FilmPath path{};       ///< that led here
+  OperatingPoint asked;  ///< speed, and load or position
+  FilmReport report;     ///< of the way from the state before, or from rest; `not_reached` where that was not found
+  double wall_time{};    ///< s
+  /// Where the path came to: the state that was asked for if the report says so, else the last one that was found on
+  /// the way, if any was.
+  std::optional<FilmBearingState> last;
+  std::optional<FilmBearingOutcome> outcome;  ///< of it
+  /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
+  std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
+  /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
+  std::optional<double> top_foil_stress, bump_foil_stress;
+
+  [[nodiscard]] bool found() const { return report.status == FilmStatus::converged; }
+};
+
+/// What is varied until the film is as thin as film.h_lift_off.
+enum class FilmLimitKind : std::uint8_t {
+  lift_off_speed,  ///< the speed, under a load that stays
+  load_capacity,   ///< the size of the load, at a speed that stays
+};
+
+template <>
+inline constexpr auto enum_names<FilmLimitKind> = std::to_array<std::string_view>({"lift_off_speed", "load_capacity"});
+
+/// Where the least film thickness crosses film.h_lift_off, between two neighbours on a path.
+struct FilmLimit {
+  FilmLimitKind kind{};
+  FilmStatus status{FilmStatus::not_converged};  ///< converged where the crossing lies between the neighbours
+  OperatingPoint thick;                          ///< the neighbour whose film is thicker
+  OperatingPoint thin;                           ///< the one whose film is thinner, or which has none
+  double h_thick{}, h_thin{};  ///< least film thicknesses there, m; not a number where there is no film
+  double value{};              ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
+
+  [[nodiscard]] bool found() const { return status == FilmStatus::converged; }
+};
+
+struct EquilibriumResult {
+  std::shared_ptr<const FilmBearing> bearing;
+  SharedFoils foils;                 ///< of the same case, without the film
+  std::vector<RunningState> states;  ///< path after path, in the order in which they were found
+  std::vector<FilmLimit> limits;     ///< of run_film_limits(), where they were asked for
+
+  /// All states and limits were found.
+  [[nodiscard]] bool converged() const;
+};
+
+/// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
+///
+/// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first
+/// position at 0.7 C_r of it at most. On to the first state, and from each state to the next:
+///
+/// * load_ramp, at every speed anew: the load changes from the force found to the first load in `steps` equal
+///   increments; then load after load, one increment each.
+/// * position_ray, at every speed anew: the journal moves in a straight line to the first position in `steps` equal
+///   increments; then position after position, one increment each. Towards loads: a cold start at the centre, to
+///   0.6 C_r along the first load in `steps` increments, then as a load ramp.
+/// * speed_ramp, for every load or position anew: load_ramp or position_ray at 1.5 times the first speed, from there to
+///   it in `steps` equal increments; then speed after speed, one increment each.
+/// * cold_start, for every state anew: a position at once, where the journal must not touch the undeformed foils; to a
+///   load the journal is let go, and the film marched on in time until it rests.
+///
+/// Friction refers to the increment before; what is followed inside an increment is cut in steps as small as it takes.
+/// Where a state is not found, those after it on its path are not looked for.
+///
+/// @param paths     which to take, one after the other; empty: the one of the case
+/// @param progress  called with the fraction that is done; returning false ends the run
+/// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
+EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
+                                  const std::function<bool(double)>& progress = {});
+
+/// Paths that lead to the states of a case: a ramp of loads needs loads.
+std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium);
+
+}  // namespace bumpfoil

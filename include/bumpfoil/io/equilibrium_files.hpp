@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/io/cycle_files.hpp"
+#include "bumpfoil/io/summary.hpp"
+
+namespace bumpfoil {
+
+/// The command that gives such a result: equilibrium or, with a wall in place of foils, film.
+std::string_view command_of(const EquilibriumResult& result);
+
+/// Names of the files of such a command.
+std::vector<std::string> equilibrium_file_names(std::string_view command);
+
+/// How a run ended.
+RunStatus status_of(const EquilibriumResult& result);
+
+/// The files of a run, as docs/results.md describes them: equilibrium.csv or film.csv, result.nc and summary.json, with
+/// the same run id and checksums as those of cycles.
+///
+/// netCDF is not thread-safe: to be called by one thread at a time.
+/// @throws Error (file) if the memory does not suffice
+std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
+                                          const Provenance& provenance);
+
+/// One row for each state.
+std::string equilibrium_csv(const EquilibriumResult& result);
+
+/// The states side by side, for the terminal; of states that several paths led to, how far these lie apart.
+std::string equilibrium_table(const EquilibriumResult& result);
+
+/// Lines on what was not found, and why.
+std::vector<std::string> failure_lines(const EquilibriumResult& result);
+
+/// Lines on what users should know of the states that were found, and the foils' stress above yield.
+std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result);
+
+/// States that several paths led to at one operating point, by their places in the result.
+struct PathSpread {
+  std::vector<std::size_t> states{};
+};
+/// Operating points that more than one path led to.
+std::vector<PathSpread> path_spreads(const EquilibriumResult& result);
+
+}  // namespace bumpfoil

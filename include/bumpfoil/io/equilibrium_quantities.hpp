@@ -1,0 +1,61 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
+
+/// Every quantity of a state of a running bearing, described once: equilibrium.csv, result.nc, summary.json and the
+/// table on the terminal take it from here.
+namespace bumpfoil {
+
+template <>
+inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>({"converged", "not_converged",
+                                                                                "touchdown", "no_room", "fold",
+                                                                                "not_reached", "interrupted"});
+
+/// Of one state; values that are not known are not numbers.
+struct RunningQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const FilmBearing&, const RunningState&);
+  std::string_view label{};  ///< on the terminal; empty where it is in the files only
+  ShownUnit shown{};         ///< there
+  Form form{};
+  bool in_csv{};    ///< beside result.nc and summary.json
+  bool of_foils{};  ///< not of walls in their place
+  bool asked{};     ///< known of states that were not found, too: what was asked for, and how that ended
+};
+
+/// In the order of files and tables: of a bearing with foils, or of one with a wall in their place.
+std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing);
+
+/// The value in files: not a number for a state that was not found, unless the quantity is `asked`.
+double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
+
+/// Of every column of the mesh at one state.
+struct ColumnQuantity {
+  std::string_view name, unit, long_name;
+  Vector (*values)(const FilmBearing&, const FilmBearingState&);
+};
+std::span<const ColumnQuantity> column_quantities();
+
+/// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end.
+Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state);
+
+/// Bumps in a row, from where gas enters, that the foil of a state is lifted off; 0 for a state that was not found.
+int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
+
+/// A state as messages call it: "load_ramp, 45000 rpm, load (50, 0) N".
+std::string name_of_state(const RunningState& state);
+
+/// A limit as messages call it: "lift-off speed under the load (50, 0) N".
+std::string name_of_limit(const FilmLimit& limit);
+
+/// What a status means, in words that complete "load_ramp, 45000 rpm, ...: ".
+std::string_view reason_of(FilmStatus status);
+
+/// Why a state was not found, and where the last one is; empty for one that was.
+std::string running_failure(const FilmBearing& bearing, const RunningState& state);
+
+}  // namespace bumpfoil

@@ -1,0 +1,241 @@
+#include "bumpfoil/analysis/equilibrium.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "bumpfoil/analysis/film_fields.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/case_names.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Where journals are held at the cold start of a path, in C_r: along the load, and at most on the way to a position.
+constexpr double start_along_load = 0.6;
+constexpr double start_towards_position = 0.7;
+/// A ramp of speeds comes from this part of its first.
+constexpr double coasting_from = 1.5;
+
+OperatingPoint at_speed(OperatingPoint point, double speed) {
+  point.speed = speed;
+  return point;
+}
+
+/// Walks along paths and keeps what is found.
+class PathWalker {
+ public:
+  PathWalker(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress,
+             std::size_t states)
+      : result_(result),
+        progress_(progress),
+        states_(states),
+        steps_(input.equilibrium->steps),
+        solver_(*result.bearing, options_of(input)) {}
+
+  /// The states at `points`, one after the other.
+  void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
+    state_.reset();
+    for (const OperatingPoint& point : points) {
+      done_of_state_ = 0.0;
+      RunningState& found = result_.states.emplace_back();
+      found.path = path;
+      found.asked = point;
+      const auto begin = std::chrono::steady_clock::now();
+      found.report.status = FilmStatus::converged;
+      if (!reached_) {
+        found.report.status = FilmStatus::not_reached;
+      } else if (state_) {
+        go(point, found.report);
+      } else {
+        start(path, point, found.report);
+      }
+      reached_ = found.found();
+      if (state_ && found.report.status != FilmStatus::not_reached) judge(found);
+      found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+    reached_ = true;
+  }
+
+ private:
+  FilmBearingOptions options_of(const Case& input) const {
+    FilmBearingOptions options;
+    options.newton.thickness_floor = input.film.h_floor / result_.bearing->scales.thickness;
+    options.keep_going = [this] { return !progress_ || progress_(fraction()); };
+    return options;
+  }
+
+  [[nodiscard]] double fraction() const {
+    const double done = static_cast<double>(std::max<std::size_t>(result_.states.size(), 1) - 1);
+    return (done + done_of_state_) / static_cast<double>(states_);
+  }
+
+  void judge(RunningState& found) {
+    found.last = state_;
+    found.outcome = film_bearing_outcome(*result_.bearing, *state_);
+    found.stiffness = solver_.stiffness(*state_);
+    found.stuck_stiffness = solver_.stiffness(*state_, true);
+    const Foils& foils = *result_.foils;
+    const FoilFilm& film = result_.bearing->foil;
+    const double moment = film.stiffness * film.pitch * result_.bearing->scales.thickness;
+    found.top_foil_stress = moment * state_->foil.moment.cwiseAbs().maxCoeff() / foils.stress.top_section_modulus;
+    const FoilStress stress = foil_stress(foils.stress, foil_state(foils, *result_.bearing, *state_).contacts.x);
+    if (stress.bump_largest.size() > 0) {
+      found.bump_foil_stress = std::max(stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0));
+    }
+  }
+
+  static void add(FilmReport& total, const FilmReport& more) {
+    total.status = more.status;
+    total.iterations += more.iterations;
+    total.factorisations += more.factorisations;
+    total.residual = more.residual;
+    total.jumps += more.jumps;
+  }
+
+  /// From rest to the first state of a path.
+  void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
+    const bool by_load = point.control == OperatingPoint::Control::load;
+    switch (path) {
+      case FilmPath::load_ramp:
+        begin(along(point), point.speed, total);
+        ramp(point, total);
+        break;
+      case FilmPath::position_ray:
+        if (by_load) {
+          begin(Eigen::Vector2d::Zero(), point.speed, total);
+          ramp(OperatingPoint::held_at(along(point), point.speed), total);
+        } else {
+          begin(towards(point), point.speed, total);
+        }
+        ramp(point, total);
+        break;
+      case FilmPath::speed_ramp:
+        start(by_load ? FilmPath::load_ramp : FilmPath::position_ray, at_speed(point, coasting_from * point.speed),
+              total);
+        ramp(point, total);
+        break;
+      case FilmPath::cold_start:
+        begin(by_load ? along(point) : point.journal, point.speed, total);
+        if (by_load && total.status == FilmStatus::converged) {
+          add(total, solver_.settle(point, state_->contact, *state_));
+        }
+        break;
+    }
+  }
+
+  [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
+    return start_along_load * result_.bearing->clearance * point.journal.normalized();
+  }
+
+  [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
+    const double farthest = start_towards_position * result_.bearing->clearance;
+    return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
+  }
+
+  void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
+    FilmBearingState started;
+    add(total, solver_.cold_start(position, speed, started));
+    if (total.status == FilmStatus::converged) state_ = std::move(started);
+  }
+
+  /// On to a point in equal increments; a point that is there already takes none.
+  void ramp(const OperatingPoint& point, FilmReport& total) {
+    if (total.status != FilmStatus::converged) return;
+    OperatingPoint from = point;
+    from.speed = state_->speed;
+    from.journal = point.control == OperatingPoint::Control::load
+                       ? film_force(*result_.bearing, state_->foil.film.pressure)
+                       : state_->position;
+    if (from.journal == point.journal && from.speed == point.speed) return;
+    for (int i = 1; i <= steps_ && total.status == FilmStatus::converged; ++i) {
+      const double part = static_cast<double>(i) / steps_;
+      OperatingPoint to = point;
+      to.journal = from.journal + part * (point.journal - from.journal);
+      to.speed = from.speed + part * (point.speed - from.speed);
+      done_of_state_ = part - 1.0 / steps_;
+      go(to, total);
+    }
+  }
+
+  /// One increment.
+  void go(const OperatingPoint& to, FilmReport& total) { add(total, solver_.follow(to, state_->contact, *state_)); }
+
+  EquilibriumResult& result_;
+  const std::function<bool(double)>& progress_;
+  std::size_t states_;
+  int steps_;
+  double done_of_state_{};
+  bool reached_{true};
+  FilmBearingSolver solver_;
+  std::optional<FilmBearingState> state_;  ///< where the path is
+};
+
+/// All loads or positions, at speed 0.
+std::vector<OperatingPoint> journal_points(const EquilibriumSettings& equilibrium) {
+  const bool by_load = !equilibrium.loads.empty();
+  std::vector<OperatingPoint> points;
+  for (const Eigen::Vector2d& value : by_load ? equilibrium.loads : equilibrium.positions) {
+    points.push_back(by_load ? OperatingPoint::loaded_by(value, 0.0) : OperatingPoint::held_at(value, 0.0));
+  }
+  return points;
+}
+
+/// States that follow from one another on a path.
+std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const EquilibriumSettings& equilibrium) {
+  const std::vector<OperatingPoint> journals = journal_points(equilibrium);
+  std::vector<std::vector<OperatingPoint>> chains;
+  if (path == FilmPath::speed_ramp) {
+    for (const OperatingPoint& journal : journals) {
+      auto& chain = chains.emplace_back();
+      for (const double speed : equilibrium.speeds) chain.push_back(at_speed(journal, speed));
+    }
+    return chains;
+  }
+  for (const double speed : equilibrium.speeds) {
+    if (path != FilmPath::cold_start) chains.emplace_back();
+    for (const OperatingPoint& journal : journals) {
+      if (path == FilmPath::cold_start) chains.emplace_back();
+      chains.back().push_back(at_speed(journal, speed));
+    }
+  }
+  return chains;
+}
+
+}  // namespace
+
+bool EquilibriumResult::converged() const {
+  const auto found = [](const auto& one) { return one.found(); };
+  return std::all_of(states.begin(), states.end(), found) && std::all_of(limits.begin(), limits.end(), found);
+}
+
+std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
+  std::vector<FilmPath> paths{FilmPath::speed_ramp, FilmPath::position_ray, FilmPath::cold_start};
+  if (!equilibrium.loads.empty()) paths.insert(paths.begin(), FilmPath::load_ramp);
+  return paths;
+}
+
+EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
+                                  const std::function<bool(double)>& progress) {
+  if (!input.equilibrium) {
+    throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
+  }
+  if (input.solver.name != SolverName::newton) {
+    throw Error(ErrorKind::input, {{"", 0, "solver.name", std::string(name_of(input.solver.name)),
+                                    "cannot solve contacts under a film", "use newton"}});
+  }
+  const EquilibriumSettings& equilibrium = *input.equilibrium;
+  if (paths.empty()) paths.push_back(equilibrium.path);
+  EquilibriumResult result;
+  result.bearing = std::make_shared<const FilmBearing>(make_film_bearing(input));
+  result.foils = make_bearing_foils(input);
+  const std::size_t states =
+      paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
+  PathWalker walker(input, result, progress, states);
+  for (const FilmPath path : paths) {
+    for (const auto& chain : chains_of(path, equilibrium)) walker.walk(path, chain);
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,209 @@
+#include "bumpfoil/io/equilibrium_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "io/csv_value.hpp"
+#include "io/equilibrium_netcdf.hpp"
+#include "io/manifest.hpp"
+#include "io/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Quantities that were found out of a state, whether it is the one that was asked for or not.
+Json found_json(const FilmBearing& bearing, const RunningState& state) {
+  Json json;
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    if (quantity.asked) continue;
+    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(bearing, state), quantity.form);
+  }
+  return json;
+}
+
+Json state_json(const FilmBearing& bearing, const RunningState& state) {
+  Json json;
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    json[key_of(quantity.name, quantity.unit)] = value_json(value_of(quantity, bearing, state), quantity.form);
+  }
+  const std::string failure = running_failure(bearing, state);
+  json["reason"] = failure.empty() ? Json() : Json(failure);
+  json["last_state"] = Json();
+  if (!state.found() && state.outcome) {
+    json["last_state"] = found_json(bearing, state);
+    json["last_state"]["speed_rad_per_s"] = state.last->speed;
+  }
+  return json;
+}
+
+Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
+  const FilmBearing& bearing = *result.bearing;
+  Json json;
+  json["states"] = spread.states;
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    if (quantity.form.kind != Form::real && quantity.name != "loaded_bumps") continue;
+    if (quantity.asked && quantity.name == "wall_time") continue;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const std::size_t i : spread.states) {
+      const double value = value_of(quantity, bearing, result.states[i]);
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    json[key_of(quantity.name, quantity.unit)] = {{"min", value_json(least, {})}, {"max", value_json(most, {})}};
+  }
+  return json;
+}
+
+Json limit_json(const FilmLimit& limit) {
+  const auto point_json = [](const OperatingPoint& point, double h) {
+    return Json{{"speed_rad_per_s", point.speed},
+                {"load_x_N", point.journal.x()},
+                {"load_y_N", point.journal.y()},
+                {"h_min_m", value_json(h, {})}};
+  };
+  return {{"kind", name_of(limit.kind)},
+          {"status", name_of(limit.status)},
+          {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
+          {"thick", point_json(limit.thick, limit.h_thick)},
+          {"thin", point_json(limit.thin, limit.h_thin)}};
+}
+
+std::string equilibrium_summary(const Case& input, const EquilibriumResult& result, RunStatus status,
+                                const Manifest& manifest) {
+  Json json = summary_head(command_of(result), input, status, manifest);
+  json["states"] = Json::array();
+  for (const RunningState& state : result.states) json["states"].push_back(state_json(*result.bearing, state));
+  json["spreads"] = Json::array();
+  for (const PathSpread& spread : path_spreads(result)) json["spreads"].push_back(spread_json(result, spread));
+  json["limits"] = Json::array();
+  for (const FilmLimit& limit : result.limits) json["limits"].push_back(limit_json(limit));
+  json["warnings"] = warning_lines(input, result);
+  return sealed_summary(json);
+}
+
+}  // namespace
+
+std::string_view command_of(const EquilibriumResult& result) {
+  return result.foils ? "equilibrium" : "film";
+}
+
+std::vector<std::string> equilibrium_file_names(std::string_view command) {
+  return {"summary.json", fmt::format("{}.csv", command), "result.nc"};
+}
+
+RunStatus status_of(const EquilibriumResult& result) {
+  if (result.converged()) return RunStatus::complete;
+  const bool interrupted =
+      std::any_of(result.states.begin(), result.states.end(),
+                  [](const RunningState& state) { return state.report.status == FilmStatus::interrupted; }) ||
+      std::any_of(result.limits.begin(), result.limits.end(),
+                  [](const FilmLimit& limit) { return limit.status == FilmStatus::interrupted; });
+  return interrupted ? RunStatus::interrupted : RunStatus::failed;
+}
+
+std::string equilibrium_csv(const EquilibriumResult& result) {
+  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing);
+  std::string out;
+  for (const RunningQuantity& column : columns) {
+    if (column.in_csv) out += (out.empty() ? "" : ",") + key_of(column.name, column.unit);
+  }
+  for (const RunningState& state : result.states) {
+    char separator = '\n';
+    for (const RunningQuantity& column : columns) {
+      if (!column.in_csv) continue;
+      append_csv(out += separator, value_of(column, *result.bearing, state), column.form);
+      separator = ',';
+    }
+  }
+  return out + '\n';
+}
+
+std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
+  std::vector<PathSpread> spreads;
+  for (std::size_t i = 0; i < result.states.size(); ++i) {
+    const RunningState& state = result.states[i];
+    if (!state.found()) continue;
+    const auto same = std::find_if(spreads.begin(), spreads.end(), [&](const PathSpread& spread) {
+      const RunningState& first = result.states[spread.states.front()];
+      return first.asked == state.asked && first.path != state.path;
+    });
+    if (same == spreads.end()) {
+      spreads.push_back({{i}});
+    } else {
+      same->states.push_back(i);
+    }
+  }
+  std::erase_if(spreads, [](const PathSpread& spread) { return spread.states.size() < 2; });
+  return spreads;
+}
+
+std::vector<std::string> failure_lines(const EquilibriumResult& result) {
+  std::vector<std::string> lines;
+  for (const RunningState& state : result.states) {
+    if (state.found() || state.report.status == FilmStatus::interrupted) continue;
+    lines.push_back(running_failure(*result.bearing, state));
+  }
+  for (const FilmLimit& limit : result.limits) {
+    if (limit.found() || limit.status == FilmStatus::interrupted) continue;
+    lines.push_back(fmt::format("{}: {}", name_of_limit(limit), reason_of(limit.status)));
+  }
+  return lines;
+}
+
+std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result) {
+  std::vector<std::string> lines;
+  std::size_t lifted = 0;
+  std::string first_lifted;
+  for (const RunningState& state : result.states) {
+    if (!state.found()) continue;
+    if (state.report.jumps > 0) {
+      lines.push_back(fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another",
+                                  name_of_state(state),
+                                  state.report.jumps == 1 ? "once" : fmt::format("{} times", state.report.jumps)));
+    }
+    if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
+      first_lifted = fmt::format("{}: {} bumps", name_of_state(state), bumps);
+    }
+    const auto compare = [&](std::string_view foil, std::optional<double> stress, std::optional<double> yield_stress) {
+      if (!stress || !yield_stress || *stress <= *yield_stress) return;
+      lines.push_back(
+          fmt::format("{}: the {} yields: its bending stress reaches {:.4g} MPa, its yield stress is {:.4g} "
+                      "MPa",
+                      name_of_state(state), foil, 1e-6 * *stress, 1e-6 * *yield_stress));
+    };
+    compare("top foil", state.top_foil_stress, input.top_foil.yield_stress);
+    compare("bump foil", state.bump_foil_stress, input.bump_foil.yield_stress);
+  }
+  // One line for all: on most paths it is all states or none.
+  if (lifted > 0) {
+    lines.push_back(
+        fmt::format("in {} of {} states the foil is lifted where gas enters ({}); how far it is may depend "
+                    "on the path: compare with --paths",
+                    lifted, result.states.size(), first_lifted));
+  }
+  return lines;
+}
+
+std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
+                                          const Provenance& provenance) try {
+  const std::string run_id = make_run_id();
+  std::vector<ResultFile> files;
+  files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
+  files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
+  files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});
+  return files;
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorKind::file, {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice",
+                                 "fewer states or a coarser mesh take less"}});
+}
+
+}  // namespace bumpfoil

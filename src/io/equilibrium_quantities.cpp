@@ -1,0 +1,329 @@
+#include "bumpfoil/io/equilibrium_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/model/case_names.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+constexpr double rpm = std::numbers::pi / 30.0;
+
+constexpr ShownUnit plain{"", 1.0};
+constexpr ShownUnit newtons{"N", 1.0};
+constexpr ShownUnit micrometres{"um", 1e-6};
+constexpr ShownUnit degrees{"deg", 1.0};
+constexpr ShownUnit watts{"W", 1.0};
+constexpr ShownUnit bars{"bar", 1e5};
+constexpr ShownUnit revolutions{"rpm", rpm};
+constexpr ShownUnit newton_millimetres{"N mm", 1e-3};
+constexpr ShownUnit stiffness{"MN/m", 1e6};
+constexpr ShownUnit megapascals{"MPa", 1e6};
+
+/// Imbalances are relative to the power, the torque and the largest flow.
+double relative(double part, double whole_of_it) {
+  return whole_of_it == 0.0 ? 0.0 : part / std::abs(whole_of_it);
+}
+
+template <OperatingPoint::Control control, int axis>
+double asked_journal(const FilmBearing&, const RunningState& state) {
+  return state.asked.control == control ? state.asked.journal[axis] : absent;
+}
+
+template <int axis>
+double position(const FilmBearing&, const RunningState& state) {
+  return state.last->position[axis];
+}
+
+template <int axis>
+double force(const FilmBearing&, const RunningState& state) {
+  return state.outcome->force[axis];
+}
+
+template <double FilmBearingOutcome::*member>
+double of(const FilmBearing&, const RunningState& state) {
+  return (*state.outcome).*member;
+}
+
+template <double FilmBearingOutcome::*member>
+double length(const FilmBearing& bearing, const RunningState& state) {
+  return (*state.outcome).*member * bearing.scales.thickness;
+}
+
+template <double FilmBearingOutcome::*member>
+double pressure(const FilmBearing& bearing, const RunningState& state) {
+  return (*state.outcome).*member * bearing.scales.gas.ambient_pressure;
+}
+
+template <double FilmFlows::*member>
+double flow(const FilmBearing&, const RunningState& state) {
+  return state.outcome->flows.*member;
+}
+
+template <int FilmBearingOutcome::*member>
+double bump_number(const FilmBearing&, const RunningState& state) {
+  const int bump = (*state.outcome).*member;
+  return bump < 0 ? absent : bump + 1;
+}
+
+template <std::optional<Eigen::Matrix2d> RunningState::*member, int row, int column>
+double entry(const FilmBearing&, const RunningState& state) {
+  return state.*member ? (*(state.*member))(row, column) : absent;
+}
+
+template <int FilmReport::*member>
+double cost(const FilmBearing&, const RunningState& state) {
+  return state.report.*member;
+}
+
+Vector bump_loads(const FilmBearing& bearing, const RunningState& state) {
+  const auto bumps = static_cast<Eigen::Index>(bearing.foil.supports.size());
+  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
+  return state.last->contact.normal_force(Eigen::seqN(0, bumps, pairs));
+}
+
+// What tells some quantities from others.
+constexpr RunningQuantity asked(RunningQuantity quantity) {
+  quantity.asked = true;
+  return quantity;
+}
+constexpr RunningQuantity counted(RunningQuantity quantity) {
+  quantity.form = Form{Form::whole};
+  return quantity;
+}
+constexpr RunningQuantity foils(RunningQuantity quantity) {
+  quantity.of_foils = true;
+  return quantity;
+}
+constexpr RunningQuantity csv(RunningQuantity quantity) {
+  quantity.in_csv = true;
+  return quantity;
+}
+
+using B = FilmBearing;
+using S = RunningState;
+using Control = OperatingPoint::Control;
+
+constexpr auto table = std::to_array<RunningQuantity>({
+    csv(asked({"speed", "rad/s", "speed of the journal, positive from X to Y",
+               [](const B&, const S& state) { return state.asked.speed; }, "speed", revolutions})),
+    csv(asked({"load_x", "N", "load on the journal that was asked for, X", asked_journal<Control::load, 0>, "load, X",
+               newtons})),
+    csv(asked({"load_y", "N", "load on the journal that was asked for, Y", asked_journal<Control::load, 1>, "load, Y",
+               newtons})),
+    csv({"x", "m", "journal centre, X", position<0>, "journal, X", micrometres}),
+    csv({"y", "m", "journal centre, Y", position<1>, "journal, Y", micrometres}),
+    csv({"force_x", "N", "force that holds the journal against the film, X", force<0>, "force, X", newtons}),
+    csv({"force_y", "N", "force that holds the journal against the film, Y", force<1>, "force, Y", newtons}),
+    csv({"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
+         of<&FilmBearingOutcome::eccentricity>, "eccentricity", plain}),
+    csv({"attitude_angle", "degree",
+         "angle from the force to the displacement of the journal, positive in the sense of rotation",
+         [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, "attitude angle",
+         degrees}),
+    csv({"h_min", "m", "least film thickness of all nodes",
+         [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
+         "least film thickness", micrometres}),
+    csv({"h_min_theta", "degree", "where that is, from the weld along the foil",
+         [](const B& bearing,
+            const S& state) { return to_degrees(state.outcome->thinnest.column * bearing.foil.mesh.dtheta); },
+         "  at, from the weld", degrees}),
+    {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
+     [](const B& bearing, const S& state) {
+       return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
+     }},
+    {"h_min_vertex_theta", "degree", "where that is, from the weld along the foil",
+     [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }},
+    foils({"h_min_crest", "m", "least film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>}),
+    csv({"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, "highest pressure", bars}),
+    csv({"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, "lowest pressure", bars}),
+    csv({"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
+         "torque", newton_millimetres}),
+    {"couette_torque", "N m", "part of the torque that the moving surface alone makes",
+     of<&FilmBearingOutcome::couette_torque>},
+    {"poiseuille_torque", "N m", "part of the torque that the pressure gradient makes",
+     [](const B&, const S& state) { return state.outcome->torque - state.outcome->couette_torque; }},
+    csv({"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, "power loss", watts}),
+    {"couette_dissipation", "W", "power that the moving surface dissipates",
+     of<&FilmBearingOutcome::couette_dissipation>},
+    {"poiseuille_dissipation", "W", "power that the pressure flow dissipates",
+     [](const B&, const S& state) { return state.outcome->dissipation - state.outcome->couette_dissipation; }},
+    {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
+    {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
+    {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>},
+    {"energy_imbalance", "1", "dissipated power over that of the journal, less one: an error of the mesh",
+     [](const B&, const S& state) {
+       return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power);
+     }},
+    {"torque_imbalance", "1", "torque by the balance of moments over that of the shear, less one: an error of the mesh",
+     [](const B&, const S& state) {
+       return relative(state.outcome->torque_of_moments - state.outcome->torque, state.outcome->torque);
+     }},
+    {"mass_imbalance", "1", "what flows in less what flows out, over the larger flow past an end: a rounding",
+     [](const B&, const S& state) {
+       const FilmFlows& flows = state.outcome->flows;
+       return relative(flows.start - flows.end - flows.sides, std::max(std::abs(flows.start), std::abs(flows.end)));
+     }},
+    csv(counted(foils({"loaded_bumps", "1", "bumps that the top foil presses",
+                       [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
+                       "loaded bumps", plain}))),
+    counted(foils({"first_loaded_bump", "1", "first of them, counted from the weld",
+                   bump_number<&FilmBearingOutcome::first_loaded>})),
+    counted(foils({"last_loaded_bump", "1", "last of them, counted from the weld",
+                   bump_number<&FilmBearingOutcome::last_loaded>})),
+    counted(foils(
+        {"lifted_bumps_at_entry", "1", "bumps in a row, from where gas enters, that the foil is lifted off",
+         [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); }})),
+    foils({"highest_bump_load", "N", "largest compression between top foil and crest",
+           [](const B& bearing, const S& state) { return bump_loads(bearing, state).maxCoeff(); }, "highest bump load",
+           newtons}),
+    counted(foils({"highest_loaded_bump", "1", "bump that bears it, counted from the weld",
+                   [](const B& bearing, const S& state) {
+                     Eigen::Index bump = 0;
+                     return bump_loads(bearing, state).maxCoeff(&bump) > 0.0 ? static_cast<double>(bump + 1) : absent;
+                   },
+                   "  on bump", plain})),
+    foils({"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
+           [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, "highest stress, top foil",
+           megapascals}),
+    foils({"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil; frame only",
+           [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); },
+           "highest stress, bump foil", megapascals}),
+    csv(asked({"status", "", "how the search for the state ended",
+               [](const B&, const S& state) { return static_cast<double>(state.report.status); }, "status", plain,
+               flags<FilmStatus>})),
+    csv(asked({"path", "", "path that leads to the state",
+               [](const B&, const S& state) { return static_cast<double>(state.path); }, "path", plain,
+               flags<FilmPath>})),
+    csv(foils({"kxx", "N/m", "dF_x/dx, contacts going on in their modes", entry<&S::stiffness, 0, 0>, "stiffness, xx",
+               stiffness})),
+    csv(foils({"kxy", "N/m", "dF_x/dy, contacts going on in their modes", entry<&S::stiffness, 0, 1>, "stiffness, xy",
+               stiffness})),
+    csv(foils({"kyx", "N/m", "dF_y/dx, contacts going on in their modes", entry<&S::stiffness, 1, 0>, "stiffness, yx",
+               stiffness})),
+    csv(foils({"kyy", "N/m", "dF_y/dy, contacts going on in their modes", entry<&S::stiffness, 1, 1>, "stiffness, yy",
+               stiffness})),
+    csv(foils({"kxx_stuck", "N/m", "dF_x/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 0>})),
+    csv(foils({"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>})),
+    csv(foils({"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>})),
+    csv(foils({"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>})),
+    asked(counted(foils({"jumps", "1", "folds on the way to the state, over which the film was marched in time",
+                         cost<&FilmReport::jumps>}))),
+    asked(counted({"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>})),
+    asked(counted(foils({"factorisations", "1", "factorisations of contact systems on the way to the state",
+                         cost<&FilmReport::factorisations>}))),
+    {"residual", "1", "norm of all scaled residuals before the last Newton step",
+     [](const B&, const S& state) { return state.report.residual; }},
+    asked({"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; }}),
+});
+
+constexpr auto column_table = std::to_array<ColumnQuantity>({
+    {"film_thickness", "m", "film thickness, the same over the width",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       return bearing.scales.thickness * state.foil.film.thickness.row(0).transpose();
+     }},
+    {"line_load", "N/m", "pressure beyond the ambient one, integrated over the width",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       const FilmMesh& mesh = bearing.foil.mesh;
+       Vector load = Vector::Zero(mesh.nodes());
+       for (int j = 0; j <= mesh.rows; ++j) {
+         load.array() += mesh.row_weight(j) * (state.foil.film.pressure.row(j).transpose().array() - 1.0);
+       }
+       return 2.0 * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
+     }},
+    {"film_top_displacement", "m", "radial displacement of the top foil, positive outward",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       return bearing.scales.thickness * state.foil.lift;
+     }},
+    {"film_top_moment", "N m", "bending moment of the top foil",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       return bearing.foil.stiffness * bearing.foil.pitch * bearing.scales.thickness * state.foil.moment;
+     }},
+});
+
+}  // namespace
+
+std::string_view reason_of(FilmStatus status) {
+  switch (status) {
+    case FilmStatus::converged:
+      break;
+    case FilmStatus::not_converged:
+      return "Newton's method finds no state, however small the steps";
+    case FilmStatus::touchdown:
+      return "the journal touches: the film is thinner than film.h_floor";
+    case FilmStatus::no_room:
+      return "there is no room for the journal between the undeformed foils where the path starts";
+    case FilmStatus::fold:
+      return "the branch of states ends, and from its end the film comes to rest nowhere";
+    case FilmStatus::not_reached:
+      return "not looked for, since an earlier state of its path was not found";
+    case FilmStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+std::string name_of_limit(const FilmLimit& limit) {
+  return limit.kind == FilmLimitKind::lift_off_speed
+             ? fmt::format("lift-off speed under the load ({:.6g}, {:.6g}) N", limit.thick.journal.x(),
+                           limit.thick.journal.y())
+             : fmt::format("load capacity at {:.6g} rpm", limit.thick.speed / rpm);
+}
+
+std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing) {
+  std::vector<RunningQuantity> quantities(table.begin(), table.end());
+  if (bearing.foil.supports.empty()) {
+    std::erase_if(quantities, [](const RunningQuantity& quantity) { return quantity.of_foils; });
+  }
+  return quantities;
+}
+
+std::span<const ColumnQuantity> column_quantities() {
+  return column_table;
+}
+
+double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state) {
+  return quantity.asked || state.found() ? quantity.value(bearing, state) : absent;
+}
+
+Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) {
+  return bearing.scales.gas.ambient_pressure * state.foil.film.pressure;
+}
+
+std::string name_of_state(const RunningState& state) {
+  const bool by_load = state.asked.control == OperatingPoint::Control::load;
+  const double unit = by_load ? 1.0 : 1e-6;
+  return fmt::format("{}, {:.6g} rpm, {} ({:.6g}, {:.6g}) {}", name_of(state.path), state.asked.speed / rpm,
+                     by_load ? "load" : "position", state.asked.journal.x() / unit, state.asked.journal.y() / unit,
+                     by_load ? "N" : "um");
+}
+
+std::string running_failure(const FilmBearing& bearing, const RunningState& state) {
+  if (state.found()) return {};
+  std::string text = fmt::format("{}: {}", name_of_state(state), reason_of(state.report.status));
+  if (state.outcome) {
+    text += fmt::format(
+        "; the last state that was found: {:.6g} rpm, journal ({:.5g}, {:.5g}) um, force ({:.5g}, "
+        "{:.5g}) N, least film thickness {:.4g} um",
+        state.last->speed / rpm, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
+        state.outcome->force.x(), state.outcome->force.y(),
+        1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
+  }
+  return text;
+}
+
+int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {
+  if (!state.found() || state.outcome->loaded_bumps == 0) return 0;
+  const int bumps = static_cast<int>(bearing.foil.supports.size());
+  const bool enters_at_weld = bearing.surface_speed(state.asked.speed) > 0.0;
+  return enters_at_weld ? state.outcome->first_loaded : bumps - 1 - state.outcome->last_loaded;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bumpfoil/io/equilibrium_files.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "io/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::size_t columns_per_block = 6;
+constexpr std::size_t most_columns = 24;
+constexpr std::size_t name_width = 26;
+constexpr std::size_t unit_width = 6;
+constexpr std::size_t column_width = 14;
+
+std::string cell(const RunningQuantity& quantity, double value) {
+  if (!std::isfinite(value)) return "-";
+  if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
+  if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
+  // Roundings of what is nought by symmetry, or by the load.
+  if (std::abs(value) < 1e-9 * quantity.shown.size) value = 0.0;
+  return number_text(value, quantity.shown.size);
+}
+
+/// Whether a quantity of any of the states is known.
+bool is_known(const EquilibriumResult& result, const RunningQuantity& quantity) {
+  return std::any_of(result.states.begin(), result.states.end(), [&](const RunningState& state) {
+    return std::isfinite(value_of(quantity, *result.bearing, state));
+  });
+}
+
+std::string spread_lines(const EquilibriumResult& result) {
+  std::string out;
+  for (const PathSpread& spread : path_spreads(result)) {
+    const RunningState& first = result.states[spread.states.front()];
+    const std::string name = name_of_state(first);
+    out += fmt::format("\n{} paths to {}\n", spread.states.size(), name.substr(name.find(", ") + 2));
+    for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
+      if (quantity.label.empty() || quantity.asked) continue;
+      double least = std::numeric_limits<double>::infinity();
+      double most = -least;
+      for (const std::size_t i : spread.states) {
+        const double value = value_of(quantity, *result.bearing, result.states[i]);
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+      if (!std::isfinite(least) || !std::isfinite(most)) continue;
+      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, name_width, quantity.shown.name, unit_width,
+                         cell(quantity, least), column_width, cell(quantity, most), column_width);
+    }
+  }
+  return out;
+}
+
+std::string limit_lines(const EquilibriumResult& result) {
+  std::string out;
+  for (const FilmLimit& limit : result.limits) {
+    if (!limit.found()) continue;
+    const bool speed = limit.kind == FilmLimitKind::lift_off_speed;
+    const double unit = speed ? std::numbers::pi / 30.0 : 1.0;
+    const auto size_of = [&](const OperatingPoint& point) {
+      return (speed ? std::abs(point.speed) : point.journal.norm()) / unit;
+    };
+    const auto film = [](double h) { return std::isnan(h) ? "none" : fmt::format("{:.4g} um", 1e6 * h); };
+    out += fmt::format("\n{}: {:.5g} {} (least film thickness {} at {:.5g} {}, {} at {:.5g} {})", name_of_limit(limit),
+                       limit.value / unit, speed ? "rpm" : "N", film(limit.h_thick), size_of(limit.thick),
+                       speed ? "rpm" : "N", film(limit.h_thin), size_of(limit.thin), speed ? "rpm" : "N");
+  }
+  return out.empty() ? out : out + '\n';
+}
+
+}  // namespace
+
+std::string equilibrium_table(const EquilibriumResult& result) {
+  std::string out;
+  const std::size_t shown = std::min(result.states.size(), most_columns);
+  for (std::size_t first = 0; first < shown; first += columns_per_block) {
+    const std::size_t end = std::min(first + columns_per_block, shown);
+    if (!out.empty()) out += '\n';
+    for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
+      if (quantity.label.empty() || !is_known(result, quantity)) continue;
+      out += fmt::format("{:<{}}{:<{}}", quantity.label, name_width, quantity.shown.name, unit_width);
+      for (std::size_t i = first; i < end; ++i) {
+        out +=
+            fmt::format("{:>{}}", cell(quantity, value_of(quantity, *result.bearing, result.states[i])), column_width);
+      }
+      out += '\n';
+    }
+  }
+  if (shown < result.states.size()) {
+    out += fmt::format("states {} to {} are in the files only\n", shown + 1, result.states.size());
+  }
+  return out + spread_lines(result) + limit_lines(result);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,121 @@
+#include "model/judge_film.hpp"
+
+#include <cstdint>
+
+#include "bumpfoil/model/case_names.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr Range ambient_range{1e2, 1e8, "Pa"};
+constexpr Range viscosity_range{1e-7, 1e-2, "Pa s"};
+constexpr Range free_path_range{0.0, 1e-4, "m"};
+
+/// Meshes of films beyond these are slips, and their equations are to fit in memory: some 24 bytes
+/// for each column and pair of rows.
+constexpr int most_columns = 100;
+constexpr int most_rows = 200;
+constexpr std::int64_t most_couplings = 50'000'000;
+constexpr double most_speed = 1e6;  // rad/s
+
+void judge_gas(Judge& judge, const GasSettings& gas) {
+  const auto [least, most] = temperature_range(gas.preset);
+  judge.require(gas.viscosity || (gas.temperature >= least && gas.temperature <= most), "gas.temperature",
+                quantity(gas.temperature, "K"),
+                fmt::format("the viscosity of {} is not known there", name_of(gas.preset)),
+                fmt::format("give a temperature from {} to {} K, or gas.viscosity", least, most));
+  if (gas.viscosity) judge.within("gas.viscosity", *gas.viscosity, viscosity_range);
+  judge.within("gas.ambient_pressure", gas.ambient_pressure, ambient_range);
+  judge.within("gas.mean_free_path", gas.mean_free_path, free_path_range);
+}
+
+/// @param bumps  their number, 0 where that is not usable
+/// @param runs   whether there is to be a film
+void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
+  const int columns = film.columns_per_pitch;
+  const bool columns_right = judge.require(
+      columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
+      "puts no column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
+  const bool rows_right =
+      judge.require(film.rows >= 2 && film.rows <= most_rows, "film.rows", std::to_string(film.rows),
+                    "is no possible number of rows", fmt::format("give a whole number from 2 to {}", most_rows));
+  if (runs && columns_right && rows_right) {
+    const std::int64_t all_columns = std::int64_t{columns} * bumps;
+    judge.require(
+        all_columns * film.rows * film.rows <= most_couplings, "film.columns_per_pitch", std::to_string(columns),
+        fmt::format("{} columns of {} rows would not fit in memory", all_columns, film.rows), "give a coarser mesh");
+  }
+  if (film.wall != FilmWall::rigid) {
+    judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "", "is missing, and the wall yields",
+                  "give a stiffness such as \"5 GPa/m\", or wall = \"rigid\"");
+  }
+  if (film.wall_stiffness) judge.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
+  judge.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
+  if (film.h_lift_off && judge.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
+    judge.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
+                  fmt::format("is no more than film.h_floor, {:.6g} m, where the journal touches", film.h_floor),
+                  "give a larger h_lift_off or a smaller h_floor");
+  }
+}
+
+/// Entries of a list of pairs, each within +-`most`.
+void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen::Vector2d>& vectors, double most,
+                   std::string_view unit) {
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    for (const int axis : {0, 1}) {
+      const double value = vectors[i][axis];
+      const std::string entry = fmt::format("{}[{}][{}]", key, i + 1, axis + 1);
+      if (!judge.finite(entry, value, unit)) continue;
+      judge.require(std::abs(value) <= most, entry, quantity(value, unit), "is unphysical",
+                    fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
+    }
+  }
+}
+
+void judge_equilibrium(Judge& judge, const Case& input) {
+  const EquilibriumSettings& equilibrium = *input.equilibrium;
+  judge.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "there is no speed to run at",
+                "give a list such as [\"45000 rpm\"]");
+  for (std::size_t i = 0; i < equilibrium.speeds.size(); ++i) {
+    const double speed = equilibrium.speeds[i];
+    const std::string entry = fmt::format("equilibrium.speeds[{}]", i + 1);
+    if (!judge.finite(entry, speed, "rad/s")) continue;
+    judge.require(speed != 0.0, entry, quantity(speed, "rad/s"), "a journal at rest has no film",
+                  "give a speed that is not zero");
+    judge.require(std::abs(speed) <= most_speed, entry, quantity(speed, "rad/s"), "is unphysical",
+                  fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
+  }
+  const bool by_load = !equilibrium.loads.empty();
+  judge.require(by_load || !equilibrium.positions.empty(), "equilibrium.loads", "", "there is no load to carry",
+                "give a list such as [[\"50 N\", \"0 N\"]], or positions");
+  judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
+                "contradicts equilibrium.loads, which is given too", "give one of the two");
+  judge.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp, "equilibrium.path",
+                std::string(name_of(equilibrium.path)), "needs loads, and there are positions",
+                "write path = \"position_ray\", \"speed_ramp\" or \"cold_start\"");
+  judge_vectors(judge, "equilibrium.loads", equilibrium.loads, load_range.most, "N");
+  judge_vectors(judge, "equilibrium.positions", equilibrium.positions, thin * input.bearing.radius, "m");
+  for (std::size_t i = 0; i < equilibrium.loads.size(); ++i) {
+    judge.require(!equilibrium.loads[i].isZero(0.0), fmt::format("equilibrium.loads[{}]", i + 1), "0 N",
+                  "is no load, and the path to it has no direction", "give a load that is not zero, however small");
+  }
+  judge.require(equilibrium.steps >= 1 && equilibrium.steps <= most_steps, "equilibrium.steps",
+                std::to_string(equilibrium.steps), "is no possible number of increments",
+                fmt::format("give a whole number from 1 to {}", most_steps));
+  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
+                "set model = \"truss\" or \"frame\", or remove [equilibrium]");
+  judge.require(input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
+                std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
+                "set geometry = \"linear\", or remove [equilibrium]");
+}
+
+}  // namespace
+
+void judge_film_settings(Judge& judge, const Case& input, bool bumps) {
+  judge_gas(judge, input.gas);
+  judge_film(judge, input.film, bumps ? input.bump_foil.bumps : 0, input.equilibrium.has_value());
+  if (input.equilibrium) judge_equilibrium(judge, input);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,113 @@
+// `bumpfoil equilibrium` and `bumpfoil film` as users and scripts meet them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/running_program.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// On a coarse mesh, where a state takes a tenth of a second.
+class RunningBearing : public Program {
+ protected:
+  [[nodiscard]] std::vector<std::string> command(const std::string& name, const std::vector<std::string>& more) const {
+    return std::vector<std::string>{name,    case_path_,
+                                    "-o",    results_,
+                                    "--set", "film.rows=3",
+                                    "--set", "film.columns_per_pitch=4",
+                                    "--set", "equilibrium.steps=3",
+                                    "--set", "equilibrium.speeds=[\"45000 rpm\"]",
+                                    "--set"} +
+           more;
+  }
+};
+
+TEST_F(RunningBearing, IsFoundUnderItsLoads) {
+  const Outcome missing = run({"equilibrium", case_path_, "-o", results_});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_NE(missing.errors.find("add [equilibrium]"), std::string::npos);
+  EXPECT_FALSE(wrote_results());
+
+  const Outcome done = run(command("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"}));
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.output.find("least film thickness"), std::string::npos);
+  EXPECT_NE(done.output.find(results_ + " (summary.json, equilibrium.csv, result.nc)"), std::string::npos);
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"equilibrium.csv", "result.nc", "summary.json"}));
+  EXPECT_EQ(summary().at("command"), "equilibrium");
+  EXPECT_EQ(summary().at("status"), "complete");
+  ASSERT_EQ(summary().at("states").size(), 2U);
+  EXPECT_NEAR(summary().at("states").at(1).at("force_x_N"), 40.0, 1e-6);
+  const std::string csv = folder_.read("results/equilibrium.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,force_x_N,force_y_N,eccentricity_ratio,attitude_angle_deg,"
+            "h_min_m,h_min_theta_deg,p_max_Pa,p_min_Pa,torque_N_m,power_W,loaded_bumps,status,path,kxx_N_per_m,"
+            "kxy_N_per_m,kyx_N_per_m,kyy_N_per_m,kxx_stuck_N_per_m,kxy_stuck_N_per_m,kyx_stuck_N_per_m,"
+            "kyy_stuck_N_per_m");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+
+  EXPECT_EQ(run(command("equilibrium", {"equilibrium.loads=[[20, 0]]"})).exit_code, 4);  // there are results
+  const Outcome other = run(command("equilibrium", {"equilibrium.loads=[[20, 0]]", "--solver", "uzawa", "--force"}));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.errors.find("solver.name = uzawa: cannot solve contacts under a film"), std::string::npos)
+      << other.errors;
+}
+
+TEST_F(RunningBearing, LeavesPartialResultsWhereTheFilmIsTooThin) {
+  const Outcome beyond = run(command(
+      "equilibrium", {"equilibrium.loads=[[20, 0], [100, 0], [110, 0]]", "--set", "film.h_floor=10 um", "--force"}));
+  EXPECT_EQ(beyond.exit_code, 3);
+  EXPECT_EQ(summary().at("status"), "failed");
+  const json failed = summary().at("states").at(1);
+  EXPECT_EQ(failed.at("status"), "touchdown");
+  EXPECT_TRUE(failed.at("x_m").is_null());
+  EXPECT_GT(failed.at("last_state").at("h_min_m"), 10e-6);
+  EXPECT_EQ(summary().at("states").at(2).at("status"), "not_reached");
+  EXPECT_NE(beyond.errors.find("bumpfoil: load_ramp, 45000 rpm, load (100, 0) N: the journal touches"),
+            std::string::npos)
+      << beyond.errors;
+}
+
+TEST_F(RunningBearing, IsFoundByEveryPath) {
+  const Outcome done = run(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--paths"}));
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.output.find("4 paths to 45000 rpm, load (40, 0) N"), std::string::npos) << done.output;
+  ASSERT_EQ(summary().at("spreads").size(), 1U);
+  const json spread = summary().at("spreads").at(0);
+  EXPECT_EQ(spread.at("states").size(), 4U);
+  EXPECT_LE(spread.at("h_min_m").at("min"), spread.at("h_min_m").at("max"));
+}
+
+TEST_F(RunningBearing, MayHaveAWallInPlaceOfFoils) {
+  const Outcome by_load = run(command("film", {"equilibrium.loads=[[20, 0]]"}));
+  EXPECT_EQ(by_load.exit_code, 2);
+  EXPECT_NE(by_load.errors.find("equilibrium.positions"), std::string::npos);
+  const Outcome done = run(command("film", {"equilibrium.positions=[[\"10 um\", 0]]"}));
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.output.find(results_ + " (summary.json, film.csv, result.nc)"), std::string::npos);
+  EXPECT_EQ(summary().at("command"), "film");
+  EXPECT_GT(summary().at("states").at(0).at("force_x_N"), 0.0);
+  EXPECT_FALSE(summary().at("states").at(0).contains("loaded_bumps"));
+}
+
+TEST_F(RunningBearing, MayBeInterrupted) {
+  // Long enough to be interrupted on any machine.
+  const Running program(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--set", "film.rows=40", "--set",
+                                                "film.columns_per_pitch=12"}),
+                        (folder_.path() / "output").string());
+  while (!wrote_results()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  program.interrupt();
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_EQ(summary().at("status"), "interrupted");
+  EXPECT_EQ(summary().at("states").at(0).at("status"), "interrupted");
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,119 @@
+#include "bumpfoil/analysis/equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "bumpfoil/core/error.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const double speed = speed_of_rpm(45000.0);
+
+Case running_case(const EquilibriumSettings& equilibrium, double friction_coefficient = 0.0) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, friction_coefficient);
+  input.equilibrium = equilibrium;
+  return input;
+}
+
+TEST(Equilibrium, RampsLoads) {
+  const Case input = running_case({.speeds = {speed, 0.8 * speed}, .loads = {{30.0, 0.0}, {40.0, 10.0}}, .steps = 3});
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_EQ(result.states.size(), 4U);
+  EXPECT_TRUE(result.converged());
+  for (const RunningState& state : result.states) {
+    EXPECT_EQ(state.path, FilmPath::load_ramp);
+    EXPECT_EQ(state.last->speed, state.asked.speed);
+    EXPECT_LT((state.outcome->force - state.asked.journal).norm(), 1e-7);  // N
+    EXPECT_GT(state.outcome->attitude_angle, 0.0);
+    EXPECT_LT(state.outcome->attitude_angle, 1.6);
+    EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-4 * state.outcome->torque);
+    ASSERT_TRUE(state.stiffness && state.stuck_stiffness);
+    EXPECT_GT(state.stiffness->determinant(), 0.0);
+  }
+  EXPECT_EQ(result.states[1].asked.journal, Eigen::Vector2d(40.0, 10.0));
+  EXPECT_EQ(result.states[2].asked.speed, 0.8 * speed);
+}
+
+/// Every path leads to states that carry the load, if not to the same ones.
+TEST(Equilibrium, PathsLeadToStatesThatCarryTheLoad) {
+  const Case input = running_case({.speeds = {speed, 0.9 * speed}, .loads = {{50.0, 0.0}}, .steps = 4});
+  const std::vector<FilmPath> paths = possible_paths(*input.equilibrium);
+  ASSERT_EQ(paths.size(), 4U);
+  const EquilibriumResult result = run_equilibrium(input, paths);
+  ASSERT_EQ(result.states.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    SCOPED_TRACE(i);
+    const RunningState& state = result.states[i];
+    ASSERT_TRUE(state.found());
+    EXPECT_EQ(state.path, paths[i / 2]);
+    EXPECT_LT((state.outcome->force - state.asked.journal).norm(), 1e-7);  // N
+    EXPECT_EQ(state.last->speed, state.asked.speed);
+  }
+}
+
+/// Positions there and back: friction leaves another force.
+TEST(Equilibrium, KeepsTheHistoryOfFrictionAlongItsPath) {
+  const auto at = [](double e) { return Eigen::Vector2d(e * 31.8e-6, 0.0); };
+  const EquilibriumSettings there_and_back{
+      .speeds = {speed}, .positions = {at(0.5), at(0.8), at(0.5)}, .path = FilmPath::position_ray};
+  for (const double f : {0.0, 0.1}) {
+    const EquilibriumResult result = run_equilibrium(running_case(there_and_back, f));
+    ASSERT_TRUE(result.converged());
+    const double lost = 1.0 - result.states[2].outcome->force.x() / result.states[0].outcome->force.x();
+    if (f == 0.0) {
+      EXPECT_NEAR(lost, 0.0, 1e-7);
+    } else {
+      EXPECT_GT(lost, 0.05);
+    }
+  }
+}
+
+TEST(Equilibrium, SaysWhatItDidNotFindAndKeepsTheLastState) {
+  Case input = running_case({.speeds = {speed}, .loads = {{50.0, 0.0}, {100.0, 0.0}, {60.0, 0.0}}, .steps = 2});
+  input.film.h_floor = 10e-6;
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_EQ(result.states.size(), 3U);
+  EXPECT_FALSE(result.converged());
+  EXPECT_TRUE(result.states[0].found());
+  const RunningState& failed = result.states[1];
+  EXPECT_EQ(failed.report.status, FilmStatus::touchdown);
+  ASSERT_TRUE(failed.outcome.has_value());
+  EXPECT_GT(failed.outcome->force.x(), 50.0);  // on the way
+  EXPECT_LT(failed.outcome->force.x(), 100.0);
+  EXPECT_NEAR(failed.outcome->thinnest.thickness * 31.8, 10.0, 0.2);
+  EXPECT_EQ(result.states[2].report.status, FilmStatus::not_reached);
+  EXPECT_FALSE(result.states[2].last.has_value());
+}
+
+TEST(Equilibrium, HasNoRoomBeyondTheClearance) {
+  const Case input = running_case({.speeds = {speed}, .positions = {{40e-6, 0.0}}, .path = FilmPath::cold_start});
+  const EquilibriumResult result = run_equilibrium(input);
+  EXPECT_EQ(result.states.at(0).report.status, FilmStatus::no_room);
+  EXPECT_FALSE(result.states[0].outcome.has_value());
+}
+
+TEST(Equilibrium, ReportsProgressAndStops) {
+  const Case input = running_case({.speeds = {speed}, .loads = {{30.0, 0.0}, {40.0, 0.0}}, .steps = 2});
+  double last = 0.0;
+  EXPECT_TRUE(run_equilibrium(input, {}, [&](double fraction) {
+                EXPECT_GE(fraction, last);
+                EXPECT_LE(fraction, 1.0);
+                last = fraction;
+                return true;
+              }).converged());
+  EXPECT_GE(last, 0.5);
+  const EquilibriumResult stopped = run_equilibrium(input, {}, [&](double fraction) { return fraction < 0.5; });
+  ASSERT_EQ(stopped.states.size(), 2U);
+  EXPECT_TRUE(stopped.states[0].found());
+  EXPECT_EQ(stopped.states[1].report.status, FilmStatus::interrupted);
+}
+
+TEST(Equilibrium, NeedsItsTable) {
+  EXPECT_THROW(run_equilibrium(film_reference_case({.columns_per_pitch = 4, .rows = 4})), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,152 @@
+#include "bumpfoil/io/equilibrium_files.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <netcdf>
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/io/checksum.hpp"
+#include "support/film_bearing_cases.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+Case small_case() {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
+  input.equilibrium =
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}, {60.0, 0.0}}, .steps = 3};
+  input.top_foil.yield_stress = 1e6;
+  return input;
+}
+
+/// Two states found and, if `fails`, the second not.
+const EquilibriumResult& example(bool fails = false) {
+  static const EquilibriumResult result = run_equilibrium(small_case());
+  static const EquilibriumResult failed = [] {
+    EquilibriumResult half = result;
+    half.states[1].report.status = FilmStatus::fold;
+    return half;
+  }();
+  return fails ? failed : result;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+TEST(EquilibriumFiles, AreOneSet) {
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(files[0].name, "equilibrium.csv");
+  const json summary = json::parse(files[2].contents);
+  EXPECT_EQ(summary.at("command"), "equilibrium");
+  EXPECT_TRUE(is_sealed(files[2].contents, summary.at("xxh3_128").get<std::string>()));
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_EQ(summary.at("files").at(files[i].name).at("xxh3_128"), xxh3_128(files[i].contents));
+  }
+  ASSERT_EQ(summary.at("states").size(), 2U);
+  EXPECT_EQ(summary.at("states")[0].at("status"), "converged");
+  EXPECT_EQ(summary.at("states")[0].at("path"), "load_ramp");
+  EXPECT_NEAR(summary.at("states")[1].at("force_x_N"), 60.0, 1e-6);
+  EXPECT_LT(std::abs(summary.at("states")[1].at("mass_imbalance").get<double>()), 1e-12);
+  EXPECT_LT(std::abs(summary.at("states")[1].at("energy_imbalance").get<double>()), 1e-3);
+  EXPECT_TRUE(summary.at("states")[0].at("last_state").is_null());
+  EXPECT_TRUE(summary.at("spreads").empty());
+}
+
+TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
+  const std::vector<std::string> lines = lines_of(equilibrium_csv(example(true)));
+  ASSERT_EQ(lines.size(), 3U);
+  const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+  EXPECT_EQ(commas(lines[0]), 25);
+  for (const std::string& line : lines) EXPECT_EQ(commas(line), 25);
+  EXPECT_NE(lines[1].find(",converged,load_ramp,"), std::string::npos);
+  EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,");
+}
+
+TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(true), RunStatus::failed, {});
+  const json failed = json::parse(files[2].contents).at("states").at(1);
+  EXPECT_TRUE(failed.at("x_m").is_null());
+  EXPECT_GT(failed.at("last_state").at("x_m"), 0.0);
+  EXPECT_NE(failed.at("reason").get<std::string>().find("the branch of states ends"), std::string::npos);
+}
+
+TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
+  const testing::TemporaryFolder folder;
+  const std::string path =
+      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[1].contents);
+  const netCDF::NcFile file(path, netCDF::NcFile::read);
+  std::string status;
+  file.getAtt("status").getValues(status);
+  EXPECT_EQ(status, "partial");
+  EXPECT_EQ(file.getDim("column").getSize(), 105U);
+  EXPECT_EQ(file.getDim("row").getSize(), 4U);
+  const RunningState& found = example().states[0];
+  std::vector<double> h_min(2), speed(2);
+  file.getVar("h_min").getVar(h_min.data());
+  EXPECT_DOUBLE_EQ(h_min[0], found.outcome->thinnest.thickness * example().bearing->scales.thickness);
+  EXPECT_EQ(h_min[1], NC_FILL_DOUBLE);  // of the state that was not found
+  file.getVar("speed").getVar(speed.data());
+  EXPECT_EQ(speed[1], example(true).states[1].asked.speed);
+  std::vector<double> p(2 * 4 * 105);
+  file.getVar("pressure").getVar(p.data());
+  EXPECT_DOUBLE_EQ(p[1 * 105 + 50], 101325.0 * found.last->foil.film.pressure(1, 50));
+  EXPECT_EQ(p[4 * 105], NC_FILL_DOUBLE);
+  std::vector<double> loads(2 * 26);
+  file.getVar("normal_force_top_bump").getVar(loads.data());
+  double sum = 0.0;
+  for (std::size_t b = 0; b < 26; ++b) sum += loads[b];
+  EXPECT_NEAR(sum, found.last->contact.normal_force(Eigen::seqN(0, 26, 2)).sum(), 1e-9);
+  EXPECT_EQ(loads[26], NC_FILL_DOUBLE);
+  // Loads of the columns integrate to the force.
+  std::vector<double> q(2 * 105), phi(105);
+  file.getVar("line_load").getVar(q.data());
+  file.getVar("column_phi").getVar(phi.data());
+  double force = 0.0;
+  for (std::size_t k = 0; k < 105; ++k) force += q[k] * std::cos(phi[k]) * 4.572e-3 / 4;  // none at the ends
+  EXPECT_NEAR(force, 30.0, 1e-6);
+}
+
+TEST(EquilibriumTable, ShowsTheStates) {
+  const std::string table = equilibrium_table(example(true));
+  EXPECT_NE(table.find("least film thickness      um"), std::string::npos) << table;
+  EXPECT_NE(table.find("fold"), std::string::npos);
+  EXPECT_NE(table.find("45000"), std::string::npos);
+  EXPECT_EQ(table.find("paths to"), std::string::npos);
+}
+
+TEST(EquilibriumTable, ComparesPaths) {
+  EquilibriumResult two = example();
+  two.states[1].asked = two.states[0].asked;
+  EXPECT_TRUE(path_spreads(two).empty());  // the same path twice
+  two.states[1].path = FilmPath::cold_start;
+  const std::vector<PathSpread> spreads = path_spreads(two);
+  ASSERT_EQ(spreads.size(), 1U);
+  EXPECT_EQ(spreads[0].states, (std::vector<std::size_t>{0, 1}));
+  EXPECT_NE(equilibrium_table(two).find("2 paths to 45000 rpm, load (30, 0) N"), std::string::npos);
+}
+
+TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
+  EXPECT_TRUE(failure_lines(example()).empty());
+  ASSERT_EQ(failure_lines(example(true)).size(), 1U);
+  EquilibriumResult jumped = example();
+  jumped.states[0].report.jumps = 2;
+  const std::vector<std::string> warnings = warning_lines(small_case(), jumped);
+  ASSERT_GE(warnings.size(), 3U);
+  EXPECT_NE(warnings[0].find("2 times on the way"), std::string::npos);
+  EXPECT_NE(warnings[1].find("the top foil yields: its bending stress reaches"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bumpfoil
