@@ -90,7 +90,7 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
 
 void describe(CaseVisitor& keys, Friction& friction) {
   keys.once_or_each(
-      {"coefficient", required, "Both", "at both of its interfaces; 0 for none"},
+      {"coefficient", required, "Both coefficients", "at both of its interfaces; 0 for none"},
       {{{"top_bump", required, "Top foil on bumps", "or one for each: with the top foil"}, &friction.top_bump},
        {{"bump_sleeve", required, "Bumps on sleeve", "and with the sleeve"}, &friction.bump_sleeve}});
 }

@@ -159,6 +159,7 @@ StoredVariable NetcdfImage::read_variable(int id) const {
   variable.fill = read_fill(variable);
   variable.units = read_text(id, "units").value_or("");
   variable.long_name = read_text(id, "long_name").value_or("");
+  variable.flag_meanings = read_text(id, "flag_meanings").value_or("");
   return variable;
 }
 

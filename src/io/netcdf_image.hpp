@@ -19,6 +19,7 @@ struct StoredVariable {
   std::optional<double> fill;        ///< what stands for a value that is absent
   std::string units;                 ///< empty where it says none
   std::string long_name;             ///< what it is, in words; empty where it says nothing
+  std::string flag_meanings;         ///< words for 0, 1, ..., with spaces between; empty where it holds no flags
 
   [[nodiscard]] bool has_dims(const std::vector<std::string_view>& names) const;
 };

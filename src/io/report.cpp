@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <utility>
 
@@ -26,6 +27,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
 
+/// What a report shows of the summary of numbers that result.nc or sweep.nc has.
+constexpr std::array summary_head{"schema", "command", "case", "version", "commit", "solver", "status"};
+
 [[noreturn]] void refuse_damaged(const fs::path& path, std::string what) {
   throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is damaged: " + std::move(what),
                                  "take it from a backup or run again; --unchecked reads what can be read"}});
@@ -41,10 +45,18 @@ void require_intact(const fs::path& path, std::string_view bytes, const StoredSu
   if (xxh3_128(bytes) != checksum) refuse_damaged(path, "its checksum is not the one that summary.json lists");
 }
 
+/// What a variable is, in the words of the file that it is in.
+std::string meaning_of(const Json& result, const std::string& name) {
+  const Json& variables = result.contains("meanings") ? result["meanings"] : result["variables"];
+  return variables.contains(name) ? variables[name]["text"].get<std::string>() : "";
+}
+
 /// What the tables of the page say: of each quantity its key in summary.json, words, unit, and what result.nc calls it.
 /// What another version defined in another way has a label of its own: it is not to be compared.
-Json quantities_json(std::string_view kind, const Json& summary, const Json& meanings) {
-  const Experiment experiment = kind == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
+Json quantities_json(const Json& result, const Json& summary) {
+  // A sweep has the quantities of what it ran.
+  const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
+  const Experiment experiment = command == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
   const bool first_version = summary["schema"] == "bumpfoil-summary/1";
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
@@ -56,7 +68,7 @@ Json quantities_json(std::string_view kind, const Json& summary, const Json& mea
          {"unit", quantity.unit == "1" ? "" : quantity.unit},
          {"whole", quantity.form.kind == Form::whole},
          {"of_solver", quantity.of_solver},
-         {"meaning", meanings.contains(quantity.name) ? meanings[quantity.name]["text"] : Json("")}});
+         {"meaning", meaning_of(result, std::string(quantity.name))}});
   }
   return json;
 }
@@ -70,23 +82,20 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (!fs::exists(folder, code)) refuse("does not exist");
   if (!fs::is_directory(folder, code)) refuse("is no folder");
   complete_publication_quietly(folder);
-  if (fs::exists(published_file(folder, "sweep.nc"), code)) {
-    throw Error(ErrorKind::file,
-                {{folder.string(), 0, "", "", "holds a sweep, which reports cannot show yet",
-                  "its tables are sweep.csv and sweep.nc; reports show single points, run by `bumpfoil cycle --set`"}});
-  }
+  const auto has = [&](const char* name) { return fs::exists(published_file(folder, name), code); };
   const auto read = [&folder](const char* name) { return read_binary_file(published_file(folder, name)); };
-  for (const char* name : {"result.nc", "summary.json"}) {
-    if (!fs::exists(published_file(folder, name), code)) refuse(fmt::format("holds no results: {} is missing", name));
+  const char* result_name = has("sweep.nc") ? "sweep.nc" : "result.nc";
+  for (const char* name : {result_name, "summary.json"}) {
+    if (!has(name)) refuse(fmt::format("holds no results: {} is missing", name));
   }
   const fs::path summary_path = folder / "summary.json";
-  const fs::path result_path = folder / "result.nc";
+  const fs::path result_path = folder / result_name;
   std::string summary_text = read("summary.json");
-  std::string bytes = read("result.nc");
+  std::string bytes = read(result_name);
   // Another set may have been published between the two.
   for (std::string now = read("summary.json"); now != summary_text; now = read("summary.json")) {
     summary_text = std::move(now);
-    bytes = read("result.nc");
+    bytes = read(result_name);
   }
   const StoredSummary summary = read_summary(summary_text, summary_path.string());
   if (summary.run_id.empty()) {
@@ -98,13 +107,17 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
     require_intact(result_path, bytes, summary);
   }
   Json result = read_result(std::move(bytes), result_path.string(), most_values);
-  match_runs(summary, result, summary_path.string());
+  match_runs(summary, result, summary_path.string(), result_name);
   Json& attributes = result["attributes"];
   attributes.erase("history");  // the date and the command line again
   attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
   Json run{{"summary", summary.json}};
+  if (!has_cycles(result["kind"].get<std::string>())) {
+    run["summary"] = Json::object();
+    for (const char* key : summary_head) run["summary"][key] = summary.json[key];
+  }
   run.update(result);
-  run["quantities"] = quantities_json(run["kind"].get<std::string>(), summary.json, run["meanings"]);
+  run["quantities"] = quantities_json(result, summary.json);
   return run;
 }
 

@@ -13,6 +13,7 @@
 
 #include "bumpfoil/core/printable.hpp"
 #include "io/base64.hpp"
+#include "io/grid_reader.hpp"
 #include "io/netcdf_image.hpp"
 
 namespace bumpfoil {
@@ -192,7 +193,7 @@ Json meanings_of(const NetcdfImage& file, const std::string& cycle) {
   return meanings;
 }
 
-/// "cycle" or "strip".
+/// The command that wrote the file, one of those that reports can show.
 std::string kind_of(const NetcdfImage& file) {
   const std::map<std::string, std::string>& texts = file.texts();
   const auto text = [&texts](const char* name) {
@@ -204,29 +205,41 @@ std::string kind_of(const NetcdfImage& file) {
   std::string kind = text("bumpfoil_command");
   // Results that were written before there were others do not say what they are.
   if (kind.empty()) kind = "cycle";
-  if (kind != "cycle" && kind != "strip") {
+  if (!is_shown(kind)) {
     file.refuse("", fmt::format("is a result of `bumpfoil {}`, which reports cannot show", printable(kind)));
   }
   return kind;
 }
 
-}  // namespace
-
-Json read_result(std::string bytes, const std::string& name, std::size_t most_values) {
-  const NetcdfImage file(std::move(bytes), name);
-  const std::string kind = kind_of(file);
+Json read_cycles(const NetcdfImage& file, const std::string& kind, std::size_t most_values) {
   const CycleReader reader(file, cycle_dimension(kind), most_values);
   Json nodes = Json::object();
   for (const char* node : {"bump", "foot"}) nodes[node] = file.size_of(node);
   Json cycles = Json::array();
   for (std::size_t i = 0; i < reader.size(); ++i) cycles.push_back(reader.read(i));
-  return {{"kind", kind},
-          {"attributes", file.texts()},
-          {"meanings", meanings_of(file, cycle_dimension(kind))},
+  return {{"meanings", meanings_of(file, cycle_dimension(kind))},
           {"geometry", geometry_of(file)},
           {"nodes", nodes},
           {"last_increment", reader.last_increment()},
           {"cycles", cycles}};
+}
+
+}  // namespace
+
+bool is_shown(std::string_view kind) {
+  return has_cycles(kind) || kind == "sweep";
+}
+
+bool has_cycles(std::string_view kind) {
+  return kind == "cycle" || kind == "strip";
+}
+
+Json read_result(std::string bytes, const std::string& name, std::size_t most_values) {
+  const NetcdfImage file(std::move(bytes), name);
+  const std::string kind = kind_of(file);
+  Json result{{"kind", kind}, {"attributes", file.texts()}};
+  result.update(has_cycles(kind) ? read_cycles(file, kind, most_values) : read_grid(file, most_values));
+  return result;
 }
 
 }  // namespace bumpfoil

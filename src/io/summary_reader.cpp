@@ -8,6 +8,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
+#include "io/result_reader.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -118,13 +119,15 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   }
   for (const char* key : {"version", "commit", "solver", "status"}) static_cast<void>(checker.text(json, key));
   const std::string command = checker.text(json, "command");
-  if (command != "cycle" && command != "strip") {
+  if (!is_shown(command)) {
     checker.refuse("command", fmt::format("is \"{}\", whose results reports cannot show", printable(command)));
   }
   if (!checker.at(json, "case").is_object()) checker.refuse("case", "is no table");
-  if (!checker.at(json["case"], command).is_object()) checker.refuse("case", "does not say what was run");
-  if (!checker.at(json, "cycles").is_array()) checker.refuse("cycles", "is no list");
-  for (const Json& cycle : json["cycles"]) checker.check_cycle(cycle, experiment_of(command));
+  if (has_cycles(command)) {
+    if (!checker.at(json["case"], command).is_object()) checker.refuse("case", "does not say what was run");
+    if (!checker.at(json, "cycles").is_array()) checker.refuse("cycles", "is no list");
+    for (const Json& cycle : json["cycles"]) checker.check_cycle(cycle, experiment_of(command));
+  }
   // Version 0.1 had none of them.
   if (json.contains("run_id") || json.contains("files") || json.contains("xxh3_128")) {
     summary.xxh3_128 = checker.text(json, "xxh3_128");
@@ -135,14 +138,18 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   return summary;
 }
 
-void match_runs(const StoredSummary& summary, Json& result, const std::string& name) {
+void match_runs(const StoredSummary& summary, Json& result, const std::string& name, std::string_view result_name) {
   const SummaryChecker checker(name);
   const auto require = [&](bool same, const std::string& key) {
-    if (!same) checker.refuse(key, "is not that of result.nc beside it: they are of two runs, or damaged");
+    if (!same) {
+      checker.refuse(key, fmt::format("is not that of {} beside it: they are of two runs, or damaged", result_name));
+    }
   };
   require(summary.json["command"] == result["kind"], "command");
   require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
-  const std::string place_key(cycle_key(experiment_of(result["kind"].get<std::string>())));
+  const auto kind = result["kind"].get<std::string>();
+  if (!has_cycles(kind)) return;
+  const std::string place_key(cycle_key(experiment_of(kind)));
   const Json& cycles = summary.json["cycles"];
   Json& stored = result["cycles"];
   require(cycles.size() <= stored.size(), "cycles");

@@ -28,7 +28,9 @@ struct StoredSummary {
 StoredSummary read_summary(std::string_view text, const std::string& name);
 
 /// Verifies that a summary tells of the same run as a result that was read by read_result: command, run id, cycles with
-/// their steps. Puts the cycles into the order of the summary. @throws Error (file)
-void match_runs(const StoredSummary& summary, nlohmann::ordered_json& result, const std::string& name);
+/// their steps. Puts the cycles into the order of the summary.
+/// @param name  of the summary in messages   @param result_name  of the file beside it @throws Error (file)
+void match_runs(const StoredSummary& summary, nlohmann::ordered_json& result, const std::string& name,
+                std::string_view result_name);
 
 }  // namespace bumpfoil

@@ -164,7 +164,7 @@ std::string sweep_netcdf(const Sweep& sweep, const std::vector<SweepPoint>& poin
                           .command = "sweep",
                           .status = status_of(points),
                           .message = message_of(sweep, points),
-                          .warnings = {},
+                          .warnings = warning_lines(sweep, points),
                           .provenance = provenance,
                           .run_id = run_id});
     file.add_text("swept_command", name_of(sweep.experiment));

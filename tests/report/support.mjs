@@ -114,3 +114,32 @@ export async function moveTo(page, index) {
     slider.dispatchEvent(new Event('input', { bubbles: true }));
   }, index);
 }
+
+/** A4 with margins of 12 mm, at 96 pixels to the inch. */
+export const paper = { width: (186 / 25.4) * 96, height: (273 / 25.4) * 96 };
+
+/** Lays a page out as it is printed. */
+export async function print(page) {
+  await page.emulateMedia({ media: 'print' });
+  await page.setViewportSize({ width: Math.round(paper.width), height: 1000 });
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+}
+
+/** What axe-core finds of some weight. */
+export async function axeFindings(page) {
+  await page.evaluate(readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8'));
+  // Pictures are one thing for readers of the screen, and by far the most elements.
+  const { violations, passes } = await page.evaluate(() => globalThis.axe.run({ exclude: [['.plot'], ['.round > *'], ['.unwrapped > *']] }));
+  assert.ok(passes.length > 20);
+  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+  return serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
+}
+
+/** Whether the page has room for all that is on it, at widths from that of a phone to that of a large screen. */
+export async function assertFits(page) {
+  for (const width of [360, 768, 1366, 1920, 2560]) {
+    await page.setViewportSize({ width, height: 900 });
+    const excess = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(excess <= 0, `${excess} px too wide at ${width}`);
+  }
+}

@@ -4,12 +4,10 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { before, test } from 'node:test';
-import { caseFile, cycle, folder, modules, moveTo, near, quantity, report, rowsOf, run, saved, stripFile, summaryOf, withReport } from './support.mjs';
+import { axeFindings, caseFile, cycle, folder, moveTo, near, paper, print, quantity, report, rowsOf, run, saved, stripFile, summaryOf, withReport } from './support.mjs';
 
 const laptop = { viewport: { width: 1366, height: 768 } };
 const phone = { viewport: { width: 360, height: 800 } };
-/** A4 with margins of 12 mm, at 96 pixels to the inch. */
-const paper = { width: (186 / 25.4) * 96, height: (273 / 25.4) * 96 };
 
 before(() => {
   cycle('demo');
@@ -174,9 +172,7 @@ test('tiles lead with the loaded stiffness, and tables have the clearances asked
 test('on paper no card is torn, the first page is full, charts say what they are of', async () => {
   for (const file of ['one.html', 'all.html']) {
     await withReport(file, async (page) => {
-      await page.emulateMedia({ media: 'print' });
-      await page.setViewportSize({ width: Math.round(paper.width), height: 1000 });
-      await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+      await print(page);
       const panels = await page.locator('.panel').evaluateAll((all) =>
         all.map((panel) => ({
           name: panel.getAttribute('aria-label'),
@@ -288,18 +284,10 @@ test('the keyboard finds landmarks, groups of one stop each, and the slider soon
   }));
 
 test('axe finds nothing serious', async () => {
-  const axe = readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8');
   for (const [file, colorScheme] of [['one.html', 'light'], ['two.html', 'dark'], ['free.html', 'dark']]) {
     await withReport(
       file,
-      async (page) => {
-        await page.evaluate(axe);
-        // Pictures are one thing for readers of the screen, and by far the most elements.
-        const { violations, passes } = await page.evaluate(() => globalThis.axe.run({ exclude: [['.plot'], ['.round > *'], ['.unwrapped > *']] }));
-        assert.ok(passes.length > 20);
-        const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-        assert.deepEqual(serious.map(({ id, nodes }) => `${file}: ${id}: ${nodes[0].html}`), []);
-      },
+      async (page) => assert.deepEqual(await axeFindings(page), [], file),
       { colorScheme },
     );
   }

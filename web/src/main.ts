@@ -1,11 +1,12 @@
-import type { CaseKeys, ReportData } from './data/format';
-import { outcomeOf, warningsOf } from './data/outcome';
-import { readRuns, type Run } from './data/run';
+import type { ReportData } from './data/format';
+import { Result } from './data/result';
 import { glossary } from './tables/glossary';
 import { el } from './ui/dom';
 import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
 import { loopView } from './views/loops';
+import { sweepView } from './views/sweeps';
+import { part, type MakeView } from './views/view';
 import './style/page.css';
 import './style/panels.css';
 import './style/runs.css';
@@ -14,10 +15,11 @@ import './style/tables.css';
 import './style/player.css';
 import './style/print.css';
 
-/** One view per kind of result; runs of one kind are compared in it. */
-const views: Record<string, (runs: Run[], keys: CaseKeys, alone: boolean) => HTMLElement[]> = {
+/** One view per kind of result. */
+const views: Record<string, MakeView> = {
   cycle: loopView,
   strip: loopView,
+  sweep: sweepView,
 };
 
 function themeButton(): HTMLElement {
@@ -39,16 +41,16 @@ function printButton(): HTMLElement {
 }
 
 /** How many runs ended early, where any did. */
-function outcomes(runs: Run[]): string {
+function outcomes(runs: Result[]): string {
   return ['failed', 'interrupted']
     .flatMap((outcome) => {
-      const count = runs.filter((run) => outcomeOf(run) === outcome).length;
+      const count = runs.filter((run) => run.outcome === outcome).length;
       return count === 0 ? [] : [runs.length > 1 ? `${count} ${outcome}` : outcome];
     })
     .join(', ');
 }
 
-function masthead(report: ReportData, runs: Run[]): HTMLElement {
+function masthead(report: ReportData, runs: Result[]): HTMLElement {
   const titles = [...new Set(runs.map((run) => run.attribute('title')))].filter((title) => title !== '');
   const title = titles.length === 0 ? 'Untitled case' : titles.join(' / ');
   document.title = `${title} – Bumpfoil report`;
@@ -78,13 +80,13 @@ function navigation(sections: HTMLElement[]): HTMLElement {
   return roving(el('nav', { 'aria-label': 'Parts of the report' }, ...links));
 }
 
-/** Warnings that are shown before one asks for more. */
+/** Warnings that are shown before one asks for more, and those that are listed at all. */
 const atOnce = 4;
+const mostListed = 400;
 
-function warnings(runs: Run[]): HTMLElement[] {
-  const items = runs.flatMap((run) =>
-    warningsOf(run).map((text) => el('li', {}, runs.length > 1 ? `${run.label}: ${text}` : text)),
-  );
+function warnings(texts: string[]): HTMLElement[] {
+  const listed = texts.length > mostListed ? [...texts.slice(0, mostListed), `and ${texts.length - mostListed} more, all in summary.json`] : texts;
+  const items = listed.map((text) => el('li', {}, text));
   if (items.length === 0) return [];
   // Of many runs there are more than anyone reads before the results.
   const first = items.length > 2 * atOnce ? items.slice(0, atOnce) : items;
@@ -95,18 +97,21 @@ function warnings(runs: Run[]): HTMLElement[] {
 
 function start(): void {
   const report = JSON.parse(document.getElementById('bumpfoil-data')?.textContent ?? '') as ReportData;
-  const runs = readRuns(report);
+  const runs = report.runs.map((data) => new Result(data));
   startTheme();
   const kinds = Object.entries(views)
-    .map(([kind, show]) => ({ show, members: runs.filter((run) => run.data.kind === kind) }))
+    .map(([kind, make]) => ({ make, members: report.runs.filter((data) => data.kind === kind) }))
     .filter(({ members }) => members.length > 0);
-  const parts = kinds.map(({ show, members }) => show(members, report.keys, kinds.length === 1));
-  const words = el('section', { id: 'glossary', class: 'part', 'aria-labelledby': 'glossary-title' }, el('h2', { id: 'glossary-title' }, 'Glossary'), glossary(runs));
+  const parts = kinds.map(({ make, members }) => ({ members, view: make(members, report.keys, kinds.length === 1) }));
+  const warned = parts.flatMap(({ members, view }) =>
+    view.warnings.flatMap((texts, i) => texts.map((text) => (runs.length > 1 ? `${members[i]?.name ?? ''}: ${text}` : text))),
+  );
+  const words = part('glossary', 'Glossary', glossary(parts.flatMap(({ view }) => view.entries)));
   document.getElementById('report')?.append(
     el('a', { class: 'skip', href: '#contents' }, 'Skip to the results'),
     masthead(report, runs),
-    navigation([...parts.flat(), words]),
-    el('main', { id: 'contents', tabindex: -1 }, ...warnings(runs), ...parts.map((sections) => el('div', { class: 'view' }, ...sections)), words),
+    navigation([...parts.flatMap(({ view }) => view.sections), words]),
+    el('main', { id: 'contents', tabindex: -1 }, ...warnings(warned), ...parts.map(({ view }) => el('div', { class: 'view' }, ...view.sections)), words),
     el('footer', {}, 'Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
   );
 }

@@ -12,11 +12,12 @@ namespace bumpfoil {
 /// What the page of a report has in the place of its data.
 inline constexpr std::string_view report_placeholder = "@bumpfoil-report-data@";
 
-/// Numbers per increment and node that a report holds at most; runs with more of them are thinned.
+/// Numbers per increment and node that a report holds at most; runs with more of them are thinned. Of a sweep it is all
+/// numbers.
 inline constexpr std::size_t most_report_values = 2'000'000;
 
 struct ReadingOptions {
-  std::size_t most_values = most_report_values;  ///< numbers per increment and node over all folders
+  std::size_t most_values = most_report_values;  ///< over all folders
   /// Whether result.nc must have the checksum that summary.json lists. Without, a damaged file may still be found out
   /// by its shape, show wrong numbers, or crash libhdf5.
   bool checked = true;
@@ -27,18 +28,25 @@ struct ReadingOptions {
 ///
 /// `{"schema": "bumpfoil-report/1", "version", "commit", "keys", "runs": [...]}`: titles and units of the keys of the
 /// case file by their paths (`{"bearing.radius": {"title": "Radius", "unit": "m"}, ...}`), and one object per folder:
-/// `name` (the last parts of its path, as many as it takes to tell the folders apart), `kind`, `attributes` (global
-/// texts of result.nc, without paths of the machine), `summary` (summary.json as it is), `meanings` (`unit` and `text`
-/// of the variables of cycles and increments, as result.nc says them), `geometry` (variables
-/// without increments: a number, or one per bump or foot), `nodes` (sizes of the dimensions of nodes), `last_increment`
-/// (that was asked for), `quantities` (`name`, `key` in the summary, `label`, `unit`, `whole`, `of_solver`, `meaning`
-/// of each that tables show) and `loops`: the cycles, one for each direction of a bearing. A cycle has `at` (the
-/// direction in degrees, or the number of the cycle), `increments` (numbers of those that are kept: all, or every n-th
-/// one of each branch, always with its ends), `series` (variables per increment) and `fields` (per increment and node:
-/// `{"at": "bump" | "foot", "values"}`). Values are base64 of little-endian binary32, flags of signed bytes; NaN and
-/// -127 stand for what is absent. Variables go by their dimensions, so that new ones need no code here. Left out are
-/// gaps, which the displacements give, and the friction at the journal, which is zero. Of stresses per node `series`
-/// has the largest at every increment.
+/// `name` (the last parts of its path, as many as it takes to tell the folders apart), `kind` (the command that wrote
+/// it), `attributes` (global texts of result.nc, without paths of the machine), `summary`, and `quantities` (`name`,
+/// `key` in the summary, `label`, `unit`, `whole`, `of_solver`, `meaning` of each that tables show). Values are base64
+/// of little-endian binary32, flags of signed bytes; NaN and -127 stand for what is absent. The rest is one of two:
+///
+/// Cycles (`cycle`, `strip`): `summary` is summary.json as it is; `meanings` (`unit` and `text` of the variables of
+/// cycles and increments, as result.nc says them), `geometry` (variables without increments: a number, or one per bump
+/// or foot), `nodes` (sizes of the dimensions of nodes), `last_increment` (that was asked for), and `cycles`, one for
+/// each direction of a bearing. A cycle has `at` (the direction in degrees, or the number of the cycle), `increments`
+/// (numbers of those that are kept: all, or every n-th one of each branch, always with its ends), `series` (variables
+/// per increment) and `fields` (per increment and node: `{"at": "bump" | "foot", "values"}`). Left out are gaps, which
+/// the displacements give, and the friction at the journal, which is zero. Of stresses per node `series` has the
+/// largest at every increment.
+///
+/// Grids (`sweep`): `summary` is what summary.json begins with, up to the status; `dimensions` (sizes by name),
+/// `variables` (by name: `dims`, the last running fastest, `unit`, `text`, `words` of flags, `values`, all binary32)
+/// and `left_out` (names of those that were too large).
+///
+/// Variables go by their dimensions, so that new ones need no code here.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///

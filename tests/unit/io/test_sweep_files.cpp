@@ -152,14 +152,70 @@ TEST_F(SweepFiles, NetcdfHasTheKeysAsDimensions) {
   EXPECT_EQ(text, "cycle.amplitude");
 }
 
-TEST_F(SweepFiles, ReportSaysThatItCannotShowThem) {
-  try {
-    static_cast<void>(report_json({folder_.path()}));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::file);
-    EXPECT_NE(std::string(error.what()).find("holds a sweep, which reports cannot show yet"), std::string::npos);
+TEST_F(SweepFiles, AreReadByReports) {
+  const json report = json::parse(report_json({folder_.path()}));
+  const json& run = report.at("runs").at(0);
+  EXPECT_EQ(run.at("kind"), "sweep");
+  EXPECT_EQ(run.at("attributes").at("swept_command"), "cycle");
+  EXPECT_EQ(run.at("summary").at("status"), "interrupted");
+  EXPECT_FALSE(run.at("summary").contains("points"));  // its numbers are here once
+  const json sizes{{"cycle_amplitude", 2}, {"direction", 2}, {"friction_coefficient", 3}, {"increment", 7}};
+  for (const auto& [name, size] : sizes.items()) EXPECT_EQ(run.at("dimensions").at(name), size);
+  const json& force = run.at("variables").at("max_force");
+  EXPECT_EQ(force.at("dims"), (json{"cycle_amplitude", "friction_coefficient", "direction"}));
+  EXPECT_EQ(force.at("unit"), "N");
+  EXPECT_EQ(force.at("text"), "force along the direction at full displacement");
+  EXPECT_EQ(force.at("words"), "");
+  // 12 numbers of four bytes, three bytes in four letters.
+  EXPECT_EQ(force.at("values").get<std::string>().size(), 12U * 4U / 3U * 4U);
+  EXPECT_EQ(run.at("variables").at("status").at("words").get<std::string>().find("converged no_modes "), 0U);
+  EXPECT_EQ(run.at("variables").at("friction_coefficient").at("text"), "Coefficients of friction: Both coefficients");
+  EXPECT_TRUE(run.at("left_out").empty());
+  bool found = false;
+  for (const json& quantity : run.at("quantities")) {
+    if (quantity.at("name") != "loss_factor") continue;
+    found = true;
+    EXPECT_EQ(quantity.at("meaning").get<std::string>().find("loop energy over (pi K X^2)"), 0U);
   }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(SweepFiles, LoseTheirLoopsInReportsThatWouldBeTooLarge) {
+  const auto read = [this](std::size_t most) {
+    return json::parse(report_json({folder_.path()}, {.most_values = most})).at("runs").at(0);
+  };
+  std::size_t all = 0;
+  const json whole = read(most_report_values);
+  for (const json& variable : whole.at("variables")) {
+    std::size_t size = 1;
+    for (const json& dim : variable.at("dims")) size *= whole.at("dimensions").at(dim).get<std::size_t>();
+    all += size;
+  }
+  EXPECT_EQ(read(all), whole);
+  const json run = read(all - 1);  // both go where one does not fit
+  EXPECT_EQ(run.at("left_out"), (json{"displacement", "force_direct"}));
+  EXPECT_TRUE(run.at("variables").contains("max_force"));
+  EXPECT_FALSE(run.at("variables").contains("force_direct"));
+}
+
+TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
+  const auto fault = [this](bool checked) {
+    try {
+      static_cast<void>(report_json({folder_.path()}, {.checked = checked}));
+      return std::string();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::file);
+      return std::string(error.what()).substr(folder_.path().string().size());
+    }
+  };
+  const std::string whole = folder_.read("sweep.nc");
+  folder_.write("sweep.nc", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(fault(true).find("/sweep.nc: is damaged: it has "), 0U);
+  EXPECT_EQ(fault(false).find("/sweep.nc: "), 0U);
+  for (const ResultFile& file : sweep_files(sweep_, points_, {})) {
+    if (file.name == "sweep.nc") folder_.write(file.name, file.contents);
+  }
+  EXPECT_EQ(fault(false).find("/summary.json: run_id: is not that of sweep.nc beside it"), 0U);
 }
 
 /// Points of a strip differ in how many cycles they have, and in how many increments.

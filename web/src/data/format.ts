@@ -6,25 +6,52 @@ export interface ReportData {
   commit: string;
   /** Tables and keys of the case file by their paths. */
   keys: CaseKeys;
-  runs: RunData[];
+  runs: ResultData[];
 }
 
 export type CaseKeys = Record<string, { title: string; unit?: string }>;
 
-export interface RunData {
-  /** Tells the run from the others of the report. */
+/** Of one folder; what else there is depends on the kind. */
+export interface ResultData {
+  /** Tells it from the others of the report. */
   name: string;
+  /** The command that wrote it. */
   kind: string;
   attributes: Record<string, string>;
+  summary: SummaryHead;
+  /** What tables show, in their order. */
+  quantities: Quantity[];
+}
+
+/** Cycles, increment by increment. */
+export interface RunData extends ResultData {
   summary: Summary;
   /** What the variables of cycles and increments are, in the words of result.nc. */
   meanings: Record<string, Meaning>;
   geometry: Record<string, number | null | (number | null)[]>;
   nodes: { bump: number; foot: number };
   last_increment: number;
-  /** What tables show of the summary, in their order. */
-  quantities: Quantity[];
   cycles: CycleData[];
+}
+
+/** Numbers over some dimensions. */
+export interface GridData extends ResultData {
+  /** Their sizes. */
+  dimensions: Record<string, number>;
+  variables: Record<string, VariableData>;
+  /** Names of variables that were too large. */
+  left_out: string[];
+}
+
+export interface VariableData {
+  /** The last runs fastest. */
+  dims: string[];
+  unit: string;
+  text: string;
+  /** What 0, 1, ... stand for, with spaces between; empty for numbers. */
+  words: string;
+  /** Base64 of binary32. */
+  values: string;
 }
 
 export interface Meaning {
@@ -64,12 +91,15 @@ export interface CycleData {
 
 export type CaseValue = string | number | boolean | null | CaseValue[] | { [key: string]: CaseValue };
 
-export interface Summary {
+export interface SummaryHead {
   case: { [key: string]: CaseValue };
   version: string;
   commit: string;
   solver: string;
   status: string;
+}
+
+export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
 }
 

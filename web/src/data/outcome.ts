@@ -1,5 +1,6 @@
 /** How runs and their cycles ended, in words. */
-import type { CycleSummary } from './format';
+import type { CycleSummary, GridData } from './format';
+import type { Result } from './result';
 import { at, type Cycle, type Run } from './run';
 import { formatQuantity } from './units';
 
@@ -20,10 +21,12 @@ export function shortfallOf(run: Run, cycle: Cycle): string | undefined {
   return `failed at increment ${failed} of ${lastIncrement}${where}${why}`;
 }
 
-/** "interrupted", "failed"; empty for complete runs. */
-export function outcomeOf(run: Run): string {
-  const { status } = run.data.summary;
-  return status === 'complete' ? '' : status;
+/** What keeps the cycles of a run from being complete. */
+export function shortfallsOf(run: Run): string[] {
+  return run.cycles.flatMap((cycle) => {
+    const shortfall = shortfallOf(run, cycle);
+    return shortfall === undefined ? [] : [`${cycle.name}: ${shortfall}`];
+  });
 }
 
 /** Where the answer leaves what the model is valid for; of version 0.1 only whether a foil yields. */
@@ -34,11 +37,22 @@ function ownWarnings(summary: CycleSummary): string[] {
     .map((foil) => `the bending stress of the ${foil} exceeds its yield stress`);
 }
 
+/** That results are not all there. */
+export function partialWarning({ outcome }: Result): string[] {
+  return outcome === '' ? [] : [`The run ${outcome === 'failed' ? 'failed' : 'was interrupted'}; its results are partial.`];
+}
+
+/** What readers should mind about results that are no cycles: their files say it. */
+export function gridWarnings(result: Result<GridData>): string[] {
+  const told = [result.attribute('status_message'), ...result.attribute('warnings').split('\n')];
+  const { left_out: leftOut } = result.data;
+  const missing = leftOut.length === 0 ? [] : [`Too large for a report, and left out: ${leftOut.join(', ')}.`];
+  return [...partialWarning(result), ...told.filter((text) => text !== '').map((text) => `${text}.`), ...missing];
+}
+
 /** What readers should mind about a run. */
 export function warningsOf(run: Run): string[] {
-  const warnings: string[] = [];
-  const outcome = outcomeOf(run);
-  if (outcome !== '') warnings.push(`The run ${outcome === 'failed' ? 'failed' : 'was interrupted'}; its results are partial.`);
+  const warnings = partialWarning(run);
   for (const cycle of run.cycles) {
     const { name, size, summary, increments } = cycle;
     const shortfall = shortfallOf(run, cycle);

@@ -1,7 +1,8 @@
 import { quantitiesOf, withClearances } from './clearances';
 import { kinds, type Kind } from './kinds';
 import { decodeFlags, decodeNumbers } from './decode';
-import type { CycleSummary, CycleData, Quantity, ReportData, RunData } from './format';
+import type { CycleSummary, CycleData, Quantity, RunData } from './format';
+import { Result } from './result';
 
 /** States of a contact, in the order of their flags. */
 export const contactStates = ['open', 'stick', 'slip forward', 'slip backward'] as const;
@@ -151,14 +152,15 @@ export function capital(word: string): string {
   return word.slice(0, 1).toUpperCase() + word.slice(1);
 }
 
-/** The results of one folder. */
-export class Run {
+/** Cycles of one folder. */
+export class Run extends Result<RunData> {
   readonly kind: Kind;
   readonly cycles: Cycle[];
   /** What tables show of a cycle, in their order. */
   readonly quantities: Quantity[];
 
-  constructor(readonly data: RunData) {
+  constructor(data: RunData) {
+    super(data);
     const kind = kinds[data.kind];
     if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
     this.kind = kind;
@@ -185,21 +187,12 @@ export class Run {
     return [...upper, { name: 'bump_sleeve', title: `Feet on ${ground}`, node: 'foot' }];
   }
 
-  /** Tells the run from the others of the report. */
-  get label(): string {
-    return this.data.name;
-  }
-
   get bumps(): number {
     return this.data.nodes.bump;
   }
 
   get feet(): number {
     return this.data.nodes.foot;
-  }
-
-  attribute(name: string): string {
-    return this.data.attributes[name] ?? '';
   }
 
   /** A number of the geometry; 0 where it is not known. */
@@ -217,10 +210,6 @@ export class Run {
   cycle(key: number): Cycle | undefined {
     return this.cycles.find((cycle) => cycle.key === key);
   }
-}
-
-export function readRuns(report: ReportData): Run[] {
-  return report.runs.map((run) => new Run(run));
 }
 
 /** Keys of the cycles of all runs, each once, in their order. */

@@ -1,16 +1,32 @@
 import { flatten, groupOf, valueText } from '../data/case_values';
-import type { Run } from '../data/run';
 import type { CaseKeys } from '../data/format';
+import type { Result } from '../data/result';
 import { toCsv } from '../data/csv';
-import { shortfallOf } from '../data/outcome';
-import type { Comparison } from '../ui/comparison';
 import { el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 
-/** The cases of the runs in focus as the program understood them; where the runs shown differ, the line is marked. */
-function tables(comparison: Comparison, caseKeys: CaseKeys): HTMLElement[] {
-  const { several, focus, shown } = comparison;
+/** Results whose cases stand side by side. */
+export interface ComparedCases {
+  several: boolean;
+  /** Whose cases are shown. */
+  focus: Result[];
+  /** All that are compared. */
+  shown: Result[];
+  names: string;
+  onChange(listener: () => void): void;
+}
+
+/** What else there is to say. */
+export interface CaseWords {
+  /** What keeps a result from being complete. */
+  shortfalls(result: Result): string[];
+  /** Of the cases that are shown. */
+  note: string;
+}
+
+/** The cases of the results in focus as the program understood them; where those shown differ, the line is marked. */
+function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): HTMLElement[] {
   const cases = new Map(shown.map((run) => [run, flatten(run.data.summary.case)]));
   const tables: HTMLElement[] = [];
   let group: string | undefined;
@@ -26,7 +42,7 @@ function tables(comparison: Comparison, caseKeys: CaseKeys): HTMLElement[] {
         ),
       );
     }
-    const text = (run: Run): string => valueText(cases.get(run)?.get(key), caseKeys[key]?.unit ?? '');
+    const text = (run: Result): string => valueText(cases.get(run)?.get(key), caseKeys[key]?.unit ?? '');
     const differs = new Set(shown.map(text)).size > 1;
     tables[tables.length - 1]?.append(
       el(
@@ -40,11 +56,11 @@ function tables(comparison: Comparison, caseKeys: CaseKeys): HTMLElement[] {
   return tables;
 }
 
-function keysOf(runs: Run[]): string[] {
+function keysOf(runs: Result[]): string[] {
   return [...new Set(runs.flatMap((run) => [...flatten(run.data.summary.case).keys()]))].filter((key) => key !== 'title');
 }
 
-function csv(runs: Run[]): string {
+function csv(runs: Result[]): string {
   const cases = runs.map((run) => flatten(run.data.summary.case));
   return toCsv(
     ['key', ...runs.map((run) => run.label)],
@@ -59,11 +75,7 @@ function csv(runs: Run[]): string {
 }
 
 /** Where a run comes from, and how it ended. */
-function provenance(run: Run): HTMLElement {
-  const shortfalls = run.cycles.flatMap((cycle) => {
-    const shortfall = shortfallOf(run, cycle);
-    return shortfall === undefined ? [] : [`${cycle.name}: ${shortfall}`];
-  });
+function provenance(run: Result, shortfalls: string[]): HTMLElement {
   const rows: [string, string][] = [
     ['Made by', run.attribute('source')],
     ['On', run.attribute('date_created')],
@@ -86,16 +98,15 @@ function provenance(run: Run): HTMLElement {
   );
 }
 
-/** The case and the origin of the runs in focus. */
-export function caseSection(comparison: Comparison, caseKeys: CaseKeys): HTMLElement {
+/** The case and the origin of the results in focus. */
+export function caseSection(comparison: ComparedCases, caseKeys: CaseKeys, words: CaseWords): HTMLElement {
   const { several } = comparison;
   const place = el('div', { class: several ? 'scroller' : 'groups', tabindex: 0, role: 'group', 'aria-label': 'The case' });
   const origins = el('div', { class: 'multiples' });
   const panel = new Panel(
     {
       title: 'Case',
-      ...(several ? { note: 'Lines in which the runs differ are marked.' } : {}),
-      subject: () => comparison.names,
+      subject: () => [comparison.names, words.note].filter((text) => text !== '').join(' · '),
       file: () => fileName('case', comparison.names),
       csv: () => csv(comparison.shown),
     },
@@ -104,7 +115,7 @@ export function caseSection(comparison: Comparison, caseKeys: CaseKeys): HTMLEle
   const fill = (): void => {
     panel.refresh();
     place.replaceChildren(...tables(comparison, caseKeys));
-    origins.replaceChildren(...comparison.focus.map(provenance));
+    origins.replaceChildren(...comparison.focus.map((run) => provenance(run, words.shortfalls(run))));
   };
   comparison.onChange(fill);
   fill();

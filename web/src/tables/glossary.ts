@@ -1,8 +1,10 @@
 /** What the quantities are: beside each where it stands, and all of them at the end. */
+import type { Quantity } from '../data/format';
 import { capital, type Run } from '../data/run';
 import { el } from '../ui/dom';
 
-interface Entry {
+/** A quantity and what it is. */
+export interface Entry {
   name: string;
   label: string;
   unit: string;
@@ -43,26 +45,35 @@ export function term(name: string, label: string, meaning: string): HTMLElement 
   return el('a', { class: 'term', href: `#${anchorOf(name)}`, title: `${capital(meaning)}.` }, capital(label));
 }
 
-function entriesOf(runs: Run[]): Entry[] {
-  const entries = new Map<string, Entry>();
-  const add = (entry: Entry): void => {
-    const key = `${entry.name} ${entry.label}`;
-    if (entry.text !== '' && !entries.has(key)) entries.set(key, entry);
-  };
-  for (const { data, quantities } of runs) {
-    for (const { name, label, unit, meaning } of quantities) add({ name, label, unit, text: meaning });
-    for (const [name, label] of Object.entries(drawn)) {
+export function entryOf({ name, label, unit, meaning }: Quantity): Entry {
+  return { name, label, unit, text: meaning };
+}
+
+/** Of the quantities of runs, and of what is drawn of them. */
+export function entriesOf(runs: Run[]): Entry[] {
+  return runs.flatMap(({ data, quantities }) => [
+    ...quantities.map(entryOf),
+    ...Object.entries(drawn).flatMap(([name, label]) => {
       const meaning = data.meanings[name];
-      if (meaning) add({ name, label, unit: meaning.unit, text: meaning.text });
-    }
+      return meaning ? [{ name, label, unit: meaning.unit, text: meaning.text }] : [];
+    }),
+  ]);
+}
+
+/** Each once, in the order of their labels. */
+function sorted(entries: Entry[]): Entry[] {
+  const each = new Map<string, Entry>();
+  for (const entry of entries) {
+    const key = `${entry.name} ${entry.label}`;
+    if (entry.text !== '' && !each.has(key)) each.set(key, entry);
   }
-  return [...entries.values()].sort((a, b) => a.label.localeCompare(b.label));
+  return [...each.values()].sort((a, b) => a.label.localeCompare(b.label));
 }
 
 /** Every quantity of the report with its definition, as the results carry it. */
-export function glossary(runs: Run[]): HTMLElement {
+export function glossary(entries: Entry[]): HTMLElement {
   const ids = new Set<string>();
-  const list = entriesOf(runs).map(({ name, label, unit, text }) => {
+  const list = sorted(entries).map(({ name, label, unit, text }) => {
     const id = anchorOf(name);
     const first = !ids.has(id);
     ids.add(id);

@@ -1,5 +1,4 @@
 import { valueText } from '../data/case_values';
-import { outcomeOf } from '../data/outcome';
 import type { Run } from '../data/run';
 import { nameOf } from '../charts/curves';
 import type { Comparison } from '../ui/comparison';
@@ -44,7 +43,7 @@ export function runChooser(comparison: Comparison): HTMLElement {
   const matching = (): typeof boxes => {
     const words = search.value.toLowerCase().split(/\s+/);
     return boxes.filter(({ run }) => {
-      const text = `${run.label} ${run.data.summary.solver} ${familyText(comparison, run)} ${outcomeOf(run)}`.toLowerCase();
+      const text = `${run.label} ${run.data.summary.solver} ${familyText(comparison, run)} ${run.outcome}`.toLowerCase();
       return words.every((word) => text.includes(word));
     });
   };
@@ -67,7 +66,7 @@ export function runChooser(comparison: Comparison): HTMLElement {
     for (const { run, box, colour, words } of boxes) {
       box.checked = comparison.isShown(run);
       colour.style.backgroundColor = comparison.colour(run, look());
-      words.textContent = [nameOf(comparison, run), familyText(comparison, run), outcomeOf(run)].filter((text) => text !== '').join(' · ');
+      words.textContent = [nameOf(comparison, run), familyText(comparison, run), run.outcome].filter((text) => text !== '').join(' · ');
     }
     scalePlace.replaceChildren(...scale(comparison));
     tell();

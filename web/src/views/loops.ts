@@ -6,15 +6,18 @@ import { loadSection } from '../charts/loads';
 import { LoopPanel } from '../charts/loops';
 import { StatePanel } from '../charts/states';
 import { sweptKeys } from '../data/case_values';
-import type { CaseKeys } from '../data/format';
-import { allKeys, at, type Run } from '../data/run';
+import type { CaseKeys, ResultData, RunData } from '../data/format';
+import { shortfallsOf, warningsOf } from '../data/outcome';
+import { allKeys, at, Run } from '../data/run';
 import { caseSection } from '../tables/case';
+import { entriesOf } from '../tables/glossary';
 import { resultTable } from '../tables/results';
 import { Comparison } from '../ui/comparison';
 import { el, tickBox } from '../ui/dom';
 import { Selection } from '../ui/selection';
 import { cards } from './cards';
 import { runChooser } from './chooser';
+import { part as section, type View } from './view';
 
 /** The cycles of one run in one chart; of several in one for each direction, in the same axes. */
 function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
@@ -36,28 +39,37 @@ function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
   );
 }
 
-/**
- * Sections of the report on cycles, of a bearing or of a strip, and the bar that moves along them.
- * @param alone  whether there is no other view, from whose sections these are to be told
- */
-export function loopView(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLElement[] {
+/** Cycles, of a bearing or of a strip; runs of one kind are compared. */
+export function loopView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
+  const runs = results.map((data) => new Run(data as RunData));
+  return {
+    sections: sectionsOf(runs, caseKeys, alone),
+    warnings: runs.map((run) => warningsOf(run)),
+    entries: entriesOf(runs),
+  };
+}
+
+/** Sections on cycles, and the bar that moves along them. */
+function sectionsOf(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLElement[] {
   const { kind, data } = at(runs, 0);
   const keys = allKeys(runs);
   const selection = new Selection(runs);
   const comparison = new Comparison(selection, runs.length > 1 ? sweptKeys(runs, caseKeys) : []);
   const part = (name: string, title: string, ...children: Node[]): HTMLElement =>
-    el('section', { id: `${data.kind}-${name}`, class: 'part', 'aria-labelledby': `${data.kind}-${name}-title` },
-      el('h2', { id: `${data.kind}-${name}-title` }, alone || name === 'loops' ? title : `${title}, ${kind.name}`), ...children);
+    section(`${data.kind}-${name}`, alone || name === 'loops' ? title : `${title}, ${kind.name}`, ...children);
   const ends = [
     part('results', 'Results', resultTable(comparison, keys)),
-    part('case', 'Case and origin', caseSection(comparison, caseKeys)),
+    part('case', 'Case and origin', caseSection(comparison, caseKeys, {
+    shortfalls: (run) => shortfallsOf(run as Run),
+    note: comparison.several ? 'Lines in which the runs differ are marked.' : '',
+  })),
   ];
   const begun = keys.filter((key) => runs.some((run) => (run.cycle(key)?.size ?? 0) > 0));
   if (begun.length === 0) return ends;
   const named = begun.map((key) => ({ key, name: kind.cycles.name(key) }));
   const cycles = loopPanels(comparison, begun);
   const bearing = new BearingPanels(selection);
-  const section = stresses(comparison.shownLoops);
+  const stress = stresses(comparison.shownLoops);
   const sameAxes = comparison.several
     ? []
     : [el('div', { class: 'tools' }, tickBox('Same axes in compared charts', true, (same) => comparison.set({ ownAxes: !same })))];
@@ -79,7 +91,7 @@ export function loopView(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLE
     part('loads', 'Bump loads', ...sameAxes, loadSection(named, comparison)),
     part('contacts', 'Contacts', new StatePanel(selection).root),
     part('energies', 'Energies along the path', pathSection(energies, named, comparison)),
-    ...(section.quantities.length > 0 ? [part('stresses', 'Stress along the path', pathSection(section, named, comparison))] : []),
+    ...(stress.quantities.length > 0 ? [part('stresses', 'Stress along the path', pathSection(stress, named, comparison))] : []),
     ...ends,
   ];
 }

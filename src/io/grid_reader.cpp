@@ -1,0 +1,68 @@
+#include "io/grid_reader.hpp"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/base64.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Not as a whole number: damaged files declare any.
+double size_of(const StoredVariable& variable) {
+  return std::accumulate(variable.extents.begin(), variable.extents.end(), 1.0, std::multiplies<>());
+}
+
+/// As few of the largest as it takes are left out, and with them those of the same size: one coordinate of a loop says
+/// nothing without the other.
+std::vector<const StoredVariable*> those_that_fit(const NetcdfImage& file, std::size_t most_values) {
+  std::vector<const StoredVariable*> variables;
+  for (const auto& [name, variable] : file.variables()) variables.push_back(&variable);
+  std::stable_sort(variables.begin(), variables.end(),
+                   [](const StoredVariable* a, const StoredVariable* b) { return size_of(*a) < size_of(*b); });
+  double values = 0.0;
+  const auto too_many = [&](const StoredVariable* variable) {
+    values += size_of(*variable);
+    return values > static_cast<double>(most_values);
+  };
+  const auto last = std::find_if(variables.begin(), variables.end(), too_many);
+  if (last == variables.end()) return variables;
+  const auto as_large = [size = size_of(**last)](const StoredVariable* variable) { return size_of(*variable) >= size; };
+  variables.erase(std::find_if(variables.begin(), variables.end(), as_large), variables.end());
+  return variables;
+}
+
+Json variable_json(const NetcdfImage& file, const StoredVariable& variable) {
+  return {{"dims", variable.dims},
+          {"unit", variable.units == "1" ? "" : variable.units},
+          {"text", variable.long_name},
+          {"words", variable.flag_meanings},
+          {"values", base64_of(file.numbers(variable))}};
+}
+
+}  // namespace
+
+Json read_grid(const NetcdfImage& file, std::size_t most_values) {
+  Json variables = Json::object();
+  Json dimensions = Json::object();
+  for (const StoredVariable* variable : those_that_fit(file, most_values)) {
+    variables[variable->name] = variable_json(file, *variable);
+    for (std::size_t i = 0; i < variable->dims.size(); ++i) dimensions[variable->dims[i]] = variable->extents[i];
+  }
+  Json left_out = Json::array();
+  for (const auto& [name, variable] : file.variables()) {
+    if (!variables.contains(name)) left_out.push_back(name);
+  }
+  return {{"dimensions", dimensions}, {"variables", variables}, {"left_out", left_out}};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,220 @@
+// Reports of sweeps in a browser: charts, loops and tables show the numbers of sweep.csv, points are chosen and searched.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { assertFits, axeFindings, caseFile, folder, near, paper, print, quantity, report, rowsOf, run, saved, stripFile, withReport } from './support.mjs';
+
+const hostileTitle = '</script><img src="x" onerror="alert(1)"> & <b>bold</b>';
+/** In the order of sweep.nc. */
+const directions = ['+X', '+Y', '−X', '−Y'];
+
+function sweep(name, file, keys, rest = [], exitCode = 0) {
+  return run(['sweep', file, '-o', join(folder, name), ...keys.flatMap((key) => ['--over', key]), ...rest], exitCode);
+}
+
+before(() => {
+  sweep('grid', caseFile, ['cycle.amplitude=60 um:90 um:10 um', 'friction.coefficient=[0, 0.1, 0.3]'], ['--set', 'cycle.steps=20', '--set', `title=${JSON.stringify(hostileTitle)}`]);
+  sweep('friction', caseFile, ['friction.coefficient=0:0.5:0.05'], ['--set', 'cycle.steps=20']);
+  sweep('strips', stripFile, ['strip.displacement=5 um:25 um:5 um'], ['--command', 'strip']);
+  report('grid.html', 'grid');
+  report('friction.html', 'friction');
+  report('strips.html', 'strips');
+  report('both.html', 'grid', 'friction');
+});
+
+function rowsIn(name) {
+  return rowsOf(readFileSync(join(folder, name, 'sweep.csv'), 'utf8'));
+}
+
+/** Point by point, and in each by direction, as sweep.nc and the page have them. */
+function sortedRowsIn(name) {
+  const count = directions.length;
+  return rowsIn(name)
+    .map((row, i) => ({ row, point: Math.floor(i / count) }))
+    .sort((a, b) => a.point - b.point || a.row.direction_deg - b.row.direction_deg)
+    .map(({ row }) => row);
+}
+
+const over = 'Quantity over key';
+const quantityChooser = (page) => page.getByRole('combobox', { name: `Quantity: ${over}` });
+const chooser = (page, name) => page.getByRole('combobox', { name: `${name} looked at` });
+
+test('the chart shows the quantity chosen over the key, a line for each value of the other', () =>
+  withReport('grid.html', async (page) => {
+    assert.equal(await page.locator('h1').textContent(), hostileTitle);
+    for (const [text, key] of [['Loaded stiffness', 'loaded_stiffness_N_per_m'], ['Loss factor', 'loss_factor'], ['Clearance at 5 N', 'clearance_5N_m']]) {
+      await quantityChooser(page).selectOption(text);
+      await chooser(page, 'Direction').selectOption('+Y');
+      const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString());
+      const expected = rowsIn('grid').filter((row) => Number(row.direction_deg) === 90);
+      assert.equal(shown.length, expected.length, text);
+      for (const row of shown) {
+        const same = expected.find((one) => Math.abs(one.cycle_amplitude_m - row.cycle_amplitude_m) < 1e-9 && Math.abs(one.friction_coefficient - row.friction_coefficient) < 1e-6);
+        near(Number(row[key]), Number(same[key]), 1e-6, `${text} at ${JSON.stringify(row)}`);
+      }
+      const chart = page.getByRole('region', { name: over }).locator('.chart');
+      assert.match(await chart.getAttribute('aria-label'), new RegExp(`^${text} over Cycle: Amplitude · \\+Y · grid: .*coefficients 0\\.3 from`));
+    }
+    // Over the other key the lines change places.
+    await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Coefficients of friction: Both coefficients');
+    assert.equal(await page.getByRole('combobox', { name: 'Lines' }).inputValue(), 'Cycle: Amplitude');
+    const legend = await page.getByRole('region', { name: over }).locator('.legend li').allTextContents();
+    assert.deepEqual(legend, [60, 70, 80, 90].map((size) => `Amplitude ${size} µm`));
+    await page.getByRole('combobox', { name: 'Lines' }).selectOption('Direction');
+    assert.deepEqual(await page.getByRole('region', { name: over }).locator('.legend li').allTextContents(), directions);
+  }));
+
+test('a click on a point looks at it, and its loop is the thick one', () =>
+  withReport('grid.html', async (page) => {
+    const panel = page.getByRole('region', { name: over });
+    const loops = page.getByRole('region', { name: 'Loops' });
+    const mark = panel.locator('.cursor.point');
+    await chooser(page, 'Amplitude').selectOption('70 µm');
+    await chooser(page, 'Both coefficients').selectOption('0.3');
+    const there = await mark.boundingBox();
+    const subject = await loops.locator('.subject').textContent();
+    assert.equal(subject, 'Direct force over displacement · Both coefficients 0.3, +X · thick: Amplitude 70 µm · grid');
+    await chooser(page, 'Amplitude').selectOption('90 µm');
+    await chooser(page, 'Both coefficients').selectOption('0');
+    assert.notDeepEqual(await mark.boundingBox(), there);
+    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    assert.equal(await loops.locator('.subject').textContent(), subject);
+    assert.deepEqual(await mark.boundingBox(), there);
+    await page.mouse.move(there.x + there.width / 2 + 2, there.y + there.height / 2);
+    const tip = await panel.locator('.tip').textContent();
+    const row = rowsIn('grid').find((one) => one.direction_deg === '0' && Math.abs(one.cycle_amplitude_m - 7e-5) < 1e-9 && Number(one.friction_coefficient) > 0.25);
+    near(quantity(tip.split('Loaded stiffness').pop(), 'N/m'), Number(row.loaded_stiffness_N_per_m), 1e-3, tip);
+    const widths = await loops.locator('.plot path[fill=none]').evaluateAll((paths) => paths.map((path) => Number(path.getAttribute('stroke-width'))));
+    assert.equal(widths.filter((width) => width === 3).length, 1);
+    assert.equal(widths.filter((width) => width === 1.3).length, 3);
+  }));
+
+test('the loops are those of single runs', async () => {
+  run(['cycle', caseFile, '-o', join(folder, 'single'), '--set', 'cycle.steps=20', '--set', 'friction.coefficient=0.35']);
+  await withReport('friction.html', async (page) => {
+    await chooser(page, 'Direction').selectOption('−Y');
+    const shown = rowsOf((await saved(page, 'Loops', /CSV/)).bytes.toString()).filter((row) => Math.abs(row.friction_coefficient - 0.35) < 1e-6);
+    const single = rowsOf(readFileSync(join(folder, 'single', 'cycle.csv'), 'utf8')).filter((row) => Number(row.direction_deg) === 270);
+    assert.equal(shown.length, single.length);
+    shown.forEach((row, i) => {
+      // Against a newton and a micrometre.
+      for (const [name, floor] of [['displacement_m', 1e-12], ['force_direct_N', 1e-6]]) {
+        assert.ok(Math.abs(row[name] - single[i][name]) <= 6e-7 * Math.abs(single[i][name]) + floor, `${name} of row ${i}`);
+      }
+    });
+    // A family of eleven has a scale of colours.
+    assert.deepEqual(await page.getByRole('region', { name: 'Loops' }).locator('.legend li').allTextContents(), ['Coefficients of friction: Both coefficients: 0 to 0.5']);
+  });
+});
+
+test('the table has every point with units and definitions, and is searched', () =>
+  withReport('grid.html', async (page) => {
+    const table = page.getByRole('region', { name: 'Results by point' });
+    const rows = table.locator('tbody tr');
+    const expected = sortedRowsIn('grid');
+    assert.equal(await rows.count(), expected.length);
+    const heads = await table.locator('thead th').allTextContents();
+    const column = heads.findIndex((head) => head.startsWith('Maximum force'));
+    const unit = heads[column].split(' ').pop();
+    const shown = await rows.evaluateAll((all, i) => all.map((row) => row.children[i].textContent), column);
+    shown.forEach((text, i) => near(quantity(`${text} ${unit}`, 'N'), Number(expected[i].max_force_N), 1e-3, `row ${i}`));
+    assert.equal(await table.locator('thead a', { hasText: 'Loss factor' }).getAttribute('title'), await page.locator('#word-loss_factor dd').textContent());
+    await page.getByRole('searchbox', { name: 'Search rows' }).fill('70 µm 0.3 -y');
+    assert.deepEqual(await rows.locator('th').allTextContents(), ['70 µm', '0.3', '−Y']);
+    assert.match(await table.locator('.count').textContent(), /^1 of 48 shown/);
+    assert.equal(await table.locator('thead th', { hasText: 'Linear solves' }).count(), 0);
+    await table.getByRole('button', { name: 'All' }).click();
+    assert.equal(await table.locator('thead th', { hasText: 'Linear solves' }).count(), 1);
+    assert.equal(await rows.count(), 1);
+    const all = rowsOf((await saved(page, 'Results by point', /CSV/)).bytes.toString());
+    near(Number(all[47].loop_energy_J), Number(expected[47].loop_energy_J), 1e-6, 'saved');
+    assert.equal(all[47].status, 'converged');
+  }));
+
+test('the case of a sweep says that it is that of its first point', () =>
+  withReport('grid.html', async (page) => {
+    assert.match(
+      await page.getByRole('region', { name: 'Case', exact: true }).locator('.subject').textContent(),
+      /The case of the first point\. Swept: Cycle: Amplitude 60 µm, 70 µm, 80 µm, 90 µm; Coefficients of friction: Both coefficients 0, 0\.1, 0\.3\./,
+    );
+    // An eighth of the rise is passed at 90 µm.
+    assert.match(await page.locator('.warnings').textContent(), /cycle\.amplitude=90 um, friction\.coefficient=0: \+X: bump \d+ is compressed by/);
+  }));
+
+test('points that failed leave gaps and are told', async () => {
+  // The last of them no bumps can carry.
+  sweep('failed', caseFile, ['cycle.load=[100 N, 200 N, 100 kN]'], ['--set', 'cycle.steps=5'], 3);
+  report('failed.html', 'failed');
+  await withReport('failed.html', async (page) => {
+    const warnings = await page.locator('.warnings').textContent();
+    assert.match(warnings, /The run failed; its results are partial.*1 of 3 points failed: cycle\.load=100 kN: \+X, increment 1 of 10, .*: the load is not met/);
+    assert.match(await page.locator('.about').textContent(), /· failed ·/);
+    const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString()).filter((row) => row.direction === '+X');
+    assert.deepEqual(shown.map((row) => row.loaded_stiffness_N_per_m === ''), [false, false, true]);
+    await page.getByRole('searchbox', { name: 'Search rows' }).fill('load out of reach');
+    assert.deepEqual(await page.locator('.points tbody tr').evaluateAll((rows) => rows.map((row) => row.children[0].textContent)), Array(4).fill('100 kN'));
+    assert.match(await page.locator('.points tbody td').first().textContent(), /^–$/);
+    // The chart is that of what there is.
+    assert.doesNotMatch(await page.locator('.plot').first().innerHTML(), /NaN/);
+  });
+});
+
+test('strips and several sweeps have sections of their own', async () => {
+  await withReport('strips.html', async (page) => {
+    await page.getByRole('combobox', { name: 'Cycle looked at' }).selectOption('Cycle 2');
+    const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString()).filter((row) => row.cycle === 'Cycle 2');
+    const expected = rowsIn('strips').filter((row) => row.cycle === '2');
+    assert.equal(shown.length, 5);
+    shown.forEach((row, i) => near(Number(row.loaded_stiffness_N_per_m), Number(expected[i].loaded_stiffness_N_per_m), 1e-6, `row ${i}`));
+  });
+  await withReport('both.html', async (page) => {
+    assert.deepEqual(await page.locator('nav a').allTextContents(), [
+      'Sweep, grid', 'Points, grid', 'Case and origin, grid', 'Sweep, friction', 'Points, friction', 'Case and origin, friction', 'Glossary',
+    ]);
+    assert.match(await page.locator('.warnings').textContent(), /grid: cycle\.amplitude=90 um/);
+  });
+});
+
+test('saved pictures say what they are of', () =>
+  withReport('grid.html', async (page) => {
+    for (const [panel, name, texts] of [
+      [over, 'Loaded_stiffness-grid.svg', [over, 'Loaded stiffness over Cycle: Amplitude', 'Both coefficients 0.3', '+X']],
+      ['Loops', 'loops-force_direct-grid.svg', ['Direct force over displacement', 'thick: Amplitude 90 µm', 'Amplitude 60 µm']],
+    ]) {
+      const picture = await saved(page, panel, /SVG/);
+      assert.equal(picture.name, name);
+      const words = picture.bytes.toString().replace(/<[^>]*>/g, ' ').replace(/\s+/g, ' ');
+      for (const text of texts) assert.ok(words.includes(text), `${panel} does not say ${text}: ${words.slice(0, 400)}`);
+      assert.doesNotMatch(words, /NaN|undefined/);
+    }
+  }));
+
+test('the keyboard reaches every choice', () =>
+  withReport('grid.html', async (page) => {
+    const controls = page.getByRole('group', { name: 'What is shown' }).locator('select');
+    assert.equal(await controls.count(), 5);
+    await controls.first().focus();
+    for (let i = 1; i < 5; i += 1) await page.keyboard.press('Tab');
+    const before = await page.getByRole('region', { name: 'Loops' }).locator('.subject').textContent();
+    await page.keyboard.press('ArrowDown');
+    assert.notEqual(await page.getByRole('region', { name: 'Loops' }).locator('.subject').textContent(), before);
+  }));
+
+test('axe finds nothing serious, and the page fits screens and paper', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    await withReport('both.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
+  }
+  await withReport('both.html', assertFits);
+  await withReport('grid.html', async (page) => {
+    await print(page);
+    for (const panel of await page.locator('.panel', { has: page.locator('.chart') }).all()) {
+      const { height, width } = await panel.boundingBox();
+      assert.ok(height < paper.height - 60 && width <= paper.width);
+    }
+    const [table, room] = await Promise.all(['.points .results', '.points'].map((one) => page.locator(one).boundingBox()));
+    assert.ok(table.width <= room.width + 1, `${table.width} in ${room.width}`);
+    assert.equal(await page.locator('.save, .control, input').evaluateAll((all) => all.filter((one) => one.getClientRects().length > 0).length), 0);
+  });
+});

@@ -1,0 +1,115 @@
+import { decodeNumbers } from './decode';
+import type { GridData, VariableData } from './format';
+import { Result } from './result';
+import { scaleFor, type Scale } from './units';
+
+/** Index along each dimension, by its name. */
+export type Place = Readonly<Record<string, number>>;
+
+/** Numbers over some dimensions. */
+export class Variable {
+  private numbers: Float32Array | undefined;
+
+  constructor(
+    readonly name: string,
+    private readonly data: VariableData,
+    private readonly extents: number[],
+  ) {}
+
+  get unit(): string {
+    return this.data.unit;
+  }
+
+  /** What it is. */
+  get text(): string {
+    return this.data.text;
+  }
+
+  /** What 0, 1, ... stand for; none for numbers. */
+  get words(): string[] {
+    return this.data.words === '' ? [] : this.data.words.split(' ');
+  }
+
+  get values(): Float32Array {
+    return (this.numbers ??= decodeNumbers(this.data.values));
+  }
+
+  /** Its dimensions, the last running fastest. */
+  get dims(): string[] {
+    return this.data.dims;
+  }
+
+  has(dimension: string): boolean {
+    return this.dims.includes(dimension);
+  }
+
+  private offset(place: Place, dims: string[]): number {
+    return dims.reduce((offset, dim, i) => offset * (this.extents[i] ?? 1) + (place[dim] ?? 0), 0);
+  }
+
+  /** NaN where it is not known. */
+  at(place: Place): number {
+    return this.values[this.offset(place, this.dims)] ?? NaN;
+  }
+
+  /** What is known along its last dimension: from the first on, up to what is absent. */
+  along(place: Place): number[] {
+    const { dims } = this;
+    const length = this.extents[dims.length - 1] ?? 1;
+    const first = this.offset(place, dims.slice(0, -1)) * length;
+    const row = [...this.values.subarray(first, first + length)];
+    const end = row.findIndex(Number.isNaN);
+    return end < 0 ? row : row.slice(0, end);
+  }
+}
+
+/** Results over coordinates: the keys of a sweep, the loads and amplitudes of vibrations. */
+export class Grid extends Result<GridData> {
+  private readonly variables = new Map<string, Variable>();
+
+  constructor(data: GridData) {
+    super(data);
+    for (const [name, one] of Object.entries(data.variables)) {
+      this.variables.set(name, new Variable(name, one, one.dims.map((dim) => this.size(dim))));
+    }
+  }
+
+  size(dimension: string): number {
+    return this.data.dimensions[dimension] ?? 0;
+  }
+
+  variable(name: string): Variable | undefined {
+    return this.variables.get(name);
+  }
+}
+
+/** A dimension that results are chosen along. */
+export interface Coordinate {
+  name: string;
+  title: string;
+  /** One for each index, as people write them. */
+  texts: string[];
+  /** What they are on an axis, SI, where they lie on one: directions do not. */
+  numbers?: number[];
+  unit: string;
+}
+
+/** Places of all combinations of their values, the last fastest. */
+export function placesOf(coordinates: Coordinate[]): Place[] {
+  return coordinates.reduce<Place[]>(
+    (places, { name, texts }) => places.flatMap((place) => texts.map((_, i) => ({ ...place, [name]: i }))),
+    [{}],
+  );
+}
+
+/** As an axis shows them: radians in degrees. */
+export function axisScale({ numbers = [], unit }: Coordinate): Scale {
+  if (unit === 'rad') return { factor: 180 / Math.PI, unit: '°' };
+  if (unit === 'rad/s') return { factor: 0.5 / Math.PI, unit: 'Hz' };
+  return scaleFor(Math.max(...numbers.map(Math.abs)), unit);
+}
+
+/** The values of a coordinate. */
+export function numbersOf(grid: Grid, dimension: string): number[] {
+  return [...(grid.variable(dimension)?.values ?? [])];
+}

@@ -1,0 +1,137 @@
+import { FamilyPanel, type Loops } from '../charts/family';
+import { OverPanel, type Measure } from '../charts/over';
+import { valueText } from '../data/case_values';
+import type { CaseKeys, GridData, Quantity, ResultData } from '../data/format';
+import { Grid, numbersOf, type Coordinate, type Place, type Variable } from '../data/grid';
+import { kinds } from '../data/kinds';
+import { gridWarnings } from '../data/outcome';
+import { capital } from '../data/run';
+import { formatQuantity } from '../data/units';
+import { caseSection } from '../tables/case';
+import { entryOf } from '../tables/glossary';
+import { gridTable } from '../tables/grid';
+import { el } from '../ui/dom';
+import { GridSelection } from '../ui/grid_selection';
+import { gridControls } from './grid_controls';
+import { part, type View } from './view';
+
+/** Columns of the table that are shown at first. */
+const main = ['max_force', 'loaded_stiffness', 'secant_stiffness', 'loss_factor', 'loop_energy', 'take_up', 'status'];
+
+/** A quantity of every point and cycle. */
+interface SweptQuantity extends Quantity {
+  variable: Variable;
+  value: (place: Place) => number;
+}
+
+/** The keys, and last what tells the cycles of a point apart. */
+function coordinatesOf(grid: Grid): Coordinate[] {
+  const dims = grid.variable('converged')?.dims ?? [];
+  const kind = kinds[grid.attribute('swept_command')];
+  return dims.map((name, i) => {
+    const numbers = numbersOf(grid, name);
+    if (i === dims.length - 1 && kind) return { name, title: kind.cycles.title, texts: numbers.map(kind.cycles.name), unit: '' };
+    const { text = name, unit = '' } = grid.variable(name) ?? {};
+    return { name, title: text, numbers, texts: numbers.map((number) => valueText(number, unit)), unit };
+  });
+}
+
+/** Each force makes a quantity of its own. */
+function clearancesOf(grid: Grid): SweptQuantity[] {
+  const variable = grid.variable('clearance');
+  if (!variable) return [];
+  return numbersOf(grid, 'clearance_force').map((force, i) => ({
+    name: 'clearance',
+    key: `clearance_${force}N_m`,
+    label: `clearance at ${formatQuantity(force, 'N').replace(/\.?0+ /, ' ')}`,
+    unit: 'm',
+    whole: false,
+    of_solver: false,
+    meaning: variable.text,
+    variable,
+    value: (place) => variable.at({ ...place, clearance_force: i }),
+  }));
+}
+
+function quantitiesOf(grid: Grid): SweptQuantity[] {
+  const quantities = grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
+    const variable = grid.variable(quantity.name);
+    return variable ? [{ ...quantity, variable, value: (place) => variable.at(place) }] : [];
+  });
+  const ofFoils = quantities.filter((one) => !one.of_solver);
+  return [...ofFoils, ...clearancesOf(grid), ...quantities.filter((one) => one.of_solver)];
+}
+
+/** Of every quantity that is a number and known somewhere; the headline first. */
+function measuresOf(quantities: SweptQuantity[]): Measure[] {
+  const numbers = quantities.filter(({ variable }) => variable.words.length === 0 && variable.values.some(Number.isFinite));
+  const measures = numbers.map(({ name, key, label, unit, variable, value }) => ({
+    name,
+    text: capital(label),
+    unit,
+    parts: [{ key, text: capital(label), has: (dimension: string) => variable.has(dimension), value }],
+  }));
+  return measures.sort((a, b) => Number(b.name === 'loaded_stiffness') - Number(a.name === 'loaded_stiffness'));
+}
+
+function loopsOf(grid: Grid): Loops | undefined {
+  const displacement = grid.variable('displacement');
+  const force = grid.variable('force_direct');
+  if (!displacement || !force) return undefined;
+  const title = kinds[grid.attribute('swept_command')]?.force ?? 'Force';
+  return {
+    displacement: (place) => displacement.along(place),
+    forces: [{ key: 'force_direct', text: 'Direct', title, values: (place) => force.along(place) }],
+  };
+}
+
+/** A key and the values that it takes. */
+function sweptText({ title, texts }: Coordinate): string {
+  const range = `${texts[0] ?? ''} to ${texts[texts.length - 1] ?? ''} (${texts.length} values)`;
+  return `${title} ${texts.length <= 4 ? texts.join(', ') : range}`;
+}
+
+function sectionsOf(grid: Grid, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
+  const coordinates = coordinatesOf(grid);
+  const selection = new GridSelection(coordinates, coordinates.slice(0, -1));
+  const quantities = quantitiesOf(grid);
+  const loops = loopsOf(grid);
+  const over = new OverPanel('Quantity over key', measuresOf(quantities), selection, grid.label);
+  const charts = loops ? [over.root, new FamilyPanel(loops, selection, grid.label).root] : [over.root];
+  const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
+  return [
+    part(`${id}-charts`, title('Sweep'), gridControls(selection), el('div', { class: 'multiples' }, ...charts)),
+    part(
+      `${id}-points`,
+      title('Points'),
+      gridTable({
+        title: 'Results by point',
+        label: grid.label,
+        coordinates,
+        columns: quantities.map((quantity) => ({ ...quantity, words: quantity.variable.words })),
+        main,
+      }),
+    ),
+    part(
+      `${id}-case`,
+      title('Case and origin'),
+      caseSection(compared, caseKeys, {
+        shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''),
+        note: `The case of the first point. Swept: ${coordinates.slice(0, -1).map(sweptText).join('; ')}.`,
+      }),
+    ),
+  ];
+}
+
+/** Sweeps, one after the other. */
+export function sweepView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
+  const grids = results.map((data) => new Grid(data as GridData));
+  return {
+    sections: grids.flatMap((grid, i) => {
+      const several = grids.length > 1 || !alone;
+      return sectionsOf(grid, `sweep-${i + 1}`, (text) => (several ? `${text}, ${grid.label}` : text), caseKeys);
+    }),
+    warnings: grids.map((grid) => gridWarnings(grid)),
+    entries: grids.flatMap((grid) => quantitiesOf(grid).map(entryOf)),
+  };
+}
