@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/film_cases.hpp"
@@ -31,6 +32,34 @@ FilmIntegrals integrals_on(const ReferenceFilm& reference, int columns, int rows
 
 TEST(FilmRefinement, MeetsThePrototypeOverFoilsOnAFinerMesh) {
   for (const ReferenceRun& run : reference_runs()) expect_run(run, run.levels.back());
+}
+
+/// Second order over foils, too: the force converges fourfold to the limit that the prototype extrapolates.
+TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
+  struct Limit {
+    double eccentricity;    ///< in C_r, to +X at 45,000 rpm
+    Eigen::Vector2d force;  ///< N
+  };
+  for (const Limit& limit : {Limit{0.4, {18.40769406, -15.16289918}}, Limit{0.8, {58.85559876, -25.44721411}}}) {
+    SCOPED_TRACE(limit.eccentricity);
+    Eigen::Vector2d force[3];
+    for (const int i : {0, 1, 2}) {
+      const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
+      FilmBearingSolver solver(bearing);
+      FilmBearingState state;
+      const double speed = speed_of_rpm(45000.0);
+      const Eigen::Vector2d position(limit.eccentricity * bearing.clearance, 0.0);
+      const Eigen::Vector2d start = std::min(1.0, 0.7 / limit.eccentricity) * position;
+      ASSERT_EQ(solver.cold_start(start, speed, state).status, FilmStatus::converged);
+      ASSERT_EQ(solver.follow(OperatingPoint::held_at(position, speed), state.contact, state).status,
+                FilmStatus::converged);
+      force[i] = film_force(bearing, state.foil.film.pressure);
+    }
+    const double ratio = (force[1] - force[0]).norm() / (force[2] - force[1]).norm();
+    EXPECT_GT(ratio, 3.4);
+    EXPECT_LT(ratio, 4.3);
+    EXPECT_LT((force[2] + (force[2] - force[1]) / 3.0 - limit.force).norm(), 1e-5 * limit.force.norm());
+  }
 }
 
 /// Second order: the load and the torque converge fourfold, and their limits are those of the prototype.

@@ -1,0 +1,126 @@
+// Bearings that run, drawn at random: what holds of any state, whatever the bearing.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "bumpfoil/analysis/film_bearing_solver.hpp"
+#include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A bearing and where its journal is held, the same for the same number: clearance 20 to 45 um, top foil 0.07 to 0.2
+/// mm, friction up to 0.5 or none, heights within 2 um, any direction, up to 0.7 of the clearance, 5,000 to 60,000 rpm
+/// either way.
+struct RandomFilm {
+  explicit RandomFilm(std::uint64_t number) {
+    std::mt19937_64 generator(number);
+    const auto uniform = [&](double low, double high) {
+      return low + (high - low) * std::generate_canonical<double, 53>(generator);
+    };
+    const double friction = number % 4 == 0 ? 0.0 : uniform(0.0, 0.5);
+    input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, friction);
+    input.bearing.radial_clearance = uniform(20e-6, 45e-6);
+    input.top_foil.thickness = uniform(0.07e-3, 0.2e-3);
+    for (int b = 0; b < input.bump_foil.bumps; ++b) input.bump_foil.height_errors.push_back(uniform(-2e-6, 2e-6));
+    // The tallest bumps narrow the bearing.
+    const double room = 0.7 * (input.bearing.radial_clearance - 2e-6);
+    position = uniform(0.0, room) * unit_vector(uniform(0.0, 2.0 * std::numbers::pi));
+    speed = speed_of_rpm(uniform(5e3, 60e3)) * (uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0);
+  }
+
+  Case input;
+  Eigen::Vector2d position{Eigen::Vector2d::Zero()};
+  double speed{};
+};
+
+/// Contacts that were met, by their modes.
+struct Met {
+  int open{}, stuck{}, slipping{};
+};
+
+/// Positive pressure and thickness, non-penetration, no pull, Coulomb's cone, friction against the slip since the
+/// foils were unstressed.
+void expect_lawful(const FilmBearing& bearing, const FilmBearingState& state, Met& met) {
+  EXPECT_GT(state.foil.film.pressure.minCoeff(), 0.0);
+  EXPECT_GT(state.foil.film.thickness.minCoeff(), 0.0);
+  const double force = 1e-9 * std::max(1.0, state.contact.normal_force.maxCoeff());  // N
+  constexpr double length = 1e-12;                                                   // m
+  for_each_contact(bearing.problem, [&](const CoulombContact& contact) {
+    const double p = state.contact.normal_force[contact.index];
+    const double t = state.contact.friction_force[contact.index];
+    const double gap = bearing.initial_gap[contact.index] + contact.gap(state.contact.x);
+    const double slip = contact.tangential(state.contact.x);
+    const ContactMode mode = state.contact.mode[static_cast<std::size_t>(contact.index)];
+    ++(mode == ContactMode::open ? met.open : slips(mode) ? met.slipping : met.stuck);
+    EXPECT_GE(p, -force);
+    EXPECT_GE(gap, -length);
+    EXPECT_TRUE(p <= force || gap <= length) << p << " N over " << gap << " m";
+    EXPECT_LE(std::abs(t), contact.f * p + force);
+    EXPECT_LE(t * slip, (std::abs(t) + force) * length);
+  });
+}
+
+TEST(RandomFilms, ObeyTheLawsAndRest) {
+  Met met;
+  int found = 0;
+  constexpr int cases = 24;
+  for (std::uint64_t number = 0; number < cases; ++number) {
+    const RandomFilm random(number);
+    SCOPED_TRACE(number);
+    const FilmBearing bearing = make_film_bearing(random.input);
+    FilmBearingSolver solver(bearing);
+    FilmBearingState state;
+    const FilmReport report = solver.cold_start(random.position, random.speed, state);
+    // The march itself may touch down, and says so.
+    if (report.status != FilmStatus::converged) continue;
+    ++found;
+    expect_lawful(bearing, state, met);
+    const FilmFlows flows = film_bearing_outcome(bearing, state).flows;
+    EXPECT_NEAR(flows.start, flows.end + flows.sides, 1e-12 * std::abs(flows.start));
+
+    // Time goes on, and leaves the state where it is.
+    FilmBearingState later = state;
+    const OperatingPoint point = OperatingPoint::held_at(random.position, random.speed);
+    const ContactState unstressed = resting(bearing, random.position, random.speed).contact;
+    ASSERT_EQ(solver.settle(point, unstressed, later).status, FilmStatus::converged);
+    // Both are roots that Newton's last full step, below 1e-9, ended at.
+    EXPECT_LT((later.foil.film.pressure - state.foil.film.pressure).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((later.foil.lift - state.foil.lift).cwiseAbs().maxCoeff(), 1e-6);
+  }
+  EXPECT_GE(found, cases - 4);
+  for (const int contacts : {met.open, met.stuck, met.slipping}) EXPECT_GT(contacts, 100);
+}
+
+TEST(RandomFilms, LoseTheirFrictionWithoutAJump) {
+  for (std::uint64_t number = 0; number < 24; number += 4) {  // those without friction
+    RandomFilm random(number);
+    SCOPED_TRACE(number);
+    Eigen::Vector2d force[2];
+    bool found = true;
+    for (const int i : {0, 1}) {
+      const double f = i == 0 ? 0.0 : 1e-6;
+      random.input.friction = {.top_bump = f, .bump_sleeve = f};
+      const FilmBearing bearing = make_film_bearing(random.input);
+      FilmBearingState state;
+      found =
+          FilmBearingSolver(bearing).cold_start(random.position, random.speed, state).status == FilmStatus::converged &&
+          found;
+      if (found) force[i] = film_force(bearing, state.foil.film.pressure);
+    }
+    // A part of the load of the order of f is carried by friction.
+    if (found) {
+      EXPECT_LT((force[1] - force[0]).norm(), 1e-4 * std::max(1.0, force[0].norm()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil
