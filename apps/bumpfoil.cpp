@@ -7,11 +7,15 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "commands.hpp"
@@ -22,7 +26,7 @@ namespace bumpfoil {
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
   command
       .add_option("--set", overrides, "Change a key of the case: friction.coefficient=0.2, bump_foil.height=\"0.5 mm\"")
-      ->type_name("KEY=VALUE")
+      ->type_name("KEY=VALUE ...")
       ->allow_extra_args(false)
       ->take_all();
 }
@@ -39,6 +43,30 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   while (message.ends_with('\n')) message.pop_back();
   if (!message.empty()) print_message(message);
   return code == 0 ? ExitCode::done : ExitCode::wrong_input;
+}
+
+/// Whether a word changes a key of a table: --set takes as many as follow one another, and no names of files.
+bool is_override(std::string_view word) {
+  const std::string_view key = word.substr(0, word.find('='));
+  return key.size() < word.size() && key.find('.') != std::string_view::npos &&
+         std::all_of(key.begin(), key.end(),
+                     [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; });
+}
+
+/// The words of the command line as the parser takes them: one --set for each change, and --help for help.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    if (words[i - 2] == "--set" && is_override(words[i - 1]) && is_override(words[i])) {
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(i), "--set");
+      ++i;
+    }
+  }
+  return words;
 }
 
 /// One word for a POSIX shell.
@@ -72,7 +100,7 @@ ExitCode run(int argc, char** argv) {
   session.command_line = command_line(argc, argv);
   CLI::App program{"Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.",
                    "bumpfoil"};
-  program.set_version_flag("--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");
+  program.set_version_flag("-V,--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");
   program.add_flag("--quiet", session.quiet, "Print nothing but errors");
   program.require_subcommand(1);
   program.fallthrough();
@@ -81,6 +109,7 @@ ExitCode run(int argc, char** argv) {
       "  bumpfoil init -o case.toml\n"
       "  bumpfoil cycle case.toml -o results\n"
       "  bumpfoil report results\n"
+      "'bumpfoil help COMMAND' tells what a command takes. A CASE of - is the standard input.\n"
       "Exit codes: 0 done, 2 wrong input, 3 numerical failure, 4 files cannot be read or written, 130 interrupted.");
   add_init_command(program, session);
   add_check_command(program, session);
@@ -96,11 +125,17 @@ ExitCode run(int argc, char** argv) {
   add_report_command(program, session);
   for (CLI::App* command : program.get_subcommands({})) refuse_empty_values(*command);
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> words = words_of(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    program.parse(std::move(words));
   } catch (const CLI::RequiredError& error) {
     if (program.get_subcommands().empty() && program.remaining_size() > 0) {
-      print_message(fmt::format("bumpfoil: '{}' is no command; 'bumpfoil --help' lists them",
-                                printable(program.remaining().front())));
+      const std::string word = program.remaining().front();
+      std::vector<std::string> names;
+      for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+      const std::optional<std::string> nearest = nearest_name(word, names);
+      print_message(fmt::format("bumpfoil: '{}' is no command; {}'bumpfoil --help' lists them", printable(word),
+                                nearest ? fmt::format("did you mean '{}'? ", *nearest) : ""));
       return ExitCode::wrong_input;
     }
     return answer(program, error);

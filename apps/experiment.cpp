@@ -111,7 +111,8 @@ CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCo
   command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
       ->required();
-  command->add_option("--solver", options->solver, "The same as --set solver.name=...: newton, uzawa or events")
+  command->add_option("--solver", options->solver, "The same as --set solver.name=...")
+      ->check(CLI::IsMember(std::vector<std::string>(enum_names<SolverName>.begin(), enum_names<SolverName>.end())))
       ->type_name("NAME");
   add_overrides(*command, options->overrides);
   command->add_flag("--force", options->force, "Replace results that the folder holds");

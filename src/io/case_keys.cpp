@@ -59,10 +59,10 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
               "[\"5 um\", \"-3 um\", ...]", length},
              &foil.height_errors);
   keys.file({"height_errors_file", optional, "File of height errors",
-             "instead: a file beside this one with the columns bump,height_error_m", "\"heights.csv\""},
+             "instead: a CSV file beside this one; columns bump, and height_error_um or height_mm", "\"heights.csv\""},
             "height_errors", [&foil](const std::string& path) {
               if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
-              foil.height_errors = read_height_errors(path, foil.bumps);
+              foil.height_errors = read_height_errors(path, foil.bumps, foil.height);
             });
   keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
               "frame only: true gives a bump of another height a stiffness of its own, too"},

@@ -15,7 +15,8 @@
 
 namespace bumpfoil {
 
-Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request) {
+Case parse_case(std::string_view text, const std::string& file, const CaseRequest& request) {
+  const std::string name = file == standard_input ? "standard input" : file;
   toml::table document = parse_toml(text, name);
   ReadingLog log(name);
   for (Fault& fault : apply_overrides(document, request.overrides)) log.add(std::move(fault));

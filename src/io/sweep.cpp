@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "io/key_list.hpp"
-#include "io/nearest_name.hpp"
 #include "io/number_text.hpp"
 #include "io/result_layout.hpp"
 #include "io/toml_document.hpp"

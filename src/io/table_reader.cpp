@@ -10,8 +10,8 @@
 #include <limits>
 #include <numbers>
 
+#include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/model/validation.hpp"
-#include "io/nearest_name.hpp"
 #include "io/toml_document.hpp"
 
 namespace bumpfoil {

@@ -29,7 +29,7 @@ std::string read_text_file(const std::string& path) {
   const auto fault = [&](std::size_t line, std::string what, std::string advice) {
     return Error(ErrorKind::input, {{path, line, "", "", std::move(what), std::move(advice)}});
   };
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  const std::unique_ptr<std::FILE, CloseFile> file(path == standard_input ? stdin : std::fopen(path.c_str(), "rb"));
   if (!file) throw_unreadable(path, errno);
   std::string text;
   std::array<char, 65536> buffer{};

@@ -8,7 +8,10 @@ namespace bumpfoil {
 /// Files that users write are smaller than this.
 inline constexpr std::size_t largest_text_file = 10'000'000;
 
-/// The whole of a text file, without the byte order mark that some editors put first.
+/// The name that stands for the standard input.
+inline constexpr std::string_view standard_input = "-";
+
+/// The whole of a text file or of the standard input, without the byte order mark that some editors put first.
 /// @throws Error (file) if it cannot be read or is a folder; Error (input) if it is larger than `largest_text_file`, or
 /// no text.
 std::string read_text_file(const std::string& path);

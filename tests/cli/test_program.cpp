@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -173,6 +174,29 @@ TEST_F(Program, OverridesMayStandBeforeTheCase) {
   EXPECT_EQ(summary().at("case").at("cycle").at("steps"), 4);
 }
 
+TEST_F(Program, OverridesMayFollowOneAnother) {
+  EXPECT_EQ(run({"cycle", "--set", "cycle.steps=4", "friction.coefficient=0.3", "bump_foil.height=0.5 mm", case_path_,
+                 "-o", results_})
+                .exit_code,
+            0);
+  EXPECT_EQ(summary().at("case").at("cycle").at("steps"), 4);
+  EXPECT_EQ(summary().at("case").at("friction").at("top_bump"), 0.3);
+  EXPECT_EQ(summary().at("case").at("bump_foil").at("height"), 0.5e-3);
+}
+
+TEST_F(Program, ReadsACaseFromTheStandardInput) {
+  const std::string program = std::filesystem::absolute(BUMPFOIL_PROGRAM).string();
+  const auto shell = [&](const std::string& script) { return WEXITSTATUS(std::system(script.c_str())); };
+  const std::string from = " < '" + case_path_ + "'";
+  EXPECT_EQ(shell(program + " check - --quiet" + from), 0);
+  EXPECT_EQ(shell(program + " cycle - -o '" + results_ + "' --set cycle.steps=4 --quiet" + from), 0);
+  EXPECT_EQ(summary().at("case").at("cycle").at("steps"), 4);
+  const std::string errors = results_ + "/errors";
+  EXPECT_EQ(shell("echo 'x = 1' | " + program + " check - 2> '" + errors + "'"), 2);
+  std::ifstream said(errors);
+  EXPECT_NE(std::string(std::istreambuf_iterator<char>(said), {}).find("standard input:1: x"), std::string::npos);
+}
+
 TEST_F(Program, PropertiesPrintsTextOrJson) {
   const Outcome text = run({"properties", case_path_});
   EXPECT_EQ(text.exit_code, 0) << text.errors;
@@ -271,10 +295,18 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
   EXPECT_FALSE(wrote_results());
 }
 
+TEST_F(Program, BlamesTheOptionThatWasTyped) {
+  const Outcome outcome = run(cycle_ + std::vector<std::string>{"--solver", "newtn"});
+  EXPECT_NE(outcome.errors.find("--solver"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("newton"), std::string::npos);
+  EXPECT_EQ(outcome.errors.find("--set"), std::string::npos);
+}
+
 TEST_F(Program, NamesTheWordThatIsNoCommand) {
   const Outcome outcome = run({"cyle", "case.toml"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.errors.find("'cyle' is no command"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("'cyle' is no command; did you mean 'cycle'?"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(run({"frobnicate"}).errors.find("did you mean"), std::string::npos);
 }
 
 TEST_F(Program, HelpsEverywhere) {
@@ -288,6 +320,9 @@ TEST_F(Program, HelpsEverywhere) {
     EXPECT_EQ(run({command, "--version"}).output, run({"--version"}).output);
   }
   EXPECT_TRUE(run({"--version"}).output.starts_with("bumpfoil "));
+  EXPECT_EQ(run({"-V"}).output, run({"--version"}).output);
+  EXPECT_EQ(run({"help", "sweep"}).output, run({"sweep", "--help"}).output);
+  EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
 }
 
 TEST_F(Program, IsQuietIfAsked) {

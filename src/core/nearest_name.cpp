@@ -1,4 +1,4 @@
-#include "io/nearest_name.hpp"
+#include "bumpfoil/core/nearest_name.hpp"
 
 #include <algorithm>
 #include <numeric>
