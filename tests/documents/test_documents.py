@@ -88,6 +88,12 @@ class Pages(InADirectory):
         "octave": ["octave-cli", "--no-gui", "--eval"],
     }
 
+    def test_examples_are_right(self):
+        examples = sorted((ROOT / "examples").glob("*.toml"))
+        self.assertGreater(len(examples), 3)
+        for example in examples:
+            self.run_in_directory([str(PROGRAM), "check", str(example)])
+
     def test_blocks_of_code_run(self):
         """On the results of the reference bearing, in the folders that they name. Cases are shown as examples hold them."""
         case = str(ROOT / "examples/gen1.toml")
