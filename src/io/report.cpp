@@ -18,6 +18,7 @@
 #include "io/report_names.hpp"
 #include "io/result_reader.hpp"
 #include "io/summary_reader.hpp"
+#include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -51,9 +52,31 @@ std::string meaning_of(const Json& result, const std::string& name) {
   return variables.contains(name) ? variables[name]["text"].get<std::string>() : "";
 }
 
-/// What the tables of the page say: of each quantity its key in summary.json, words, unit, and what result.nc calls it.
+/// What the tables of the page say of a quantity: its key in summary.json, words, unit, and what result.nc calls it.
+template <typename Quantity>
+Json quantity_json(const Quantity& quantity, const std::string& label, const Json& result) {
+  return {{"name", quantity.name},
+          {"key", key_of(quantity.name, quantity.unit)},
+          {"label", label},
+          {"unit", quantity.unit == "1" ? "" : quantity.unit},
+          {"whole", quantity.form.kind == Form::whole},
+          {"meaning", meaning_of(result, std::string(quantity.name))}};
+}
+
+Json vibration_quantities_json(const Json& result) {
+  Json json = Json::array();
+  for (const VibrationQuantity& quantity : vibration_quantities()) {
+    std::string label(quantity.label.empty() ? quantity.name : quantity.label);
+    std::replace(label.begin(), label.end(), '_', ' ');
+    json.push_back(quantity_json(quantity, label, result));
+    json.back()["of_solver"] = false;
+  }
+  return json;
+}
+
 /// What another version defined in another way has a label of its own: it is not to be compared.
 Json quantities_json(const Json& result, const Json& summary) {
+  if (result["kind"] == "vibration") return vibration_quantities_json(result);
   // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   const Experiment experiment = command == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
@@ -61,14 +84,10 @@ Json quantities_json(const Json& result, const Json& summary) {
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.label.empty()) continue;
+    const bool former = first_version && quantity.name == "loss_factor";
     json.push_back(
-        {{"name", quantity.name},
-         {"key", key_of(quantity.name, quantity.unit)},
-         {"label", first_version && quantity.name == "loss_factor" ? "loss factor, definition of 0.1" : quantity.label},
-         {"unit", quantity.unit == "1" ? "" : quantity.unit},
-         {"whole", quantity.form.kind == Form::whole},
-         {"of_solver", quantity.of_solver},
-         {"meaning", meaning_of(result, std::string(quantity.name))}});
+        quantity_json(quantity, former ? "loss factor, definition of 0.1" : std::string(quantity.label), result));
+    json.back()["of_solver"] = quantity.of_solver;
   }
   return json;
 }

@@ -50,6 +50,7 @@ test('the chart shows the quantity chosen over the key, a line for each value of
       const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString());
       const expected = rowsIn('grid').filter((row) => Number(row.direction_deg) === 90);
       assert.equal(shown.length, expected.length, text);
+      assert.equal(new Set(shown.map((row) => `${row.cycle_amplitude_m} ${row.friction_coefficient}`)).size, expected.length, text);
       for (const row of shown) {
         const same = expected.find((one) => Math.abs(one.cycle_amplitude_m - row.cycle_amplitude_m) < 1e-9 && Math.abs(one.friction_coefficient - row.friction_coefficient) < 1e-6);
         near(Number(row[key]), Number(same[key]), 1e-6, `${text} at ${JSON.stringify(row)}`);

@@ -283,7 +283,7 @@ class Documentation(unittest.TestCase):
             columns = (Path(directory) / "results/cycle.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
         self.assertEqual(documented, written)
         # Keys and columns mean what the variables mean.
-        of_cycles = self.TEXT.split("\n## Running bearings\n")[0]
+        of_cycles = self.TEXT.split("\n## Strip\n")[0]
         meanings = dict(re.findall(r"^\| `(\w+)` \| ([^|]*) \|$", of_cycles, re.MULTILINE))
         for key in [*keys, *columns]:
             name = split_unit(key)[0]

@@ -6,6 +6,7 @@ import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
 import { loopView } from './views/loops';
 import { sweepView } from './views/sweeps';
+import { vibrationView } from './views/vibrations';
 import { part, type MakeView } from './views/view';
 import './style/page.css';
 import './style/panels.css';
@@ -20,6 +21,7 @@ const views: Record<string, MakeView> = {
   cycle: loopView,
   strip: loopView,
   sweep: sweepView,
+  vibration: vibrationView,
 };
 
 function themeButton(): HTMLElement {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/report.hpp"
 #include "io/ross_toml.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -150,6 +151,23 @@ TEST(VibrationFiles, NetcdfHasTheLoopsAndTheSameNumbers) {
   EXPECT_EQ(value, point.displacement);
   file.getVar("force_y").getVar({0, 1, 0, 8}, &value);
   EXPECT_EQ(value, point.force.y());
+}
+
+TEST(VibrationFiles, AreReadByReports) {
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& file : run().files) folder.write(file.name, file.contents);
+  const json one = json::parse(report_json({folder.path()})).at("runs").at(0);
+  EXPECT_EQ(one.at("kind"), "vibration");
+  EXPECT_EQ(one.at("variables").at("kxy").at("dims"), (json{"load", "amplitude"}));
+  EXPECT_EQ(one.at("variables").at("kxy").at("text"), "stiffness dF_x/dy");
+  EXPECT_EQ(one.at("variables").at("cyy").at("unit"), "N s/m");
+  EXPECT_EQ(one.at("dimensions").at("direction"), 2);
+  EXPECT_FALSE(one.at("summary").contains("vibrations"));
+  for (const char* attribute : {"status_message", "warnings"}) EXPECT_TRUE(one.at("attributes").contains(attribute));
+  for (const json& quantity : one.at("quantities")) {
+    EXPECT_EQ(quantity.at("label").get<std::string>().find('_'), std::string::npos);
+    EXPECT_TRUE(one.at("variables").contains(quantity.at("name"))) << quantity;
+  }
 }
 
 TEST(RossToml, ReadsBackAsTheArgumentsOfABearing) {

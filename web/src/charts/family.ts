@@ -20,6 +20,8 @@ export interface LoopForce {
 }
 
 export interface Loops {
+  /** What their points are numbered by. */
+  counter: string;
   displacement: (place: Place) => number[];
   forces: LoopForce[];
 }
@@ -181,6 +183,6 @@ export class FamilyPanel {
         ...forces.map((values) => values[k]),
       ]);
     });
-    return toCsv([...header, 'increment', 'displacement_m', ...this.loops.forces.map(({ key }) => `${key}_N`)], rows);
+    return toCsv([...header, this.loops.counter, 'displacement_m', ...this.loops.forces.map(({ key }) => `${key}_N`)], rows);
   }
 }

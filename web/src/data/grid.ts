@@ -30,6 +30,11 @@ export class Variable {
     return this.data.words === '' ? [] : this.data.words.split(' ');
   }
 
+  /** Whether it counts something: all of it is whole numbers. */
+  get isWhole(): boolean {
+    return this.unit === '' && this.values.every((value) => Number.isNaN(value) || Number.isInteger(value));
+  }
+
   get values(): Float32Array {
     return (this.numbers ??= decodeNumbers(this.data.values));
   }
@@ -112,4 +117,11 @@ export function axisScale({ numbers = [], unit }: Coordinate): Scale {
 /** The values of a coordinate. */
 export function numbersOf(grid: Grid, dimension: string): number[] {
   return [...(grid.variable(dimension)?.values ?? [])];
+}
+
+/** A vector with its unit: "(0, −50) N". */
+export function vectorText(x: number, y: number, unit: string): string {
+  const scale = scaleFor(Math.max(Math.abs(x), Math.abs(y)), unit);
+  const part = (number: number): string => String(Number((number * scale.factor).toPrecision(4))).replace('-', '−');
+  return `(${part(x)}, ${part(y)}) ${scale.unit}`;
 }

@@ -148,7 +148,9 @@ export class Cycle {
   }
 }
 
+/** With a capital at its beginning, but for the symbols of coefficients. */
 export function capital(word: string): string {
+  if (/^c[xy]{2}\b/.test(word)) return word;
   return word.slice(0, 1).toUpperCase() + word.slice(1);
 }
 

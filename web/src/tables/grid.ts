@@ -1,5 +1,4 @@
-import type { Coordinate, Place } from '../data/grid';
-import { placesOf } from '../data/grid';
+import { placesOf, type Coordinate, type Grid, type Place } from '../data/grid';
 import { largest } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
 import { formatNumber, scaleFor } from '../data/units';
@@ -20,6 +19,15 @@ export interface GridColumn {
   /** What 0, 1, ... stand for; none for numbers. */
   words: string[];
   value: (place: Place) => number;
+}
+
+/** The column of a variable, if there is one of this name. */
+export function columnOf(grid: Grid, name: string, label: string): GridColumn[] {
+  const variable = grid.variable(name);
+  if (!variable) return [];
+  const { unit, text, words } = variable;
+  const key = unit === '' ? name : `${name}_${unit.replaceAll('/', '_per_').replaceAll(' ', '_')}`;
+  return [{ key, name, label, unit, whole: variable.isWhole, meaning: text, words, value: (place) => variable.at(place) }];
 }
 
 export interface GridTableContents {
@@ -70,8 +78,13 @@ export function gridTable({ title, label, coordinates, columns, main }: GridTabl
   const soughtIn = (place: Place): string =>
     plain([...coordinates.map(({ name, texts }) => texts[place[name] ?? 0] ?? ''), ...named.map((column) => cellText(column, place, 1))].join(' '));
   const fill = (): void => {
-    const words = plain(search.value).split(/\s+/);
-    const found = places.filter((place) => words.every((word) => soughtIn(place).includes(word)));
+    const words = plain(search.value).split(/\s+/).filter((word) => word !== '');
+    const found = places.filter((place) => {
+      const text = soughtIn(place);
+      const numbers = text.split(/[\s(),]+/);
+      // 5 is not meant to find 50.
+      return words.every((word) => (Number.isNaN(Number(word)) ? text.includes(word) : numbers.includes(word)));
+    });
     const some = found.slice(0, mostRows).map(textsOf);
     count.textContent = `${some.length} of ${places.length} shown${some.length < found.length ? `, ${found.length} found` : ''}`;
     scroller.replaceChildren(

@@ -80,6 +80,7 @@ function loopsOf(grid: Grid): Loops | undefined {
   if (!displacement || !force) return undefined;
   const title = kinds[grid.attribute('swept_command')]?.force ?? 'Force';
   return {
+    counter: 'increment',
     displacement: (place) => displacement.along(place),
     forces: [{ key: 'force_direct', text: 'Direct', title, values: (place) => force.along(place) }],
   };

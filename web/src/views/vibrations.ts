@@ -1,0 +1,173 @@
+import { FamilyPanel, type Loops } from '../charts/family';
+import { OverPanel, type Measure, type Part } from '../charts/over';
+import { valueText } from '../data/case_values';
+import type { CaseKeys, GridData, ResultData } from '../data/format';
+import { Grid, numbersOf, vectorText, type Coordinate, type Place } from '../data/grid';
+import { directionName } from '../data/kinds';
+import { gridWarnings } from '../data/outcome';
+import { at } from '../data/run';
+import { caseSection } from '../tables/case';
+import type { Entry } from '../tables/glossary';
+import { columnOf, gridTable, type GridColumn } from '../tables/grid';
+import { el } from '../ui/dom';
+import { GridSelection } from '../ui/grid_selection';
+import { gridControls } from './grid_controls';
+import { part, type View } from './view';
+
+const entries = ['xx', 'xy', 'yx', 'yy'] as const;
+
+interface Coordinates {
+  load: Coordinate;
+  direction: Coordinate;
+  amplitude: Coordinate;
+  frequency: Coordinate;
+}
+
+function coordinatesOf(grid: Grid): Coordinates {
+  const y = numbersOf(grid, 'load_y');
+  const amplitudes = numbersOf(grid, 'amplitude');
+  const frequencies = numbersOf(grid, 'frequency');
+  return {
+    load: { name: 'load', title: 'Static load', texts: numbersOf(grid, 'load_x').map((x, i) => vectorText(x, at(y, i), 'N')), unit: '' },
+    direction: { name: 'direction', title: 'Direction', texts: numbersOf(grid, 'direction').map(directionName), unit: '' },
+    amplitude: { name: 'amplitude', title: 'Amplitude', texts: amplitudes.map((size) => valueText(size, 'm')), numbers: amplitudes, unit: 'm' },
+    frequency: {
+      name: 'frequency',
+      title: 'Frequency',
+      texts: frequencies.map((frequency) => `${Number((frequency / (2 * Math.PI)).toPrecision(5))} Hz`),
+      numbers: frequencies,
+      unit: 'rad/s',
+    },
+  };
+}
+
+/** A variable as a part of a measure, with a factor; nothing where it is known nowhere. */
+function partOf(grid: Grid, name: string, text: string, key: string, factor = (_: Place): number => 1): Part[] {
+  const variable = grid.variable(name);
+  if (!variable?.values.some(Number.isFinite)) return [];
+  return [{ key, text, has: (dimension) => dimension !== 'frequency' && variable.has(dimension), value: (place) => variable.at(place) * factor(place) }];
+}
+
+/** All parts in one chart, and each by itself: then lines tell loads apart. */
+function measuresOf(text: string, unit: string, parts: Part[]): Measure[] {
+  const each = parts.map((one) => ({ text: one.text, unit, parts: [one] }));
+  return parts.length > 1 ? [{ text, unit, parts }, ...each] : each;
+}
+
+/** Their charts, each of quantities of one unit. */
+function chartsOf(grid: Grid): { title: string; measures: Measure[] }[] {
+  const omega = numbersOf(grid, 'frequency')[0] ?? NaN;
+  const ofName = (name: string, text: string): Measure[] => measuresOf(text, '', partOf(grid, name, text, name));
+  return [
+    { title: 'Stiffness', measures: measuresOf('Stiffness K', 'N/m', entries.flatMap((axes) => partOf(grid, `k${axes}`, `K${axes}`, `k${axes}_N_per_m`))) },
+    {
+      // The same at every frequency.
+      title: 'Damping',
+      measures: measuresOf('Damping ωc', 'N/m', entries.flatMap((axes) => partOf(grid, `c${axes}`, `ωc${axes}`, `omega_c${axes}_N_per_m`, () => omega))),
+    },
+    { title: 'Loss factor', measures: [...ofName('loss_factor', 'Loss factor'), ...ofName('harmonic_residual', 'Harmonic residual')] },
+  ].filter(({ measures }) => measures.length > 0);
+}
+
+function loopsOf(grid: Grid): Loops | undefined {
+  const displacement = grid.variable('displacement');
+  const [x, y] = [grid.variable('force_x'), grid.variable('force_y')];
+  if (!displacement || !x || !y) return undefined;
+  const angles = numbersOf(grid, 'direction').map((degrees) => (degrees * Math.PI) / 180);
+  const force = (key: string, text: string, turn: number): Loops['forces'][number] => ({
+    key,
+    text,
+    title: `${text} force`,
+    values: (place) => {
+      const angle = (angles[place['direction'] ?? 0] ?? NaN) + turn;
+      const forceY = y.along(place);
+      return x.along(place).map((forceX, i) => forceX * Math.cos(angle) + at(forceY, i) * Math.sin(angle));
+    },
+  });
+  return {
+    counter: 'point',
+    displacement: (place) => displacement.along(place),
+    forces: [force('force_direct', 'Direct', 0), force('force_cross', 'Cross', Math.PI / 2)],
+  };
+}
+
+function columnsOf(grid: Grid): { vibrations: GridColumn[]; coefficients: GridColumn[]; loads: GridColumn[] } {
+  const of = (name: string, label: string): GridColumn[] => columnOf(grid, name, label);
+  return {
+    vibrations: grid.data.quantities.flatMap(({ name, label }) => of(name, label)),
+    coefficients: [
+      ...entries.flatMap((axes) => of(`k${axes}`, `K${axes}`)),
+      ...entries.flatMap((axes) => of(`c${axes}`, `c${axes}`)),
+      ...of('loss_factor_x', 'loss factor X'),
+      ...of('loss_factor_y', 'loss factor Y'),
+      ...of('residual', 'residual'),
+    ],
+    loads: [
+      ...of('load_status', 'status'),
+      ...of('x', 'journal X'),
+      ...of('y', 'journal Y'),
+      ...entries.flatMap((axes) => of(`k${axes}_stuck`, `K${axes}, stuck`)),
+      ...entries.flatMap((axes) => of(`k${axes}_further`, `K${axes}, further`)),
+    ],
+  };
+}
+
+function sectionsOf(grid: Grid, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
+  const { load, direction, amplitude, frequency } = coordinatesOf(grid);
+  const selection = new GridSelection([load, direction, amplitude], [amplitude, load]);
+  const loops = loopsOf(grid);
+  const charts = chartsOf(grid).map(({ title: name, measures }) => new OverPanel(name, measures, selection, grid.label).root);
+  const columns = columnsOf(grid);
+  const { label } = grid;
+  const compared = { several: false, focus: [grid], shown: [grid], names: label, onChange: () => undefined };
+  return [
+    part(
+      `${id}-charts`,
+      title('Vibrations'),
+      gridControls(selection),
+      el('div', { class: 'multiples' }, ...charts, ...(loops ? [new FamilyPanel(loops, selection, label).root] : [])),
+    ),
+    part(
+      `${id}-tables`,
+      title('Coefficients'),
+      gridTable({
+        title: 'Coefficients by load',
+        label,
+        coordinates: [load, amplitude, frequency],
+        columns: columns.coefficients,
+        main: ['k', 'c'].flatMap((letter) => entries.map((axes) => `${letter}${axes}`)),
+      }),
+      gridTable({
+        title: 'Loops by vibration',
+        label,
+        coordinates: [load, direction, amplitude],
+        columns: columns.vibrations,
+        main: ['stiffness_direct', 'loss_stiffness_direct', 'harmonic_residual', 'loss_factor', 'loop_energy', 'loops', 'settled', 'status'],
+      }),
+      gridTable({ title: 'At the static loads', label, coordinates: [load], columns: columns.loads, main: [] }),
+    ),
+    part(
+      `${id}-case`,
+      title('Case and origin'),
+      caseSection(compared, caseKeys, { shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''), note: '' }),
+    ),
+  ];
+}
+
+function entriesOf(grid: Grid): Entry[] {
+  const { vibrations, coefficients, loads } = columnsOf(grid);
+  return [...vibrations, ...coefficients, ...loads].map(({ name, label, unit, meaning }) => ({ name, label, unit, text: meaning }));
+}
+
+/** Vibrations about static loads, one run after the other. */
+export function vibrationView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
+  const grids = results.map((data) => new Grid(data as GridData));
+  return {
+    sections: grids.flatMap((grid, i) => {
+      const several = grids.length > 1 || !alone;
+      return sectionsOf(grid, `vibration-${i + 1}`, (text) => (several ? `${text}, ${grid.label}` : text), caseKeys);
+    }),
+    warnings: grids.map((grid) => gridWarnings(grid)),
+    entries: grids.flatMap(entriesOf),
+  };
+}
