@@ -22,11 +22,19 @@ double size_of(const StoredVariable& variable) {
   return std::accumulate(variable.extents.begin(), variable.extents.end(), 1.0, std::multiplies<>());
 }
 
+/// What single bumps and feet do is not drawn of grids.
+bool is_of_nodes(const StoredVariable& variable) {
+  return std::any_of(variable.dims.begin(), variable.dims.end(),
+                     [](const std::string& dim) { return dim == "bump" || dim == "foot"; });
+}
+
 /// As few of the largest as it takes are left out, and with them those of the same size: one coordinate of a loop says
 /// nothing without the other.
 std::vector<const StoredVariable*> those_that_fit(const NetcdfImage& file, std::size_t most_values) {
   std::vector<const StoredVariable*> variables;
-  for (const auto& [name, variable] : file.variables()) variables.push_back(&variable);
+  for (const auto& [name, variable] : file.variables()) {
+    if (!is_of_nodes(variable)) variables.push_back(&variable);
+  }
   std::stable_sort(variables.begin(), variables.end(),
                    [](const StoredVariable* a, const StoredVariable* b) { return size_of(*a) < size_of(*b); });
   double values = 0.0;
@@ -60,7 +68,7 @@ Json read_grid(const NetcdfImage& file, std::size_t most_values) {
   }
   Json left_out = Json::array();
   for (const auto& [name, variable] : file.variables()) {
-    if (!variables.contains(name)) left_out.push_back(name);
+    if (!is_of_nodes(variable) && !variables.contains(name)) left_out.push_back(name);
   }
   return {{"dimensions", dimensions}, {"variables", variables}, {"left_out", left_out}};
 }

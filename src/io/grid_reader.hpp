@@ -8,7 +8,7 @@
 namespace bumpfoil {
 
 /// What a report shows of results that are numbers over some dimensions, such as those of a sweep over its keys:
-/// `dimensions` (sizes by name), `variables` and `left_out`, see report_json.
+/// `dimensions` (sizes by name), `variables` and `left_out`, see report_json. Not of single bumps and feet.
 ///
 /// @param most_values  numbers in all; the largest variables are left out where they are more
 /// @throws Error (file) naming file and variable if it is damaged

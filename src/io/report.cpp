@@ -79,7 +79,9 @@ Json quantities_json(const Json& result, const Json& summary) {
   if (result["kind"] == "vibration") return vibration_quantities_json(result);
   // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
-  const Experiment experiment = command == name_of(Experiment::strip) ? Experiment::strip : Experiment::cycle;
+  const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
+                                : command == name_of(Experiment::path) ? Experiment::path
+                                                                       : Experiment::cycle;
   const bool first_version = summary["schema"] == "bumpfoil-summary/1";
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {

@@ -227,7 +227,7 @@ Json read_cycles(const NetcdfImage& file, const std::string& kind, std::size_t m
 }  // namespace
 
 bool is_shown(std::string_view kind) {
-  return has_cycles(kind) || kind == "sweep" || kind == "vibration";
+  return has_cycles(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {

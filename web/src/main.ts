@@ -5,6 +5,7 @@ import { el } from './ui/dom';
 import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
 import { loopView } from './views/loops';
+import { pathView } from './views/paths';
 import { sweepView } from './views/sweeps';
 import { vibrationView } from './views/vibrations';
 import { part, type MakeView } from './views/view';
@@ -20,6 +21,7 @@ import './style/print.css';
 const views: Record<string, MakeView> = {
   cycle: loopView,
   strip: loopView,
+  path: pathView,
   sweep: sweepView,
   vibration: vibrationView,
 };
