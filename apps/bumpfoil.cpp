@@ -116,6 +116,7 @@ ExitCode run(int argc, char** argv) {
   add_properties_command(program, session);
   add_cycle_command(program, session);
   add_strip_command(program, session);
+  add_montecarlo_command(program, session);
   add_path_command(program, session);
   add_sweep_command(program, session);
   add_vibration_command(program, session);

@@ -26,6 +26,7 @@ void add_init_command(CLI::App& program, Session& session);
 void add_check_command(CLI::App& program, Session& session);
 void add_properties_command(CLI::App& program, Session& session);
 void add_cycle_command(CLI::App& program, Session& session);
+void add_montecarlo_command(CLI::App& program, Session& session);
 void add_path_command(CLI::App& program, Session& session);
 void add_strip_command(CLI::App& program, Session& session);
 void add_sweep_command(CLI::App& program, Session& session);

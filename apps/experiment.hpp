@@ -28,6 +28,7 @@ struct ExperimentCommand {
   std::string summary;  ///< what it does, for --help
   std::string examples;
   std::vector<std::string> files;  ///< names of all that it writes
+  bool takes_samples{};            ///< it runs samples of an ensemble as well
   std::function<Outcome(const Case&, const ProgressCallback&)> run;
 };
 

@@ -1,8 +1,10 @@
 #include "output.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <string>
@@ -13,6 +15,9 @@
 
 namespace bumpfoil {
 namespace {
+
+/// Messages alike that are printed one by one.
+constexpr std::size_t most_messages = 5;
 
 bool print(std::FILE* stream, const std::string& text) {
   return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
@@ -39,6 +44,15 @@ void print_message(std::string_view line) noexcept {
     print(stderr, printable_lines(line) + '\n');
   } catch (const std::exception&) {
     // Not even the memory for a copy: nobody is left to tell.
+  }
+}
+
+void print_some(std::string_view prefix, const std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i < std::min(lines.size(), most_messages); ++i) {
+    print_message(fmt::format("{}{}", prefix, lines[i]));
+  }
+  if (lines.size() > most_messages) {
+    print_message(fmt::format("{}and {} more, all in summary.json", prefix, lines.size() - most_messages));
   }
 }
 

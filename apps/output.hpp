@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace bumpfoil {
 
@@ -16,5 +18,8 @@ void print_output(std::string_view text);
 
 /// Prints a line on standard error. Where that is closed or full the line is lost: the exit code still tells.
 void print_message(std::string_view line) noexcept;
+
+/// Prints the first of the lines as messages, each behind `prefix`, and how many there are beside.
+void print_some(std::string_view prefix, const std::vector<std::string>& lines);
 
 }  // namespace bumpfoil

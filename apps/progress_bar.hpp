@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 namespace bumpfoil {
 
@@ -13,8 +14,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// @param fraction done, 0..1
-  void show(double fraction);
+  /// @param fraction done, 0..1   @param rate  how fast it goes, in words
+  void show(double fraction, std::string_view rate = {});
 
  private:
   using Clock = std::chrono::steady_clock;

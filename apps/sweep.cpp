@@ -33,9 +33,6 @@ struct SweptCommand {
 constexpr std::array swept_commands{SweptCommand{Experiment::cycle, run_cycles},
                                     SweptCommand{Experiment::strip, run_strip}};
 
-/// Failures and warnings that are listed one by one.
-constexpr std::size_t most_messages = 5;
-
 struct SweepOptions {
   std::string case_path;
   std::string folder;
@@ -56,16 +53,6 @@ std::vector<std::string> names_of_commands() {
 const SweptCommand& command_called(std::string_view name) {
   return *std::find_if(swept_commands.begin(), swept_commands.end(),
                        [name](const SweptCommand& one) { return name_of(one.experiment) == name; });
-}
-
-/// The first of the lines, and how many there are beside.
-void print_some(std::string_view prefix, const std::vector<std::string>& lines) {
-  for (std::size_t i = 0; i < std::min(lines.size(), most_messages); ++i) {
-    print_message(fmt::format("{}{}", prefix, lines[i]));
-  }
-  if (lines.size() > most_messages) {
-    print_message(fmt::format("{}and {} more, all in summary.json", prefix, lines.size() - most_messages));
-  }
 }
 
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {

@@ -1,5 +1,6 @@
 #include "bumpfoil/analysis/foils.hpp"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -53,6 +54,20 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
   return foils;
 }
 
+/// Adds the waves of a sleeve to the gaps of its foils. @param crests, feet  polar angles of all of them, rad
+void add_waves(const SleeveWaviness& waves, const Vector& crests, const Vector& feet, Foils& foils) {
+  const auto wave = [&waves](double phi) { return waves.amplitude * std::cos(waves.harmonic * phi - waves.phase); };
+  for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
+    const Eigen::Index first = (foils.structure.first_bump + bump) * foils.contacts_per_block();
+    const double under_crest = wave(crests[bump]);
+    foils.assembled_gap[first] += under_crest;
+    for (Eigen::Index foot = 0; foot < foils.feet_per_block(); ++foot) {
+      foils.assembled_gap[first + foils.first_foot() + foot] +=
+          wave(feet[bump * foils.feet_per_block() + foot]) - under_crest;
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
@@ -67,7 +82,11 @@ SharedFoils make_bearing_foils(const Case& input) {
   require_valid(input);
   Foils foils = make_foils(input, make_bearing_design(input));
   foils.clearance = input.bearing.radial_clearance;
-  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
+  const Vector crests = polar_angles(input.bearing, crest_angles(input));
+  foils.normals = outward_normals(crests);
+  if (const auto& waves = input.bearing.sleeve_waviness) {
+    add_waves(*waves, crests, polar_angles(input.bearing, foot_angles(input)), foils);
+  }
   return std::make_shared<const Foils>(std::move(foils));
 }
 

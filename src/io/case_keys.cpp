@@ -1,6 +1,7 @@
 #include "io/case_keys.hpp"
 
 #include "bumpfoil/model/validation.hpp"
+#include "io/deviations_csv.hpp"
 #include "io/height_errors_csv.hpp"
 #include "io/path_csv.hpp"
 
@@ -9,6 +10,25 @@ namespace {
 
 using enum Presence;
 using enum Dimension;
+
+/// A table that a case may have. @param describe_members  (visitor, members) -> void
+template <typename Table, typename Describe>
+void optional_table(CaseVisitor& keys, const Key& key, std::optional<Table>& members,
+                    const Describe& describe_members) {
+  Table inner = members.value_or(Table{});
+  keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
+    describe_members(visitor, inner);
+    members = inner;
+  });
+}
+
+void describe(CaseVisitor& keys, SleeveWaviness& waves) {
+  keys.value({"harmonic", required, "Waves", "around the circumference", "3"}, &waves.harmonic);
+  keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
+  keys.value({"phase", defaulted, "Phase", "harmonic times the angle of a crest of the waves, from X towards Y",
+              "0 deg", angle},
+             &waves.phase);
+}
 
 void describe(CaseVisitor& keys, Bearing& bearing) {
   keys.value({"radius", required, "Radius", "inner radius of the sleeve with the foils, R", "19.05 mm", length},
@@ -22,6 +42,10 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
              &bearing.weld_angle);
   keys.choice({"wrap", defaulted, "Sense of winding", "sense of the foils from the weld on; or \"counterclockwise\""},
               bearing.wrap);
+  optional_table(keys,
+                 {"sleeve_waviness", optional, "Waviness of the sleeve",
+                  "the radius of the sleeve differs by amplitude cos(harmonic angle - phase), and the foils follow it"},
+                 bearing.sleeve_waviness, [](CaseVisitor& inner, SleeveWaviness& waves) { describe(inner, waves); });
 }
 
 void describe(CaseVisitor& keys, TrussOverrides& truss) {
@@ -266,6 +290,77 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
              &equilibrium.steps);
 }
 
+/// How a deviation is distributed whose keys are shown with these examples.
+struct Deviation {
+  std::optional<Dimension> dimension;
+  std::string_view sigma, lower, upper, values;
+};
+constexpr Deviation of_height{length, "10 um", "-20 um", "20 um", "[\"3 um\", \"-8 um\", ...]"};
+constexpr Deviation of_thickness{length, "2 um", "-5 um", "5 um", "[\"1 um\", \"-2 um\", ...]"};
+constexpr Deviation of_friction{{}, "0.02", "-0.05", "0.05", "[0.01, -0.02, ...]"};
+
+void describe(CaseVisitor& keys, Distribution& distribution, const Deviation& deviation) {
+  keys.choice(
+      {"distribution", defaulted, "Distribution", "of the deviation; or \"truncated_normal\", \"uniform\", \"table\""},
+      distribution.kind);
+  keys.value(
+      {"std", optional, "Standard deviation", "normal and truncated_normal", deviation.sigma, deviation.dimension},
+      &distribution.sigma);
+  const auto instead = [&deviation](std::string_view name, std::string_view title, std::string_view text,
+                                    std::string_view example) {
+    return Key{.name = name,
+               .presence = optional,
+               .title = title,
+               .text = text,
+               .example = example,
+               .dimension = deviation.dimension,
+               .instead = true};
+  };
+  keys.value(instead("lower", "Lower bound", "truncated_normal and uniform", deviation.lower), &distribution.lower);
+  keys.value(instead("upper", "Upper bound", "truncated_normal and uniform", deviation.upper), &distribution.upper);
+  keys.value(
+      instead("values", "Measured values", "table: any of these, each as likely as the others", deviation.values),
+      &distribution.values);
+  keys.file({"file", optional, "File of measured values", "instead: a file beside this one with the column deviation",
+             "\"measured.csv\""},
+            "values", [&distribution](const std::string& path) { distribution.values = read_deviations(path); });
+}
+
+void describe(CaseVisitor& keys, HeightScatter& heights) {
+  describe(keys, heights.distribution, of_height);
+  keys.value(
+      {"correlation_length", defaulted, "Correlation length",
+       "along the foil, over which the correlation of heights falls by 1/e; 0: they are independent", "0 mm", length},
+      &heights.correlation_length);
+}
+
+void describe(CaseVisitor& keys, WavinessScatter& waves) {
+  keys.value({"harmonic", required, "Waves", "around the circumference; their phase is random", "3"}, &waves.harmonic);
+  keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
+}
+
+void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
+  keys.value({"samples", defaulted, "Samples", "bearings that are drawn"}, &ensemble.samples);
+  keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
+             &ensemble.seed);
+  const auto scatter = [&keys](std::string_view name, std::string_view title, auto& members,
+                               const Deviation& deviation) {
+    optional_table(keys, {name, optional, title, "the same for all of a bearing"}, members,
+                   [&deviation](CaseVisitor& inner, auto& distribution) { describe(inner, distribution, deviation); });
+  };
+  optional_table(keys, {"bump_height", optional, "Scatter of bump heights", "each bump has a deviation of its own"},
+                 ensemble.bump_height, [](CaseVisitor& inner, HeightScatter& heights) { describe(inner, heights); });
+  scatter("bump_foil_thickness", "Scatter of the thickness of the bump foil", ensemble.bump_foil_thickness,
+          of_thickness);
+  scatter("top_foil_thickness", "Scatter of the thickness of the top foil", ensemble.top_foil_thickness, of_thickness);
+  scatter("bump_length", "Scatter of the bump length", ensemble.bump_length, of_height);
+  scatter("friction_top_bump", "Scatter of friction, top foil on bumps", ensemble.friction_top_bump, of_friction);
+  scatter("friction_bump_sleeve", "Scatter of friction, bumps on sleeve", ensemble.friction_bump_sleeve, of_friction);
+  scatter("radial_clearance", "Scatter of the radial clearance", ensemble.radial_clearance, of_thickness);
+  optional_table(keys, {"sleeve_waviness", optional, "Random waviness of the sleeve", "waves whose phase is random"},
+                 ensemble.sleeve_waviness, [](CaseVisitor& inner, WavinessScatter& waves) { describe(inner, waves); });
+}
+
 /// A table that is given if anything in it is not as by default.
 template <typename Table>
 void table(CaseVisitor& keys, const Key& key, Table& members) {
@@ -274,11 +369,7 @@ void table(CaseVisitor& keys, const Key& key, Table& members) {
 
 template <typename Table>
 void table(CaseVisitor& keys, const Key& key, std::optional<Table>& members) {
-  Table inner = members.value_or(Table{});
-  keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
-    describe(visitor, inner);
-    members = inner;
-  });
+  optional_table(keys, key, members, [](CaseVisitor& inner, Table& held) { describe(inner, held); });
 }
 
 }  // namespace
@@ -309,6 +400,12 @@ void describe(CaseVisitor& keys, Case& input) {
         {"equilibrium", optional, "Equilibrium",
          "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
         input.equilibrium);
+  table(
+      keys,
+      {"montecarlo", optional, "Ensemble",
+       "bearings that differ within their tolerances, for the command montecarlo: a cycle in each direction of [cycle] "
+       "for each; deviations are from the values above"},
+      input.montecarlo);
 }
 
 }  // namespace bumpfoil

@@ -2,20 +2,48 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <ios>
+#include <memory>
+#include <new>
+#include <vector>
+
 // All of the library is in its header this way: whoever links ours needs no other.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
 
 namespace bumpfoil {
+namespace {
 
-std::string xxh3_128(std::string_view bytes) {
+std::string hexadecimal(XXH128_hash_t hash) {
   XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
+  XXH128_canonicalFromHash(&canonical, hash);
   std::string text;
   for (const unsigned char byte : canonical.digest) text += fmt::format("{:02x}", byte);
   return text;
+}
+
+}  // namespace
+
+std::string xxh3_128(std::string_view bytes) {
+  return hexadecimal(XXH3_128bits(bytes.data(), bytes.size()));
+}
+
+std::string xxh3_128_of_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  if (!state) throw std::bad_alloc();
+  XXH3_128bits_reset(state.get());
+  std::vector<char> piece(std::size_t{1} << 20U);
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    XXH3_128bits_update(state.get(), piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) throw Error(ErrorKind::file, {{path.string(), 0, "", "", "cannot be read", ""}});
+  return hexadecimal(XXH3_128bits_digest(state.get()));
 }
 
 std::string sealed(std::string text) {

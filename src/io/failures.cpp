@@ -10,6 +10,15 @@
 namespace bumpfoil {
 namespace {
 
+/// A cycle that begins with the way to the preload: the first of a strip, and all of a bearing.
+bool begins_with_preload(const Case& input, const CycleResult& result, std::size_t cycle) {
+  if (result.experiment == Experiment::strip) return cycle == 0 && input.strip->preload.has_value();
+  return result.experiment == Experiment::cycle && input.cycle.preload.has_value() &&
+         result.cycles[cycle].loop_energies.empty();
+}
+
+}  // namespace
+
 std::string direction_name(double direction) {
   const double degrees = to_degrees(direction);
   constexpr std::array axes{"+X", "+Y", "-X", "-Y"};
@@ -19,15 +28,6 @@ std::string direction_name(double direction) {
   }
   return fmt::format("{:.6g} deg", degrees);
 }
-
-/// A cycle that begins with the way to the preload: the first of a strip, and all of a bearing.
-bool begins_with_preload(const Case& input, const CycleResult& result, std::size_t cycle) {
-  if (result.experiment == Experiment::strip) return cycle == 0 && input.strip->preload.has_value();
-  return result.experiment == Experiment::cycle && input.cycle.preload.has_value() &&
-         result.cycles[cycle].loop_energies.empty();
-}
-
-}  // namespace
 
 std::string cycle_name(const CycleResult& result, std::size_t cycle) {
   if (result.experiment == Experiment::path) return "path";

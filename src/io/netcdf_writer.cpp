@@ -1,5 +1,6 @@
 #include "io/netcdf_writer.hpp"
 
+#include <fcntl.h>
 #include <fmt/ranges.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
@@ -53,6 +54,15 @@ NewNetcdf::NewNetcdf() {
   std::copy(empty.begin(), empty.end(), static_cast<char*>(image.memory));
   // The image is its own from here on. The name only has to be one.
   netCDF::ncCheck(nc_open_memio("result.nc", NC_NETCDF4 | NC_WRITE, &image, &id_), __FILE__, __LINE__);
+  root_ = netCDF::NcGroup(id_);
+}
+
+NewNetcdf::NewNetcdf(const std::filesystem::path& path)
+    : file_(FileDescriptor(path, path, O_RDWR | O_CREAT | O_TRUNC)) {
+  write_all(*file_, empty_hdf5(), path);
+  // netCDF reads paths its own way (URLs, backslashes, leading blanks): this one is a plain one, whatever the folder.
+  const std::string name = fmt::format("/proc/self/fd/{}", file_->get());
+  netCDF::ncCheck(nc_open(name.c_str(), NC_NETCDF4 | NC_WRITE, &id_), __FILE__, __LINE__);
   root_ = netCDF::NcGroup(id_);
 }
 
@@ -110,6 +120,10 @@ std::string NewNetcdf::close() {
   netCDF::ncCheck(nc_close_memio(id_, &image), __FILE__, __LINE__);
   const std::unique_ptr<void, decltype(&std::free)> owned(image.memory, &std::free);
   return {static_cast<const char*>(image.memory), image.size};
+}
+
+void NewNetcdf::close_file() {
+  netCDF::ncCheck(nc_close(id_), __FILE__, __LINE__);
 }
 
 }  // namespace bumpfoil

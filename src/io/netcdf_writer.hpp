@@ -1,11 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <netcdf>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bumpfoil/io/result_quantities.hpp"
+#include "io/posix_file.hpp"
 
 namespace bumpfoil {
 
@@ -17,13 +20,17 @@ struct VariableMeaning {
   Form form{};
 };
 
-/// A new netCDF-4 file in memory. Its variables take numbers that are not finite for absent; what is absent or never
-/// put is the fill value of the variable. It throws what netCDF does.
+/// A new netCDF-4 file, in memory or on the disk. Its variables take numbers that are not finite for absent; what is
+/// absent or never put is the fill value of the variable. It throws what netCDF does.
 class NewNetcdf {
  public:
   using Dims = std::vector<netCDF::NcDim>;
 
+  /// In memory.
   NewNetcdf();
+  /// On the disk, for what is too large for the memory. A disk that fills up meanwhile is the end of the program: see
+  /// that there is room.
+  explicit NewNetcdf(const std::filesystem::path& path);
   NewNetcdf(const NewNetcdf&) = delete;
   NewNetcdf& operator=(const NewNetcdf&) = delete;
 
@@ -42,14 +49,18 @@ class NewNetcdf {
   /// A variable that is all there.
   netCDF::NcVar put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values);
 
-  /// Closes it. @return its bytes
+  /// Closes one in memory. @return its bytes
   std::string close();
+
+  /// Closes one on the disk.
+  void close_file();
 
  private:
   netCDF::NcVar define(const VariableMeaning& meaning, const Dims& dims);
 
   // A file that could not be completed is left open: closing it after the memory has failed it crashes in HDF5.
   int id_{};
+  std::optional<FileDescriptor> file_;
   netCDF::NcGroup root_;
 };
 

@@ -14,6 +14,7 @@
 #include "bumpfoil/model/geometry.hpp"
 #include "model/judge.hpp"
 #include "model/judge_film.hpp"
+#include "model/judge_montecarlo.hpp"
 #include "model/judge_vibration.hpp"
 
 namespace bumpfoil {
@@ -28,6 +29,10 @@ bool judge_bearing(Judge& judge, const Bearing& bearing) {
     judge.require(std::abs(bearing.radial_clearance) <= limit, "bearing.radial_clearance",
                   quantity(bearing.radial_clearance, "m"), "is too large for this radius",
                   fmt::format("give at most {:.6g} m either way; is the unit right?", limit));
+  }
+  if (const auto& waves = bearing.sleeve_waviness) {
+    judge_waves(judge, "bearing.sleeve_waviness", waves->harmonic, waves->amplitude, radius ? bearing.radius : 0.0);
+    judge.angle("bearing.sleeve_waviness.phase", waves->phase);
   }
   return radius;
 }
@@ -351,6 +356,12 @@ void judge_combination(Judge& judge, const Case& input) {
                 std::string(name_of(input.bump_foil.model)),
                 "has no history: its loops have no area, and it cannot vibrate about a load",
                 "set model = \"truss\" or \"frame\", or remove [vibration]");
+  judge.require(!input.bearing.sleeve_waviness || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)), "has feet that follow any sleeve",
+                "set model = \"truss\" or \"frame\", or remove [bearing.sleeve_waviness]");
+  judge.require(!input.montecarlo || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)), "is no model for ensembles: its loops have no area",
+                "set model = \"truss\" or \"frame\", or remove [montecarlo]");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
   judge.require(
@@ -410,6 +421,7 @@ std::vector<Fault> find_faults(const Case& input) {
   if (input.path) judge_path(judge, *input.path, bumps ? foil.bumps : 0, flattening(input.bearing, rise));
   if (input.vibration) judge_vibration(judge, *input.vibration, flattening(input.bearing, rise));
   judge_film_settings(judge, input, bumps);
+  if (input.montecarlo) judge_montecarlo(judge, *input.montecarlo, usable_radius);
   judge_combination(judge, input);
   return judge.take();
 }

@@ -16,8 +16,9 @@ ALLOWED = {
     "film": {"core", "structure"},
     "former": {"core", "model", "structure", "contact"},
     "analysis": {"core", "model", "structure", "contact", "film", "former"},
-    "io": {"core", "model", "structure", "contact", "film", "former", "analysis"},
-    "studies": {"core", "model", "structure", "contact", "film", "former", "analysis", "io"},
+    "ensemble": {"core", "model", "analysis"},
+    "io": {"core", "model", "structure", "contact", "film", "former", "analysis", "ensemble"},
+    "studies": {"core", "model", "structure", "contact", "film", "former", "analysis", "ensemble", "io"},
 }
 
 # Headers that a module must not include, though it may include their module: foils are built from a design of their

@@ -40,7 +40,8 @@ class Running {
     posix_spawn_file_actions_destroy(&actions);
   }
 
-  void interrupt() const { kill(process_, SIGINT); }
+  void interrupt() const { end(SIGINT); }
+  void end(int signal) const { kill(process_, signal); }
 
   /// Exit code, or 1000 plus the signal that ended it.
   int wait() const {

@@ -102,6 +102,7 @@ class Pages(InADirectory):
         self.run_in_directory([str(PROGRAM), "sweep", case, *over, "-o", "grid"])
         os.symlink(ROOT / "examples", Path(self.directory) / "examples")
         examples = "".join(example.read_text(encoding="utf-8") for example in (ROOT / "examples").glob("*.toml"))
+        self.run_in_directory([str(PROGRAM), "montecarlo", str(ROOT / "examples/tolerances.toml"), "-o", "tolerances"])
         blocks = 0
         for document in (ROOT / "docs").rglob("*.md"):
             for language, code in re.findall(r"^```(\w+)\n(.*?)^```", document.read_text(encoding="utf-8"), re.M | re.S):

@@ -41,7 +41,7 @@ struct Foils {
   double clearance{};        ///< gap between the pressing body, at the origin, and the undeformed foils, m
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;
-  Vector assembled_gap;  ///< g0 of each contact without the pressing body, m: height errors and sleeve gaps
+  Vector assembled_gap;  ///< g0 of each contact without the pressing body, m: height errors, sleeve gaps and waviness
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,9 @@ namespace bumpfoil {
 /// XXH3 of 128 bits (https://xxhash.com) in its canonical form, 32 hexadecimal digits: what `xxhsum -H2` prints. It
 /// tells damage, not forgery.
 std::string xxh3_128(std::string_view bytes);
+
+/// The same of a file, read piece by piece. @throws Error (file) if it cannot be read
+std::string xxh3_128_of_file(const std::filesystem::path& path);
 
 /// What a text that is to vouch for itself has in the place of its checksum.
 inline constexpr std::string_view blank_checksum = "00000000000000000000000000000000";

@@ -9,6 +9,7 @@
 
 #include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/model/gas_preset.hpp"
+#include "bumpfoil/model/scatter.hpp"
 
 namespace bumpfoil {
 
@@ -23,6 +24,21 @@ enum class HeightReference {
 
 enum class SolverName { newton, uzawa, events };
 
+/// Waviness of a sleeve: what its radius at the polar angle phi (from X towards Y) is more than the nominal one.
+///
+///     w(phi) = amplitude cos(harmonic phi - phase)
+///
+/// The foils lie in the sleeve without stress and follow it: the gap between journal and top foil over a crest grows by
+/// w there, and that between a foot and the sleeve by what w is at the foot more than at the crest of its bump, so that
+/// from the journal to the sleeve under a foot all gaps together grow by w under the foot.
+struct SleeveWaviness {
+  int harmonic{};      ///< waves around the circumference
+  double amplitude{};  ///< m
+  double phase{};      ///< rad
+
+  bool operator==(const SleeveWaviness&) const = default;
+};
+
 /// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
 struct Bearing {
   double radius{};                      ///< R, m
@@ -30,6 +46,7 @@ struct Bearing {
   double radial_clearance{};            ///< C_r, m; zero or negative means interference
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
   Wrap wrap{Wrap::clockwise};
+  std::optional<SleeveWaviness> sleeve_waviness{};
 
   bool operator==(const Bearing&) const = default;
 };
@@ -255,6 +272,7 @@ struct Case {
   GasSettings gas{};
   FilmSettings film{};
   std::optional<EquilibriumSettings> equilibrium{};
+  std::optional<MonteCarloSettings> montecarlo{};
 
   bool operator==(const Case&) const = default;
 };

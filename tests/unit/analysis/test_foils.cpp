@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -53,6 +54,33 @@ TEST(Foils, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
     EXPECT_NEAR(loading.initial_gap[3 * i], gap, 1e-19);
     EXPECT_EQ(loading.initial_gap[3 * i + 1], i == 4 ? -3e-6 : 0.0);  // a taller bump interferes
     EXPECT_EQ(loading.initial_gap[3 * i + 2], i == 7 ? 2e-6 : 0.0);
+  }
+}
+
+TEST(Foils, FollowAWavySleeve) {
+  Case input = case_with_given_constants();
+  input.bump_foil.height_errors.assign(26, 1e-6);
+  for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
+    input.bump_foil.model = model;
+    input.bearing.sleeve_waviness.reset();
+    const Vector round = make_bearing_foils(input)->assembled_gap;
+    input.bearing.sleeve_waviness = SleeveWaviness{.harmonic = 3, .amplitude = 5e-6, .phase = 0.7};
+    const SharedFoils foils = make_bearing_foils(input);
+    const Vector added = foils->assembled_gap - round;
+    const Vector feet = polar_angles(input.bearing, foot_angles(input));
+    for (Eigen::Index i = 0; i < 26; ++i) {
+      const Eigen::Index first = (foils->structure.first_bump + i) * foils->contacts_per_block();
+      // Default weld at 180 degrees, clockwise.
+      const double phi =
+          std::numbers::pi - (static_cast<double>(i) + 0.5) * input.bump_foil.pitch / input.bearing.radius;
+      EXPECT_NEAR(added[first], 5e-6 * std::cos(3.0 * phi - 0.7), 1e-19);
+      EXPECT_NEAR(added[first + 1], 0.0, 1e-19);
+      for (Eigen::Index k = 0; k < foils->feet_per_block(); ++k) {
+        // From the journal to the sleeve all gaps together have grown by the wave under the foot.
+        const double under_foot = 5e-6 * std::cos(3.0 * feet[i * foils->feet_per_block() + k] - 0.7);
+        EXPECT_NEAR(added[first] + added[first + foils->first_foot() + k], under_foot, 1e-19);
+      }
+    }
   }
 }
 

@@ -38,6 +38,42 @@ std::string cut(std::string text, const std::string& part) {
   return text.erase(at, part.size());
 }
 
+TEST(ParseCase, ReadsEnsembles) {
+  EXPECT_FALSE(with({}).montecarlo);
+  const TemporaryFolder folder;
+  folder.write("lengths.csv", "deviation\n1e-6\n\n -2e-6\n");
+  const std::string text = whole_case() + R"(
+[montecarlo]
+samples = 50
+bump_height = { distribution = "normal", std = "10 um", correlation_length = "9 mm" }
+radial_clearance = { distribution = "truncated_normal", std = "2 um", lower = "-4 um", upper = 5e-6 }
+friction_bump_sleeve = { distribution = "uniform", lower = -0.05, upper = 0.05 }
+bump_length = { distribution = "table", file = "lengths.csv" }
+sleeve_waviness = { harmonic = 3, amplitude = "5 um" }
+)";
+  const Case input = parse_case(text, (folder.path() / "case.toml").string());
+  using enum DistributionKind;
+  const MonteCarloSettings expected{
+      .samples = 50,
+      .seed = 1,
+      .bump_height = HeightScatter{{.kind = normal, .sigma = 10e-6}, 9e-3},
+      .bump_length = Distribution{.kind = table, .values = {1e-6, -2e-6}},
+      .friction_bump_sleeve = Distribution{.kind = uniform, .lower = -0.05, .upper = 0.05},
+      .radial_clearance = Distribution{.kind = truncated_normal, .sigma = 2e-6, .lower = -4e-6, .upper = 5e-6},
+      .sleeve_waviness = WavinessScatter{3, 5e-6}};
+  EXPECT_EQ(input.montecarlo.value(), expected);
+  EXPECT_EQ(parse_case(case_to_toml(input), "again.toml"), input);
+  EXPECT_NE(refusal({"montecarlo.bump_height.std=10 N"}).find("montecarlo.bump_height.std = 10 N"), std::string::npos);
+  EXPECT_NE(refusal({"montecarlo.bump_hight.std=10 um"}).find("did you mean \"bump_height\"?"), std::string::npos);
+}
+
+TEST(ParseCase, ReadsTheWavesOfASleeve) {
+  EXPECT_EQ(with({"bearing.sleeve_waviness={harmonic=3, amplitude=\"5 um\"}"}).bearing.sleeve_waviness,
+            (SleeveWaviness{3, 5e-6, 0.0}));
+  EXPECT_NE(refusal({"bearing.sleeve_waviness.amplitude=5 um"}).find("bearing.sleeve_waviness.harmonic: is missing"),
+            std::string::npos);
+}
+
 TEST(ParseCase, ReadsEveryKey) {
   const Case input = parse_case(whole_case(), "case.toml");
   EXPECT_EQ(input.title, "Whole");

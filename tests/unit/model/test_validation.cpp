@@ -34,6 +34,63 @@ TEST(FindFaults, FindsNoneInTheReferenceCase) {
   EXPECT_TRUE(find_faults(reference_case()).empty());
 }
 
+TEST(FindFaults, JudgesEnsembles) {
+  const auto ensemble = [](const std::function<void(MonteCarloSettings&)>& change) {
+    return faulty_keys([&](Case& input) {
+      input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
+      change(*input.montecarlo);
+    });
+  };
+  const auto heights = [&](const Distribution& distribution) {
+    return ensemble([&](MonteCarloSettings& e) { e.bump_height->distribution = distribution; });
+  };
+  using enum DistributionKind;
+  EXPECT_EQ(ensemble([](MonteCarloSettings&) {}), Keys{});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.samples = 0; }), Keys{"montecarlo.samples"});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.seed = -1; }), Keys{"montecarlo.seed"});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.bump_height.reset(); }), Keys{"montecarlo"});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.bump_height->correlation_length = -1e-3; }),
+            Keys{"montecarlo.bump_height.correlation_length"});
+  EXPECT_EQ(heights({}), Keys{"montecarlo.bump_height.std"});
+  EXPECT_EQ(heights({.sigma = 0.0}), Keys{"montecarlo.bump_height.std"});
+  EXPECT_EQ(heights({.sigma = nan}), Keys{"montecarlo.bump_height.std"});
+  EXPECT_EQ(heights({.sigma = 1e-6, .lower = -1e-6}), Keys{"montecarlo.bump_height.lower"});
+  EXPECT_EQ(heights({.kind = uniform, .lower = -1e-6, .upper = 1e-6}), Keys{});
+  EXPECT_EQ(heights({.kind = uniform, .lower = 1e-6, .upper = 1e-6}), Keys{"montecarlo.bump_height.upper"});
+  EXPECT_EQ(heights({.kind = uniform, .sigma = 1e-6, .upper = 1e-6}),
+            (Keys{"montecarlo.bump_height.std", "montecarlo.bump_height.lower"}));
+  EXPECT_EQ(heights({.kind = truncated_normal, .sigma = 1e-6, .lower = -1e-6, .upper = 1e-6}), Keys{});
+  EXPECT_EQ(heights({.kind = truncated_normal, .sigma = 1e-6, .lower = 9e-6, .upper = 10e-6}),
+            Keys{"montecarlo.bump_height.lower"});
+  EXPECT_EQ(heights({.kind = table}), Keys{"montecarlo.bump_height.values"});
+  EXPECT_EQ(heights({.kind = table, .values = {0.0, infinity}}), Keys{"montecarlo.bump_height.values[2]"});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) { e.friction_top_bump = Distribution{.sigma = -0.1}; }),
+            Keys{"montecarlo.friction_top_bump.std"});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) {
+              e.sleeve_waviness = WavinessScatter{0, 5e-6};
+            }),
+            Keys{"montecarlo.sleeve_waviness.harmonic"});
+  EXPECT_EQ(ensemble([](MonteCarloSettings& e) {
+              e.sleeve_waviness = WavinessScatter{3, 5e-3};
+            }),
+            Keys{"montecarlo.sleeve_waviness.amplitude"});
+}
+
+TEST(FindFaults, JudgesTheWavesOfASleeve) {
+  const auto waves = [](
+                         SleeveWaviness given, const std::function<void(Case&)>& change = [](Case&) {}) {
+    return faulty_keys([&](Case& input) {
+      input.bearing.sleeve_waviness = given;
+      change(input);
+    });
+  };
+  EXPECT_EQ(waves({3, 5e-6, 1.0}), Keys{});
+  EXPECT_EQ(waves({0, 0.0, nan}), (Keys{"bearing.sleeve_waviness.harmonic", "bearing.sleeve_waviness.amplitude",
+                                        "bearing.sleeve_waviness.phase"}));
+  EXPECT_EQ(waves({3, 5e-6, 1.0}, [](Case& input) { input.bump_foil.model = BumpFoilModel::former; }),
+            Keys{"bump_foil.model"});
+}
+
 TEST(FindFaults, JudgesStrips) {
   const auto strip = [](const std::function<void(StripSettings&)>& change) {
     return faulty_keys([&](Case& input) {

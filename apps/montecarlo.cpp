@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/ensemble_files.hpp"
+#include "bumpfoil/io/ensemble_identity.hpp"
+#include "bumpfoil/io/ensemble_log.hpp"
+#include "bumpfoil/io/ensemble_table.hpp"
+#include "bumpfoil/studies/ensemble_run.hpp"
+#include "bumpfoil/studies/parallel_runs.hpp"
+#include "commands.hpp"
+#include "experiment.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct MonteCarloOptions {
+  std::string case_path;
+  std::string folder;
+  std::optional<int> samples;
+  std::optional<int> seed;
+  unsigned threads{available_threads()};
+  std::optional<double> target_error;
+  std::vector<std::string> limits;
+  std::vector<std::string> overrides;
+  bool force{};
+  bool resume{};
+};
+
+constexpr const char* checkpoint_name = "ensemble.checkpoint";
+
+/// The log of a run that begins, or that goes on.
+EnsembleLog open_log(const std::filesystem::path& path, bool resumes, const Case& input, std::size_t width) {
+  if (!resumes) return {path, ensemble_identity(input), width};
+  require_same_ensemble(*EnsembleLog::identity_of(path), input, path.string());
+  return EnsembleLog::open(path, width);
+}
+
+/// Samples that a run has done, for the terminal.
+class Rate {
+ public:
+  explicit Rate(std::size_t before) : before_(static_cast<double>(before)) {}
+
+  [[nodiscard]] std::string text(double done) const {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    return fmt::format("{:.3g} samples/s", (done - before_) / elapsed);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double before_;
+  Clock::time_point start_{Clock::now()};
+};
+
+ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session) {
+  std::vector<std::string> overrides = options.overrides;
+  if (options.samples) overrides.push_back(fmt::format("montecarlo.samples={}", *options.samples));
+  if (options.seed) overrides.push_back(fmt::format("montecarlo.seed={}", *options.seed));
+  const std::string case_text = read_case_text(options.case_path);
+  const Case input =
+      parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {"montecarlo", "cycle"}});
+  const InterruptionGuard guard;  // from before there is anything to clean up
+  const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / checkpoint_name;
+  const bool resumes = options.resume && EnsembleLog::identity_of(checkpoint).has_value();
+  const Existing existing = options.force || resumes ? Existing::replace : Existing::refuse;
+  ResultFolder folder(options.folder, existing, ensemble_file_names());
+  if (existing == Existing::refuse && !options.resume && std::filesystem::exists(checkpoint)) {
+    throw Error(ErrorKind::file, {{checkpoint.string(), 0, "", "", "is of a run that was not finished",
+                                   "go on with it by --resume, begin anew by --force, or give another folder"}});
+  }
+
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  const std::vector<EnsembleLimit> limits = parse_limits(options.limits, layout);
+  EnsembleLog log = open_log(checkpoint, resumes, input, layout.width());
+  bool finished = false;
+  {
+    ProgressBar bar(!session.quiet);
+    const Rate rate(log.samples());
+    const auto enough = [&] {
+      return options.target_error && relative_error_of_force(layout, log) < *options.target_error;
+    };
+    const auto progress = [&](double done) {
+      bar.show(done / input.montecarlo->samples, rate.text(done));
+      return !guard.interrupted();
+    };
+    finished = run_ensemble(input, layout, options.threads, log, progress, enough);
+  }
+
+  const EnsembleStatistics statistics = make_ensemble_statistics(input, layout, log);
+  const RunStatus status = status_of(statistics, !finished);
+  const EnsembleYields yields = make_yields(limits, layout, log);
+  stage_ensemble(input, layout, log, statistics, yields, status,
+                 {.command_line = session.command_line, .case_text = case_text}, folder);
+  folder.publish();
+  const std::string place = printable(options.folder, longest_path);
+  if (!session.quiet) {
+    print_output(ensemble_table(layout, statistics));
+    print_output(yield_text(yields));
+    print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
+  }
+  print_some("bumpfoil: ", failure_lines(layout, statistics));
+  if (status == RunStatus::interrupted) {
+    print_message(fmt::format("bumpfoil: interrupted: {} of {} samples are missing",
+                              static_cast<std::size_t>(input.montecarlo->samples) - statistics.samples,
+                              input.montecarlo->samples));
+  }
+  if (status != RunStatus::complete) {
+    print_message(fmt::format("bumpfoil: the results in {} are partial, and flagged so", place));
+  }
+  return exit_code_of(status);
+}
+
+}  // namespace
+
+void add_montecarlo_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<MonteCarloOptions>();
+  CLI::App* command = program.add_subcommand(
+      "montecarlo", "Run the cycles of many bearings that differ within the tolerances of [montecarlo]");
+  command->add_option("CASE", options->case_path, "Case file")->required();
+  command->add_option("-o,--output", options->folder, "Folder for summary.json and ensemble.nc")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--samples", options->samples, "The same as --set montecarlo.samples=N")->type_name("N");
+  command->add_option("--seed", options->seed, "The same as --set montecarlo.seed=S")->type_name("S");
+  command->add_option("--threads", options->threads, "Samples that are run at a time; results do not depend on it")
+      ->check(CLI::Range(1U, 1024U))
+      ->type_name("N");
+  add_overrides(*command, options->overrides);
+  command
+      ->add_option("--target-error", options->target_error,
+                   "Stop when the standard error of the mean of the maximum force is below this part of it in every "
+                   "direction; asked after every 1000 samples")
+      ->check(CLI::PositiveNumber)
+      ->type_name("E");
+  command
+      ->add_option("--limit", options->limits,
+                   "What a bearing is to keep in every direction, \"clearance_5N > 20 um\"; may be given again")
+      ->type_name("LIMIT")
+      ->allow_extra_args(false)
+      ->take_all();
+  CLI::Option* resume = command->add_flag(
+      "--resume", options->resume, "Go on where a run was killed or interrupted, or with more samples than it had");
+  command->add_flag("--force", options->force, "Replace results that the folder holds")->excludes(resume);
+  command->footer(
+      "Examples:\n"
+      "  bumpfoil montecarlo examples/tolerances.toml -o tolerances\n"
+      "  bumpfoil montecarlo examples/tolerances.toml -o more --samples 10000 --seed 2\n"
+      "  bumpfoil cycle examples/tolerances.toml --sample tolerances/ensemble.nc:17 -o seventeen\n"
+      "A sample depends on its number and the seed alone: not on threads, nor on how many there are. One that fails is "
+      "kept, with its status. Ctrl-C ends the run; the samples that are done by then are written, and --resume goes "
+      "on. "
+      "Samples are kept in ensemble.checkpoint as they come, for that alone.");
+  command->callback([options, &session] { session.exit_code = run_montecarlo(*options, session); });
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace bumpfoil {
+
+/// Percentiles that statistics have, %.
+inline constexpr std::array<int, 7> percentiles{1, 5, 25, 50, 75, 95, 99};
+
+/// What is told of a quantity that varies. Numbers that are not defined, for want of values, are not numbers.
+struct Statistics {
+  std::size_t count{};      ///< values that are defined
+  std::size_t undefined{};  ///< and those that are not
+  double mean{};
+  double deviation{};       ///< standard deviation, with count - 1
+  double standard_error{};  ///< of the mean: deviation / sqrt(count)
+  double mean_low{};        ///< 95 % interval of the mean, 1.96 standard errors either way
+  double mean_high{};
+  std::array<double, percentiles.size()> percentile{};  ///< linear between the values in their order
+};
+
+/// What an undefined value stands for.
+enum class Undefined {
+  unknown,  ///< nothing: it is left out
+  largest,  ///< more than can be told, such as a clearance that was never taken up: the largest in percentiles
+};
+
+/// Statistics of values, of which those that are not numbers are undefined. Means leave these out.
+Statistics statistics_of(std::vector<double> values, Undefined undefined = Undefined::unknown);
+
+}  // namespace bumpfoil

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/io/ensemble_statistics.hpp"
+#include "bumpfoil/io/ensemble_yield.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/result_netcdf.hpp"
+#include "bumpfoil/io/summary.hpp"
+
+namespace bumpfoil {
+
+/// Names of the files that an ensemble writes.
+std::vector<std::string> ensemble_file_names();
+
+/// How the run of an ensemble ended: interrupted if samples are missing, else failed if any failed, else complete.
+/// @param stopped  it was interrupted
+RunStatus status_of(const EnsembleStatistics& statistics, bool stopped);
+
+/// Stages ensemble.nc and summary.json, as docs/results.md describes them, with one run id.
+/// @throws Error (file)
+void stage_ensemble(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log,
+                    const EnsembleStatistics& statistics, const EnsembleYields& yields, RunStatus status,
+                    const Provenance& provenance, ResultFolder& folder);
+
+/// The case of a stored sample, to be run again in full. What is done to the bearing may be another than in the
+/// ensemble; the bearing itself may not.
+/// @param file   an ensemble.nc   @param input  the case that the ensemble was drawn for
+/// @throws Error (file) if it cannot be read; Error (input) if it has no such sample, or is of another bearing
+Case read_sampled_case(const std::filesystem::path& file, std::size_t number, const Case& input);
+
+}  // namespace bumpfoil

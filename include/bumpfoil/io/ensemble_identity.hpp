@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// What the numbers of an ensemble depend on to the last bit: program, instruction set of the machine, and the case
+/// with its seed. The number of samples, and the title, are not of it.
+std::string ensemble_identity(const Case& input);
+
+/// @param identity  of the ensemble that is to be gone on with   @param file  that it is from
+/// @throws Error (input) that names every difference to that of the case
+void require_same_ensemble(const std::string& identity, const Case& input, const std::string& file);
+
+}  // namespace bumpfoil

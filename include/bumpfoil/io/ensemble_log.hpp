@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// The numbers of an ensemble on the disk, where a million samples have room: rows of samples 0, 1, 2, ..., added at
+/// the end block by block, and read by columns. Each block carries a checksum and is flushed to the disk: whatever is
+/// killed or loses its power, the log that is found is whole up to some sample, and what is torn behind it falls away.
+///
+/// Numbers are written as they lie in memory: a log is for machines like the one that began it.
+class EnsembleLog {
+ public:
+  /// Begins a log; one that is there is replaced.
+  /// @param identity  what the numbers depend on, for those who go on with them
+  /// @param width     of a row
+  /// @throws Error (file), as do all functions
+  EnsembleLog(const std::filesystem::path& path, std::string_view identity, std::size_t width);
+
+  /// The identity of a log; nothing where there is no whole one.
+  static std::optional<std::string> identity_of(const std::filesystem::path& path);
+
+  /// Opens a log that has an identity and this width, to go on with it. A torn end is cut off.
+  static EnsembleLog open(const std::filesystem::path& path, std::size_t width);
+
+  EnsembleLog(EnsembleLog&&) noexcept;
+  ~EnsembleLog();
+
+  [[nodiscard]] std::size_t samples() const;
+
+  /// Adds whole rows, one after the other, and flushes them.
+  void append(std::span<const double> rows);
+
+  /// Entries `first` to `first + count` of a column.
+  [[nodiscard]] std::vector<double> column(std::size_t column, std::size_t first, std::size_t count) const;
+
+  /// All of a column.
+  [[nodiscard]] std::vector<double> column(std::size_t place) const { return column(place, 0, samples()); }
+
+ private:
+  struct Open;
+  explicit EnsembleLog(std::unique_ptr<Open> open);
+
+  std::unique_ptr<Open> open_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/status.hpp"
+#include "bumpfoil/io/ensemble_layout.hpp"
+#include "bumpfoil/io/ensemble_log.hpp"
+
+namespace bumpfoil {
+
+/// A cycle of a sample that ended before its time.
+struct SampleFailure {
+  std::size_t sample{};
+  std::size_t direction{};  ///< place in the case
+  Status status{};
+};
+
+/// What an ensemble is like in one direction: of the cycles that converged.
+struct DirectionStatistics {
+  std::vector<Statistics> columns;     ///< one for each of the layout; of the status it means nothing
+  std::vector<Statistics> bump_loads;  ///< one per bump
+  /// For each column one for each of the factors, see PartialRankCorrelations; not numbers where the column is not
+  /// defined for some.
+  std::vector<std::vector<double>> sensitivities;
+};
+
+/// Samples that sensitivities are taken from at most: the first.
+inline constexpr std::size_t most_ranked_samples = 100'000;
+
+struct EnsembleStatistics {
+  std::size_t samples{};  ///< that are there
+  std::vector<DirectionStatistics> directions;
+  std::vector<SampleFailure> failures;  ///< by number
+};
+
+/// Reads a log column by column, one in memory at a time, and draws the samples of sensitivities again.
+EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log);
+
+/// Standard error of the mean of the maximum force over that mean, the largest of all directions; not a number where
+/// there are too few samples.
+double relative_error_of_force(const EnsembleLayout& layout, const EnsembleLog& log);
+
+}  // namespace bumpfoil

@@ -1,0 +1,105 @@
+#include "bumpfoil/ensemble/sample.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/ensemble/draws.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Variables of DrawPlace. Those of scattered_numbers() follow the last. Another order would draw other bearings.
+enum Variable : std::uint32_t { height, waviness, first_number };
+
+std::vector<double> draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace place) {
+  const double rho = heights.correlation_length > 0.0 ? std::exp(-foil.pitch / heights.correlation_length) : 0.0;
+  std::vector<double> deviations(static_cast<std::size_t>(foil.bumps));
+  double score = 0.0;
+  for (double& deviation : deviations) {
+    double probability = uniform_draw(place);
+    if (rho > 0.0) {
+      const double fresh = normal_quantile(probability);
+      score = place.element == 0 ? fresh : rho * score + std::sqrt(1.0 - rho * rho) * fresh;
+      probability = normal_probability(score);
+    }
+    deviation = quantile(heights.distribution, probability);
+    ++place.element;
+  }
+  return deviations;
+}
+
+/// What is told of a bearing that cannot be built.
+CycleResult not_run(const Case& sampled) {
+  CycleResult result{.solver = sampled.solver.name, .experiment = Experiment::cycle, .cycles = {}};
+  for (const double direction : sampled.cycle.directions) {
+    Cycle& cycle = result.cycles.emplace_back();
+    cycle.direction = direction;
+    cycle.status = Status::not_physical;
+    for (const double force : sampled.cycle.clearance_forces) cycle.clearances.push_back({force, {}});
+  }
+  return result;
+}
+
+}  // namespace
+
+Sample draw_sample(const Case& input, std::uint64_t number) {
+  const MonteCarloSettings& ensemble = *input.montecarlo;
+  DrawPlace place{
+      .seed = static_cast<std::uint64_t>(ensemble.seed), .sample = number, .variable = height, .element = 0};
+  Sample sample;
+  if (ensemble.bump_height) sample.height_deviations = draw_heights(*ensemble.bump_height, input.bump_foil, place);
+  place.variable = waviness;
+  if (ensemble.sleeve_waviness) sample.waviness_phase = 2.0 * std::numbers::pi * uniform_draw(place);
+  place.variable = first_number;
+  for (const ScatteredNumber& number_of_case : scattered_numbers()) {
+    const std::optional<Distribution>& distribution = ensemble.*number_of_case.distribution;
+    sample.deviations.push_back(distribution ? quantile(*distribution, uniform_draw(place)) : 0.0);
+    ++place.variable;
+  }
+  return sample;
+}
+
+std::size_t factor_count(const Case& input) {
+  return factors_of(input, draw_sample(input, 0)).size();
+}
+
+std::vector<double> factors_of(const Case& input, const Sample& sample) {
+  std::vector<double> factors = sample.height_deviations;
+  for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
+    if ((*input.montecarlo).*scattered_numbers()[i].distribution) factors.push_back(sample.deviations[i]);
+  }
+  return factors;
+}
+
+Case sampled_case(const Case& input, const Sample& sample) {
+  Case sampled = input;
+  sampled.montecarlo.reset();
+  std::vector<double>& heights = sampled.bump_foil.height_errors;
+  if (!sample.height_deviations.empty()) heights.resize(sample.height_deviations.size());
+  for (std::size_t i = 0; i < sample.height_deviations.size(); ++i) heights[i] += sample.height_deviations[i];
+  for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
+    scattered_numbers()[i].in(sampled) += sample.deviations[i];
+  }
+  if (const auto& waves = input.montecarlo->sleeve_waviness) {
+    sampled.bearing.sleeve_waviness = SleeveWaviness{waves->harmonic, waves->amplitude, sample.waviness_phase};
+  }
+  return sampled;
+}
+
+CycleResult run_sample(const Case& sampled, const ProgressCallback& progress) {
+  SharedFoils foils;
+  try {
+    foils = make_bearing_foils(sampled);
+  } catch (const Error&) {
+    return not_run(sampled);
+  }
+  CycleResult result{.solver = sampled.solver.name, .experiment = Experiment::cycle, .cycles = {}};
+  CycleRunner runner(foils, sampled.solver);
+  for (const double direction : sampled.cycle.directions) {
+    result.cycles.push_back(runner.run(direction, sampled.cycle, Recording::quantities, progress));
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

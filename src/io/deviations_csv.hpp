@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// Reads measured deviations from a CSV file with the header `deviation` and a number in SI in each line.
+/// @throws Error (input) with every fault of the file; Error (file) if it cannot be read
+std::vector<double> read_deviations(const std::string& path);
+
+}  // namespace bumpfoil

@@ -1,0 +1,116 @@
+#include "bumpfoil/io/ensemble_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/ensemble_table.hpp"
+#include "io/binary_file.hpp"
+#include "io/case_difference.hpp"
+#include "io/ensemble_netcdf.hpp"
+#include "io/ensemble_summary.hpp"
+#include "io/manifest.hpp"
+#include "io/netcdf_image.hpp"
+
+namespace bumpfoil {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* netcdf_name = "ensemble.nc";
+/// Failures that the message in ensemble.nc tells.
+constexpr std::size_t most_messages = 5;
+
+std::string message_of(const EnsembleLayout& layout, const EnsembleStatistics& statistics, bool interrupted,
+                       std::size_t due) {
+  std::vector<std::string> parts;
+  if (!statistics.failures.empty()) {
+    std::vector<std::string> lines = failure_lines(layout, statistics);
+    lines.resize(std::min(lines.size(), most_messages));
+    parts.push_back(fmt::format("{} cycles failed: {}", statistics.failures.size(), fmt::join(lines, "; ")));
+  }
+  if (interrupted) parts.push_back(fmt::format("{} of {} samples are there", statistics.samples, due));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// Reads what was drawn for a sample.
+Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& stored) {
+  const auto numbers = [&](const std::string& name) {
+    return image.numbers(image.variable(name, {"sample"}), {number}, {1}).front();
+  };
+  const MonteCarloSettings& ensemble = *stored.montecarlo;
+  Sample sample;
+  if (ensemble.bump_height) {
+    const auto bumps = static_cast<std::size_t>(stored.bump_foil.bumps);
+    const StoredVariable& heights = image.variable("bump_height_deviation", {"sample", "bump"});
+    if (image.size_of("bump") != bumps) image.refuse("bump", "has not the size of the foil");
+    sample.height_deviations = image.numbers(heights, {number, 0}, {1, bumps});
+  }
+  for (const ScatteredNumber& scattered : scattered_numbers()) {
+    const bool scatters = (ensemble.*scattered.distribution).has_value();
+    sample.deviations.push_back(scatters ? numbers(std::string(scattered.name) + "_deviation") : 0.0);
+  }
+  if (ensemble.sleeve_waviness) sample.waviness_phase = numbers("sleeve_waviness_phase");
+  return sample;
+}
+
+/// The bearing, its foils and their friction must be those that the deviations are from.
+void require_same_bearing(const Case& stored, const Case& input, const std::string& file) {
+  std::vector<Fault> faults;
+  for (const CaseDifference& difference : case_differences(stored, input)) {
+    const std::string table = difference.key.substr(0, difference.key.find('.'));
+    if (table != "bearing" && table != "bump_foil" && table != "top_foil" && table != "friction") continue;
+    faults.push_back({file, 0, difference.key, difference.theirs, fmt::format("is {} in this case", difference.ours),
+                      "give the case of the ensemble"});
+  }
+  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+}
+
+}  // namespace
+
+std::vector<std::string> ensemble_file_names() {
+  return {"summary.json", netcdf_name};
+}
+
+RunStatus status_of(const EnsembleStatistics& statistics, bool stopped) {
+  if (stopped) return RunStatus::interrupted;
+  return statistics.failures.empty() ? RunStatus::complete : RunStatus::failed;
+}
+
+void stage_ensemble(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log,
+                    const EnsembleStatistics& statistics, const EnsembleYields& yields, RunStatus status,
+                    const Provenance& provenance, ResultFolder& folder) {
+  Manifest manifest{make_run_id(), {}};
+  const fs::path path = folder.stage(netcdf_name);
+  const auto due = static_cast<std::size_t>(input.montecarlo->samples);
+  write_ensemble_netcdf(path, input, layout, log, status,
+                        message_of(layout, statistics, status == RunStatus::interrupted, due), provenance,
+                        manifest.run_id);
+  manifest.files.push_back({netcdf_name, static_cast<std::size_t>(fs::file_size(path)), xxh3_128_of_file(path)});
+  folder.stage("summary.json", ensemble_summary(input, layout, statistics, yields, status, manifest));
+}
+
+Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input) {
+  const NetcdfImage image(read_binary_file(file), file.string());
+  const auto understood = image.texts().find("case_understood");
+  if (understood == image.texts().end()) image.refuse("case_understood", "is missing: this is no ensemble");
+  Case stored = parse_case(understood->second, file.string());
+  if (!stored.montecarlo) image.refuse("", "is no ensemble");
+  require_same_bearing(stored, input, file.string());
+  const std::size_t samples = image.size_of("sample");
+  if (number >= samples) {
+    throw Error(ErrorKind::input, {{file.string(), 0, "sample", std::to_string(number), "is not there",
+                                    fmt::format("give a number below {}", samples)}});
+  }
+  const Sample sample = read_sample(image, number, stored);
+  Case drawn = input;
+  drawn.montecarlo = std::move(stored.montecarlo);
+  return sampled_case(drawn, sample);
+}
+
+}  // namespace bumpfoil

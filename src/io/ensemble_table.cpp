@@ -1,0 +1,59 @@
+#include "bumpfoil/io/ensemble_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "bumpfoil/io/failures.hpp"
+#include "io/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::size_t name_width = 30;
+constexpr std::size_t unit_width = 7;
+constexpr std::size_t cell_width = 11;
+
+std::string cell(double value, double unit) {
+  const std::optional<double> known = std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return fmt::format("{:>{}}", number_text(known, unit), cell_width);
+}
+
+}  // namespace
+
+std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
+  std::string out;
+  for (std::size_t direction = 0; direction < layout.directions.size(); ++direction) {
+    if (!out.empty()) out += '\n';
+    out += fmt::format("{:<{}}{:<{}}", direction_name(layout.directions[direction]), name_width, "", unit_width);
+    for (const std::string_view head : {"mean", "+-", "std", "5 %", "50 %", "95 %"}) {
+      out += fmt::format("{:>{}}", head, cell_width);
+    }
+    out += '\n' + std::string(name_width + unit_width + 6 * cell_width, '-') + '\n';
+    for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+      const EnsembleColumn& column = layout.columns[k];
+      if (column.label.empty()) continue;
+      const Statistics& found = statistics.directions[direction].columns[k];
+      const double unit = column.shown.size;
+      out += fmt::format("{:<{}}{:<{}}", column.label, name_width, column.shown.name, unit_width);
+      for (const double value : {found.mean, found.standard_error, found.deviation, found.percentile[1],
+                                 found.percentile[3], found.percentile[5]}) {
+        out += cell(value, unit);
+      }
+      out += '\n';
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> failure_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
+  std::vector<std::string> lines;
+  for (const SampleFailure& failure : statistics.failures) {
+    lines.push_back(fmt::format("sample {}, {}: {}", failure.sample,
+                                direction_name(layout.directions[failure.direction]), explanation(failure.status)));
+  }
+  return lines;
+}
+
+}  // namespace bumpfoil

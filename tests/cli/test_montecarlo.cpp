@@ -1,0 +1,131 @@
+// `bumpfoil montecarlo` as users and scripts meet it.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/running_program.hpp"
+
+namespace bumpfoil {
+namespace {
+
+class MonteCarloProgram : public Program {
+ protected:
+  [[nodiscard]] std::vector<std::string> montecarlo(const std::string& folder, int samples) const {
+    return {"montecarlo", case_path_,
+            "-o",         (folder_.path() / folder).string(),
+            "--samples",  std::to_string(samples),
+            "--set",      "cycle.steps=4",
+            "--set",      "cycle.directions=[\"+X\", \"-X\"]",
+            "--set",      "montecarlo.bump_height.std=10 um",
+            "--set",      "montecarlo.bump_foil_thickness.std=1 um"};
+  }
+  [[nodiscard]] json summary_of(const std::string& folder) const {
+    return json::parse(folder_.read(folder + "/summary.json"));
+  }
+  [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+};
+
+TEST_F(MonteCarloProgram, WritesStatisticsAndSamples) {
+  const Outcome run_of_ten = run(montecarlo("results", 10));
+  EXPECT_EQ(run_of_ten.exit_code, 0) << run_of_ten.errors;
+  EXPECT_NE(run_of_ten.output.find("\nmaximum force "), std::string::npos) << run_of_ten.output;
+  EXPECT_NE(run_of_ten.output.find("10 samples; results in " + results_), std::string::npos);
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"summary.json", "ensemble.nc", "ensemble.checkpoint"}));
+  const json found = summary();
+  EXPECT_EQ(found.at("status"), "complete");
+  EXPECT_EQ(found.at("samples"), 10);
+  EXPECT_EQ(found.at("statistics").at("+X").at("max_force_N").at("count"), 10);
+  EXPECT_EQ(run(montecarlo("results", 10)).exit_code, 4);  // holds results
+  EXPECT_EQ(run(montecarlo("results", 5) + std::vector<std::string>{"--force", "--seed", "2"}).exit_code, 0);
+  EXPECT_EQ(summary().at("seed"), 2);
+  EXPECT_EQ(summary().at("samples"), 5);
+}
+
+TEST_F(MonteCarloProgram, WantsSomethingThatScatters) {
+  EXPECT_EQ(run({"montecarlo", case_path_, "-o", results_}).exit_code, 2);
+  const Outcome nothing = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.errors.find("nothing scatters"), std::string::npos) << nothing.errors;
+  EXPECT_FALSE(wrote_results());
+}
+
+TEST_F(MonteCarloProgram, SamplesOfCycleAreWhatTheySay) {
+  ASSERT_EQ(run(montecarlo("results", 2)).exit_code, 0);
+  const auto refusal = [&](const std::string& sample) {
+    return run({"cycle", case_path_, "-o", (folder_.path() / "alone").string(), "--sample", sample});
+  };
+  EXPECT_EQ(refusal(results_ + "/ensemble.nc").exit_code, 2);
+  EXPECT_EQ(refusal(results_ + "/ensemble.nc:2").exit_code, 2);
+  EXPECT_EQ(refusal(results_ + "/ensemble.nc:-1").exit_code, 2);
+  EXPECT_EQ(refusal(results_ + "/none.nc:1").exit_code, 4);
+}
+
+TEST_F(MonteCarloProgram, KeepsSamplesThatFail) {
+  const Outcome failing =
+      run(montecarlo("results", 30) + std::vector<std::string>{"--set", "montecarlo.friction_top_bump.std=0.2"});
+  EXPECT_EQ(failing.exit_code, 3) << failing.errors;
+  EXPECT_NE(failing.errors.find("what was drawn makes no bearing"), std::string::npos) << failing.errors;
+  const json found = summary();
+  EXPECT_EQ(found.at("status"), "failed");
+  const std::size_t failed = found.at("failed").size() / 2;
+  EXPECT_GT(failed, 0U);
+  EXPECT_EQ(found.at("statistics").at("+X").at("max_force_N").at("count"), 30U - failed);
+}
+
+TEST_F(MonteCarloProgram, StopsWhereTheErrorIsSmallEnough) {
+  const Outcome enough =
+      run(montecarlo("results", 100000) + std::vector<std::string>{"--set", "cycle.steps=1", "--target-error", "0.5"});
+  EXPECT_EQ(enough.exit_code, 0) << enough.errors;
+  EXPECT_EQ(summary().at("samples"), 1000);
+  EXPECT_EQ(summary().at("status"), "complete");
+}
+
+TEST_F(MonteCarloProgram, AnInterruptedRunLeavesFlaggedResultsAndGoesOn) {
+  const std::vector<std::string> command = montecarlo("results", 1000000);
+  const Running program(command, (folder_.path() / "output").string());
+  while (!has("results/ensemble.checkpoint")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  program.interrupt();
+  EXPECT_EQ(program.wait(), 130);
+  EXPECT_NE(program.errors().find(" of 1000000 samples are missing"), std::string::npos) << program.errors();
+  const int samples = summary().at("samples").get<int>();
+  EXPECT_EQ(summary().at("status"), "interrupted");
+  ASSERT_GT(samples, 0);
+
+  const std::vector<std::string> resumed = montecarlo("results", samples + 20) + std::vector<std::string>{"--resume"};
+  const Outcome other = run(resumed + std::vector<std::string>{"--seed", "2"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.errors.find("montecarlo.seed = 1: is 2 now"), std::string::npos) << other.errors;
+  EXPECT_EQ(run(resumed + std::vector<std::string>{"--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(run(montecarlo("whole", samples + 20)).exit_code, 0);
+  EXPECT_EQ(summary().at("statistics"), summary_of("whole").at("statistics"));
+}
+
+/// Killed at random moments, it ends with the numbers of a run that was not, to the last bit.
+TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
+  constexpr int samples = 500;
+  ASSERT_EQ(run(montecarlo("whole", samples)).exit_code, 0);
+  const std::vector<std::string> command = montecarlo("results", samples) + std::vector<std::string>{"--resume"};
+  std::mt19937 random(20);
+  std::uniform_int_distribution<int> milliseconds(0, 150);
+  for (int kills = 0; kills < 20; ++kills) {
+    const Running program(command, (folder_.path() / "output").string());
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds(random)));
+    program.end(SIGKILL);
+    const int ended = program.wait();
+    ASSERT_TRUE(ended == 1000 + SIGKILL || ended == 0) << program.errors();
+  }
+  const Outcome last = run(command);
+  ASSERT_EQ(last.exit_code, 0) << last.errors;
+  EXPECT_EQ(summary().at("statistics"), summary_of("whole").at("statistics"));
+  EXPECT_EQ(summary().at("bump_loads"), summary_of("whole").at("bump_loads"));
+}
+
+}  // namespace
+}  // namespace bumpfoil

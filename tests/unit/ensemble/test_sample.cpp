@@ -1,0 +1,158 @@
+#include "bumpfoil/ensemble/sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bumpfoil/ensemble/statistics.hpp"
+
+namespace bumpfoil {
+namespace {
+
+Case ensemble_case(const MonteCarloSettings& ensemble) {
+  Case input = reference_case();
+  input.montecarlo = ensemble;
+  return input;
+}
+
+const Distribution ten_micrometres{.kind = DistributionKind::normal, .sigma = 10e-6};
+
+TEST(Sample, DependsOnSeedAndNumberAlone) {
+  const Case input = ensemble_case({.samples = 10,
+                                    .seed = 3,
+                                    .bump_height = HeightScatter{ten_micrometres},
+                                    .friction_top_bump = Distribution{.sigma = 0.01}});
+  const Sample seventh = draw_sample(input, 7);
+  EXPECT_NE(seventh, draw_sample(input, 8));
+  EXPECT_EQ(seventh, draw_sample(input, 7));
+  Case other = input;
+  other.montecarlo->samples = 1'000'000;
+  EXPECT_EQ(seventh, draw_sample(other, 7));
+  // What else scatters makes no difference either.
+  other.montecarlo->bump_foil_thickness = Distribution{.sigma = 1e-6};
+  other.montecarlo->sleeve_waviness = WavinessScatter{3, 5e-6};
+  EXPECT_EQ(seventh.height_deviations, draw_sample(other, 7).height_deviations);
+  EXPECT_EQ(seventh.deviations.at(3), draw_sample(other, 7).deviations.at(3));
+  other.montecarlo->seed = 4;
+  EXPECT_NE(seventh.height_deviations, draw_sample(other, 7).height_deviations);
+}
+
+TEST(Sample, HeightsHaveTheMomentsOfTheirDistribution) {
+  const Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
+  constexpr int samples = 2000;
+  std::vector<double> heights;
+  double neighbours = 0.0;
+  for (std::uint64_t i = 0; i < samples; ++i) {
+    const std::vector<double> drawn = draw_sample(input, i).height_deviations;
+    ASSERT_EQ(drawn.size(), 26U);
+    heights.insert(heights.end(), drawn.begin(), drawn.end());
+    for (std::size_t b = 1; b < drawn.size(); ++b) neighbours += drawn[b] * drawn[b - 1];
+  }
+  const auto n = static_cast<double>(heights.size());
+  const Statistics found = statistics_of(heights);
+  // Five standard errors: sigma / sqrt(n) of the mean, sigma / sqrt(2 n) of sigma, sigma^2 / sqrt(n) of a covariance.
+  EXPECT_NEAR(found.mean, 0.0, 5.0 * 10e-6 / std::sqrt(n));
+  EXPECT_NEAR(found.deviation, 10e-6, 5.0 * 10e-6 / std::sqrt(2.0 * n));
+  EXPECT_NEAR(neighbours / (samples * 25), 0.0, 5.0 * 1e-10 / std::sqrt(samples * 25));
+  EXPECT_NEAR(found.percentile[5], 16.449e-6, 5.0 * std::sqrt(0.05 * 0.95 / n) / 0.1031 * 10e-6);  // density there
+}
+
+TEST(Sample, CorrelatedHeightsLoseTheirCorrelationOverItsLength) {
+  const Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres, 10e-3}});
+  const double rho = std::exp(-4.572 / 10.0);
+  constexpr int samples = 20'000;
+  std::array<double, 4> covariance{};
+  double last = 0.0;
+  for (std::uint64_t i = 0; i < samples; ++i) {
+    const std::vector<double> drawn = draw_sample(input, i).height_deviations;
+    for (std::size_t lag = 0; lag < covariance.size(); ++lag) covariance[lag] += drawn[5] * drawn[5 + lag];
+    last += drawn[25] * drawn[25];
+  }
+  // Five standard errors of a covariance of normal numbers, sigma^2 sqrt((1 + rho^2) / n).
+  for (std::size_t lag = 0; lag < covariance.size(); ++lag) {
+    const double expected = std::pow(rho, lag);
+    EXPECT_NEAR(covariance[lag] / samples / 1e-10, expected, 5.0 * std::sqrt((1.0 + expected * expected) / samples));
+  }
+  EXPECT_NEAR(last / samples / 1e-10, 1.0, 5.0 * std::sqrt(2.0 / samples));
+}
+
+TEST(Sample, CorrelationLeavesTheDistributionAsItIs) {
+  const Distribution uniform{.kind = DistributionKind::uniform, .lower = -1e-6, .upper = 3e-6};
+  const Case input = ensemble_case({.bump_height = HeightScatter{uniform, 20e-3}});
+  constexpr int samples = 10'000;
+  std::vector<double> heights;
+  for (std::uint64_t i = 0; i < samples; ++i) heights.push_back(draw_sample(input, i).height_deviations[13]);
+  const Statistics found = statistics_of(heights);
+  // Five standard errors: of the mean, and sqrt(p (1 - p) / n) over the density of a percentile.
+  EXPECT_NEAR(found.mean, 1e-6, 5.0 * 4e-6 / std::sqrt(12.0 * samples));
+  for (std::size_t i = 0; i < percentiles.size(); ++i) {
+    const double p = 0.01 * percentiles[i];
+    EXPECT_NEAR(found.percentile[i], (4.0 * p - 1.0) * 1e-6, 5.0 * std::sqrt(p * (1.0 - p) / samples) * 4e-6);
+  }
+}
+
+TEST(Sample, DeviationsAreAddedToTheCase) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres},
+                              .bump_foil_thickness = Distribution{.sigma = 1e-6},
+                              .radial_clearance = Distribution{.sigma = 2e-6},
+                              .sleeve_waviness = WavinessScatter{3, 5e-6}});
+  input.bump_foil.height_errors.assign(26, 1e-6);
+  const Sample sample = draw_sample(input, 5);
+  const Case sampled = sampled_case(input, sample);
+  EXPECT_FALSE(sampled.montecarlo);
+  EXPECT_EQ(sampled.bump_foil.height_errors[25], 1e-6 + sample.height_deviations[25]);
+  EXPECT_EQ(sampled.bump_foil.thickness, input.bump_foil.thickness + sample.deviations[0]);
+  EXPECT_NE(sampled.bump_foil.thickness, input.bump_foil.thickness);
+  EXPECT_EQ(sampled.top_foil, input.top_foil);
+  EXPECT_EQ(sampled.friction, input.friction);
+  EXPECT_EQ(sampled.bearing.radial_clearance, input.bearing.radial_clearance + sample.deviations[5]);
+  EXPECT_EQ(sampled.bearing.sleeve_waviness, (SleeveWaviness{3, 5e-6, sample.waviness_phase}));
+  EXPECT_GT(sample.waviness_phase, 0.0);
+  EXPECT_LT(sample.waviness_phase, 2.0 * std::numbers::pi);
+}
+
+TEST(Sample, StiffnessIsIdentifiedAgain) {
+  Case input = ensemble_case({.bump_foil_thickness = Distribution{.kind = DistributionKind::table, .values = {5e-6}}});
+  input.cycle.directions = {0.0};
+  input.cycle.steps = 10;
+  Case thicker = input;
+  thicker.montecarlo.reset();
+  thicker.bump_foil.thickness += 5e-6;
+  const CycleResult sampled = run_sample(sampled_case(input, draw_sample(input, 0)));
+  EXPECT_EQ(sampled.cycles.at(0).turning_point.value().max_force,
+            run_cycles(thicker).cycles.at(0).turning_point.value().max_force);
+}
+
+TEST(Sample, QuantitiesAreThoseOfTheFullRecord) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
+  input.cycle.steps = 20;
+  for (std::uint64_t i = 0; i < 5; ++i) {
+    const Case sampled = sampled_case(input, draw_sample(input, i));
+    const CycleResult lean = run_sample(sampled);
+    const CycleResult full = run_cycles(sampled);
+    ASSERT_EQ(lean.cycles.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_EQ(lean.cycles[k].direction, full.cycles[k].direction);
+      EXPECT_EQ(lean.cycles[k].loop_energy, full.cycles[k].loop_energy);
+      EXPECT_EQ(lean.cycles[k].loaded_stiffness, full.cycles[k].loaded_stiffness);
+      EXPECT_EQ(lean.cycles[k].clearances, full.cycles[k].clearances);
+    }
+  }
+}
+
+TEST(Sample, WhatMakesNoBearingIsToldAndNotRun) {
+  const Case input =
+      ensemble_case({.friction_top_bump = Distribution{.kind = DistributionKind::table, .values = {-0.2}}});
+  const CycleResult result = run_sample(sampled_case(input, draw_sample(input, 0)));
+  ASSERT_EQ(result.cycles.size(), 4U);
+  for (const Cycle& cycle : result.cycles) {
+    EXPECT_EQ(cycle.status, Status::not_physical);
+    EXPECT_FALSE(cycle.turning_point);
+    EXPECT_EQ(cycle.clearances.size(), 2U);
+  }
+  EXPECT_EQ(result.cycles[2].direction, input.cycle.directions[2]);
+}
+
+}  // namespace
+}  // namespace bumpfoil

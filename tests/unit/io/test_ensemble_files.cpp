@@ -1,0 +1,109 @@
+#include "bumpfoil/io/ensemble_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/io/checksum.hpp"
+#include "support/ensemble_cases.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+/// Four bearings, the last of which is none.
+class EnsembleFiles : public ::testing::Test {
+ protected:
+  EnsembleFiles() {
+    std::vector<double> rows;
+    for (std::uint64_t i = 0; i < 4; ++i) {
+      Case sampled = sampled_case(input_, draw_sample(input_, i));
+      if (i == 3) sampled.friction.top_bump = -1.0;
+      const std::vector<double> row = make_ensemble_row(layout_, sampled, run_sample(sampled));
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+    log_.append(rows);
+    const EnsembleStatistics statistics = make_ensemble_statistics(input_, layout_, log_);
+    EXPECT_EQ(status_of(statistics, false), RunStatus::failed);
+    EXPECT_EQ(status_of(statistics, true), RunStatus::interrupted);
+    ResultFolder folder(folder_.path() / "results", Existing::refuse, ensemble_file_names());
+    const EnsembleYields yields = make_yields(parse_limits({"max_force > 1 N"}, layout_), layout_, log_);
+    stage_ensemble(input_, layout_, log_, statistics, yields, RunStatus::failed,
+                   {.command_line = "bumpfoil", .case_text = ""}, folder);
+    folder.publish();
+  }
+
+  [[nodiscard]] std::string refusal(std::size_t number, const Case& input) const {
+    try {
+      read_sampled_case(netcdf_, number, input);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  Case input_{testing::ensemble_case(4)};
+  EnsembleLayout layout_{make_ensemble_layout(input_)};
+  testing::TemporaryFolder folder_;
+  EnsembleLog log_{folder_.path() / "log", "", layout_.width()};
+  std::filesystem::path netcdf_{folder_.path() / "results" / "ensemble.nc"};
+};
+
+TEST_F(EnsembleFiles, SummaryTellsStatisticsAndFailures) {
+  const json summary = json::parse(folder_.read("results/summary.json"));
+  EXPECT_EQ(summary.at("command"), "montecarlo");
+  EXPECT_EQ(summary.at("status"), "failed");
+  EXPECT_EQ(summary.at("samples"), 4);
+  EXPECT_EQ(summary.at("samples_due"), 4);
+  EXPECT_EQ(summary.at("seed"), 1);
+  EXPECT_EQ(summary.at("files").at("ensemble.nc").at("xxh3_128"), xxh3_128(folder_.read("results/ensemble.nc")));
+  const json& force = summary.at("statistics").at("-X").at("max_force_N");
+  EXPECT_EQ(force.at("count"), 3);
+  EXPECT_EQ(force.at("undefined"), 0);
+  for (const char* key : {"mean", "std", "standard_error", "p1", "p5", "p25", "p50", "p75", "p95", "p99"}) {
+    EXPECT_TRUE(force.at(key).is_number()) << key;
+  }
+  EXPECT_LT(force.at("mean_interval_95").at(0), force.at("mean"));
+  for (const char* key : {"loaded_stiffness_N_per_m", "loop_energy_J", "loss_factor", "clearance_5N_m",
+                          "clearance_10N_m", "initial_journal_load_N", "tangent_stiffness_loading_N_per_m",
+                          "tangent_stiffness_unloading_N_per_m", "largest_bump_load_N"}) {
+    EXPECT_TRUE(summary.at("statistics").at("+X").contains(key)) << key;
+  }
+  EXPECT_EQ(summary.at("bump_loads").at("+X").at("mean_N").size(), 26U);
+  const json& heights = summary.at("sensitivities").at("+X").at("max_force").at("bump_height");
+  ASSERT_EQ(heights.size(), 26U);
+  EXPECT_TRUE(heights.at(0).is_null());  // three samples tell nothing of 27 factors
+  EXPECT_TRUE(summary.at("sensitivities").at("+X").at("max_force").contains("friction_top_bump"));
+  EXPECT_EQ(summary.at("limits").at(0).at("limit"), "max_force > 1 N");
+  EXPECT_EQ(summary.at("yield").at("passed"), 3);
+  EXPECT_EQ(summary.at("yield").at("samples"), 4);
+  ASSERT_EQ(summary.at("failed").size(), 2U);
+  EXPECT_EQ(summary.at("failed").at(0).at("sample"), 3);
+  EXPECT_EQ(summary.at("failed").at(0).at("direction_deg"), 0.0);
+  EXPECT_EQ(summary.at("failed").at(1).at("status"), "not_physical");
+}
+
+TEST_F(EnsembleFiles, AStoredSampleIsTheOneThatWasDrawn) {
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_), sampled_case(input_, draw_sample(input_, 2)));
+  Case finer = input_;
+  finer.cycle.steps = 400;
+  finer.montecarlo.reset();
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer).cycle.steps, 400);
+}
+
+TEST_F(EnsembleFiles, AnotherBearingIsRefused) {
+  EXPECT_NE(refusal(4, input_).find("sample = 4: is not there; give a number below 4"), std::string::npos);
+  Case other = input_;
+  other.bearing.radial_clearance = 30e-6;
+  EXPECT_NE(refusal(0, other).find("bearing.radial_clearance = 3.18e-05: is 3e-05 in this case"), std::string::npos)
+      << refusal(0, other);
+  folder_.write("results/ensemble.nc", "none");
+  EXPECT_NE(refusal(0, input_).find("is no netCDF-4 file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bumpfoil
