@@ -57,6 +57,30 @@ std::vector<Piece> make_pieces(std::span<const LoopPoint> loop, double bottom, d
 
 }  // namespace
 
+FirstHarmonic orbit_harmonic(std::span<const Eigen::Vector2d> forces, double radius) {
+  const auto angle = [n = static_cast<double>(forces.size())](std::size_t k) {
+    return 2.0 * std::numbers::pi * static_cast<double>(k) / n;
+  };
+  const double weight = 2.0 / static_cast<double>(forces.size());
+  Eigen::Vector2d mean(0.0, 0.0);
+  Eigen::Vector2d in_phase(0.0, 0.0);    // of cos(tau)
+  Eigen::Vector2d quadrature(0.0, 0.0);  // of sin(tau)
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    // Beside the first force a small orbit about a large load loses no digits.
+    const Eigen::Vector2d force = weight * (forces[k] - forces.front());
+    mean += 0.5 * force;
+    in_phase += std::cos(angle(k)) * force;
+    quadrature += std::sin(angle(k)) * force;
+  }
+  double left = 0.0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const Eigen::Vector2d force = forces[k] - forces.front();
+    left += weight * (force - mean - std::cos(angle(k)) * in_phase - std::sin(angle(k)) * quadrature).squaredNorm();
+  }
+  const double first = std::sqrt(in_phase.squaredNorm() + quadrature.squaredNorm());
+  return {.stiffness = in_phase / radius, .loss = -quadrature / radius, .residual = std::sqrt(left) / first};
+}
+
 FirstHarmonic first_harmonic(std::span<const LoopPoint> loop) {
   const auto lower = [](const LoopPoint& a, const LoopPoint& b) { return a.displacement < b.displacement; };
   const auto [lowest, highest] = std::minmax_element(loop.begin(), loop.end(), lower);

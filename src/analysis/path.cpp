@@ -15,18 +15,6 @@
 namespace bumpfoil {
 namespace {
 
-/// Goes on straight from where the program ends.
-void append(Program& program, Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {
-  const Eigen::Vector2d way = to - from;
-  const double length = way.norm();
-  program.push_back({.branch = Branch::loading,
-                     .control = control,
-                     .line = {.base = from, .direction = length > 0.0 ? Eigen::Vector2d(way / length) : way},
-                     .begin = 0.0,
-                     .end = length,
-                     .steps = steps});
-}
-
 Program orbit_program(const PathSettings& path) {
   const double turn = (path.sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
   const Eigen::Rotation2Dd tilt(path.tilt);
@@ -36,8 +24,10 @@ Program orbit_program(const PathSettings& path) {
            tilt * Eigen::Vector2d(path.semi_axes.value.x() * std::cos(t), path.semi_axes.value.y() * std::sin(t));
   };
   Program program;
-  if (!point(0).isZero(0.0)) append(program, path.control(), Eigen::Vector2d::Zero(), point(0), path.steps);
-  for (int k = 1; k <= path.orbits * path.steps; ++k) append(program, path.control(), point(k - 1), point(k), 1);
+  if (!point(0).isZero(0.0))
+    program.push_back(straight_leg(path.control(), Eigen::Vector2d::Zero(), point(0), path.steps));
+  for (int k = 1; k <= path.orbits * path.steps; ++k)
+    program.push_back(straight_leg(path.control(), point(k - 1), point(k), 1));
   return program;
 }
 
@@ -128,7 +118,7 @@ Program path_program(const PathSettings& path) {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& point : path.points.values) {
     const bool is_assembly = &point == &path.points.values.front() && point.isZero(0.0);
-    if (!is_assembly) append(program, path.control(), from, point, 1);
+    if (!is_assembly) program.push_back(straight_leg(path.control(), from, point, 1));
     from = point;
   }
   return program;

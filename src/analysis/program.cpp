@@ -4,6 +4,17 @@
 
 namespace bumpfoil {
 
+Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {
+  const Eigen::Vector2d way = to - from;
+  const double length = way.norm();
+  return {.branch = Branch::loading,
+          .control = control,
+          .line = {.base = from, .direction = length > 0.0 ? Eigen::Vector2d(way / length) : way},
+          .begin = 0.0,
+          .end = length,
+          .steps = steps};
+}
+
 Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps) {
   const double top = origin + amplitude;
   return {{Branch::loading, control, line, origin, top, steps}, {Branch::unloading, control, line, top, origin, steps}};

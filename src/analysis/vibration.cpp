@@ -1,11 +1,15 @@
 #include "bumpfoil/analysis/vibration.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "analysis/cycle_series.hpp"
+#include "analysis/program_runner.hpp"
+#include "analysis/settling.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
@@ -15,9 +19,19 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Where a vibration stands among those of a result.
-std::size_t place_of(const VibrationSettings& vibration, std::size_t load, std::size_t direction,
-                     std::size_t amplitude) {
-  return (load * vibration.directions.size() + direction) * vibration.amplitudes.size() + amplitude;
+std::size_t place_of(const VibrationSettings& vibration, std::size_t load, std::size_t motion, std::size_t amplitude) {
+  return (load * vibration.motions() + motion) * vibration.amplitudes.size() + amplitude;
+}
+
+/// Round a circle from its point on the side of +X.
+Program circle(const Eigen::Vector2d& centre, double radius, Sense sense, int steps) {
+  const double turn = (sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
+  const auto point = [&](int step) -> Eigen::Vector2d {
+    return centre + radius * unit_vector(turn * (step % steps) / steps);
+  };
+  Program program;
+  for (int k = 1; k <= steps; ++k) program.push_back(straight_leg(Control::displacement, point(k - 1), point(k), 1));
+  return program;
 }
 
 class VibrationRunner {
@@ -27,14 +41,16 @@ class VibrationRunner {
         progress_(progress),
         stepper_(make_bearing_foils(input), input.solver),
         reach_(stepper_.foils().clearance + stepper_.foils().rise),
-        all_(vibration_.loads.size() * vibration_.directions.size() * vibration_.amplitudes.size()) {}
+        all_(vibration_.loads.size() * vibration_.motions() * vibration_.amplitudes.size()) {}
 
   VibrationResult run() {
     for (const Eigen::Vector2d& load : vibration_.loads) {
       result_.loads.push_back(go_to(load));
-      for (const double direction : vibration_.directions) {
-        for (const double amplitude : vibration_.amplitudes)
-          result_.vibrations.push_back(vibrate(direction, amplitude));
+      for (std::size_t motion = 0; motion < vibration_.motions(); ++motion) {
+        for (const double amplitude : vibration_.amplitudes) {
+          result_.vibrations.push_back(vibration_.orbits() ? circle_round(static_cast<Sense>(motion), amplitude)
+                                                           : vibrate(vibration_.directions[motion], amplitude));
+        }
       }
     }
     return std::move(result_);
@@ -74,13 +90,73 @@ class VibrationRunner {
                              .reach = reach_};
     Step step = loaded_;
     CycleSeries series(stepper_, course, step);
-    out.cycle = series.until_settled(most_vibration_loops, Recording::curve, [this](double fraction) {
-      stopped_ = progress_ &&
-                 !progress_((static_cast<double>(result_.vibrations.size()) + fraction) / static_cast<double>(all_));
-      return !stopped_;
-    });
+    out.cycle = series.until_settled(most_vibration_loops, Recording::curve,
+                                     [this](double fraction) { return goes_on(fraction); });
     if (out.cycle.converged()) out.harmonic = first_harmonic(out.cycle.curve);
     return out;
+  }
+
+  /// Goes round the place of the last load.
+  Vibration circle_round(Sense sense, double radius) {
+    const StaticLoad& about = result_.loads.back();
+    Vibration out;
+    out.sense = sense;
+    Cycle& cycle = out.cycle;
+    cycle.amplitude = radius;
+    cycle.status = stopped_ ? Status::interrupted : about.status;
+    if (!cycle.converged()) return out;
+    const auto begin = std::chrono::steady_clock::now();
+    const Program orbit = circle(about.position, radius, sense, 4 * vibration_.steps);
+    FoilState state = loaded_.state;
+    const Program way{straight_leg(Control::displacement, about.position, orbit.front().line.base, vibration_.steps)};
+    take(way, state, cycle, nullptr);
+    for (int loop = 0; loop < most_vibration_loops && cycle.converged() && !cycle.settled; ++loop) {
+      const double work = state.work;
+      std::vector<Eigen::Vector2d> forces;
+      cycle.curve.clear();
+      take(orbit, state, cycle, &forces);
+      if (!cycle.converged()) break;
+      cycle.loop_energy = cleared(state.work - work, stepper_.foils().roundings.energy);
+      cycle.loop_energies.push_back(*cycle.loop_energy);
+      cycle.settled = is_settled(cycle.loop_energies);
+      out.harmonic = orbit_harmonic(forces, radius);
+      if (!goes_on(static_cast<double>(loop + 1) / most_vibration_loops) && !cycle.settled) {
+        cycle.status = Status::interrupted;
+      }
+    }
+    if (!cycle.converged()) out.harmonic.reset();
+    cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return out;
+  }
+
+  /// Takes foils through a program.
+  /// @param forces  receives those at the begin of each increment; may be null
+  void take(const Program& program, FoilState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
+    Step step;
+    for (ProgramRunner runner(stepper_, program, reach_, state); runner.has_next(); runner.commit(step)) {
+      if (forces != nullptr) {
+        forces->push_back(holding_force(stepper_.foils(), state.contacts.normal_force));
+        cycle.curve.push_back({state.excitation.position.x(), forces->back()});
+      }
+      runner.try_next(step);
+      cycle.cost += step.cost;
+      cycle.substeps += step.substeps;
+      cycle.status = step.status;
+      if (!step.converged()) return;
+      Increment increment;
+      judge(stepper_.foils(), step.state, increment);
+      const SolverBounds bounds = stepper_.bounds();
+      if (!increment.residuals.within(bounds.force, bounds.displacement)) cycle.status = Status::residual_above_bound;
+      cycle.max_residual = std::max(cycle.max_residual, increment.residuals.equilibrium);
+      if (!cycle.converged()) return;
+    }
+  }
+
+  /// Tells how far it is. @return whether it is to go on
+  bool goes_on(double fraction) {
+    stopped_ = progress_ &&
+               !progress_((static_cast<double>(result_.vibrations.size()) + fraction) / static_cast<double>(all_));
+    return !stopped_;
   }
 
   const VibrationSettings& vibration_;
@@ -92,6 +168,18 @@ class VibrationRunner {
   bool stopped_{};
   VibrationResult result_;
 };
+
+/// Of an orbit in either sense, see orbit_harmonic().
+LinearFoils linear_foils_of(const FirstHarmonic& counterclockwise, const FirstHarmonic& clockwise) {
+  const FirstHarmonic& a = counterclockwise;
+  const FirstHarmonic& b = clockwise;
+  LinearFoils foils;
+  foils.residual = std::max(a.residual, b.residual);
+  foils.loss_factor = {unknown, unknown};
+  foils.stiffness << 0.5 * (a.stiffness + b.stiffness), 0.5 * (b.loss - a.loss);
+  foils.loss << 0.5 * (a.loss + b.loss), 0.5 * (a.stiffness - b.stiffness);
+  return foils;
+}
 
 /// A vibration that is known, and where it goes.
 struct Answer {
@@ -145,11 +233,15 @@ std::vector<LinearFoils> linear_foils(const VibrationSettings& vibration, const 
   for (std::size_t load = 0; load < vibration.loads.size(); ++load) {
     for (std::size_t amplitude = 0; amplitude < vibration.amplitudes.size(); ++amplitude) {
       std::vector<Answer> answers;
-      for (std::size_t direction = 0; direction < vibration.directions.size(); ++direction) {
-        const Vibration& one = result.vibrations[place_of(vibration, load, direction, amplitude)];
-        if (one.harmonic) answers.push_back({unit_vector(vibration.directions[direction]), one});
+      for (std::size_t motion = 0; motion < vibration.motions(); ++motion) {
+        const Vibration& one = result.vibrations[place_of(vibration, load, motion, amplitude)];
+        if (one.harmonic) answers.push_back({unit_vector(one.cycle.direction), one});
       }
-      LinearFoils& foils = all.emplace_back(linear_foils_of(answers));
+      const bool orbits = vibration.orbits();
+      LinearFoils& foils = all.emplace_back(
+          !orbits               ? linear_foils_of(answers)
+          : answers.size() == 2 ? linear_foils_of(*answers[0].vibration.harmonic, *answers[1].vibration.harmonic)
+                                : linear_foils_of({}));
       foils.load = vibration.loads[load];
       foils.amplitude = vibration.amplitudes[amplitude];
     }

@@ -207,10 +207,13 @@ void describe(CaseVisitor& keys, VibrationSettings& vibration) {
       {"loads", required, "Loads", "static loads on the journal, along X and Y; each from the unstressed foils",
        "[[\"0 N\", \"-50 N\"]]", force},
       vibration.loads);
-  keys.directions({"directions", required, "Directions", "of the vibrations: one, or two at right angles",
-                   "[\"+X\", \"+Y\"]", angle},
+  keys.choice({"motion", defaulted, "Motion", "along the directions; \"orbit\": circles, once in either sense"},
+              vibration.motion);
+  keys.directions({"directions", vibration.orbits() ? optional : required, "Directions",
+                   "of the vibrations: one, or two at right angles", "[\"+X\", \"+Y\"]", angle},
                   vibration.directions);
-  keys.value({"amplitudes", required, "Amplitudes", "how far the journal goes to each side; it does not move sideways",
+  keys.value({"amplitudes", required, "Amplitudes",
+              "how far the journal goes to each side, and not at all sideways; the radius of an orbit",
               "[\"1 um\", \"2 um\", \"5 um\"]", length},
              &vibration.amplitudes);
   keys.value({"frequencies", required, "Frequencies",

@@ -3,18 +3,24 @@
 #include <fmt/format.h>
 
 #include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "io/csv_value.hpp"
 #include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
 
 std::string vibration_csv(const VibrationSettings& settings, const VibrationResult& result) {
-  std::string out = "load_x_N,load_y_N,direction_deg,amplitude_m";
+  std::string out = fmt::format("load_x_N,load_y_N,{},amplitude_m", motion_key(settings));
   for (const VibrationQuantity& column : vibration_quantities()) out += ',' + key_of(column.name, column.unit);
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
-    const auto [load, direction, amplitude] = place_of(settings, i);
-    out += fmt::format("\n{:.17g},{:.17g},{:.17g},{:.17g}", settings.loads[load].x(), settings.loads[load].y(),
-                       to_degrees(settings.directions[direction]), settings.amplitudes[amplitude]);
+    const auto [load, motion, amplitude] = place_of(settings, i);
+    out += fmt::format("\n{:.17g},{:.17g},", settings.loads[load].x(), settings.loads[load].y());
+    if (settings.orbits()) {
+      out += name_of(static_cast<Sense>(motion));
+    } else {
+      append_csv(out, to_degrees(settings.directions[motion]));
+    }
+    append_csv(out += ',', settings.amplitudes[amplitude]);
     for (const VibrationQuantity& column : vibration_quantities()) {
       append_csv(out += ',', column.value(result.vibrations[i]), column.form);
     }

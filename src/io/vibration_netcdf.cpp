@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bumpfoil/model/case_names.hpp"
 #include "io/netcdf_provenance.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/vibration_quantities.hpp"
@@ -35,7 +36,7 @@ class VibrationWriter {
         settings_(settings),
         result_(result),
         load_(file.add_dim("load", settings.loads.size())),
-        direction_(file.add_dim("direction", settings.directions.size())),
+        motion_(file.add_dim(settings.orbits() ? "sense" : "direction", settings.motions())),
         amplitude_(file.add_dim("amplitude", settings.amplitudes.size())),
         frequency_(file.add_dim("frequency", settings.frequencies.size())) {}
 
@@ -47,8 +48,13 @@ class VibrationWriter {
                   each(settings_.loads, [](const auto& load) { return load.x(); }));
     file_.put_all({"load_y", "N", "static load, Y"}, {load_},
                   each(settings_.loads, [](const auto& load) { return load.y(); }));
-    file_.put_all({"direction", "degree", "direction of the vibration, from X towards Y"}, {direction_},
-                  each(settings_.directions, to_degrees));
+    if (settings_.orbits()) {
+      file_.put_all({"sense", "", "sense of the orbit, seen with X to the right and Y up", flags<Sense>}, {motion_},
+                    std::vector<double>{0.0, 1.0});
+    } else {
+      file_.put_all({"direction", "degree", "direction of the vibration, from X towards Y"}, {motion_},
+                    each(settings_.directions, to_degrees));
+    }
     file_.put_all({"amplitude", "m", "displacement from the middle to a turning point"}, {amplitude_},
                   settings_.amplitudes);
     file_.put_all({"frequency", "rad/s", "angular frequency of the vibration"}, {frequency_}, settings_.frequencies);
@@ -82,7 +88,7 @@ class VibrationWriter {
   void write_vibrations() {
     for (const VibrationQuantity& quantity : vibration_quantities()) {
       put({std::string(quantity.name), std::string(quantity.unit), std::string(quantity.long_name), quantity.form},
-          {load_, direction_, amplitude_}, each(result_.vibrations, quantity.value));
+          {load_, motion_, amplitude_}, each(result_.vibrations, quantity.value));
     }
   }
 
@@ -115,9 +121,10 @@ class VibrationWriter {
         for (const LoopPoint& one : vibration.cycle.curve) values.push_back(value(one));
         values.resize(values.size() + longest - vibration.cycle.curve.size(), absent);
       }
-      return put(meaning, {load_, direction_, amplitude_, point}, std::move(values));
+      return put(meaning, {load_, motion_, amplitude_, point}, std::move(values));
     };
-    put_loops({"displacement", "m", "displacement of the journal along the direction, from the centre of the bearing"},
+    put_loops({"displacement", "m",
+               "displacement of the journal along the direction, of an orbit along X, from the centre of the bearing"},
               [](const LoopPoint& one) { return one.displacement; });
     put_loops({"force_x", "N", "force that holds the journal, X"}, [](const LoopPoint& one) {
       return one.force.x();
@@ -139,7 +146,7 @@ class VibrationWriter {
   NewNetcdf& file_;
   const VibrationSettings& settings_;
   const VibrationResult& result_;
-  NcDim load_, direction_, amplitude_, frequency_;
+  NcDim load_, motion_, amplitude_, frequency_;
 };
 
 }  // namespace

@@ -18,16 +18,26 @@ double known(const std::optional<double>& number) {
   return number.value_or(unknown);
 }
 
-/// A part of the harmonic along the direction of the vibration.
-double direct(const Vibration& vibration, Eigen::Vector2d FirstHarmonic::*part) {
-  return vibration.harmonic ? unit_vector(vibration.cycle.direction).dot((*vibration.harmonic).*part) : unknown;
+/// Of the first harmonic: outward is in phase with the displacement, ahead a quarter of a turn before it.
+enum class Part { outward, ahead };
+
+/// Along the direction of the vibration; of an orbit the mean along and across the radius, see orbit_harmonic().
+template <Part part>
+double direct(const Vibration& vibration) {
+  if (!vibration.harmonic) return unknown;
+  const auto& [stiffness, loss, residual] = *vibration.harmonic;
+  if (!vibration.sense) return unit_vector(vibration.cycle.direction).dot(part == Part::outward ? stiffness : loss);
+  const double s = *vibration.sense == Sense::counterclockwise ? 1.0 : -1.0;
+  return part == Part::outward ? 0.5 * (stiffness.x() - s * loss.y()) : 0.5 * (loss.x() + s * stiffness.y());
 }
 
-/// And across it, to the left.
-double cross(const Vibration& vibration, Eigen::Vector2d FirstHarmonic::*part) {
-  if (!vibration.harmonic) return unknown;
+/// And across it, to the left; of an orbit not defined.
+template <Part part>
+double cross(const Vibration& vibration) {
+  if (!vibration.harmonic || vibration.sense) return unknown;
   const Eigen::Vector2d n = unit_vector(vibration.cycle.direction);
-  return Eigen::Vector2d(-n.y(), n.x()).dot((*vibration.harmonic).*part);
+  return Eigen::Vector2d(-n.y(), n.x())
+      .dot(part == Part::outward ? vibration.harmonic->stiffness : vibration.harmonic->loss);
 }
 
 constexpr auto truth_words = std::to_array<std::string_view>({"no", "yes"});
@@ -38,23 +48,23 @@ constexpr ShownUnit stiffness{"MN/m", 1e6};
 constexpr auto vibration_list = std::to_array<VibrationQuantity>({
     {"stiffness_direct",
      "N/m",
-     "first harmonic of the force along the direction in phase with the displacement, over that",
-     [](const Vibration& v) { return direct(v, &FirstHarmonic::stiffness); },
+     "first harmonic of the force along the direction in phase with the displacement, over that; of an orbit the mean "
+     "force outward over the radius",
+     direct<Part::outward>,
      {},
      "stiffness",
      stiffness},
     {"stiffness_cross", "N/m", "the same of the force across the direction, turned by +90 degrees",
-     [](const Vibration& v) { return cross(v, &FirstHarmonic::stiffness); }},
+     cross<Part::outward>},
     {"loss_stiffness_direct",
      "N/m",
      "first harmonic of the force along the direction a quarter of a turn ahead of the displacement, "
-     "over that: frequency times damping",
-     [](const Vibration& v) { return direct(v, &FirstHarmonic::loss); },
+     "over that: frequency times damping; of an orbit the mean force along the way over the radius",
+     direct<Part::ahead>,
      {},
      "loss",
      stiffness},
-    {"loss_stiffness_cross", "N/m", "the same of the force across the direction",
-     [](const Vibration& v) { return cross(v, &FirstHarmonic::loss); }},
+    {"loss_stiffness_cross", "N/m", "the same of the force across the direction", cross<Part::ahead>},
     {"harmonic_residual",
      "1",
      "norm of the higher harmonics of the force over that of the first",
@@ -113,9 +123,11 @@ std::string load_text(const Eigen::Vector2d& load) {
 }
 
 std::string vibration_text(const VibrationSettings& settings, std::size_t vibration) {
-  const auto [load, direction, amplitude] = place_of(settings, vibration);
-  return fmt::format("{}, {:.6g} deg, {:.4g} um", load_text(settings.loads[load]),
-                     to_degrees(settings.directions[direction]), 1e6 * settings.amplitudes[amplitude]);
+  const auto [load, motion, amplitude] = place_of(settings, vibration);
+  return fmt::format("{}, {}, {:.4g} um", load_text(settings.loads[load]),
+                     settings.orbits() ? name_of(static_cast<Sense>(motion))
+                                       : fmt::format("{:.6g} deg", to_degrees(settings.directions[motion])),
+                     1e6 * settings.amplitudes[amplitude]);
 }
 
 }  // namespace
@@ -130,8 +142,8 @@ std::span<const LinearQuantity> linear_quantities() {
 
 VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration) {
   const std::size_t amplitudes = settings.amplitudes.size();
-  const std::size_t directions = settings.directions.size();
-  return {vibration / amplitudes / directions, vibration / amplitudes % directions, vibration % amplitudes};
+  const std::size_t motions = settings.motions();
+  return {vibration / amplitudes / motions, vibration / amplitudes % motions, vibration % amplitudes};
 }
 
 std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result) {

@@ -41,9 +41,14 @@ std::vector<std::string> failure_lines(const VibrationSettings& settings, const 
 /// Where an answer is less than it seems, and what to do about it.
 std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result);
 
+/// What files call the direction of a vibration, or the sense of an orbit.
+inline std::string_view motion_key(const VibrationSettings& settings) {
+  return settings.orbits() ? "sense" : "direction_deg";
+}
+
 /// Place of a vibration among those of a result.
 struct VibrationPlace {
-  std::size_t load, direction, amplitude;
+  std::size_t load, motion, amplitude;  ///< motion: number of the direction, or of the sense
 };
 VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration);
 

@@ -32,10 +32,11 @@ Json load_json(const StaticLoad& load) {
 }
 
 Json vibration_json(const VibrationSettings& settings, const VibrationResult& result, std::size_t i) {
-  const auto [load, direction, amplitude] = place_of(settings, i);
+  const auto [load, motion, amplitude] = place_of(settings, i);
   Json json{{"load_x_N", settings.loads[load].x()},
             {"load_y_N", settings.loads[load].y()},
-            {"direction_deg", to_degrees(settings.directions[direction])},
+            {motion_key(settings), settings.orbits() ? Json(name_of(static_cast<Sense>(motion)))
+                                                     : Json(to_degrees(settings.directions[motion]))},
             {"amplitude_m", settings.amplitudes[amplitude]}};
   for (const VibrationQuantity& quantity : vibration_quantities()) {
     json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(result.vibrations[i]), quantity.form);

@@ -30,17 +30,18 @@ std::string vibration_table(const Case& input, const VibrationResult& result) {
   };
   add("load X", "N");
   add("load Y", "N");
-  add("direction", "deg");
+  add(settings.orbits() ? "sense" : "direction", settings.orbits() ? "" : "deg");
   add("amplitude", "um");
   for (const VibrationQuantity& quantity : vibration_quantities()) {
     if (!quantity.label.empty()) add(quantity.label, quantity.shown.name);
   }
   std::string out = names + '\n' + units + '\n' + std::string(names.size(), '-') + '\n';
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
-    const auto [load, direction, amplitude] = place_of(settings, i);
-    out += fmt::format("{:>{w}.5g}{:>{w}.5g}{:>{w}.6g}{:>{w}.5g}", settings.loads[load].x(), settings.loads[load].y(),
-                       to_degrees(settings.directions[direction]), 1e6 * settings.amplitudes[amplitude],
-                       fmt::arg("w", column_width));
+    const auto [load, motion, amplitude] = place_of(settings, i);
+    const std::string way =
+        settings.orbits() ? motion == 0 ? "ccw" : "cw" : fmt::format("{:.6g}", to_degrees(settings.directions[motion]));
+    out += fmt::format("{:>{w}.5g}{:>{w}.5g}{:>{w}}{:>{w}.5g}", settings.loads[load].x(), settings.loads[load].y(), way,
+                       1e6 * settings.amplitudes[amplitude], fmt::arg("w", column_width));
     for (const VibrationQuantity& quantity : vibration_quantities()) {
       if (!quantity.label.empty()) out += fmt::format("{:>{}}", cell(quantity, result.vibrations[i]), column_width);
     }

@@ -15,7 +15,13 @@ bool judge_presence(Judge& judge, const std::string& key, std::size_t size, std:
   return judge.require(size > 0, key, "[]", "is empty", fmt::format("give at least one: [{}]", example));
 }
 
-void judge_directions(Judge& judge, const std::vector<double>& directions) {
+void judge_directions(Judge& judge, const VibrationSettings& vibration) {
+  const std::vector<double>& directions = vibration.directions;
+  if (vibration.orbits()) {
+    judge.require(directions.empty(), "vibration.directions", fmt::format("{} directions", directions.size()),
+                  "belong to a motion along lines", "remove them, or set motion = \"line\"");
+    return;
+  }
   if (!judge_presence(judge, "vibration.directions", directions.size(), "\"+X\"")) return;
   bool finite = true;
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -30,7 +36,7 @@ void judge_directions(Judge& judge, const std::vector<double>& directions) {
 
 void judge_size(Judge& judge, const VibrationSettings& vibration) {
   const auto vibrations =
-      std::ssize(vibration.loads) * std::ssize(vibration.directions) * std::ssize(vibration.amplitudes);
+      std::ssize(vibration.loads) * static_cast<std::int64_t>(vibration.motions()) * std::ssize(vibration.amplitudes);
   judge.require(vibrations <= most_points / (4 * std::int64_t{vibration.steps}), "vibration.steps",
                 std::to_string(vibration.steps),
                 fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
@@ -51,7 +57,7 @@ void judge_vibration(Judge& judge, const VibrationSettings& vibration, double li
                                    "is no load: the place of the journal would not be determined", "give a load");
     if (any) judge.within(key, load, load_range);
   }
-  judge_directions(judge, vibration.directions);
+  judge_directions(judge, vibration);
   judge_presence(judge, "vibration.amplitudes", vibration.amplitudes.size(), "\"2 um\"");
   for (std::size_t i = 0; i < vibration.amplitudes.size(); ++i) {
     const std::string key = fmt::format("vibration.amplitudes[{}]", i + 1);

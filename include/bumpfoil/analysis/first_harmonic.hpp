@@ -25,4 +25,13 @@ struct FirstHarmonic {
 /// @pre the displacement is not the same throughout
 FirstHarmonic first_harmonic(std::span<const LoopPoint> loop);
 
+/// The same of a circle x = X (cos(tau), +-sin(tau)), where `stiffness` is the part of the force with cos(tau) over X
+/// and `loss` that with -sin(tau). In either sense s of it, linear foils have
+///
+///     stiffness = K e_x + s H e_y,   loss = H e_x - s K e_y,   H = omega c
+///
+/// @param forces  at equal steps of tau, from tau = 0 on, once round; by the trapezoidal rule, which leaves an error of
+///                the square of the step where forces bend sharply
+FirstHarmonic orbit_harmonic(std::span<const Eigen::Vector2d> forces, double radius);
+
 }  // namespace bumpfoil

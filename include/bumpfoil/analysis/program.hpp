@@ -32,6 +32,9 @@ struct Leg {
 /// What is done to foils, leg after leg.
 using Program = std::vector<Leg>;
 
+/// From one place to another in equal steps.
+Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps);
+
 /// From `origin` to `origin + amplitude` in `steps` and back in as many.
 Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps);
 

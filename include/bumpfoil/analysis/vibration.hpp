@@ -18,15 +18,16 @@ struct StaticLoad {
   TangentMatrices tangents;            ///< there
 };
 
-/// One vibration: about one load, in one direction, with one amplitude.
+/// One vibration: about one load, in one direction or one sense, with one amplitude.
 struct Vibration {
-  Cycle cycle;                            ///< the last, with its curve; where there was none its status says why
-  std::optional<FirstHarmonic> harmonic;  ///< of a whole loop
+  Cycle cycle;  ///< the last, with its curve, that of an orbit along X; where there was none its status says why
+  std::optional<Sense> sense{};             ///< of an orbit, which has no direction
+  std::optional<FirstHarmonic> harmonic{};  ///< of a whole loop
 };
 
 struct VibrationResult {
   std::vector<StaticLoad> loads;
-  /// About each load, in each direction, with each amplitude: that of the settings, the last running fastest.
+  /// About each load, in each direction or sense, with each amplitude: that of the settings, the last running fastest.
   std::vector<Vibration> vibrations;
 
   [[nodiscard]] bool converged() const;
@@ -34,7 +35,8 @@ struct VibrationResult {
 
 /// Vibrations about the loads of a case. About each load every vibration begins with a copy of the state there, and is
 /// repeated until its loop energy changes by less than 1e-6, at most `most_vibration_loops` times. Numerical failures
-/// are reported in the result: loads and vibrations beside them are not touched.
+/// are reported in the result: loads and vibrations beside them are not touched. An orbit has four times `steps`
+/// increments, and begins with a straight way of `steps` to its first point on the side of +X.
 /// @throws Error (input) if the case cannot be built, or has no vibration.
 VibrationResult run_vibration(const Case& input, const ProgressCallback& progress = {});
 
@@ -43,7 +45,8 @@ inline constexpr int most_vibration_loops = 100;
 
 /// Linear foils that answer the vibrations about one load with one amplitude in the same way, first harmonic for first
 /// harmonic: dF = K dx + (H/omega) d(dx)/dt with F = what holds the journal, and so K_ij = dF_i/dx_j. Entries that no
-/// vibration tells are not numbers: two directions at right angles tell all, one along an axis the column of that.
+/// vibration tells are not numbers: two directions at right angles tell all, as do two orbits of both senses, one
+/// direction along an axis the column of that.
 struct LinearFoils {
   Eigen::Vector2d load{0.0, 0.0};  ///< N
   double amplitude{};              ///< m

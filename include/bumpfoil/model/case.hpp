@@ -195,16 +195,27 @@ struct PathSettings {
   [[nodiscard]] Control control() const { return is_orbit() ? centre.control : points.control; }
 };
 
-/// Vibrations of the journal about static loads: about each load in each direction with each amplitude, until the loop
-/// has settled. The journal moves along the direction alone.
+/// How a journal vibrates.
+enum class Motion {
+  line,   ///< along a direction alone
+  orbit,  ///< round a circle
+};
+
+/// Vibrations of the journal about static loads: about each load in each direction, or round a circle in either sense,
+/// with each amplitude, until the loop has settled.
 struct VibrationSettings {
   std::vector<Eigen::Vector2d> loads;  ///< N
-  std::vector<double> directions;      ///< rad, from the X axis towards Y; one, or two at right angles
-  std::vector<double> amplitudes;      ///< from the middle to a turning point, m
-  std::vector<double> frequencies;     ///< that the damping is given at, rad/s
-  int steps{100};  ///< equal increments of the way to a load, and from the middle to a turning point
+  Motion motion{Motion::line};
+  std::vector<double> directions;   ///< rad, from the X axis towards Y; one, or two at right angles; none for orbits
+  std::vector<double> amplitudes;   ///< from the middle to a turning point, m
+  std::vector<double> frequencies;  ///< that the damping is given at, rad/s
+  int steps{100};                   ///< equal increments of the way to a load, and from the middle to a turning point
 
   bool operator==(const VibrationSettings&) const = default;
+
+  [[nodiscard]] bool orbits() const { return motion == Motion::orbit; }
+  /// Vibrations about one load with one amplitude: one for each direction, or sense.
+  [[nodiscard]] std::size_t motions() const { return orbits() ? 2 : directions.size(); }
 };
 
 /// The gas of a film: isothermal, ideal.

@@ -22,6 +22,9 @@ inline constexpr auto enum_names<WeldPosition> = std::to_array<std::string_view>
 template <>
 inline constexpr auto enum_names<SolverName> = std::to_array<std::string_view>({"newton", "uzawa", "events"});
 template <>
+inline constexpr auto enum_names<Motion> = std::to_array<std::string_view>({"line", "orbit"});
+
+template <>
 inline constexpr auto enum_names<Sense> = std::to_array<std::string_view>({"counterclockwise", "clockwise"});
 template <>
 inline constexpr auto enum_names<StripWeld> = std::to_array<std::string_view>({"one_end", "none"});

@@ -83,6 +83,40 @@ TEST(FirstHarmonic, ConvergesOnACurvedLoopAsTheSquareOfTheIncrement) {
   EXPECT_LT(last, 3e-3);
 }
 
+/// Worked out by hand: F = K x + (H/omega) dx/dt on a circle.
+TEST(OrbitHarmonic, OfLinearFoilsHasTheColumnsOfBothMatrices) {
+  Eigen::Matrix2d K, H;
+  K << 3.0, 0.5, -0.2, 2.0;
+  H << 0.4, 0.1, 0.3, 0.7;
+  const double radius = 2e-6;
+  for (const double sense : {1.0, -1.0}) {
+    std::vector<Eigen::Vector2d> forces;
+    for (int k = 0; k < 12; ++k) {
+      const double tau = 2.0 * std::numbers::pi * k / 12.0;
+      const Eigen::Vector2d x(std::cos(tau), sense * std::sin(tau));
+      const Eigen::Vector2d rate(-std::sin(tau), sense * std::cos(tau));
+      forces.push_back(radius * (K * x + H * rate) + Eigen::Vector2d(100.0, -50.0));
+    }
+    const FirstHarmonic found = orbit_harmonic(forces, radius);
+    EXPECT_LT((found.stiffness - (K.col(0) + sense * H.col(1))).norm(), 1e-7);  // roundings of 100 N over 2e-6 m
+    EXPECT_LT((found.loss - (H.col(0) - sense * K.col(1))).norm(), 1e-7);
+    EXPECT_LT(found.residual, 1e-7);
+  }
+}
+
+TEST(OrbitHarmonic, LeavesTheHigherHarmonics) {
+  std::vector<Eigen::Vector2d> forces;
+  for (int k = 0; k < 24; ++k) {
+    const double tau = 2.0 * std::numbers::pi * k / 24.0;
+    forces.emplace_back(3.0 * std::cos(tau) + 0.6 * std::cos(3.0 * tau),
+                        4.0 * std::sin(tau) - 0.8 * std::sin(2.0 * tau));
+  }
+  const FirstHarmonic found = orbit_harmonic(forces, 1.0);
+  EXPECT_NEAR(found.stiffness.x(), 3.0, 1e-12);
+  EXPECT_NEAR(found.loss.y(), -4.0, 1e-12);
+  EXPECT_NEAR(found.residual, 1.0 / 5.0, 1e-12);
+}
+
 TEST(FirstHarmonic, OfNoForceHasNoResidual) {
   const auto nothing = [](double, bool) { return Eigen::Vector2d(0.0, 0.0); };
   const FirstHarmonic harmonic = first_harmonic(loop_of(nothing, 0.0, 1e-6, 4));

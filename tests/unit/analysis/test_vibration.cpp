@@ -315,6 +315,54 @@ TEST(LinearFoilsOf, TwoDirectionsAreTheMatrix) {
   EXPECT_TRUE(skew.loss_factor.array().isNaN().all());
 }
 
+Case orbiting_case(double friction, double radius, int steps = 20) {
+  Case input = vibration_case();
+  input.friction = {.top_bump = friction, .bump_sleeve = friction};
+  input.vibration->motion = Motion::orbit;
+  input.vibration->directions.clear();
+  input.vibration->amplitudes = {radius};
+  input.vibration->steps = steps;
+  return input;
+}
+
+TEST(RunVibration, RoundASmallCircleWithoutFrictionIsElastic) {
+  const Case input = orbiting_case(0.0, 2e-9);
+  const VibrationResult result = run_vibration(input);
+  const LinearFoils foils = only(input, result);
+  const Eigen::Matrix2d& K = *result.loads[0].tangents.loading;
+  EXPECT_LT((foils.stiffness - K).norm(), 1e-6 * K.norm());  // roundings of 50 N over 2e-9 m
+  EXPECT_LT(foils.loss.norm(), 1e-6 * K.norm());
+  EXPECT_TRUE(std::isnan(foils.loss_factor.x()));
+  EXPECT_EQ(result.vibrations[0].sense, Sense::counterclockwise);
+  EXPECT_EQ(result.vibrations[1].sense, Sense::clockwise);
+}
+
+TEST(RunVibration, RoundACircleTakesTheEnergyOfTheLoss) {
+  const Case input = orbiting_case(0.2, 1e-6, 50);
+  const VibrationResult result = run_vibration(input);
+  const LinearFoils foils = only(input, result);
+  // The energy of either sense is pi X^2 (omega c_xx + omega c_yy +- (k_yx - k_xy)).
+  const double energy = 0.5 * (*result.vibrations[0].cycle.loop_energy + *result.vibrations[1].cycle.loop_energy);
+  EXPECT_GT(energy, 0.0);
+  EXPECT_NEAR(pi * 1e-12 * foils.loss.trace(), energy, 2e-3 * energy);  // of the chords of 200 increments
+  const double difference = *result.vibrations[0].cycle.loop_energy - *result.vibrations[1].cycle.loop_energy;
+  EXPECT_NEAR(2.0 * pi * 1e-12 * (foils.stiffness(1, 0) - foils.stiffness(0, 1)), difference, 2e-3 * energy);
+  for (const Vibration& orbit : result.vibrations) {
+    EXPECT_EQ(orbit.cycle.curve.size(), 200U);
+    EXPECT_GT(orbit.harmonic->residual, 0.0);
+  }
+}
+
+TEST(RunVibration, RoundACircleIsStoppedBetweenTwo) {
+  const Case input = orbiting_case(0.2, 1e-6);
+  int count = 0;
+  const VibrationResult result = run_vibration(input, [&](double) { return ++count < 3; });
+  EXPECT_EQ(result.vibrations[0].cycle.status, Status::interrupted);
+  EXPECT_FALSE(result.vibrations[0].harmonic);
+  EXPECT_EQ(result.vibrations[1].cycle.status, Status::interrupted);
+  EXPECT_TRUE(std::isnan(linear_foils(*input.vibration, result)[0].stiffness(0, 0)));
+}
+
 TEST(RunVibration, GoesOnBesideALoadThatIsOutOfReach) {
   Case input = vibration_case();
   input.vibration->loads = {{0.0, -1e8}, {0.0, -50.0}};

@@ -217,5 +217,38 @@ TEST(ExportedFrequencies, AreFiveAtLeast) {
   EXPECT_NEAR(two.back(), 2000.0, 1e-8);
 }
 
+TEST(VibrationFiles, OfOrbitsHaveASenseForADirection) {
+  Case input = vibration_case();
+  input.vibration->loads.pop_back();
+  input.vibration->motion = Motion::orbit;
+  input.vibration->directions.clear();
+  const VibrationResult result = run_vibration(input);
+  const std::vector<LinearFoils> foils = linear_foils(*input.vibration, result);
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& file :
+       vibration_files(input, result, status_of(result), {.command_line = "bumpfoil", .case_text = ""})) {
+    folder.write(file.name, file.contents);
+  }
+  const auto table = table_of(folder.read("vibration.csv"));
+  ASSERT_EQ(table.size(), 1U + 4U);
+  EXPECT_EQ(table[0][2], "sense");
+  EXPECT_EQ(table[2][2], "counterclockwise");
+  EXPECT_EQ(table[3][2], "clockwise");
+  const json vibrations = json::parse(folder.read("summary.json")).at("vibrations");
+  EXPECT_EQ(vibrations[2].at("sense"), "clockwise");
+  // The mean force outward of both senses is the mean of the direct stiffnesses.
+  const double mean = 0.5 * (vibrations[0].at("stiffness_direct_N_per_m").get<double>() +
+                             vibrations[2].at("stiffness_direct_N_per_m").get<double>());
+  EXPECT_NEAR(mean, 0.5 * foils[0].stiffness.trace(), 1e-9 * mean);
+  EXPECT_TRUE(vibrations[0].at("stiffness_cross_N_per_m").is_null());
+  const netCDF::NcFile file((folder.path() / "result.nc").string(), netCDF::NcFile::read);
+  EXPECT_EQ(file.getDim("sense").getSize(), 2U);
+  EXPECT_TRUE(file.getDim("direction").isNull());
+  EXPECT_EQ(file.getVar("loop_energy").getDim(1).getName(), "sense");
+  EXPECT_EQ(file.getDim("point").getSize(), 32U);
+  EXPECT_NE(vibration_table(input, result).find("  ccw"), std::string::npos);
+  EXPECT_NE(warning_lines(input, result).front().find("counterclockwise, 1 um"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace bumpfoil

@@ -317,6 +317,12 @@ TEST(FindFaults, JudgesVibrations) {
             (Keys{"vibration.amplitudes[1]", "vibration.amplitudes[2]"}));
   EXPECT_EQ(vibration([](Settings& v) { v.frequencies = {0.0, 1.0}; }), Keys{"vibration.frequencies[1]"});
   EXPECT_EQ(vibration([](Settings& v) { v.steps = 0; }), Keys{"vibration.steps"});
+  EXPECT_EQ(vibration([](Settings& v) { v.motion = Motion::orbit; }), Keys{"vibration.directions"});
+  EXPECT_EQ(vibration([](Settings& v) {
+              v.motion = Motion::orbit;
+              v.directions.clear();
+            }),
+            Keys{});
   EXPECT_EQ(vibration([](Settings& v) {
               v.steps = 1'000'000;
               v.amplitudes.resize(3, 1e-6);

@@ -18,9 +18,14 @@ const entries = ['xx', 'xy', 'yx', 'yy'] as const;
 
 interface Coordinates {
   load: Coordinate;
-  direction: Coordinate;
+  /** Direction, or sense of an orbit. */
+  motion: Coordinate;
   amplitude: Coordinate;
   frequency: Coordinate;
+}
+
+function isOrbit(grid: Grid): boolean {
+  return grid.variable('sense') !== undefined;
 }
 
 function coordinatesOf(grid: Grid): Coordinates {
@@ -29,7 +34,9 @@ function coordinatesOf(grid: Grid): Coordinates {
   const frequencies = numbersOf(grid, 'frequency');
   return {
     load: { name: 'load', title: 'Static load', texts: numbersOf(grid, 'load_x').map((x, i) => vectorText(x, at(y, i), 'N')), unit: '' },
-    direction: { name: 'direction', title: 'Direction', texts: numbersOf(grid, 'direction').map(directionName), unit: '' },
+    motion: isOrbit(grid)
+      ? { name: 'sense', title: 'Sense', texts: ['Counterclockwise', 'Clockwise'], unit: '' }
+      : { name: 'direction', title: 'Direction', texts: numbersOf(grid, 'direction').map(directionName), unit: '' },
     amplitude: { name: 'amplitude', title: 'Amplitude', texts: amplitudes.map((size) => valueText(size, 'm')), numbers: amplitudes, unit: 'm' },
     frequency: {
       name: 'frequency',
@@ -73,13 +80,15 @@ function loopsOf(grid: Grid): Loops | undefined {
   const displacement = grid.variable('displacement');
   const [x, y] = [grid.variable('force_x'), grid.variable('force_y')];
   if (!displacement || !x || !y) return undefined;
-  const angles = numbersOf(grid, 'direction').map((degrees) => (degrees * Math.PI) / 180);
+  // Those of orbits are drawn over X.
+  const orbit = isOrbit(grid);
+  const angles = orbit ? [] : numbersOf(grid, 'direction').map((degrees) => (degrees * Math.PI) / 180);
   const force = (key: string, text: string, turn: number): Loops['forces'][number] => ({
     key,
     text,
-    title: `${text} force`,
+    title: orbit ? `Force ${text}` : `${text} force`,
     values: (place) => {
-      const angle = (angles[place['direction'] ?? 0] ?? NaN) + turn;
+      const angle = (orbit ? 0 : (angles[place['direction'] ?? 0] ?? NaN)) + turn;
       const forceY = y.along(place);
       return x.along(place).map((forceX, i) => forceX * Math.cos(angle) + at(forceY, i) * Math.sin(angle));
     },
@@ -87,7 +96,9 @@ function loopsOf(grid: Grid): Loops | undefined {
   return {
     counter: 'point',
     displacement: (place) => displacement.along(place),
-    forces: [force('force_direct', 'Direct', 0), force('force_cross', 'Cross', Math.PI / 2)],
+    forces: orbit
+      ? [force('force_x', 'X', 0), force('force_y', 'Y', Math.PI / 2)]
+      : [force('force_direct', 'Direct', 0), force('force_cross', 'Cross', Math.PI / 2)],
   };
 }
 
@@ -113,8 +124,8 @@ function columnsOf(grid: Grid): { vibrations: GridColumn[]; coefficients: GridCo
 }
 
 function sectionsOf(grid: Grid, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
-  const { load, direction, amplitude, frequency } = coordinatesOf(grid);
-  const selection = new GridSelection([load, direction, amplitude], [amplitude, load]);
+  const { load, motion, amplitude, frequency } = coordinatesOf(grid);
+  const selection = new GridSelection([load, motion, amplitude], [amplitude, load]);
   const loops = loopsOf(grid);
   const charts = chartsOf(grid).map(({ title: name, measures }) => new OverPanel(name, measures, selection, grid.label).root);
   const columns = columnsOf(grid);
@@ -140,7 +151,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
       gridTable({
         title: 'Loops by vibration',
         label,
-        coordinates: [load, direction, amplitude],
+        coordinates: [load, motion, amplitude],
         columns: columns.vibrations,
         main: ['stiffness_direct', 'loss_stiffness_direct', 'harmonic_residual', 'loss_factor', 'loop_energy', 'loops', 'settled', 'status'],
       }),
