@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 /// Between two writes to the log: as much work as is lost when the power fails.
-constexpr auto write_interval = std::chrono::seconds(1);
+constexpr auto write_interval = std::chrono::milliseconds(200);
 
 /// Samples that are run together, and what of them is in the log.
 class Round {

@@ -113,7 +113,7 @@ TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
   ASSERT_EQ(run(montecarlo("whole", samples)).exit_code, 0);
   const std::vector<std::string> command = montecarlo("results", samples) + std::vector<std::string>{"--resume"};
   std::mt19937 random(20);
-  std::uniform_int_distribution<int> milliseconds(0, 150);
+  std::uniform_int_distribution<int> milliseconds(0, 600);
   for (int kills = 0; kills < 20; ++kills) {
     const Running program(command, (folder_.path() / "output").string());
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds(random)));
@@ -121,6 +121,8 @@ TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
     const int ended = program.wait();
     ASSERT_TRUE(ended == 1000 + SIGKILL || ended == 0) << program.errors();
   }
+  // What was killed had left samples; one is 768 bytes.
+  EXPECT_GT(std::filesystem::file_size(folder_.path() / "results/ensemble.checkpoint"), 20'000U);
   const Outcome last = run(command);
   ASSERT_EQ(last.exit_code, 0) << last.errors;
   EXPECT_EQ(summary().at("statistics"), summary_of("whole").at("statistics"));
