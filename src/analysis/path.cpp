@@ -37,11 +37,17 @@ Eigen::Vector2d outward(const Eigen::Vector2d& position) {
   return distance > 0.0 ? Eigen::Vector2d(position / distance) : Eigen::Vector2d::UnitX();
 }
 
+/// A length below this part of the rise is a rounding.
+constexpr double length_rounding = 1e-12;
+
 /// Finds the orbits among the increments that pass.
 class OrbitCounter {
  public:
-  OrbitCounter(const PathSettings& path, int increments)
-      : steps_(path.is_orbit() ? path.steps : 0), lead_in_(increments - 1 - path.orbits * steps_) {}
+  OrbitCounter(const PathSettings& path, int increments, const Foils& foils)
+      : steps_(path.is_orbit() ? path.steps : 0),
+        lead_in_(increments - 1 - path.orbits * steps_),
+        force_rounding_(foils.roundings.force),
+        length_rounding_(length_rounding * foils.rise) {}
 
   [[nodiscard]] int orbit_of(int increment) const {
     return steps_ > 0 && increment > lead_in_ ? (increment - lead_in_ - 1) / steps_ + 1 : 0;
@@ -52,14 +58,18 @@ class OrbitCounter {
     if (steps_ == 0 || increment.index < lead_in_ || (increment.index - lead_in_) % steps_ != 0) return std::nullopt;
     const Increment begin = std::exchange(begin_, increment);
     if (increment.index == lead_in_) return std::nullopt;
+    const double force = std::hypot(increment.force_x - begin.force_x, increment.force_y - begin.force_y);
+    const double distance = std::hypot(increment.x - begin.x, increment.y - begin.y);
     return OrbitLoop{.energy = increment.work - begin.work,
-                     .force_defect = std::hypot(increment.force_x - begin.force_x, increment.force_y - begin.force_y),
-                     .position_defect = std::hypot(increment.x - begin.x, increment.y - begin.y)};
+                     .force_defect = cleared(force, force_rounding_),
+                     .position_defect = cleared(distance, length_rounding_)};
   }
 
  private:
   int steps_;
   int lead_in_;  ///< number of the last increment before the first orbit
+  double force_rounding_;
+  double length_rounding_;
   Increment begin_;
 };
 
@@ -70,7 +80,7 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
   cycle.due = increments_of(program);
   IncrementLog log(stepper, Recording::everything, cycle);
   CycleQuantities quantities(cycle);
-  OrbitCounter orbits(path, cycle.due);
+  OrbitCounter orbits(path, cycle.due, stepper.foils());
 
   Step step;
   const auto add = [&] {
