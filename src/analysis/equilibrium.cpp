@@ -224,9 +224,6 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
     throw Error(ErrorKind::input, {{"", 0, "solver.name", std::string(name_of(input.solver.name)),
                                     "cannot solve contacts under a film", "use newton"}});
   }
-  if (input.bearing.sleeve_waviness) {
-    throw Error(ErrorKind::input, {{"", 0, "bearing.sleeve_waviness", "", "is not known to the film", "remove it"}});
-  }
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   if (paths.empty()) paths.push_back(equilibrium.path);
   EquilibriumResult result;

@@ -105,6 +105,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   complete_publication_quietly(folder);
   const auto has = [&](const char* name) { return fs::exists(published_file(folder, name), code); };
   const auto read = [&folder](const char* name) { return read_binary_file(published_file(folder, name)); };
+  if (has("ensemble.nc")) refuse("holds an ensemble of `bumpfoil montecarlo`, which reports cannot show");
   const char* result_name = has("sweep.nc") ? "sweep.nc" : "result.nc";
   for (const char* name : {result_name, "summary.json"}) {
     if (!has(name)) refuse(fmt::format("holds no results: {} is missing", name));

@@ -279,11 +279,13 @@ TEST(Report, NamesEveryFolderThatHoldsNoResult) {
   const TemporaryFolder broken;
   broken.write("summary.json", good.folder().read("summary.json"));
   broken.write("result.nc", "no netCDF at all");
+  const TemporaryFolder drawn;
+  drawn.write("ensemble.nc", "");
   const Results cut(run_cycles(short_case()));
   cut.folder().write("summary.json", "{\"schema\": ");
-  const std::vector<Fault> faults = faults_of(
-      {empty.path() / "nowhere", good.path(), empty.path(), good.path() / "summary.json", broken.path(), cut.path()});
-  ASSERT_EQ(faults.size(), 5U);
+  const std::vector<Fault> faults = faults_of({empty.path() / "nowhere", good.path(), empty.path(),
+                                               good.path() / "summary.json", broken.path(), cut.path(), drawn.path()});
+  ASSERT_EQ(faults.size(), 6U);
   EXPECT_EQ(faults[0].file, (empty.path() / "nowhere").string());
   EXPECT_EQ(faults[0].what, "does not exist");
   EXPECT_EQ(faults[1].what, "holds no results: result.nc is missing");
@@ -291,6 +293,7 @@ TEST(Report, NamesEveryFolderThatHoldsNoResult) {
   EXPECT_EQ(faults[3].file, (broken.path() / "result.nc").string());
   EXPECT_NE(faults[3].what.find("is damaged: it has 16 bytes"), std::string::npos);
   EXPECT_EQ(faults[4].what, "cannot be read: it is no JSON");
+  EXPECT_NE(faults[5].what.find("bumpfoil montecarlo"), std::string::npos);
 }
 
 TEST(Report, ReadsTheNewSetWhereItsPublicationWasCutShort) {
