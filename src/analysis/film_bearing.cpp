@@ -6,6 +6,7 @@
 
 #include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 
@@ -72,7 +73,13 @@ Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const 
   return H;
 }
 
+void require_round_sleeve(const Case& input) {
+  if (!input.bearing.sleeve_waviness) return;
+  throw Error(ErrorKind::input, {{"", 0, "bearing.sleeve_waviness", "", "is not known to the gas film", "remove it"}});
+}
+
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
+  require_round_sleeve(input);
   const SharedFoils shared = make_bearing_foils(input);
   const Foils& foils = *shared;
   FilmBearing bearing;

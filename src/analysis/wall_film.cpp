@@ -44,6 +44,7 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 
 FilmBearing make_wall_bearing(const Case& input) {
   require_valid(input);
+  require_round_sleeve(input);
   const double R = input.bearing.radius;
   const double half_width = 0.5 * input.bearing.axial_length / R;
   const double foil_angle = input.bump_foil.bumps * input.bump_foil.pitch / R;

@@ -362,8 +362,6 @@ void judge_combination(Judge& judge, const Case& input) {
   judge.require(!input.montecarlo || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "is no model for ensembles: its loops have no area",
                 "set model = \"truss\" or \"frame\", or remove [montecarlo]");
-  judge.require(!input.equilibrium || !input.bearing.sleeve_waviness, "bearing.sleeve_waviness", "",
-                "is not known to the gas film", "remove it, or [equilibrium]");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
   judge.require(

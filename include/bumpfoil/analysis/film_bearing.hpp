@@ -13,6 +13,9 @@ namespace bumpfoil {
 /// The gas of a case.
 Gas gas_of(const GasSettings& settings);
 
+/// The film knows no waves of the sleeve. @throws Error (input) if a case has some
+void require_round_sleeve(const Case& input);
+
 /// c of a bearing, m: the size of its clearance, or 10 um where it has none.
 double film_thickness_scale(double clearance);
 

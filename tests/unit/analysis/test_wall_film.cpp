@@ -73,6 +73,12 @@ TEST(WallFilm, SpringsYield) {
   }
 }
 
+TEST(WallFilm, KnowsNoWavesOfTheSleeve) {
+  Case input = wall_case();
+  input.bearing.sleeve_waviness.emplace(SleeveWaviness{3, 5e-6, 0.0});
+  EXPECT_THROW(run_wall_films(input), Error);
+}
+
 TEST(WallFilm, WantsPositions) {
   Case input = wall_case();
   input.equilibrium->positions.clear();
