@@ -110,6 +110,7 @@ FilmReport FilmBearingSolver::solve(const OperatingPoint& to, const ContactState
   return workspace_->solve(to, film_equation(workspace_->bearing, to.speed), previous, state);
 }
 
+// A copy: it may be that of the state, which changes. NOLINTNEXTLINE(performance-unnecessary-value-param)
 FilmReport FilmBearingSolver::settle(const OperatingPoint& to, ContactState previous, FilmBearingState& state) {
   return workspace_->settle(to, previous, state);
 }
@@ -126,6 +127,7 @@ std::optional<Eigen::Matrix2d> FilmBearingSolver::stiffness(const FilmBearingSta
   return workspace_->newton.stiffness(state, stuck);
 }
 
+// A copy: it may be that of the state, which changes. NOLINTNEXTLINE(performance-unnecessary-value-param)
 FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state) {
   Workspace& w = *workspace_;
   const bool by_load = to.control == OperatingPoint::Control::load;

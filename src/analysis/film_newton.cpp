@@ -201,7 +201,7 @@ bool FilmNewton::find_step(const ContactState& previous, const FilmBearingState&
 /// What is left of the way to the position where the journal is held or, with the step and the rates, of the load.
 Eigen::Vector2d FilmNewton::missing_displacement(const OperatingPoint& to, const FilmBearingState& state) {
   if (to.control == OperatingPoint::Control::position) {
-    const Eigen::Vector2d way = to.journal - state.position;
+    Eigen::Vector2d way = to.journal - state.position;
     if (way.norm() <= rounded_displacement * bearing_.scales.thickness) return Eigen::Vector2d::Zero();
     find_rates();
     return way;

@@ -41,6 +41,7 @@ std::string number(double value) {
 
 std::string list(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(number(value));
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
@@ -52,6 +53,7 @@ std::string element(const LinearFoils& foils, const std::vector<double>& frequen
   }
   for (const auto& [axes, row, column] : matrix_entries) {
     std::vector<double> damping;
+    damping.reserve(frequencies.size());
     for (const double frequency : frequencies) damping.push_back(foils.damping(frequency)(row, column));
     out += fmt::format("c{} = {}\n", axes, list(damping));
   }
