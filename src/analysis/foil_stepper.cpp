@@ -58,6 +58,7 @@ FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings)
     : foils_(std::move(foils)),
       modes_(make_mode_system(foils_->problem)),
       follower_(make_path_follower(SharedProblem({foils_, &foils_->problem}), settings, modes_)),
+      follows_events_(settings.name == SolverName::events),
       rate_(ContactState::unstressed(foils_->problem)) {}
 
 FoilStepper::~FoilStepper() = default;
@@ -67,7 +68,6 @@ void FoilStepper::assemble(const Excitation& excitation, Step& step) {
   step.state = unstressed;
   step.state.excitation = excitation;
   step.state.loading = loading_under(*foils_, excitation);
-  step.path_begin = step.path_end = excitation.position;
   step.events.clear();
   step.waypoints.clear();
   step.substeps = 0;
@@ -90,27 +90,31 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
   BUMPFOIL_ASSERT(&from != &step.state);
   step.state = from;
   step.state.excitation = between(path_begin_, path_end_, fraction);
-  step.path_begin = path_begin_.position;
-  step.path_end = path_end_.position;
   step.events.clear();
   step.waypoints.clear();
   step.is_linear = true;
   const ContactProblem& problem = foils_->problem;
+  const auto position_at = [&](double part) -> Eigen::Vector2d {
+    return (1.0 - part) * path_begin_.position + part * path_end_.position;
+  };
   const auto visit = [&](const ResponsePart& part) {
     const Vector& begin = part.begin.normal_force;
     const Vector& end = part.end.normal_force;
     step.state.slip_origin = part.begin.x;
     step.is_linear = step.is_linear && part.linear;
     if (part.fraction < fraction) {
-      step.waypoints.push_back({(1.0 - part.fraction) * path_begin_.position + part.fraction * path_end_.position,
-                                holding_force(*foils_, end)});
+      step.waypoints.push_back({position_at(part.fraction), holding_force(*foils_, end)});
     }
     step.state.work += gap_work(problem, part.begin, part.end);
     step.state.dissipated_energy += part.linear
                                         ? friction_dissipation(problem, 0.5 * (begin + end), part.begin.x, part.end.x)
                                         : friction_dissipation(problem, end, part.begin.x, part.end.x);
   };
-  const FollowReport report = follower_->follow_to(fraction, step.state.contacts, visit, step.events);
+  events_.clear();
+  const FollowReport report = follower_->follow_to(fraction, step.state.contacts, visit, events_);
+  for (const ContactEvent& event : events_) {
+    step.events.push_back({position_at(event.fraction), event.contact, event.from, event.to});
+  }
   step.status = report.status;
   step.cost = report.cost;
   step.substeps = report.substeps;

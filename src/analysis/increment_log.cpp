@@ -10,11 +10,11 @@ namespace {
 constexpr double largest_imbalance = 1e-7;
 
 /// Where a contact is, as results count.
-CycleEvent located(const Foils& foils, const ContactEvent& event, Branch branch, double displacement) {
+CycleEvent located(const Foils& foils, const StepEvent& event, Branch branch, const Eigen::Vector2d& direction) {
   const int block = event.contact / foils.contacts_per_block();
   const int pair = event.contact % foils.contacts_per_block();
   CycleEvent out{.branch = branch,
-                 .displacement = displacement,
+                 .displacement = event.position.dot(direction),
                  .interface = pair == foils.top_bump() ? Interface::top_bump : Interface::journal_top,
                  .index = block - foils.structure.first_bump,
                  .from = event.from,
@@ -70,11 +70,8 @@ Increment IncrementLog::make(const Step& step, Branch branch, const Eigen::Vecto
 
 void IncrementLog::write_down(const Step& step, const Increment& increment, const Eigen::Vector2d& direction) {
   if (!everything_) return;
-  const auto displacement = [&](double fraction) {
-    return ((1.0 - fraction) * step.path_begin + fraction * step.path_end).dot(direction);
-  };
-  for (const ContactEvent& event : step.events) {
-    cycle_.events.push_back(located(foils(), event, increment.branch, displacement(event.fraction)));
+  for (const StepEvent& event : step.events) {
+    cycle_.events.push_back(located(foils(), event, increment.branch, direction));
   }
   cycle_.increments.push_back(increment);
   if (!step.converged()) return;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/load_follower.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -30,12 +32,16 @@ constexpr double most_across = 3.0;
 /// A tangent of further motion this much smaller than that of sticking contacts does not determine the place.
 constexpr double least_tangent = 1e-9;
 
+/// A load as small as the tolerance must still tell a body that carries it from one that has lifted.
+double load_tolerance(const FoilStepper& stepper, const Eigen::Vector2d& load) {
+  return std::min(0.5 * load.norm(), std::max(load.norm(), 1.0) * stepper.bounds().load);
+}
+
 class LoadSearch {
  public:
   LoadSearch(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double reach, Step& step)
       : stepper_(stepper), from_(from), load_(load), reach_(reach), step_(step) {
-    // A load as small as the tolerance must still tell a body that carries it from one that has lifted.
-    tolerance_ = std::min(0.5 * load.norm(), std::max(load.norm(), 1.0) * stepper.bounds().load);
+    tolerance_ = load_tolerance(stepper, load);
     step_.state = from;
     step_.state.slip_origin = from.contacts.x;
     step_.events.clear();
@@ -198,13 +204,54 @@ void meet_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2
   meet_load(stepper, middle, load, is_none, reach, halvings - 1, step);
 }
 
+/// The same from where `step` ends, behind what happened before.
+void go_on(FoilStepper& stepper, const Eigen::Vector2d& load, bool is_none, double reach, Step& step) {
+  Step part;
+  meet_load(stepper, step.state, load, is_none, reach, most_load_halvings, part);
+  append(stepper.foils(), part, step);
+}
+
+/// Meets the load by the way that the body goes while it grows.
+void grow_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double none, double reach,
+               Step& step) {
+  const Eigen::Vector2d carried = holding_force(stepper.foils(), from.contacts.normal_force);
+  const bool is_none = load.norm() <= none;
+  step.state = from;
+  step.state.slip_origin = from.contacts.x;
+  step.status = Status::converged;
+  step.is_linear = true;
+  step.events.clear();
+  step.waypoints.clear();
+  const auto follow = [&](const Eigen::Vector2d& to) {
+    return follow_load(stepper, to, load_tolerance(stepper, to), reach, step);
+  };
+  const bool anew = carried.dot(load) <= 0.0;
+  if (anew) {
+    if (carried.norm() > none) follow(none * carried.normalized());
+    go_on(stepper, none * load.normalized(), true, reach, step);
+  }
+  if (step.converged() && !(anew && is_none)) {
+    if (follow(load)) {
+      if (!is_none) step.status = stability(stepper.tangents(step.state));
+    } else {
+      ++step.substeps;
+      go_on(stepper, load, is_none, reach, step);
+    }
+  }
+  if (!step.waypoints.empty()) step.waypoints.pop_back();  // the end
+}
+
 }  // namespace
 
-void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none,
+void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double none,
                      double reach, Step& step) {
   step.cost = {};
   step.substeps = 0;
-  meet_load(stepper, from, load, is_none, reach, most_load_halvings, step);
+  if (stepper.follows_events() && !is_strip(stepper.foils())) {
+    grow_load(stepper, from, load, none, reach, step);
+  } else {
+    meet_load(stepper, from, load, load.norm() <= none, reach, most_load_halvings, step);
+  }
 }
 
 }  // namespace bumpfoil

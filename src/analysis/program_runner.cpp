@@ -29,7 +29,8 @@ void ProgramRunner::try_next(Step& step) {
   const Eigen::Vector2d place = next.line.place(target());
   if (next.control == Control::load) {
     const Eigen::Vector2d load = never_zero(place);
-    advance_to_load(stepper_, state_, load, load != place, reach_, step);
+    const double none = least_load * largest_ * (1.0 + 1e-9);  // roundings of the least load included
+    advance_to_load(stepper_, state_, load, none, reach_, step);
     return;
   }
   if (taken_ == 0) {

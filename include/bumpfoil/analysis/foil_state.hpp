@@ -26,14 +26,20 @@ struct Waypoint {
   Eigen::Vector2d force;     ///< that holds it, N
 };
 
+/// A change of mode of one contact inside an increment.
+struct StepEvent {
+  Eigen::Vector2d position;  ///< of the pressing body, m
+  int contact{};
+  ContactMode from{};
+  ContactMode to{};
+};
+
 /// An increment as it was taken: where it led, what happened on the way, what it cost and how it ended.
 struct Step {
   Status status{Status::converged};
-  FoilState state;  ///< new; after a failure it means nothing but where the increment was to lead
-  /// Positions that the path which the increment is a part of runs between, m.
-  Eigen::Vector2d path_begin{0.0, 0.0}, path_end{0.0, 0.0};
-  std::vector<ContactEvent> events;  ///< of the increment, with fractions of that path; only where they are followed
-  std::vector<Waypoint> waypoints;   ///< between its ends: forces are linear from one to the next, as far as is known
+  FoilState state;                  ///< new; after a failure it means nothing but where the increment was to lead
+  std::vector<StepEvent> events;    ///< only where they are followed
+  std::vector<Waypoint> waypoints;  ///< between its ends: forces are linear from one to the next, as far as is known
   SolveCost cost;
   int substeps{};    ///< extra solves because the increment had to be halved
   bool is_linear{};  ///< in pieces, so that W = E_end - E_begin + D holds to rounding

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bumpfoil/analysis/foil_state.hpp"
 #include "bumpfoil/analysis/tangents.hpp"
@@ -45,6 +46,8 @@ class FoilStepper {
   [[nodiscard]] TangentMatrices tangents(const FoilState& state);
 
   [[nodiscard]] const Foils& foils() const { return *foils_; }
+  /// Whether increments are followed from one change of contact to the next.
+  [[nodiscard]] bool follows_events() const { return follows_events_; }
   /// What converged states meet.
   [[nodiscard]] SolverBounds bounds() const { return follower_->bounds(); }
 
@@ -52,7 +55,9 @@ class FoilStepper {
   SharedFoils foils_;
   std::shared_ptr<ModeSystem> modes_;  ///< shared with the follower: no other is made for tangents
   std::unique_ptr<PathFollower> follower_;
+  bool follows_events_;
   Excitation path_begin_, path_end_;
+  std::vector<ContactEvent> events_;
   ContactState rate_;
 };
 
