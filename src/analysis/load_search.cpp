@@ -211,6 +211,12 @@ void go_on(FoilStepper& stepper, const Eigen::Vector2d& load, bool is_none, doub
   append(stepper.foils(), part, step);
 }
 
+/// The least load on the line from one to the other.
+double least_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d line = (to - from).normalized();
+  return (from - from.dot(line) * line).norm();
+}
+
 /// Meets the load by the way that the body goes while it grows.
 void grow_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double none, double reach,
                Step& step) {
@@ -225,12 +231,13 @@ void grow_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2
   const auto follow = [&](const Eigen::Vector2d& to) {
     return follow_load(stepper, to, load_tolerance(stepper, to), reach, step);
   };
-  const bool anew = carried.dot(load) <= 0.0;
+  const bool anew = carried.norm() <= none || (carried.dot(load) <= 0.0 && least_between(carried, load) <= none);
   if (anew) {
     if (carried.norm() > none) follow(none * carried.normalized());
-    go_on(stepper, none * load.normalized(), true, reach, step);
+    go_on(stepper, none * load.normalized(), is_none, reach, step);
   }
-  if (step.converged() && !(anew && is_none)) {
+  if (!step.converged()) return meet_load(stepper, from, load, is_none, reach, most_load_halvings, step);
+  if (!(anew && is_none)) {
     if (follow(load)) {
       if (!is_none) step.status = stability(stepper.tangents(step.state));
     } else {
