@@ -6,6 +6,7 @@
 
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
+#include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "contact/event_follower.hpp"
 #include "contact/piece_energy.hpp"
@@ -21,8 +22,18 @@ constexpr double probe_growth = 4.0;
 constexpr int most_probes = 1000;
 /// Part of the whole path that counts as a place: what is still bent within it is a jump.
 constexpr double shortest_probe = 1e-10;
+/// Forces on a piece are exact to 1e-11 of the largest of them, results are to be to 1e-9: how many times less than the
+/// largest so far forces may be without a second look.
+constexpr double most_fallen = 30.0;
 /// Energy that a jump may seem to gain, in units of what is negligible: states at its ends are not exact.
 constexpr double most_gained = 100.0;
+
+/// Writes down which contacts have another mode in `to` than in `from`.
+void add_events(const ContactState& from, const ContactState& to, double fraction, std::vector<ContactEvent>& events) {
+  for (std::size_t c = 0; c < to.mode.size(); ++c) {
+    if (from.mode[c] != to.mode[c]) events.push_back({fraction, static_cast<int>(c), from.mode[c], to.mode[c]});
+  }
+}
 
 class EventStepper final : public PathFollower {
  public:
@@ -37,8 +48,11 @@ class EventStepper final : public PathFollower {
                                        std::vector<ContactEvent>& events) override;
 
  private:
+  void go_to(double fraction, ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
+             FollowReport& report);
   bool follow_events(double fraction, ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
                      FollowReport& report);
+  void settle(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events, FollowReport& report);
   [[nodiscard]] bool stands(const ContactState& state, const ContactState& end, bool is_place,
                             FollowReport& report) const;
 
@@ -46,7 +60,9 @@ class EventStepper final : public PathFollower {
   EventFollower follower_;
   NewtonSolver newton_;
   LoadingPath path_;
-  double fraction_{};  ///< of the path that lies behind
+  double fraction_{};       ///< of the path that lies behind
+  Vector slip_origin_;      ///< unknowns where the last part of the response began
+  double largest_force_{};  ///< since the assembly, N
 };
 
 EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes)
@@ -55,6 +71,7 @@ EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<M
 }
 
 SolveReport EventStepper::assemble(const ContactLoading& loading, const ContactState& unstressed, ContactState& state) {
+  largest_force_ = 0.0;
   return newton_.solve(loading, unstressed, state);
 }
 
@@ -85,9 +102,47 @@ bool EventStepper::stands(const ContactState& state, const ContactState& end, bo
   return true;
 }
 
+/// Makes a state exact that is not within the bounds. Forces on a piece have the tolerances and the roundings of the
+/// largest of them, which may be too much for what is left of these at its end.
+void EventStepper::settle(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
+                          FollowReport& report) {
+  const double left = std::max(1.0, state.normal_force.maxCoeff());  // N, as in ContactResiduals
+  if (largest_force_ <= most_fallen * left) return;
+  const ContactLoading loading = path_.at(fraction_);
+  const SolverBounds bound = bounds();
+  const auto is_exact = [&] {
+    return contact_residuals(*problem_, problem_->K.multiply(state.x), loading, slip_origin_, state)
+        .within(bound.force, bound.displacement);
+  };
+  if (is_exact()) return;
+  ContactState settled;
+  const SolveReport solve = newton_.solve(loading, state, settled);
+  report.cost += solve.cost;
+  report.status = solve.status;
+  if (!solve.converged()) return;
+  if (visit) visit({.begin = state, .end = settled, .fraction = fraction_, .linear = true});
+  add_events(state, settled, fraction_, events);
+  slip_origin_ = state.x;
+  state = std::move(settled);
+  follower_.set_out(path_, state.mode, fraction_);
+  if (!is_exact()) report.status = Status::residual_above_bound;
+}
+
 FollowReport EventStepper::follow_to(double fraction, ContactState& state, const PartVisitor& visit,
                                      std::vector<ContactEvent>& events) {
   FollowReport report;
+  const PartVisitor note = [&](const ResponsePart& part) {
+    slip_origin_ = part.begin.x;
+    largest_force_ = std::max(largest_force_, part.begin.normal_force.maxCoeff());
+    if (visit) visit(part);
+  };
+  go_to(fraction, state, note, events, report);
+  if (report.converged()) settle(state, visit, events, report);
+  return report;
+}
+
+void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor& visit,
+                         std::vector<ContactEvent>& events, FollowReport& report) {
   const double first = first_probe * (fraction - fraction_);
   double probe = first;
   double shortest = shortest_probe;
@@ -98,7 +153,7 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
   bool arrived = follow_events(fraction, state, visit, events, report);
   for (int probes = 0; !arrived; ++probes) {
     report.status = Status::no_modes;
-    if (probes == most_probes) return report;
+    if (probes == most_probes) return;
     const double before = fraction_;
     const double end = std::min(fraction, before + probe);
     probed_from = state.x;
@@ -106,7 +161,7 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
     report.cost += solve.cost;
     if (!solve.converged()) {
       // There is no state so near: what the next one is like is all that can be told of the way to it.
-      if (end >= fraction) return report;
+      if (end >= fraction) return;
       shortest = probe = 2.0 * probe;
       continue;
     }
@@ -128,18 +183,14 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
     if (!stands(state, probed, is_place, report)) {
       if (is_place) {
         report.status = Status::energy_defect;
-        return report;
+        return;
       }
       bent_until = end;
       probe = std::max(shortest, 0.5 * (end - before));
       continue;
     }
-    if (visit) visit({.begin = state, .end = probed, .fraction = end, .linear = true});
-    for (std::size_t c = 0; c < probed.mode.size(); ++c) {
-      if (state.mode[c] != probed.mode[c]) {
-        events.push_back({end, static_cast<int>(c), state.mode[c], probed.mode[c]});
-      }
-    }
+    visit({.begin = state, .end = probed, .fraction = end, .linear = true});
+    add_events(state, probed, end, events);
     std::swap(state, probed);
     fraction_ = end;
     shortest = shortest_probe;
@@ -150,7 +201,6 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
     arrived = end >= fraction;
   }
   report.status = Status::converged;
-  return report;
 }
 
 }  // namespace

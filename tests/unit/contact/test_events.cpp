@@ -63,6 +63,36 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
   EXPECT_EQ(events.size(), 2U);
 }
 
+/// Two springs against walls, one of them let go of: what is nothing beside the 1000 N where the path begins is tension
+/// beside the 0.1 mN where it ends.
+TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
+  ContactProblem problem;
+  problem.K = BlockTridiagonal(2, 1);
+  for (const int block : {0, 1}) problem.K.add(block, 0, block, 0, 1e6);
+  problem.pairs = {{.minus = 0}};
+  const auto stepper = stepper_of(problem);
+  const auto walls = [](double first, double second) {
+    return ContactLoading{.initial_gap = Eigen::Vector2d(first, second), .load = Vector::Zero(2)};
+  };
+  const ContactState unstressed = ContactState::unstressed(problem);
+  ContactState state = unstressed;
+  ASSERT_TRUE(stepper->assemble(walls(-1e-3, -1e-6), unstressed, state).converged());
+  ContactState before;
+  const auto visit = [&](const ResponsePart& part) { before = part.begin; };
+  std::vector<ContactEvent> events;
+  const ContactLoading end = walls(-1e-10, 5e-15);
+  ASSERT_TRUE(follow(*stepper, walls(-1e-3, -1e-6), end, state, visit, events).converged());
+  EXPECT_TRUE(contact_residuals(problem, problem.K.multiply(state.x), end, before.x, state).within());
+  EXPECT_EQ(state.normal_force[1], 0.0);
+  EXPECT_NEAR(state.normal_force[0], 1e-4, 1e-12);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].contact, 1);
+  EXPECT_EQ(events[0].to, ContactMode::open);
+  // The path goes on from there.
+  ASSERT_TRUE(follow(*stepper, end, walls(-1e-6, -1e-6), state, visit, events).converged());
+  EXPECT_NEAR(state.normal_force[1], 1.0, 1e-9);
+}
+
 /// Heavy friction on random springs: the response jumps, and after some events no modes lead on. A small increment then
 /// stands in the response and is counted, and the path goes on from its end; every part is a solution all the same.
 TEST(EventStepper, TakesASmallIncrementWhereNoModesLeadOn) {
