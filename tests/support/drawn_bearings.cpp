@@ -1,0 +1,204 @@
+#include "support/drawn_bearings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "bumpfoil/analysis/foil_stepper.hpp"
+#include "bumpfoil/analysis/increment.hpp"
+#include "bumpfoil/ensemble/draws.hpp"
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::uint64_t seed = 1;
+
+/// What the response must balance its energies to, as part of the largest work: sums of thousands of pieces, each with
+/// roundings of 1e-16 of energies that may be larger, as those of foils that are squeezed when the journal is centred.
+constexpr double largest_imbalance = 1e-9;
+
+/// Numbers drawn for a bearing, one after the other.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t bearing) : place_{.seed = seed, .sample = bearing, .variable = 0, .element = 0} {}
+
+  double probability() {
+    ++place_.variable;
+    return uniform_draw(place_);
+  }
+  double uniform(double low, double high) { return low + (high - low) * probability(); }
+  /// The same in its logarithm.
+  double decades(double low, double high) { return low * std::pow(high / low, probability()); }
+
+ private:
+  DrawPlace place_;
+};
+
+/// Elastic energy less that of another state, and what contact forces took, by the balance of two equilibria of linear
+/// foils that knows nothing of what was between them:
+///
+///     W = E_1 - E_0 - sum 1/2 (t_1 + t_0) du + 1/2 sum (p_1 g_0 - p_0 g_1)
+double balanced_work(const ContactProblem& problem, const ContactState& before, const ContactState& now) {
+  const Vector slip = tangential_displacements(problem, now.x) - tangential_displacements(problem, before.x);
+  return 0.5 * (now.normal_force.dot(before.gap) - before.normal_force.dot(now.gap)) -
+         0.5 * (now.friction_force + before.friction_force).dot(slip);
+}
+
+struct Run {
+  SolverVerdict verdict;
+  std::vector<Eigen::Vector2d> forces;  ///< at every `every`-th increment
+};
+
+/// A push along the direction of the case and back.
+class Push {
+ public:
+  Push(const Case& input, const SharedFoils& foils, SolverName solver)
+      : input_(input), foils_(foils), stepper_(foils, {.name = solver, .uzawa = {}}) {}
+
+  Run run(int every);
+
+ private:
+  void keep(Step& next);
+  void judge_state(const Step& step);
+  void refuse(const std::string& what) {
+    if (verdict().wrong.empty()) verdict().wrong = fmt::format("increment {}: {}", increment_, what);
+  }
+  SolverVerdict& verdict() { return run_.verdict; }
+
+  const Case& input_;
+  const SharedFoils& foils_;
+  FoilStepper stepper_;
+  Step step_;
+  Run run_;
+  int increment_{};
+  double energy_{};  ///< elastic, where the run is
+  double start_energy_{};
+  double start_dissipation_{};  ///< of the assembly
+  double largest_work_{};
+  double imbalance_{};  ///< largest
+  double balanced_{};   ///< work that is accounted for
+};
+
+void Push::judge_state(const Step& step) {
+  Increment judged;
+  judge(*foils_, step.state, judged);
+  const ContactResiduals& r = judged.residuals;
+  if (!r.within(1e-9, 1e-12)) {
+    refuse(fmt::format(
+        "equilibrium {:.2g}, penetration {:.2g} m, slip in stick {:.2g} m, complementarity {:.2g}, cone {:.2g}",
+        r.equilibrium, r.penetration, r.slip_in_stick, r.complementarity, r.cone));
+  }
+  energy_ = judged.elastic_energy;
+}
+
+/// Judges what the solver calls converged, and goes on from there.
+void Push::keep(Step& next) {
+  verdict().status = next.status;
+  verdict().substeps += next.substeps;
+  if (!next.converged()) return;
+  const double energy_before = energy_;
+  judge_state(next);
+  if (increment_ == 0) {
+    start_energy_ = energy_;
+    start_dissipation_ = next.state.dissipated_energy;
+  } else {
+    largest_work_ = std::max(largest_work_, std::abs(next.state.work));
+    if (next.is_linear) {
+      balanced_ = energy_ - start_energy_ + next.state.dissipated_energy - start_dissipation_;
+    } else if (next.substeps == 0) {
+      balanced_ += energy_ - energy_before + balanced_work(foils_->problem, step_.state.contacts, next.state.contacts);
+    } else {
+      balanced_ = next.state.work;  // halves in between are not known
+    }
+    imbalance_ = std::max(imbalance_, std::abs(next.state.work - balanced_));
+  }
+  std::swap(step_, next);
+  ++increment_;
+}
+
+Run Push::run(int every) {
+  const CycleSettings& cycle = input_.cycle;
+  const int steps = cycle.steps * every;
+  Step next;
+  stepper_.assemble({}, next);
+  keep(next);
+  const Excitation centre;
+  Excitation full;
+  full.position = cycle.amplitude.value * unit_vector(cycle.directions.front());
+  for (const Excitation& end : {full, centre}) {
+    if (verdict().status != Status::converged) break;
+    stepper_.set_out(step_.state, end);
+    for (int k = 1; k <= steps && verdict().status == Status::converged; ++k) {
+      stepper_.advance_to(static_cast<double>(k) / steps, step_.state, next);
+      keep(next);
+      if (k % every == 0) run_.forces.push_back(holding_force(*foils_, step_.state.contacts.normal_force));
+    }
+  }
+  const double rounding = 1e-12 * start_energy_;
+  if (imbalance_ > largest_imbalance * largest_work_ + rounding) {
+    refuse(fmt::format("energies that do not balance by {:.2g} of the work", imbalance_ / largest_work_));
+  }
+  return std::move(run_);
+}
+
+/// Largest difference, as part of the largest force.
+double distance(const std::vector<Eigen::Vector2d>& one, const std::vector<Eigen::Vector2d>& other) {
+  double largest = 1.0;  // N
+  double apart = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    largest = std::max(largest, other[i].norm());
+    apart = std::max(apart, (one[i] - other[i]).norm());
+  }
+  return apart / largest;
+}
+
+}  // namespace
+
+Case drawn_bearing(std::uint64_t number) {
+  Draws draws(number);
+  Case input = reference_case();
+  BumpFoil& foil = input.bump_foil;
+  foil.model = draws.probability() < 0.75 ? BumpFoilModel::truss : BumpFoilModel::frame;
+  input.title = fmt::format("drawn bearing {}, {}", number, foil.model == BumpFoilModel::frame ? "frame" : "truss");
+  const int bumps = foil.bumps;
+  foil.bumps = 4 + static_cast<int>(draws.uniform(0.0, 37.0));
+  input.bearing.radius *= static_cast<double>(foil.bumps) / bumps;  // the foils still go round once
+  foil.height_reference = HeightReference::midsurface;
+  foil.height = draws.uniform(0.3e-3, 0.7e-3);
+  foil.thickness = draws.decades(0.05e-3, 0.2e-3);
+  input.top_foil.thickness = draws.decades(0.05e-3, 0.2e-3);
+  foil.youngs_modulus = input.top_foil.youngs_modulus = draws.decades(70e9, 300e9);
+  input.bearing.axial_length = draws.decades(10e-3, 100e-3);
+  input.bearing.radial_clearance = draws.uniform(0.0, 60e-6);
+  input.friction.top_bump = draws.uniform(0.0, 0.5);
+  const double at_sleeve = draws.uniform(0.0, 0.5);
+  input.friction.bump_sleeve = number % 3 == 0 ? input.friction.top_bump : at_sleeve;
+  input.cycle.directions = {draws.uniform(0.0, 2.0 * std::numbers::pi)};
+  input.cycle.amplitude.value = input.bearing.radial_clearance + draws.uniform(5e-6, 50e-6);
+  input.cycle.steps = static_cast<int>(std::lround(draws.decades(8.0, 25.0)));
+  const double scatter = draws.uniform(0.0, 40e-6);
+  for (int bump = 0; bump < foil.bumps; ++bump) {
+    foil.height_errors.push_back(scatter * normal_quantile(draws.probability()));
+  }
+  return input;
+}
+
+BearingVerdict judge_bearing(const Case& input, bool compared) {
+  const SharedFoils foils = make_bearing_foils(input);
+  const Run newton = Push(input, foils, SolverName::newton).run(1);
+  const Run events = Push(input, foils, SolverName::events).run(1);
+  BearingVerdict verdict{.newton = newton.verdict, .events = events.verdict, .apart = {}, .apart_refined = {}};
+  const auto converged = [](const Run& run) { return run.verdict.status == Status::converged; };
+  if (!compared || !converged(newton) || !converged(events)) return verdict;
+  verdict.apart.emplace(distance(newton.forces, events.forces));
+  if (*verdict.apart <= agreement) return verdict;
+  const Run refined = Push(input, foils, SolverName::newton).run(refinement);
+  if (converged(refined)) verdict.apart_refined.emplace(distance(refined.forces, events.forces));
+  return verdict;
+}
+
+}  // namespace bumpfoil
