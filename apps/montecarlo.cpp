@@ -94,7 +94,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
       bar.show(done / input.montecarlo->samples, rate.text(done));
       return !guard.interrupted();
     };
-    finished = run_ensemble(input, layout, options.threads, log, progress, enough);
+    finished = run_ensemble(input, layout, log, {.threads = options.threads, .progress = progress, .enough = enough});
   }
 
   const EnsembleStatistics statistics = make_ensemble_statistics(input, layout, log);

@@ -1,12 +1,10 @@
 #include "bumpfoil/studies/ensemble_run.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <vector>
+#include <utility>
 
 #include "bumpfoil/ensemble/sample.hpp"
-#include "bumpfoil/studies/parallel_runs.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -14,74 +12,77 @@ namespace {
 using Clock = std::chrono::steady_clock;
 /// Between two writes to the log: as much work as is lost when the power fails.
 constexpr auto write_interval = std::chrono::milliseconds(200);
+/// Memory for rows that wait for one before them.
+constexpr std::size_t buffer_bytes = std::size_t{64} << 20U;
+/// As many threads as there may be always have something to do.
+constexpr std::size_t smallest_window = 1024;
 
-/// Samples that are run together, and what of them is in the log.
-class Round {
+/// Takes rows from the flow to the log, and asks after whole rounds whether these are enough.
+class Writer {
  public:
-  Round(const Case& input, const EnsembleLayout& layout, std::size_t size, EnsembleLog& log)
-      : input_(input), layout_(layout), log_(log), first_(log.samples()), rows_(size), done_(size) {}
+  Writer(SampleFlow& flow, std::size_t window, EnsembleLog& log, const std::function<bool()>& enough)
+      : flow_(flow), window_(window), log_(log), enough_(enough), is_enough_(log.samples() > 0 && asks()) {}
 
-  /// For several threads at once.
-  void run(std::size_t i, const ProgressCallback& progress) {
-    const Case sampled = sampled_case(input_, draw_sample(input_, first_ + i));
-    bool stopped = false;
-    const CycleResult result = run_sample(sampled, [&](double fraction) {
-      stopped = stopped || !progress(fraction);
-      return !stopped;
-    });
-    if (stopped) return;
-    rows_[i] = make_ensemble_row(layout_, sampled, result);
-    done_[i].store(true, std::memory_order_release);
+  [[nodiscard]] bool is_enough() const { return is_enough_; }
+
+  [[nodiscard]] bool is_time() const {
+    return Clock::now() - last_write_ >= write_interval || flow_.waiting() > window_ / 2;
   }
 
-  /// Writes what is done, up to the first that is not. For one thread.
   void write() {
-    std::vector<double> rows;
-    for (; written_ < rows_.size() && done_[written_].load(std::memory_order_acquire); ++written_) {
-      std::vector<double>& row = rows_[written_];
-      rows.insert(rows.end(), row.begin(), row.end());
-      row = {};
+    while (!is_enough_) {
+      const std::vector<double> rows = flow_.leave(ensemble_round - log_.samples() % ensemble_round);
+      if (rows.empty()) break;
+      log_.append(rows);
+      is_enough_ = asks();
     }
-    if (!rows.empty()) log_.append(rows);
     last_write_ = Clock::now();
   }
 
-  [[nodiscard]] bool is_time() const { return Clock::now() - last_write_ >= write_interval; }
-
  private:
-  const Case& input_;
-  const EnsembleLayout& layout_;
+  [[nodiscard]] bool asks() const { return enough_ && log_.samples() % ensemble_round == 0 && enough_(); }
+
+  SampleFlow& flow_;
+  std::size_t window_;
   EnsembleLog& log_;
-  std::size_t first_;  ///< sample
-  std::vector<std::vector<double>> rows_;
-  std::vector<std::atomic<bool>> done_;
-  std::size_t written_{};
+  const std::function<bool()>& enough_;
+  bool is_enough_;
   Clock::time_point last_write_{Clock::now()};
 };
 
 }  // namespace
 
-bool run_ensemble(const Case& input, const EnsembleLayout& layout, unsigned threads, EnsembleLog& log,
-                  const EnsembleProgress& progress, const std::function<bool()>& enough) {
+std::optional<std::vector<double>> run_ensemble_sample(const Case& input, const EnsembleLayout& layout,
+                                                       std::size_t number, const ProgressCallback& progress) {
+  const Case sampled = sampled_case(input, draw_sample(input, number));
+  bool stopped = false;
+  const CycleResult result = run_sample(sampled, [&](double fraction) {
+    stopped = stopped || !progress(fraction);
+    return !stopped;
+  });
+  if (stopped) return std::nullopt;
+  return make_ensemble_row(layout, sampled, result);
+}
+
+bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& log, const EnsembleRun& run) {
   const auto samples = static_cast<std::size_t>(input.montecarlo->samples);
-  while (log.samples() < samples) {
-    const std::size_t begin = log.samples();
-    const bool whole_rounds = begin > 0 && begin % ensemble_round == 0;
-    if (whole_rounds && enough && enough()) return true;
-    const std::size_t end = std::min(samples, (begin / ensemble_round + 1) * ensemble_round);
-    Round round(input, layout, end - begin, log);
-    const bool finished = run_in_parallel(
-        end - begin, threads,
-        [&round](std::size_t i, const ProgressCallback& progress_of_run) { round.run(i, progress_of_run); },
-        [&](double fraction) {
-          if (round.is_time()) round.write();
-          const auto size = static_cast<double>(end - begin);
-          return !progress || progress(static_cast<double>(begin) + fraction * size);
-        });
-    round.write();
-    if (!finished) return false;
-  }
-  return true;
+  const std::size_t window = std::max(smallest_window, buffer_bytes / (layout.width() * sizeof(double)));
+  SampleFlow flow(log.samples(), std::max(samples, log.samples()), window);
+  Writer writer(flow, window, log, run.enough);
+  if (writer.is_enough()) return true;
+  const bool finished = run_in_parallel(
+      flow, run.threads,
+      [&](std::size_t number, const ProgressCallback& progress) {
+        std::optional<std::vector<double>> row = run_ensemble_sample(input, layout, number, progress);
+        if (row) flow.put(number, std::move(*row));
+      },
+      [&] {
+        if (run.share) run.share(flow);
+        if (writer.is_time()) writer.write();
+        return !writer.is_enough() && (!run.progress || run.progress(static_cast<double>(flow.done())));
+      });
+  writer.write();
+  return finished || writer.is_enough();
 }
 
 }  // namespace bumpfoil

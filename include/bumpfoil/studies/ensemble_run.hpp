@@ -2,27 +2,40 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "bumpfoil/io/ensemble_layout.hpp"
 #include "bumpfoil/io/ensemble_log.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/studies/sample_flow.hpp"
 
 namespace bumpfoil {
 
-/// Samples that are run before the next are begun. Whether an ensemble is large enough is asked between two of these,
-/// so that the answer does not depend on threads.
+/// Whether an ensemble is large enough is asked after this many samples, and twice as many, and so on, of those that
+/// have no gap before them: so the answer does not depend on threads.
 inline constexpr std::size_t ensemble_round = 1000;
 
-/// Called now and then, with the samples that are done of all; returning false stops the run.
-using EnsembleProgress = std::function<bool(double done)>;
+/// Who runs an ensemble, and who is asked meanwhile. All but the threads may be left out.
+struct EnsembleRun {
+  unsigned threads{1};
+  /// Called now and then with the number of samples that are done; returning false stops the run.
+  std::function<bool(double done)> progress{};
+  /// Asked after every whole round.
+  std::function<bool()> enough{};
+  /// Called now and then to give samples of the flow to others, and to put back what came of them.
+  std::function<void(SampleFlow&)> share{};
+};
+
+/// Runs a sample. @return its row, nothing if `progress` stopped it
+std::optional<std::vector<double>> run_ensemble_sample(const Case& input, const EnsembleLayout& layout,
+                                                       std::size_t number, const ProgressCallback& progress);
 
 /// Runs the samples of an ensemble that its log has not yet, and adds them to it: in the order of their numbers, at
-/// least once a second, whole rounds at last. What the log holds in the end does not depend on the number of threads,
-/// nor on where it was interrupted before, to the last bit.
-/// @param enough  asked after every whole round; may be empty
+/// least once a second. What the log holds in the end does not depend on who ran them, nor on where it was interrupted
+/// before, to the last bit.
 /// @return false if it was stopped; samples that were under way then, and those behind them, are left out
 /// @throws Error (file) if the log cannot be written
-bool run_ensemble(const Case& input, const EnsembleLayout& layout, unsigned threads, EnsembleLog& log,
-                  const EnsembleProgress& progress = {}, const std::function<bool()>& enough = {});
+bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& log, const EnsembleRun& run);
 
 }  // namespace bumpfoil

@@ -4,6 +4,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -75,6 +78,59 @@ TEST(ParallelRuns, WhatARunThrowsReachesTheCaller) {
                                }),
                std::runtime_error);
   EXPECT_LE(begun, 3);
+}
+
+/// Gives out one run, and then lets ask for ever.
+class OneRun : public RunQueue {
+ public:
+  std::optional<std::size_t> next() override {
+    std::unique_lock lock(mutex_);
+    if (!given_) {
+      given_ = true;
+      return 5;
+    }
+    changed_.wait(lock, [this] { return closed_; });
+    return std::nullopt;
+  }
+  void close() override {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool given_{}, closed_{};
+};
+
+TEST(ParallelRuns, StoppingReachesThoseWhoWaitForARun) {
+  OneRun queue;
+  std::atomic<std::size_t> number{0};
+  EXPECT_FALSE(run_in_parallel(
+      queue, 3, [&](std::size_t i, const ProgressCallback&) { number = i; }, [&] { return number == 0; }));
+  EXPECT_EQ(number, 5U);
+}
+
+TEST(ParallelRuns, WhatARunThrowsReachesThoseWhoWaitForARun) {
+  OneRun queue;
+  EXPECT_THROW(
+      run_in_parallel(
+          queue, 3, [](std::size_t, const ProgressCallback&) { throw std::runtime_error("no"); }, [] { return true; }),
+      std::runtime_error);
+}
+
+TEST(ParallelRuns, WhatTheTickThrowsStopsTheRuns) {
+  std::atomic<int> begun{0};
+  EXPECT_THROW(run_in_parallel(
+                   100, 2,
+                   [&](std::size_t, const ProgressCallback& progress) {
+                     ++begun;
+                     while (progress(0.1)) std::this_thread::sleep_for(1ms);
+                   },
+                   [](double) -> bool { throw std::runtime_error("no"); }),
+               std::runtime_error);
+  EXPECT_LE(begun, 2);
 }
 
 }  // namespace
