@@ -179,13 +179,15 @@ void describe(CaseVisitor& keys, StripSettings& strip) {
 }
 
 void describe(CaseVisitor& keys, PathSettings& path) {
-  keys.file(
+  const bool has_file = keys.file(
       {"file", optional, "File of the path",
        "a file beside this one with the columns x_m,y_m (positions) or force_x_N,force_y_N (loads)", "\"path.csv\""},
       "points", [&path](const std::string& name) { path.points = read_path(name); });
-  keys.places({"points", optional, "Points", "the same as a list; or no points, and an orbit",
-               "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
-              path.points);
+  const bool has_points = keys.places({"points", optional, "Points", "the same as a list; or no points, and an orbit",
+                                       "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
+                                      path.points);
+  // Points that could not be read are no orbit whose keys are missing.
+  if ((has_file || has_points) && path.is_orbit()) path.points.values.emplace_back(0.0, 0.0);
   const Presence of_orbit = path.is_orbit() ? required : optional;
   const auto in_plane = [&keys](const Key& key, Control plain, PlaneTarget& target) {
     std::optional<PlaneTarget> given = target;

@@ -75,11 +75,12 @@ class CaseVisitor {
   /// The same with a component along X and one along Y.
   virtual void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) = 0;
 
-  /// Any number of such places, all displacements or all loads: a list of lists.
-  virtual void places(const Key& key, PathPoints& points) = 0;
+  /// Any number of such places, all displacements or all loads: a list of lists. @return whether there is one
+  virtual bool places(const Key& key, PathPoints& points) = 0;
 
   /// A file, called by its name beside the case file, in place of the list `other`. `read` may throw Error.
-  virtual void file(const Key& key, std::string_view other,
+  /// @return whether there is one
+  virtual bool file(const Key& key, std::string_view other,
                     const std::function<void(const std::string& path)>& read) = 0;
 
   /// A table whose keys `describe` visits; `given`: it holds anything yet.

@@ -95,7 +95,7 @@ class KeyLister final : public CaseVisitor {
     add(key, "two lengths or forces", std::move(value));
   }
 
-  void places(const Key& key, PathPoints& points) override {
+  bool places(const Key& key, PathPoints& points) override {
     Json list;
     for (const Eigen::Vector2d& point : points.values) {
       Json pair;
@@ -104,11 +104,13 @@ class KeyLister final : public CaseVisitor {
     }
     const bool none = list.is_null();
     add(key, "list of pairs of lengths or forces", std::move(list), none);
+    return !none;
   }
 
-  void file(const Key& key, std::string_view /*other*/,
+  bool file(const Key& key, std::string_view /*other*/,
             const std::function<void(const std::string&)>& /*read*/) override {
     add(key, "name of a file", {}, true);
+    return false;  // what it holds is listed in its place
   }
 
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override {

@@ -201,6 +201,49 @@ Key optional_key(Key key) {
   return key;
 }
 
+void read_places(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view example,
+                 PathPoints& points) {
+  const auto* list = node.as_array();
+  if (list == nullptr || list->empty()) {
+    return log.fault(path, list == nullptr ? is_where(node, "a list") : "is empty",
+                     fmt::format("give pairs along X and Y: {}", example));
+  }
+  if (list->size() > static_cast<std::size_t>(most_points)) {
+    return log.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_points));
+  }
+  PathPoints read;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
+    const toml::node& entry = *list->get(i);
+    log.met(entry_path, entry);
+    const auto place = read_place(log, entry_path, entry, read.control, "[\"0 um\", \"-40 um\"]");
+    if (!place) return;
+    if (i > 0 && place->control != read.control) {
+      return log.fault(entry_path, "mixes displacements and loads", "give lengths only, or forces only");
+    }
+    read.control = place->control;
+    read.values.push_back(place->value);
+  }
+  points = std::move(read);
+}
+
+/// @param contradicted  a list that is given as well, if any
+void read_file(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view contradicted,
+               const std::function<void(const std::string&)>& read) {
+  std::string name;
+  ValueReader{log, path, node}(&name);
+  if (!node.is_string()) return;
+  if (name.empty()) return log.fault(path, "is empty", "give the name of a file, or leave it out");
+  if (!contradicted.empty()) {
+    return log.fault(path, fmt::format("contradicts {}, which is given too", contradicted), "give one of the two");
+  }
+  try {
+    read((std::filesystem::path(log.file()).parent_path() / name).string());
+  } catch (const Error& error) {
+    for (const Fault& fault : error.faults()) log.add(fault, error.kind());
+  }
+}
+
 }  // namespace
 
 std::string TableReader::path_of(std::string_view name) const {
@@ -329,48 +372,18 @@ void TableReader::either(const Key& key, Control plain, std::optional<PlaneTarge
   if (read) target = read;
 }
 
-void TableReader::places(const Key& key, PathPoints& points) {
+bool TableReader::places(const Key& key, PathPoints& points) {
   const auto [node, path] = find(key);
-  if (node == nullptr) return;
-  const auto* list = node->as_array();
-  if (list == nullptr || list->empty()) {
-    return log_.fault(path, list == nullptr ? is_where(*node, "a list") : "is empty",
-                      fmt::format("give pairs along X and Y: {}", key.example));
-  }
-  if (list->size() > static_cast<std::size_t>(most_points)) {
-    return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_points));
-  }
-  PathPoints read;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
-    const toml::node& entry = *list->get(i);
-    log_.met(entry_path, entry);
-    const auto place = read_place(log_, entry_path, entry, read.control, "[\"0 um\", \"-40 um\"]");
-    if (!place) return;
-    if (i > 0 && place->control != read.control) {
-      return log_.fault(entry_path, "mixes displacements and loads", "give lengths only, or forces only");
-    }
-    read.control = place->control;
-    read.values.push_back(place->value);
-  }
-  points = std::move(read);
+  if (node != nullptr) read_places(log_, path, *node, key.example, points);
+  return node != nullptr;
 }
 
-void TableReader::file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) {
+bool TableReader::file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) {
   const auto [node, path] = find(key);
-  if (node == nullptr) return;
-  std::string name;
-  ValueReader{log_, path, *node}(&name);
-  if (!node->is_string()) return;
-  if (name.empty()) return log_.fault(path, "is empty", "give the name of a file, or leave it out");
-  if (const auto* list = table_.get_as<toml::array>(other); list != nullptr && !list->empty()) {
-    return log_.fault(path, fmt::format("contradicts {}, which is given too", other), "give one of the two");
-  }
-  try {
-    read((std::filesystem::path(log_.file()).parent_path() / name).string());
-  } catch (const Error& error) {
-    for (const Fault& fault : error.faults()) log_.add(fault, error.kind());
-  }
+  if (node == nullptr) return false;
+  const auto* list = table_.get_as<toml::array>(other);
+  read_file(log_, path, *node, list != nullptr && !list->empty() ? other : "", read);
+  return true;
 }
 
 void TableReader::table(const Key& key, bool /*given*/, const std::function<void(CaseVisitor&)>& describe) {

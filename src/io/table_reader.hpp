@@ -25,8 +25,8 @@ class TableReader final : public CaseVisitor {
   void one_of(const Key& displacement, const Key& load, Target& target) override;
   void either(const Key& key, Control plain, std::optional<Target>& target) override;
   void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) override;
-  void places(const Key& key, PathPoints& points) override;
-  void file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) override;
+  bool places(const Key& key, PathPoints& points) override;
+  bool file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) override;
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override;
 
   /// Reports every key that nobody asked for. To be called last.

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/case_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -38,6 +43,26 @@ TEST_F(PathCsv, TellsEveryFaultWithItsLine) {
   }
   EXPECT_NE(refusal("x,y\n0,0\n").find("path.csv:1: line = x,y: is no header of a path"), std::string::npos);
   EXPECT_NE(refusal("x_m,y_m\n").find("holds no place"), std::string::npos);
+}
+
+/// A path whose points are wrong is no orbit that lacks its keys: its faults stand alone.
+TEST_F(PathCsv, IsBlamedAloneForItsFaults) {
+  folder_.write("faulty.csv", "x_m,y_m\n0\n");
+  const std::string file = folder_.write("case.toml", case_template("gen1"));
+  const auto faults = [&file](const std::string& override) {
+    try {
+      read_case(file, {.overrides = {override}, .required_tables = {"path"}});
+    } catch (const Error& error) {
+      return error.faults();
+    }
+    return std::vector<Fault>{};
+  };
+  for (const char* override :
+       {"path.file=faulty.csv", "path.file=missing.csv", "path.file=3", "path.file=\"\"", "path.points=[[1, 2, 3]]"}) {
+    EXPECT_EQ(faults(override).size(), 1U) << override;
+  }
+  EXPECT_EQ(faults("path.file=faulty.csv").front().line, 2U);
+  EXPECT_EQ(faults("path.tilt=0").size(), 2U);  // no points at all
 }
 
 }  // namespace
