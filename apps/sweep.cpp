@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/result_folder.hpp"
@@ -25,14 +22,6 @@
 namespace bumpfoil {
 namespace {
 
-/// A command that can be run at every point.
-struct SweptCommand {
-  Experiment experiment;
-  CycleResult (*run)(const Case&, const ProgressCallback&);
-};
-constexpr std::array swept_commands{SweptCommand{Experiment::cycle, run_cycles},
-                                    SweptCommand{Experiment::strip, run_strip}};
-
 struct SweepOptions {
   std::string case_path;
   std::string folder;
@@ -43,42 +32,32 @@ struct SweepOptions {
   bool force{};
 };
 
-std::vector<std::string> names_of_commands() {
-  std::vector<std::string> names;
-  names.reserve(swept_commands.size());
-  for (const SweptCommand& one : swept_commands) names.emplace_back(name_of(one.experiment));
-  return names;
-}
-
-const SweptCommand& command_called(std::string_view name) {
-  return *std::find_if(swept_commands.begin(), swept_commands.end(),
-                       [name](const SweptCommand& one) { return name_of(one.experiment) == name; });
+SweptCommand command_called(std::string_view name) {
+  const auto& names = enum_names<SweptCommand>;
+  return static_cast<SweptCommand>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {
-  const SweptCommand& command = command_called(options.command);
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
   const Sweep sweep =
       parse_sweep(case_text, options.case_path,
-                  {.experiment = command.experiment, .over = options.over, .overrides = options.overrides});
+                  {.command = command_called(options.command), .over = options.over, .overrides = options.overrides});
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, sweep_file_names());
 
   std::vector<SweepPoint> points(sweep.cases.size());
-  const bool with_loops = keeps_loops(sweep);
   {
     ProgressBar bar(!session.quiet);
     run_in_parallel(
         points.size(), options.threads,
-        [&](std::size_t i, const ProgressCallback& progress) {
-          points[i] = sweep_point(command.run(sweep.cases[i], progress), with_loops);
-        },
+        [&](std::size_t i, const ProgressCallback& progress) { points[i] = run_point(sweep, i, progress); },
         [&](double fraction) {
           bar.show(fraction);
           return !guard.interrupted();
         });
   }
+  complete(sweep, points);
 
   const std::string place = printable(options.folder, longest_path);
   const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
@@ -87,7 +66,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   if (!session.quiet) {
     print_output(sweep_table(sweep, points));
     print_output(fmt::format("\n{} points; results in {} (summary.json, sweep.csv, sweep.nc)\n", points.size(), place));
-    if (!with_loops) print_message("warning: sweep.nc is without the loops, which are too many");
+    if (!sweep.with_loops) print_message("warning: sweep.nc is without the loops, which are too many");
     print_some("warning: ", warning_lines(sweep, points));
   }
   print_some("bumpfoil: ", failure_lines(sweep, points));
@@ -122,7 +101,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
       ->type_name("DIR")
       ->required();
   command->add_option("--command", options->command, "What is run at every point")
-      ->check(CLI::IsMember(names_of_commands()))
+      ->check(CLI::IsMember(std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end())))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Points that are run at a time; results do not depend on it")
       ->check(CLI::Range(1U, 1024U))
@@ -136,6 +115,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
       "0.1]' -o grid\n"
       "  bumpfoil sweep case.toml --over 'bump_foil.bumps=[20, 26, 32]' --set cycle.steps=50 -o bumps\n"
       "  bumpfoil sweep examples/strip.toml --command strip --over 'strip.displacement=5 um:25 um:5 um' -o strips\n"
+      "  bumpfoil sweep examples/vibration.toml --command vibration --over friction.coefficient=0.05:0.2:0.05 -o K\n"
       "A grid has at most {} points. All cases are checked before the first is run. A point that fails is kept, with "
       "its status. Ctrl-C ends the run; what there is by then is written and flagged as partial.",
       most_sweep_points));

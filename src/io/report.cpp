@@ -76,9 +76,9 @@ Json vibration_quantities_json(const Json& result) {
 
 /// What another version defined in another way has a label of its own: it is not to be compared.
 Json quantities_json(const Json& result, const Json& summary) {
-  if (result["kind"] == "vibration") return vibration_quantities_json(result);
   // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
+  if (command == "vibration") return vibration_quantities_json(result);
   const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
                                 : command == name_of(Experiment::path) ? Experiment::path
                                                                        : Experiment::cycle;

@@ -9,12 +9,14 @@
 #include <optional>
 #include <utility>
 
+#include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/io/case_reader.hpp"
+#include "io/case_json.hpp"
 #include "io/key_list.hpp"
 #include "io/number_text.hpp"
-#include "io/result_layout.hpp"
+#include "io/swept_result.hpp"
 #include "io/toml_document.hpp"
 
 namespace bumpfoil {
@@ -202,14 +204,32 @@ void take_values(Sweep& sweep) {
   if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
 }
 
+/// Whether the loops are not too many to be kept.
+bool keeps_loops(const Sweep& sweep) {
+  std::size_t values = 0;
+  for (const Case& input : sweep.cases) values += loop_values(sweep.command, input);
+  return values <= most_loop_values;
+}
+
+SweepPoint kept(SweptResult result) {
+  SweepPoint point{.status = result.status,
+                   .rows = std::move(result.rows),
+                   .lists = dump_json(result.lists, -1),
+                   .failures = std::move(result.failures),
+                   .warnings = std::move(result.warnings)};
+  for (const GridDim& dim : result.grid.dims) point.extents.push_back(dim.size);
+  for (GridVariable& variable : result.grid.variables) point.values.push_back(std::move(variable.values));
+  return point;
+}
+
 }  // namespace
 
 Sweep parse_sweep(std::string_view text, const std::string& name, const SweepRequest& request) {
-  Sweep sweep{.experiment = request.experiment, .axes = OptionReader(request).read(), .cases = {}};
+  Sweep sweep{.command = request.command, .axes = OptionReader(request).read(), .cases = {}};
   const std::size_t points = points_of(sweep.axes);
   GridFaults faults(sweep, points);
   for (std::size_t point = 0; point < points; ++point) {
-    CaseRequest one{.overrides = request.overrides, .required_tables = {std::string(name_of(request.experiment))}};
+    CaseRequest one{.overrides = request.overrides, .required_tables = {std::string(name_of(request.command))}};
     const std::vector<std::size_t> indices = indices_of(sweep, point);
     for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
       const SweptKey& swept = sweep.axes[i].swept;
@@ -223,6 +243,7 @@ Sweep parse_sweep(std::string_view text, const std::string& name, const SweepReq
   }
   faults.throw_if_any();
   take_values(sweep);
+  sweep.with_loops = keeps_loops(sweep);
   return sweep;
 }
 
@@ -246,32 +267,31 @@ std::string point_name(const Sweep& sweep, std::size_t point) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-SweepPoint sweep_point(CycleResult result, bool with_loops) {
-  SweepPoint point{.result = std::move(result), .status = {}, .loops = {}};
-  point.status = status_of(point.result);
-  for (Cycle& cycle : point.result.cycles) {
-    if (with_loops) {
-      Loop& loop = point.loops.emplace_back();
-      for (const Increment& increment : cycle.increments) {
-        loop.displacement.push_back(increment.displacement);
-        loop.force_direct.push_back(increment.force_direct);
-      }
-    }
-    cycle.fields = {};
-    cycle.events = {};
-    // The last one tells where a cycle ended before its time.
-    if (cycle.increments.size() > 1) cycle.increments = {cycle.increments.back()};
-  }
-  return point;
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const CycleResult& result) {
+  return kept(swept_result(sweep.cases[point], result, status_of(result), sweep.with_loops));
 }
 
-bool keeps_loops(const Sweep& sweep) {
-  std::size_t values = 0;
-  for (const Case& input : sweep.cases) {
-    const ResultLayout layout = make_result_layout(input, sweep.experiment);
-    values += layout.cycles.values.size() * layout.increments;
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationResult& result) {
+  return kept(swept_result(sweep.cases[point], result, sweep.with_loops));
+}
+
+SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress) {
+  const Case& input = sweep.cases[point];
+  switch (sweep.command) {
+    case SweptCommand::cycle:
+      return sweep_point(sweep, point, run_cycles(input, progress));
+    case SweptCommand::strip:
+      return sweep_point(sweep, point, run_strip(input, progress));
+    case SweptCommand::vibration:
+      break;
   }
-  return values <= most_loop_values;
+  return sweep_point(sweep, point, run_vibration(input, progress));
+}
+
+void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].values.empty()) points[i] = kept(not_begun(sweep.command, sweep.cases[i], sweep.with_loops));
+  }
 }
 
 RunStatus status_of(const std::vector<SweepPoint>& points) {

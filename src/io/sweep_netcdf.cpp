@@ -4,138 +4,71 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
-#include <utility>
+#include <map>
+#include <string>
 
-#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/io/sweep_table.hpp"
 #include "io/netcdf_provenance.hpp"
 #include "io/netcdf_writer.hpp"
-#include "io/sweep_values.hpp"
+#include "io/sweep_layout.hpp"
 
 namespace bumpfoil {
 namespace {
 
-using netCDF::NcDim;
 using netCDF::NcVar;
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// Puts a sweep into a file, variable by variable.
 class SweepWriter {
  public:
   SweepWriter(NewNetcdf& file, const Sweep& sweep, const std::vector<SweepPoint>& points)
-      : file_(file),
-        sweep_(sweep),
-        points_(points),
-        wording_(wording_of(sweep.cases.front(), sweep.experiment)),
-        layout_(layout_of(sweep)) {
-    for (const SweepAxis& axis : sweep.axes) dims_.push_back(file.add_dim(axis.name, axis.values.size()));
-    dims_.push_back(file.add_dim(cycles().name, cycles().values.size()));
+      : file_(file), sweep_(sweep), points_(points), grid_(layout_of(sweep, points).grid) {
+    for (const SweepAxis& axis : sweep.axes) keys_.push_back(file.add_dim(axis.name, axis.values.size()));
+    for (const GridDim& dim : grid_.dims) dims_.emplace(dim.name, file.add_dim(dim.name, dim.size));
   }
 
   void write_coordinates() {
     for (std::size_t i = 0; i < sweep_.axes.size(); ++i) {
       const SweepAxis& axis = sweep_.axes[i];
-      file_.put_all({axis.name, axis.unit, axis.title}, {dims_[i]}, axis.values).putAtt("case_key", axis.swept.key);
+      file_.put_all({axis.name, axis.unit, axis.title}, {keys_[i]}, axis.values).putAtt("case_key", axis.swept.key);
     }
-    file_.put_all({cycles().name, cycles().unit, cycles().long_name}, {dims_.back()}, cycles().values);
-  }
-
-  void write_quantities() {
-    for (const CycleQuantity& quantity : cycle_quantities(sweep_.experiment)) {
-      std::vector<double> values(points_.size() * layout_.places.size());
-      for (std::size_t point = 0; point < points_.size(); ++point) {
-        for (std::size_t cycle = 0; cycle < layout_.places.size(); ++cycle) {
-          values[row(point, cycle)] = value_at(quantity, sweep_.cases[point], points_[point], cycle);
-        }
-      }
-      put({std::string(quantity.name), std::string(quantity.unit), spelled(quantity.long_name, wording_),
-           quantity.form},
-          dims_, std::move(values));
+    for (const GridVariable& coordinate : grid_.coordinates) {
+      file_.put_all(coordinate.meaning, {dims_.at(coordinate.dims.front())}, coordinate.values);
     }
   }
 
-  /// Displacements at which thresholds of the force are reached.
-  void write_clearances() {
-    const std::vector<double>& forces = sweep_.cases.front().cycle.clearance_forces;
-    if (sweep_.experiment == Experiment::strip || forces.empty()) return;
-    const NcDim threshold = file_.add_dim("clearance_force", forces.size());
-    file_.put_all({"clearance_force", "N", "force at which a push test would take the journal for touching"},
-                  {threshold}, forces);
-    put({"clearance", "m", "displacement at which the direct force first reaches the threshold"}, inside(threshold),
-        blocks(forces.size(), [](const SweepPoint& point, std::size_t cycle) {
-          std::vector<double> found;
-          for (const Clearance& clearance : point.result.cycles[cycle].clearances) {
-            found.push_back(clearance.displacement.value_or(absent));
-          }
-          return found;
-        }));
-  }
-
-  void write_loops() {
-    const NcDim increment = file_.add_dim("increment", layout_.increments);
-    std::vector<double> numbers(increment.getSize());
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    file_.put_all({"increment", "1", "increment; 0 is the start of the cycle", {Form::whole}}, {increment}, numbers);
-    for (const IncrementQuantity& quantity : increment_quantities(sweep_.experiment)) {
-      const bool displacement = quantity.name == "displacement";
-      if (!displacement && quantity.name != "force_direct") continue;
-      const auto values = displacement ? &Loop::displacement : &Loop::force_direct;
-      const NcVar variable =
-          put({std::string(quantity.name), std::string(quantity.unit), spelled(quantity.long_name, wording_)},
-              inside(increment), blocks(increment.getSize(), [values](const SweepPoint& point, std::size_t cycle) {
-                return cycle < point.loops.size() ? point.loops[cycle].*values : std::vector<double>{};
-              }));
-      if (!displacement) variable.putAtt("coordinates", "displacement");
+  void write_variables() {
+    for (std::size_t i = 0; i < grid_.variables.size(); ++i) {
+      const GridVariable& variable = grid_.variables[i];
+      NewNetcdf::Dims dims = keys_;
+      for (const std::string& name : variable.dims) dims.push_back(dims_.at(name));
+      const NcVar added = file_.add(variable.meaning, dims);
+      if (!variable.coordinates.empty()) added.putAtt("coordinates", variable.coordinates);
+      for (std::size_t point = 0; point < points_.size(); ++point) write_block(added, variable, i, point);
     }
   }
 
  private:
-  [[nodiscard]] const NamedNumbers& cycles() const { return layout_.cycles; }
-
-  /// Where the file holds a cycle of a point.
-  [[nodiscard]] std::size_t row(std::size_t point, std::size_t cycle) const {
-    return point * layout_.places.size() + layout_.places[cycle];
-  }
-
-  /// All dimensions, and one more.
-  [[nodiscard]] NewNetcdf::Dims inside(const NcDim& last) const {
-    NewNetcdf::Dims dims = dims_;
-    dims.push_back(last);
-    return dims;
-  }
-
-  /// Numbers of every cycle of every point, so many of each; what is missing is absent.
-  /// @param numbers_of  (point, cycle that was begun) -> numbers
-  template <typename NumbersOf>
-  [[nodiscard]] std::vector<double> blocks(std::size_t size, const NumbersOf& numbers_of) const {
-    std::vector<double> all(points_.size() * layout_.places.size() * size, absent);
-    for (std::size_t point = 0; point < points_.size(); ++point) {
-      for (std::size_t cycle = 0; cycle < points_[point].result.cycles.size(); ++cycle) {
-        const std::vector<double> numbers = numbers_of(points_[point], cycle);
-        BUMPFOIL_ASSERT(numbers.size() <= size);
-        std::copy(numbers.begin(), numbers.end(), all.begin() + static_cast<std::ptrdiff_t>(row(point, cycle) * size));
-      }
+  /// What a point has of a variable; what others have more is absent there.
+  void write_block(const NcVar& added, const GridVariable& variable, std::size_t number, std::size_t point) const {
+    const std::vector<double>& values = points_[point].values[number];
+    if (values.empty()) return;
+    std::vector<std::size_t> start = indices_of(sweep_, point);
+    std::vector<std::size_t> count(start.size(), 1);
+    for (const std::string& name : variable.dims) {
+      const auto dim =
+          std::find_if(grid_.dims.begin(), grid_.dims.end(), [&name](const GridDim& one) { return one.name == name; });
+      start.push_back(0);
+      count.push_back(points_[point].extents[static_cast<std::size_t>(dim - grid_.dims.begin())]);
     }
-    return all;
-  }
-
-  NcVar put(const VariableMeaning& meaning, const NewNetcdf::Dims& dims, std::vector<double> values) {
-    const NcVar variable = file_.add(meaning, dims);
-    std::vector<std::size_t> extents;
-    for (const NcDim& dim : dims) extents.push_back(dim.getSize());
-    NewNetcdf::put(variable, std::vector<std::size_t>(dims.size(), 0), extents, std::move(values));
-    return variable;
+    NewNetcdf::put(added, start, count, values);
   }
 
   NewNetcdf& file_;
   const Sweep& sweep_;
   const std::vector<SweepPoint>& points_;
-  Wording wording_;
-  ResultLayout layout_;
-  NewNetcdf::Dims dims_;  ///< of the keys, and of the cycles
+  ResultGrid grid_;
+  NewNetcdf::Dims keys_;
+  std::map<std::string, netCDF::NcDim> dims_;
 };
 
 std::string message_of(const Sweep& sweep, const std::vector<SweepPoint>& points) {
@@ -167,12 +100,10 @@ std::string sweep_netcdf(const Sweep& sweep, const std::vector<SweepPoint>& poin
                           .warnings = warning_lines(sweep, points),
                           .provenance = provenance,
                           .run_id = run_id});
-    file.add_text("swept_command", name_of(sweep.experiment));
+    file.add_text("swept_command", name_of(sweep.command));
     SweepWriter writer(file, sweep, points);
     writer.write_coordinates();
-    writer.write_quantities();
-    writer.write_clearances();
-    if (keeps_loops(sweep)) writer.write_loops();
+    writer.write_variables();
     return file.close();
   } catch (const netCDF::exceptions::NcException& error) {
     throw unbuilt("sweep.nc", error, "fewer points take less");

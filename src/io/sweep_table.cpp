@@ -3,50 +3,61 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
-#include "bumpfoil/io/failures.hpp"
-#include "bumpfoil/io/warnings.hpp"
+#include "bumpfoil/core/status.hpp"
 #include "io/number_text.hpp"
-#include "io/sweep_values.hpp"
+#include "io/sweep_layout.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr std::array<std::string_view, 4> headlines{"max_force", "loaded_stiffness", "loop_energy", "loss_factor"};
 /// More values than this are not listed.
 constexpr std::size_t most_rows = 50;
+/// More parts of a result than this are not shown.
+constexpr std::size_t most_parts = 24;
 constexpr std::size_t number_width = 12;
 
-/// "maximum force (N)"
-std::string heading_of(const CycleQuantity& quantity) {
-  return quantity.shown.name.empty() ? std::string(quantity.label)
-                                     : fmt::format("{} ({})", quantity.label, quantity.shown.name);
+/// A quantity of the table.
+struct Column {
+  std::size_t number;   ///< among the variables
+  std::string heading;  ///< "maximum force (N)"
+  double size;          ///< of its unit, SI
+};
+
+std::vector<Column> columns_of(const ResultGrid& grid) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < grid.variables.size(); ++i) {
+    const auto& [name, size] = grid.variables[i].shown;
+    const std::string& heading = grid.variables[i].heading;
+    if (!heading.empty()) columns.push_back({i, name.empty() ? heading : fmt::format("{} ({})", heading, name), size});
+  }
+  return columns;
 }
 
-std::vector<CycleQuantity> headline_quantities(Experiment experiment) {
-  std::vector<CycleQuantity> quantities = cycle_quantities(experiment);
-  std::erase_if(quantities, [](const CycleQuantity& quantity) {
-    return std::find(headlines.begin(), headlines.end(), quantity.name) == headlines.end();
-  });
-  return quantities;
-}
-
-/// One block of the table: a direction, or a cycle of a strip.
+/// One block of the table: a direction, a cycle of a strip, a vibration.
 class Block {
  public:
-  Block(const Sweep& sweep, const std::vector<SweepPoint>& points, std::size_t cycle)
-      : sweep_(sweep), points_(points), cycle_(cycle), quantities_(headline_quantities(sweep.experiment)) {}
+  Block(const Sweep& sweep, const std::vector<SweepPoint>& points, const SweptResult& layout, std::size_t place)
+      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.grid)) {
+    const auto& variables = layout.grid.variables;
+    const auto status = std::find_if(variables.begin(), variables.end(),
+                                     [](const GridVariable& one) { return one.meaning.name == "status"; });
+    status_ = static_cast<std::size_t>(status - variables.begin());
+    words_ = status->meaning.form.words;
+  }
 
-  /// "-X"; absent if no point has begun it.
-  [[nodiscard]] std::optional<std::string> name() const {
-    for (const SweepPoint& point : points_) {
-      if (cycle_ < point.result.cycles.size()) return cycle_name(point.result, cycle_);
+  /// Whether any point has begun it.
+  [[nodiscard]] bool begun() const {
+    for (std::size_t point = 0; point < points_.size(); ++point) {
+      const std::string_view word = status(point);
+      if (word != "-" && word != name_of(Status::interrupted)) return true;
     }
-    return std::nullopt;
+    return false;
   }
 
   /// A line for each value of a single key.
@@ -55,74 +66,72 @@ class Block {
     std::size_t width = swept.key.size();
     for (const std::string& value : swept.values) width = std::max(width, value.size());
     std::string out = fmt::format("{:<{}}", swept.key, width);
-    for (const CycleQuantity& quantity : quantities_) {
-      out += fmt::format("  {:>{}}", heading_of(quantity), width_of(quantity));
-    }
+    for (const Column& column : columns_) out += fmt::format("  {:>{}}", column.heading, width_of(column));
     out += "  status\n";
     for (std::size_t point = 0; point < points_.size(); ++point) {
       out += fmt::format("{:<{}}", swept.values[point], width);
-      for (const CycleQuantity& quantity : quantities_) {
-        out += fmt::format("  {:>{}}", number_text(value(quantity, point), quantity.shown.size), width_of(quantity));
+      for (const Column& column : columns_) {
+        out += fmt::format("  {:>{}}", number_text(value(column.number, point), column.size), width_of(column));
       }
       out += fmt::format("  {}\n", status(point));
     }
     return out;
   }
 
-  /// A line for each quantity.
+  /// Two lines for each quantity.
   [[nodiscard]] std::string extremes() const {
     std::string out;
-    for (const CycleQuantity& quantity : quantities_) {
+    for (const Column& column : columns_) {
       std::optional<std::size_t> smallest;
       std::optional<std::size_t> largest;
       for (std::size_t point = 0; point < points_.size(); ++point) {
-        const double number = value(quantity, point);
+        const double number = value(column.number, point);
         if (!std::isfinite(number)) continue;
-        if (!smallest || number < value(quantity, *smallest)) smallest = point;
-        if (!largest || number > value(quantity, *largest)) largest = point;
+        if (!smallest || number < value(column.number, *smallest)) smallest = point;
+        if (!largest || number > value(column.number, *largest)) largest = point;
       }
-      out += extreme_line(heading_of(quantity), "smallest", quantity, smallest);
-      out += extreme_line("", "largest", quantity, largest);
+      out += extreme_line(column.heading, "smallest", column, smallest);
+      out += extreme_line("", "largest", column, largest);
     }
     return out;
   }
 
  private:
-  static std::size_t width_of(const CycleQuantity& quantity) {
-    return std::max(number_width, heading_of(quantity).size());
-  }
+  static std::size_t width_of(const Column& column) { return std::max(number_width, column.heading.size()); }
 
-  [[nodiscard]] double value(const CycleQuantity& quantity, std::size_t point) const {
-    return value_at(quantity, sweep_.cases[point], points_[point], cycle_);
+  /// Not a number where the point has not so many.
+  [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
+    const std::vector<double>& values = points_[point].values[variable];
+    return place_ < values.size() ? values[place_] : std::numeric_limits<double>::quiet_NaN();
   }
 
   [[nodiscard]] std::string_view status(std::size_t point) const {
-    const std::vector<Cycle>& cycles = points_[point].result.cycles;
-    if (cycle_ < cycles.size()) return name_of(cycles[cycle_].status);
-    return points_[point].status == RunStatus::interrupted ? name_of(Status::interrupted) : "-";
+    const double number = value(status_, point);
+    return std::isfinite(number) ? words_[static_cast<std::size_t>(number)] : "-";
   }
 
-  [[nodiscard]] std::string extreme_line(std::string_view heading, std::string_view which,
-                                         const CycleQuantity& quantity, std::optional<std::size_t> point) const {
+  [[nodiscard]] std::string extreme_line(std::string_view heading, std::string_view which, const Column& column,
+                                         std::optional<std::size_t> point) const {
     constexpr std::size_t heading_width = 26;
     return fmt::format("{:<{}}{:<9}{:>{}}  {}\n", heading, heading_width, which,
-                       point ? number_text(value(quantity, *point), quantity.shown.size) : "-", number_width,
+                       point ? number_text(value(column.number, *point), column.size) : "-", number_width,
                        point ? "at " + point_name(sweep_, *point) : "");
   }
 
   const Sweep& sweep_;
   const std::vector<SweepPoint>& points_;
-  std::size_t cycle_;
-  std::vector<CycleQuantity> quantities_;
+  std::size_t place_;
+  std::vector<Column> columns_;
+  std::size_t status_{};
+  std::span<const std::string_view> words_;
 };
 
-/// The lines of every point, behind its name.
-template <typename LinesOf>
+/// Lines of every point, behind its name.
 std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<SweepPoint>& points,
-                                     const LinesOf& lines_of) {
+                                     std::vector<std::string> SweepPoint::*lines) {
   std::vector<std::string> all;
   for (std::size_t point = 0; point < points.size(); ++point) {
-    for (const std::string& line : lines_of(sweep.cases[point], points[point].result)) {
+    for (const std::string& line : points[point].*lines) {
       all.push_back(fmt::format("{}: {}", point_name(sweep, point), line));
     }
   }
@@ -133,26 +142,25 @@ std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<Sweep
 
 std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const bool listed = sweep.axes.size() == 1 && points.size() <= most_rows;
-  const std::size_t cycles = layout_of(sweep).cycles.values.size();
+  const SweptResult layout = layout_of(sweep, points);
   std::string out;
-  for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
-    const Block block(sweep, points, cycle);
-    const std::optional<std::string> name = block.name();
-    if (!name) continue;
-    const std::string_view what = sweep.experiment == Experiment::strip ? "" : "direction ";
-    out += fmt::format("{}{}{}\n{}", out.empty() ? "" : "\n", what, *name, listed ? block.lines() : block.extremes());
+  std::size_t shown = 0;
+  for (const auto& [name, place] : layout.parts) {
+    const Block block(sweep, points, layout, place);
+    if (!block.begun()) continue;
+    if (++shown > most_parts) continue;
+    out += fmt::format("{}{}\n{}", out.empty() ? "" : "\n", name, listed ? block.lines() : block.extremes());
   }
+  if (shown > most_parts) out += fmt::format("\n{} more are in the files only\n", shown - most_parts);
   return out;
 }
 
 std::vector<std::string> failure_lines(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-  return named_lines(sweep, points,
-                     [](const Case& input, const CycleResult& result) { return failure_lines(input, result); });
+  return named_lines(sweep, points, &SweepPoint::failures);
 }
 
 std::vector<std::string> warning_lines(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-  return named_lines(sweep, points,
-                     [](const Case& input, const CycleResult& result) { return warning_lines(input, result); });
+  return named_lines(sweep, points, &SweepPoint::warnings);
 }
 
 }  // namespace bumpfoil

@@ -122,14 +122,6 @@ std::string load_text(const Eigen::Vector2d& load) {
   return fmt::format("load ({:.4g}, {:.4g}) N", load.x(), load.y());
 }
 
-std::string vibration_text(const VibrationSettings& settings, std::size_t vibration) {
-  const auto [load, motion, amplitude] = place_of(settings, vibration);
-  return fmt::format("{}, {}, {:.4g} um", load_text(settings.loads[load]),
-                     settings.orbits() ? name_of(static_cast<Sense>(motion))
-                                       : fmt::format("{:.6g} deg", to_degrees(settings.directions[motion])),
-                     1e6 * settings.amplitudes[amplitude]);
-}
-
 }  // namespace
 
 std::span<const VibrationQuantity> vibration_quantities() {
@@ -146,6 +138,14 @@ VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration
   return {vibration / amplitudes / motions, vibration / amplitudes % motions, vibration % amplitudes};
 }
 
+std::string name_of_vibration(const VibrationSettings& settings, std::size_t vibration) {
+  const auto [load, motion, amplitude] = place_of(settings, vibration);
+  return fmt::format("{}, {}, {:.4g} um", load_text(settings.loads[load]),
+                     settings.orbits() ? name_of(static_cast<Sense>(motion))
+                                       : fmt::format("{:.6g} deg", to_degrees(settings.directions[motion])),
+                     1e6 * settings.amplitudes[amplitude]);
+}
+
 std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result) {
   std::vector<std::string> lines;
   const auto tell = [&lines](const std::string& place, Status status) {
@@ -155,7 +155,7 @@ std::vector<std::string> failure_lines(const VibrationSettings& settings, const 
   for (const StaticLoad& load : result.loads) tell(load_text(load.load) + " was not reached", load.status);
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     if (result.loads[place_of(settings, i).load].status != Status::converged) continue;  // said already
-    tell(vibration_text(settings, i), result.vibrations[i].cycle.status);
+    tell(name_of_vibration(settings, i), result.vibrations[i].cycle.status);
   }
   return lines;
 }
@@ -165,7 +165,7 @@ std::vector<std::string> warning_lines(const VibrationSettings& settings, const 
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     const Cycle& cycle = result.vibrations[i].cycle;
     if (!cycle.converged() || cycle.settled) continue;
-    lines.push_back(fmt::format("{}: {}", vibration_text(settings, i), unsettled(cycle, "loops")));
+    lines.push_back(fmt::format("{}: {}", name_of_vibration(settings, i), unsettled(cycle, "loops")));
   }
   return lines;
 }

@@ -52,4 +52,7 @@ struct VibrationPlace {
 };
 VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration);
 
+/// A vibration as messages call it: "load (0, -50) N, 90 deg, 2 um".
+std::string name_of_vibration(const VibrationSettings& settings, std::size_t vibration);
+
 }  // namespace bumpfoil

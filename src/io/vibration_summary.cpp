@@ -63,12 +63,9 @@ Json coefficients_json(const LinearFoils& foils, double frequency) {
 
 }  // namespace
 
-std::string vibration_summary(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
-                              RunStatus status, const Manifest& manifest) {
-  const VibrationSettings& settings = *input.vibration;
-  Json json = summary_head("vibration", input, status, manifest);
-  json["failures"] = failure_lines(settings, result);
-  json["warnings"] = warning_lines(settings, result);
+Json vibration_lists(const VibrationSettings& settings, const VibrationResult& result,
+                     const std::vector<LinearFoils>& all) {
+  Json json;
   for (const char* list : {"loads", "vibrations", "coefficients"}) json[list] = Json::array();
   for (const StaticLoad& load : result.loads) json["loads"].push_back(load_json(load));
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
@@ -78,6 +75,16 @@ std::string vibration_summary(const Case& input, const VibrationResult& result, 
     for (const double frequency : settings.frequencies)
       json["coefficients"].push_back(coefficients_json(foils, frequency));
   }
+  return json;
+}
+
+std::string vibration_summary(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
+                              RunStatus status, const Manifest& manifest) {
+  const VibrationSettings& settings = *input.vibration;
+  Json json = summary_head("vibration", input, status, manifest);
+  json["failures"] = failure_lines(settings, result);
+  json["warnings"] = warning_lines(settings, result);
+  json.update(vibration_lists(settings, result, all));
   return sealed_summary(json);
 }
 

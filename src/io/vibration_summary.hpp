@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bumpfoil/analysis/vibration.hpp"
@@ -11,5 +12,9 @@ namespace bumpfoil {
 /// cycles.
 std::string vibration_summary(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
                               RunStatus status, const Manifest& manifest);
+
+/// These three lists.
+nlohmann::ordered_json vibration_lists(const VibrationSettings& settings, const VibrationResult& result,
+                                       const std::vector<LinearFoils>& all);
 
 }  // namespace bumpfoil

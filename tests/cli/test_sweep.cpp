@@ -103,6 +103,33 @@ TEST_F(SweepProgram, KeepsPointsThatFail) {
   EXPECT_EQ(names_in("results"), (std::set<std::string>{"cycle.csv", "result.nc", "summary.json"}));
 }
 
+TEST_F(SweepProgram, VibratesAtEveryPoint) {
+  const std::vector<std::string> vibration{"--set", "vibration.loads=[[\"0 N\", \"-50 N\"]]",
+                                           "--set", "vibration.directions=[\"+Y\"]",
+                                           "--set", "vibration.amplitudes=[\"1 um\"]",
+                                           "--set", "vibration.frequencies=[\"100 Hz\"]",
+                                           "--set", "vibration.steps=5"};
+  const Outcome sweep = run(sweep_over("friction.coefficient=[0.1, 0.2]") +
+                            std::vector<std::string>{"--command", "vibration"} + vibration);
+  EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
+  EXPECT_NE(sweep.output.find("load (0, -50) N, 90 deg, 1 um\nfriction.coefficient  stiffness (MN/m)"),
+            std::string::npos)
+      << sweep.output;
+  const json swept = summary();
+  EXPECT_EQ(swept.at("swept_command"), "vibration");
+  ASSERT_EQ(swept.at("points").size(), 2U);
+
+  const std::string alone = (folder_.path() / "alone").string();
+  const Outcome single = run(
+      std::vector<std::string>{"vibration", case_path_, "-o", alone, "--set", "friction.coefficient=0.2"} + vibration);
+  ASSERT_EQ(single.exit_code, 0) << single.errors;
+  const json summary_alone = json::parse(folder_.read("alone/summary.json"));
+  for (const char* list : {"loads", "coefficients"}) {
+    EXPECT_EQ(swept.at("points").at(1).at(list), summary_alone.at(list));
+  }
+  EXPECT_EQ(timeless(swept.at("points").at(1).at("vibrations")), timeless(summary_alone.at("vibrations")));
+}
+
 TEST_F(SweepProgram, AnInterruptedSweepLeavesFlaggedResults) {
   // The first point is done at once, the others are long enough to be interrupted on any machine.
   const Running program({"sweep", case_path_, "--over", "cycle.steps=[2, 80000, 80001]", "-o", results_, "--set",

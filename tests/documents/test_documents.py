@@ -100,6 +100,9 @@ class Pages(InADirectory):
         self.run_in_directory([str(PROGRAM), "cycle", case, "-o", "loops"])
         over = ["--over", "cycle.amplitude=60 um:90 um:10 um", "--over", "friction.coefficient=[0.05, 0.1]"]
         self.run_in_directory([str(PROGRAM), "sweep", case, *over, "-o", "grid"])
+        case = str(ROOT / "examples/vibration.toml")
+        over = ["--command", "vibration", "--over", "friction.coefficient=[0.1, 0.2]", "--set", "vibration.steps=5"]
+        self.run_in_directory([str(PROGRAM), "sweep", case, *over, "-o", "stiffness"])
         os.symlink(ROOT / "examples", Path(self.directory) / "examples")
         examples = "".join(example.read_text(encoding="utf-8") for example in (ROOT / "examples").glob("*.toml"))
         self.run_in_directory([str(PROGRAM), "montecarlo", str(ROOT / "examples/tolerances.toml"), "-o", "tolerances"])

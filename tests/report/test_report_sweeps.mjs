@@ -18,6 +18,12 @@ before(() => {
   sweep('grid', caseFile, ['cycle.amplitude=60 um:90 um:10 um', 'friction.coefficient=[0, 0.1, 0.3]'], ['--set', 'cycle.steps=20', '--set', `title=${JSON.stringify(hostileTitle)}`]);
   sweep('friction', caseFile, ['friction.coefficient=0:0.5:0.05'], ['--set', 'cycle.steps=20']);
   sweep('strips', stripFile, ['strip.displacement=5 um:25 um:5 um'], ['--command', 'strip']);
+  const vibration = [
+    'vibration.loads=[["0 N", "-50 N"], ["50 N", "0 N"]]', 'vibration.directions=["+X", "+Y"]', 'vibration.amplitudes=["1 um", "2 um", "5 um"]',
+    'vibration.frequencies=["200 Hz", "400 Hz"]', 'vibration.steps=10',
+  ];
+  sweep('vibrations', caseFile, ['friction.coefficient=[0.05, 0.1, 0.2]'], ['--command', 'vibration', ...vibration.flatMap((pair) => ['--set', pair])]);
+  report('vibrations.html', 'vibrations');
   report('grid.html', 'grid');
   report('friction.html', 'friction');
   report('strips.html', 'strips');
@@ -178,6 +184,50 @@ test('strips and several sweeps have sections of their own', async () => {
   });
 });
 
+test('vibrations are drawn over the key, and over the amplitude', () =>
+  withReport('vibrations.html', async (page) => {
+    const shown = async (panel, quantityText) => {
+      await page.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(quantityText);
+      const csv = (await saved(page, panel, /CSV/)).bytes.toString().replaceAll(/"\(([^"]*)\) N"/g, 'load');
+      return rowsOf(csv);
+    };
+    const coefficients = JSON.parse(readFileSync(join(folder, 'vibrations', 'summary.json'), 'utf8')).points.flatMap(({ values, coefficients }) => coefficients.map((one) => ({ ...values, ...one })));
+    const [friction, size] = ['friction.coefficient', 'amplitude_m'];
+    const same = (a, b) => Math.abs(a - b) <= 1e-6 * Math.abs(b);
+    await chooser(page, 'Static load').selectOption('(50, 0) N');
+    await chooser(page, 'Amplitude').selectOption('2 µm');
+    await chooser(page, 'Both coefficients').selectOption('0.1');
+    // Lines differ in the amplitude, then in the key.
+    for (const over of ['Coefficients of friction: Both coefficients', 'Amplitude']) {
+      await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption(over);
+      await page.getByRole('combobox', { name: 'Lines' }).selectOption(over === 'Amplitude' ? 'Coefficients of friction: Both coefficients' : 'Amplitude');
+      const rows = await shown('Stiffness', 'Kxx');
+      assert.equal(rows.length, 9, over);
+      for (const row of rows) {
+        const expected = coefficients.find((one) => one.load_x_N === 50 && same(row.friction_coefficient, one[friction]) && same(row.amplitude_m, one[size]));
+        near(Number(row.kxx_N_per_m), expected.kxx_N_per_m, 1e-6, `${over} ${JSON.stringify(row)}`);
+      }
+      const legend = await page.getByRole('region', { name: 'Stiffness', exact: true }).locator('.legend li').allTextContents();
+      assert.deepEqual(legend, over === 'Amplitude' ? ['0.05', '0.1', '0.2'].map((text) => `Both coefficients ${text}`) : [1, 2, 5].map((number) => `Amplitude ${number} µm`));
+    }
+    // What has no chart of its own is drawn, too.
+    const energies = await shown('Other quantities', 'Loop energy');
+    const expected = rowsIn('vibrations').filter((row) => row.load_x_N === '50' && row.direction_deg === '0');
+    assert.equal(energies.length, expected.length);
+    for (const row of energies) {
+      const one = expected.find((other) => same(row.friction_coefficient, other.friction_coefficient) && same(row.amplitude_m, other.amplitude_m));
+      near(Number(row.loop_energy_J), Number(one.loop_energy_J), 1e-6, 'loop energy');
+    }
+    assert.match(await page.getByRole('region', { name: 'Loops', exact: true }).locator('.subject').textContent(), /thick: Amplitude 2 µm · vibrations$/);
+    const table = page.getByRole('region', { name: 'Loops by vibration' });
+    assert.equal(await table.locator('tbody tr').count(), 3 * 2 * 2 * 3);
+    await page.getByRole('searchbox', { name: 'Search rows: Coefficients by load' }).fill('0.2 50 5');
+    assert.equal(await page.getByRole('region', { name: 'Coefficients by load' }).locator('tbody tr').count(), 2);
+    assert.match(await page.getByRole('region', { name: 'Case', exact: true }).locator('.subject').textContent(), /Swept: Coefficients of friction: Both coefficients 0\.05, 0\.1, 0\.2\./);
+    assert.deepEqual(await page.locator('nav a').allTextContents(), ['Sweep', 'Coefficients', 'Case and origin', 'Glossary']);
+    assert.deepEqual(await axeFindings(page), []);
+  }));
+
 test('saved pictures say what they are of', () =>
   withReport('grid.html', async (page) => {
     for (const [panel, name, texts] of [
@@ -208,6 +258,7 @@ test('axe finds nothing serious, and the page fits screens and paper', async () 
     await withReport('both.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
   }
   await withReport('both.html', assertFits);
+  await withReport('vibrations.html', assertFits);
   await withReport('grid.html', async (page) => {
     await print(page);
     for (const panel of await page.locator('.panel', { has: page.locator('.chart') }).all()) {

@@ -114,7 +114,7 @@ test('what failed or did not settle is told', () =>
     const loads = page.getByRole('region', { name: 'At the static loads' });
     assert.deepEqual(await loads.locator('tbody tr').nth(1).locator('td').evaluateAll((all) => all.slice(0, 3).map((cell) => cell.textContent)), ['load out of reach', '–', '–']);
     await chooser(page, 'Static load').selectOption('(0, −1) MN');
-    assert.equal(await page.locator('.plot svg').count(), 4);
+    assert.equal(await page.locator('.plot svg').count(), 5);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
   }));
 

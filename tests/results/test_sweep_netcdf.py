@@ -115,5 +115,38 @@ class Sweep(unittest.TestCase):
             self.assertIn(f"`{name}`", text)
 
 
+class SweepOfVibrations(unittest.TestCase):
+    def test_points_are_what_runs_of_their_own_give(self):
+        case = ROOT / "examples/vibration.toml"
+        steps = ["--set", "vibration.steps=10"]
+        with tempfile.TemporaryDirectory() as name:
+            swept, alone = Path(name) / "swept", Path(name) / "alone"
+            over = ["--over", "friction.coefficient=0.1:0.2:0.05"]
+            run("sweep", case, "--command", "vibration", *over, *steps, "-o", swept)
+            run("vibration", case, "--set", "friction.coefficient=0.15", *steps, "-o", alone)
+            with xarray.open_dataset(swept / "sweep.nc") as result, xarray.open_dataset(alone / "result.nc") as single:
+                self.assertEqual(result.kxx.dims, ("friction_coefficient", "load", "amplitude"))
+                self.assertEqual(result.cxx.dims, ("friction_coefficient", "load", "amplitude", "frequency"))
+                self.assertEqual(result.attrs["swept_command"], "vibration")
+                self.assertIn("displacement", result.coords)
+                point = result.sel(friction_coefficient=0.15)
+                self.assertEqual(set(single.variables), set(result.variables) - {"friction_coefficient"})
+                for variable in single.variables:
+                    if variable != "wall_time":
+                        np.testing.assert_array_equal(point[variable], single[variable], str(variable))
+                        np.testing.assert_equal(point[variable].attrs, single[variable].attrs)
+                self.assertTrue(np.all(np.isfinite(result.kxx)))
+                # Where all slips, friction is what loses energy.
+                largest = result.loss_stiffness_direct.sel(direction=0).isel(amplitude=-1)
+                self.assertTrue(np.all(np.diff(largest, axis=0) > 0))
+            with open(swept / "sweep.csv", newline="", encoding="utf-8") as file:
+                rows = [row for row in csv.DictReader(file) if row.pop("friction_coefficient") == f"{0.15:.17g}"]
+            with open(alone / "vibration.csv", newline="", encoding="utf-8") as file:
+                expected = list(csv.DictReader(file))
+            for row in [*rows, *expected]:
+                row.pop("wall_time_s")
+            self.assertEqual(rows, expected)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -1,21 +1,34 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/io/result_names.hpp"
+#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/swept_key.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
+/// Commands that can be run at every point.
+enum class SweptCommand { cycle, strip, vibration };
+
+template <>
+inline constexpr auto enum_names<SweptCommand> = std::to_array<std::string_view>({"cycle", "strip", "vibration"});
+
+/// Of a command whose results are cycles.
+constexpr Experiment experiment_of(SweptCommand command) {
+  return command == SweptCommand::strip ? Experiment::strip : Experiment::cycle;
+}
+
 /// What is run over a grid of cases.
 struct SweepRequest {
-  Experiment experiment{Experiment::cycle};
+  SweptCommand command{SweptCommand::cycle};
   std::vector<std::string> over;       ///< "KEY=FROM:TO:STEP" or "KEY=[a, b]" each, see parse_swept_key()
   std::vector<std::string> overrides;  ///< of all points, see CaseRequest
 };
@@ -31,12 +44,16 @@ struct SweepAxis {
 
 /// A grid of cases: one for every combination of the values of the keys. The last key runs fastest.
 struct Sweep {
-  Experiment experiment{Experiment::cycle};
+  SweptCommand command{SweptCommand::cycle};
   std::vector<SweepAxis> axes;
   std::vector<Case> cases;
+  bool with_loops{};  ///< whether their loops are not too many to be kept
 };
 
-/// Makes the grid of a sweep. Every case is that of `bumpfoil <experiment> --set KEY=VALUE ...`, to the last bit, and
+/// Numbers of each of displacement and force that sweeps keep of their loops at most.
+inline constexpr std::size_t most_loop_values = 4'000'000;
+
+/// Makes the grid of a sweep. Every case is that of `bumpfoil <command> --set KEY=VALUE ...`, to the last bit, and
 /// every fault of every one is listed, once, with the first point that has it.
 /// @param text  of the case file   @param name  stands for the file in messages, see parse_case()
 /// @throws Error (input) if a key is swept twice, is no number, is set besides, takes a value twice, if the grid has
@@ -49,27 +66,26 @@ std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point);
 /// "friction.coefficient=0.15, cycle.amplitude=60 um"
 std::string point_name(const Sweep& sweep, std::size_t point);
 
-/// Force over displacement of one cycle, per increment.
-struct Loop {
-  std::vector<double> displacement;  ///< m
-  std::vector<double> force_direct;  ///< N
-};
-
-/// What is kept of a point: quantities, no fields and no events, and of the increments the last one.
+/// What is kept of a point: the numbers and words of its result, and nothing else.
 struct SweepPoint {
-  CycleResult result;
-  RunStatus status{RunStatus::interrupted};  ///< as it stays where the point was not begun
-  std::vector<Loop> loops;                   ///< one per cycle that was begun; none where they are not kept
+  RunStatus status{RunStatus::interrupted};   ///< as it stays where the point was not begun
+  std::vector<std::size_t> extents{};         ///< of the dimensions of the result
+  std::vector<std::vector<double>> values{};  ///< of its quantities and loops; none where all of one are absent
+  std::string rows{};                         ///< of sweep.csv, under their header
+  std::string lists{};  ///< of summary.json, as text, which takes less room than what is read of it
+  std::vector<std::string> failures{};
+  std::vector<std::string> warnings{};
 };
 
-/// What is kept of the result of a point, whose case this is.
-SweepPoint sweep_point(CycleResult result, bool with_loops);
+/// Runs the command at a point. @throws as the command does
+SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress = {});
 
-/// Numbers of each of displacement and force that sweeps keep of their loops at most.
-inline constexpr std::size_t most_loop_values = 4'000'000;
+/// What is kept of the result of a point.
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const CycleResult& result);
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationResult& result);
 
-/// Whether the loops of a sweep are not too many to be kept.
-bool keeps_loops(const Sweep& sweep);
+/// Points that were not begun have nothing: this makes of them what says so.
+void complete(const Sweep& sweep, std::vector<SweepPoint>& points);
 
 /// Interrupted if any point was, else failed if any point was, else complete.
 RunStatus status_of(const std::vector<SweepPoint>& points);

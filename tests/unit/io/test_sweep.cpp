@@ -8,21 +8,21 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "io/sweep_layout.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using Words = std::vector<std::string>;
 
-Sweep sweep_over(const Words& over, const Words& overrides = {}, Experiment experiment = Experiment::cycle) {
-  return parse_sweep(case_template("gen1"), "case.toml",
-                     {.experiment = experiment, .over = over, .overrides = overrides});
+Sweep sweep_over(const Words& over, const Words& overrides = {}, SweptCommand command = SweptCommand::cycle) {
+  return parse_sweep(case_template("gen1"), "case.toml", {.command = command, .over = over, .overrides = overrides});
 }
 
 std::vector<Fault> faults_of(const Words& over, const Words& overrides = {},
-                             Experiment experiment = Experiment::cycle) {
+                             SweptCommand command = SweptCommand::cycle) {
   try {
-    static_cast<void>(sweep_over(over, overrides, experiment));
+    static_cast<void>(sweep_over(over, overrides, command));
   } catch (const Error& error) {
     return error.faults();
   }
@@ -62,21 +62,21 @@ TEST(Sweep, WholeNumbersAndAnglesAreSwept) {
 }
 
 TEST(Sweep, TablesMayBeMadeByTheSweptKey) {
-  const Sweep strip = sweep_over({"strip.load=20 N:60 N:20 N"}, {"strip.bumps=4"}, Experiment::strip);
+  const Sweep strip = sweep_over({"strip.load=20 N:60 N:20 N"}, {"strip.bumps=4"}, SweptCommand::strip);
   EXPECT_EQ(strip.axes[0].unit, "N");
   EXPECT_EQ(strip.axes[0].values, (std::vector<double>{20.0, 40.0, 60.0}));
 }
 
 TEST(Sweep, KeysOfTwoKindsNeedTheirUnits) {
   const Words load{"strip.load=20 N"};
-  const Sweep strip = sweep_over({"strip.preload=[30 N, 0.05 kN]"}, load, Experiment::strip);
+  const Sweep strip = sweep_over({"strip.preload=[30 N, 0.05 kN]"}, load, SweptCommand::strip);
   EXPECT_EQ(strip.axes[0].unit, "N");
   EXPECT_EQ(strip.axes[0].values, (std::vector<double>{30.0, 50.0}));
-  const Sweep lifted = sweep_over({"strip.preload=[10 um, 20 um]"}, {"strip.displacement=5 um"}, Experiment::strip);
+  const Sweep lifted = sweep_over({"strip.preload=[10 um, 20 um]"}, {"strip.displacement=5 um"}, SweptCommand::strip);
   EXPECT_EQ(lifted.axes[0].unit, "m");
   EXPECT_EQ(lifted.axes[0].values, (std::vector<double>{10e-6, 20e-6}));
-  ASSERT_EQ(faults_of({"strip.preload=[30, 50]"}, load, Experiment::strip).size(), 1U);
-  ASSERT_EQ(faults_of({"strip.preload=[30 N, 50 um]"}, load, Experiment::strip).size(), 1U);
+  ASSERT_EQ(faults_of({"strip.preload=[30, 50]"}, load, SweptCommand::strip).size(), 1U);
+  ASSERT_EQ(faults_of({"strip.preload=[30 N, 50 um]"}, load, SweptCommand::strip).size(), 1U);
 }
 
 TEST(Sweep, EveryWrongOptionIsTold) {
@@ -128,43 +128,76 @@ TEST(Sweep, ValuesThatAreTheSameAreRefused) {
   EXPECT_EQ(faults[0].what, "is the same value as 0.5 mm");
 }
 
-CycleResult result_of(const Sweep& sweep, std::size_t point) {
-  return run_cycles(sweep.cases[point]);
+/// What a point keeps of a variable.
+std::vector<double> values_of(const Sweep& sweep, const SweepPoint& point, const std::string& name) {
+  const ResultGrid grid = layout_of(sweep, {point}).grid;
+  for (std::size_t i = 0; i < grid.variables.size(); ++i) {
+    if (grid.variables[i].meaning.name == name) return point.values[i];
+  }
+  return {};
 }
 
 TEST(Sweep, PointKeepsQuantitiesAndLoops) {
-  const Sweep sweep = sweep_over({"friction.coefficient=[0.1]"}, {"cycle.steps=3"});
-  const CycleResult whole = result_of(sweep, 0);
-  const SweepPoint point = sweep_point(whole, true);
+  Sweep sweep = sweep_over({"friction.coefficient=[0.1]"}, {"cycle.steps=3", "cycle.directions=[\"-X\", \"+Y\"]"});
+  const CycleResult whole = run_cycles(sweep.cases[0]);
+  const SweepPoint point = run_point(sweep, 0);
   EXPECT_EQ(point.status, RunStatus::complete);
-  ASSERT_EQ(point.loops.size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(point.result.cycles[i].loss_factor, whole.cycles[i].loss_factor);
-    EXPECT_EQ(point.result.cycles[i].fields.increments(), 0);
-    ASSERT_EQ(point.loops[i].force_direct.size(), 7U);
-    EXPECT_EQ(point.loops[i].force_direct[3], whole.cycles[i].increments[3].force_direct);
-    EXPECT_EQ(point.loops[i].displacement[3], whole.cycles[i].increments[3].displacement);
+  // Directions are sorted, unlike those of the case.
+  EXPECT_EQ(values_of(sweep, point, "loss_factor"),
+            (std::vector<double>{*whole.cycles[1].loss_factor, *whole.cycles[0].loss_factor}));
+  const std::vector<double> forces = values_of(sweep, point, "force_direct");
+  const std::vector<double> displacements = values_of(sweep, point, "displacement");
+  ASSERT_EQ(forces.size(), 14U);
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(forces[i], whole.cycles[1].increments[i].force_direct);
+    EXPECT_EQ(forces[7 + i], whole.cycles[0].increments[i].force_direct);
+    EXPECT_EQ(displacements[7 + i], whole.cycles[0].increments[i].displacement);
   }
-  EXPECT_TRUE(sweep_point(whole, false).loops.empty());
+  sweep.with_loops = false;
+  EXPECT_TRUE(values_of(sweep, sweep_point(sweep, 0, whole), "force_direct").empty());
 }
 
 TEST(Sweep, PointThatWasStoppedBetweenCyclesIsInterrupted) {
   const Sweep sweep = sweep_over({"friction.coefficient=[0.1]"}, {"cycle.steps=3"});
-  CycleResult result = result_of(sweep, 0);
+  CycleResult result = run_cycles(sweep.cases[0]);
   result.cycles.pop_back();
-  EXPECT_EQ(sweep_point(result, true).status, RunStatus::interrupted);
+  const SweepPoint interrupted = sweep_point(sweep, 0, result);
+  EXPECT_EQ(interrupted.status, RunStatus::interrupted);
   result.cycles.back().status = Status::no_modes;
-  EXPECT_EQ(sweep_point(result, true).status, RunStatus::failed);
-  EXPECT_EQ(status_of({SweepPoint{.result = {}, .status = RunStatus::complete, .loops = {}},
-                       SweepPoint{.result = {}, .status = RunStatus::failed, .loops = {}}}),
-            RunStatus::failed);
+  const SweepPoint failed = sweep_point(sweep, 0, result);
+  EXPECT_EQ(failed.status, RunStatus::failed);
+  EXPECT_EQ(status_of({run_point(sweep, 0), failed}), RunStatus::failed);
+  EXPECT_EQ(status_of({interrupted, failed}), RunStatus::interrupted);
+}
+
+TEST(Sweep, PointsThatWereNotBegunSaySo) {
+  const Sweep sweep = sweep_over({"friction.coefficient=[0.1, 0.2]"}, {"cycle.steps=3"});
+  std::vector<SweepPoint> points(2);
+  points[0] = run_point(sweep, 0);
+  complete(sweep, points);
+  EXPECT_EQ(points[0].status, RunStatus::complete);
+  EXPECT_EQ(points[1].status, RunStatus::interrupted);
+  EXPECT_EQ(points[1].extents, points[0].extents);
+  EXPECT_EQ(values_of(sweep, points[1], "converged"), std::vector<double>(4, 0.0));
+  EXPECT_EQ(values_of(sweep, points[1], "status"), std::vector<double>(4, static_cast<double>(Status::interrupted)));
 }
 
 TEST(Sweep, LoopsAreKeptAsLongAsTheyAreFew) {
   // Two hundred points, four directions, 2 n + 1 increments.
   const Words over{"friction.coefficient=0.001:0.2:0.001"};
-  EXPECT_TRUE(keeps_loops(sweep_over(over, {"cycle.steps=2499"})));
-  EXPECT_FALSE(keeps_loops(sweep_over(over, {"cycle.steps=2500"})));
+  EXPECT_TRUE(sweep_over(over, {"cycle.steps=2499"}).with_loops);
+  EXPECT_FALSE(sweep_over(over, {"cycle.steps=2500"}).with_loops);
+  // Two vibrations of 4 n points.
+  const auto keeps = [&over](const std::string& steps) {
+    return sweep_over(
+               over,
+               {"vibration.loads=[[\"0 N\", \"-50 N\"]]", "vibration.directions=[\"+X\", \"+Y\"]",
+                "vibration.amplitudes=[\"1 um\"]", "vibration.frequencies=[\"100 Hz\"]", "vibration.steps=" + steps},
+               SweptCommand::vibration)
+        .with_loops;
+  };
+  EXPECT_TRUE(keeps("2500"));
+  EXPECT_FALSE(keeps("2501"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "bumpfoil/io/sweep_files.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/report.hpp"
+#include "bumpfoil/io/vibration_files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -26,18 +28,20 @@ class SweepFiles : public ::testing::Test {
  protected:
   SweepFiles()
       : sweep_(parse_sweep(case_template("gen1"), "case.toml",
-                           {.experiment = Experiment::cycle,
+                           {.command = SweptCommand::cycle,
                             .over = {"cycle.amplitude=[60 um, 70 um]", "friction.coefficient=0:0.2:0.1"},
                             .overrides = {"cycle.steps=3", "cycle.directions=[\"-X\", \"+Y\"]"}})),
+        results_(sweep_.cases.size()),
         points_(sweep_.cases.size()) {
     for (const std::size_t i : {0U, 1U, 2U, 3U, 5U}) {
-      CycleResult result = run_cycles(sweep_.cases[i]);
+      CycleResult& result = results_[i] = run_cycles(sweep_.cases[i]);
       if (i == 5) {
         result.cycles[1].status = Status::no_modes;
         result.cycles[1].increments.back().status = Status::no_modes;
       }
-      points_[i] = sweep_point(std::move(result), true);
+      points_[i] = sweep_point(sweep_, i, result);
     }
+    complete(sweep_, points_);
     for (const ResultFile& file : sweep_files(sweep_, points_, {.command_line = "bumpfoil", .case_text = "text"})) {
       folder_.write(file.name, file.contents);
     }
@@ -58,6 +62,7 @@ class SweepFiles : public ::testing::Test {
   }
 
   Sweep sweep_;
+  std::vector<CycleResult> results_;
   std::vector<SweepPoint> points_;
   testing::TemporaryFolder folder_;
 };
@@ -90,7 +95,7 @@ TEST_F(SweepFiles, SummaryHasEveryPointWithItsStatus) {
   EXPECT_EQ(first.at("status"), "complete");
   EXPECT_EQ(first.at("values"), json::parse(R"({"cycle.amplitude": 60e-6, "friction.coefficient": 0})"));
   EXPECT_EQ(first.at("cycles").at(1).at("direction_deg"), 90);
-  EXPECT_EQ(first.at("cycles").at(1).at("max_force_N"), points_[0].result.cycles[1].turning_point->max_force);
+  EXPECT_EQ(first.at("cycles").at(1).at("max_force_N"), results_[0].cycles[1].turning_point->max_force);
   EXPECT_EQ(written.at("points").at(4).at("status"), "interrupted");
   EXPECT_TRUE(written.at("points").at(4).at("cycles").empty());
   const json& failed = written.at("points").at(5);
@@ -113,7 +118,7 @@ TEST_F(SweepFiles, CsvHasARowForEachPointAndDirection) {
   EXPECT_EQ(std::stod(row[0]), 70e-6);
   EXPECT_EQ(row[1], "0");
   EXPECT_EQ(row[2], "90");
-  EXPECT_EQ(std::stod(row[column("loaded_stiffness_N_per_m")]), *points_[3].result.cycles[1].loaded_stiffness);
+  EXPECT_EQ(std::stod(row[column("loaded_stiffness_N_per_m")]), *results_[3].cycles[1].loaded_stiffness);
   EXPECT_EQ(row[column("status")], "converged");
   EXPECT_EQ(row[column("converged")], "true");
   // Not begun, and failed.
@@ -136,13 +141,13 @@ TEST_F(SweepFiles, NetcdfHasTheKeysAsDimensions) {
   file.getVar("direction").getVar(directions.data());
   EXPECT_EQ(directions, (std::array{90.0, 180.0}));
   force.getVar({1, 0, 0}, {1, 1, 1}, &value);
-  EXPECT_EQ(value, points_[3].result.cycles[1].turning_point->max_force);
+  EXPECT_EQ(value, results_[3].cycles[1].turning_point->max_force);
   force.getVar({1, 1, 0}, {1, 1, 1}, &value);
   EXPECT_EQ(value, NC_FILL_DOUBLE);
   const netCDF::NcVar loops = file.getVar("force_direct");
   ASSERT_EQ(loops.getDimCount(), 4);
   loops.getVar({0, 2, 0, 3}, {1, 1, 1, 1}, &value);
-  EXPECT_EQ(value, points_[2].loops[1].force_direct[3]);
+  EXPECT_EQ(value, results_[2].cycles[1].increments[3].force_direct);
   std::string text;
   file.getAtt("bumpfoil_command").getValues(text);
   EXPECT_EQ(text, "sweep");
@@ -221,10 +226,11 @@ TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
 /// Points of a strip differ in how many cycles they have, and in how many increments.
 TEST(SweepFilesOfStrips, HaveRoomForTheLongest) {
   const Sweep sweep = parse_sweep(case_template("gen1"), "case.toml",
-                                  {.experiment = Experiment::strip,
+                                  {.command = SweptCommand::strip,
                                    .over = {"strip.cycles=[1, 2]", "strip.steps=[2, 3]"},
                                    .overrides = {"strip.bumps=2", "strip.displacement=10 um"}});
   std::vector<SweepPoint> points(4);  // none is begun
+  complete(sweep, points);
   const testing::TemporaryFolder folder;
   for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
   const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
@@ -232,6 +238,108 @@ TEST(SweepFilesOfStrips, HaveRoomForTheLongest) {
   EXPECT_EQ(file.getDim("increment").getSize(), 7U);
   const std::string csv = folder.read("sweep.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 1 + 2 * 2);
+}
+
+Sweep sweep_of_vibrations(const std::vector<std::string>& over, std::vector<std::string> overrides) {
+  for (const char* one : {"vibration.loads=[[0, -50], [0, -100]]", "vibration.directions=[\"+X\", \"+Y\"]",
+                          "vibration.amplitudes=[5e-7, 1e-6]", "vibration.frequencies=[1000, 2000, 3000]"}) {
+    overrides.emplace_back(one);
+  }
+  return parse_sweep(case_template("gen1"), "case.toml",
+                     {.command = SweptCommand::vibration, .over = over, .overrides = overrides});
+}
+
+/// All of a variable; its coordinates say the same everywhere.
+std::vector<double> numbers_of(const netCDF::NcVar& variable, std::vector<std::size_t> start = {}) {
+  std::vector<std::size_t> count(start.size(), 1);
+  std::size_t size = 1;
+  for (int i = static_cast<int>(start.size()); i < variable.getDimCount(); ++i) {
+    start.push_back(0);
+    count.push_back(variable.getDim(i).getSize());
+    size *= count.back();
+  }
+  std::vector<double> numbers(size);
+  variable.getVar(start, count, numbers.data());
+  return numbers;
+}
+
+TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
+  const Sweep sweep = sweep_of_vibrations({"bump_foil.height=[0.5 mm, 0.52 mm]", "friction.coefficient=[0.1, 0.2]"},
+                                          {"vibration.steps=4"});
+  const testing::TemporaryFolder folder;
+  std::vector<SweepPoint> points(sweep.cases.size());
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) points[i] = run_point(sweep, i);  // the last was not begun
+  complete(sweep, points);
+  for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
+  const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
+  EXPECT_EQ(file.getVar("kxx").getDimCount(), 4);
+  EXPECT_EQ(file.getVar("kxx").getDim(2).getName(), "load");
+  EXPECT_EQ(file.getVar("kxx").getDim(3).getName(), "amplitude");
+
+  const Case& input = sweep.cases[2];
+  const VibrationResult result = run_vibration(input);
+  for (const ResultFile& one : vibration_files(input, result, status_of(result), {})) {
+    folder.write("alone/" + one.name, one.contents);
+  }
+  const netCDF::NcFile single((folder.path() / "alone/result.nc").string(), netCDF::NcFile::read);
+  EXPECT_GT(single.getVarCount(), 40);
+  for (const auto& [name, variable] : single.getVars()) {
+    if (name == "wall_time") continue;
+    const netCDF::NcVar swept = file.getVar(name);
+    ASSERT_FALSE(swept.isNull()) << name;
+    const bool coordinate = swept.getDimCount() == variable.getDimCount();
+    EXPECT_EQ(numbers_of(swept, coordinate ? std::vector<std::size_t>{} : std::vector<std::size_t>{1, 0}),
+              numbers_of(variable))
+        << name;
+    EXPECT_EQ(swept.getAtts().size(), variable.getAtts().size()) << name;
+    std::string meaning;
+    std::string same;
+    swept.getAtt("long_name").getValues(meaning);
+    variable.getAtt("long_name").getValues(same);
+    EXPECT_EQ(meaning, same);
+  }
+  // Of the point that was not begun only that is known.
+  EXPECT_EQ(numbers_of(file.getVar("kxx"), {1, 1}), std::vector<double>(4, NC_FILL_DOUBLE));
+  EXPECT_EQ(numbers_of(file.getVar("status"), {1, 1}),
+            std::vector<double>(8, static_cast<double>(Status::interrupted)));
+  EXPECT_EQ(numbers_of(file.getVar("force_x"), {1, 1}).front(), NC_FILL_DOUBLE);
+
+  const json written = json::parse(folder.read("summary.json"));
+  const json summary = json::parse(folder.read("alone/summary.json"));
+  EXPECT_EQ(written.at("swept_command"), "vibration");
+  EXPECT_EQ(written.at("status"), "interrupted");
+  EXPECT_EQ(written.at("points").at(2).at("coefficients"), summary.at("coefficients"));
+  EXPECT_EQ(written.at("points").at(2).at("loads"), summary.at("loads"));
+  EXPECT_EQ(written.at("points").at(3).at("vibrations").at(7).at("status"), "interrupted");
+
+  // A row is the keys and a row of vibration.csv, but for the time.
+  std::istringstream rows(folder.read("sweep.csv"));
+  std::istringstream expected(folder.read("alone/vibration.csv"));
+  std::string row;
+  std::string end;
+  std::getline(rows, row);
+  std::getline(expected, end);
+  EXPECT_EQ(row, "bump_foil_height_m,friction_coefficient," + end);
+  for (int i = 0; i < 2 * 8; ++i) std::getline(rows, row);
+  const std::string keys = fmt::format("{:.17g},{:.17g},", sweep.axes[0].values[1], sweep.axes[1].values[0]);
+  while (std::getline(expected, end)) {
+    ASSERT_TRUE(std::getline(rows, row));
+    EXPECT_EQ(row.substr(0, row.rfind(',')), keys + end.substr(0, end.rfind(',')));
+  }
+}
+
+TEST(SweepFilesOfVibrations, HaveRoomForTheLongestLoop) {
+  const Sweep sweep = sweep_of_vibrations({"vibration.steps=[3, 5]"}, {});
+  std::vector<SweepPoint> points{run_point(sweep, 0), run_point(sweep, 1)};
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
+  const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
+  const std::vector<double> shorter = numbers_of(file.getVar("displacement"), {0, 1, 1, 1});
+  const std::vector<double> longer = numbers_of(file.getVar("displacement"), {1, 1, 1, 1});
+  ASSERT_EQ(shorter.size(), 4U * 5U + 1U);
+  EXPECT_EQ(shorter[4 * 3 + 1], NC_FILL_DOUBLE);
+  EXPECT_NE(shorter[4 * 3], NC_FILL_DOUBLE);
+  EXPECT_NE(longer.back(), NC_FILL_DOUBLE);
 }
 
 }  // namespace

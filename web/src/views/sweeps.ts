@@ -13,6 +13,7 @@ import { gridTable } from '../tables/grid';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { gridControls } from './grid_controls';
+import { vibrationEntries, vibrationSections } from './vibrations';
 import { part, type View } from './view';
 
 /** Columns of the table that are shown at first. */
@@ -24,16 +25,24 @@ interface SweptQuantity extends Quantity {
   value: (place: Place) => number;
 }
 
-/** The keys, and last what tells the cycles of a point apart. */
-function coordinatesOf(grid: Grid): Coordinate[] {
-  const dims = grid.variable('converged')?.dims ?? [];
-  const kind = kinds[grid.attribute('swept_command')];
-  return dims.map((name, i) => {
+/** Dimensions of the results that tell their parts apart: those of `status` after the keys. */
+const partDimensions = ['direction', 'cycle', 'sense', 'load', 'amplitude'];
+
+/** The swept keys. */
+function keysOf(grid: Grid): Coordinate[] {
+  const names = (grid.variable('status')?.dims ?? []).filter((name) => !partDimensions.includes(name));
+  return names.map((name) => {
     const numbers = numbersOf(grid, name);
-    if (i === dims.length - 1 && kind) return { name, title: kind.cycles.title, texts: numbers.map(kind.cycles.name), unit: '' };
     const { text = name, unit = '' } = grid.variable(name) ?? {};
     return { name, title: text, numbers, texts: numbers.map((number) => valueText(number, unit)), unit };
   });
+}
+
+/** What tells the cycles of a point apart. */
+function cyclesOf(grid: Grid): Coordinate[] {
+  const kind = kinds[grid.attribute('swept_command')];
+  const name = ['direction', 'cycle'].find((one) => grid.variable(one));
+  return kind && name ? [{ name, title: kind.cycles.title, texts: numbersOf(grid, name).map(kind.cycles.name), unit: '' }] : [];
 }
 
 /** Each force makes a quantity of its own. */
@@ -92,9 +101,16 @@ function sweptText({ title, texts }: Coordinate): string {
   return `${title} ${texts.length <= 4 ? texts.join(', ') : range}`;
 }
 
+function isOfVibrations(grid: Grid): boolean {
+  return grid.attribute('swept_command') === 'vibration';
+}
+
 function sectionsOf(grid: Grid, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
-  const coordinates = coordinatesOf(grid);
-  const selection = new GridSelection(coordinates, coordinates.slice(0, -1));
+  const keys = keysOf(grid);
+  const note = `The case of the first point. Swept: ${keys.map(sweptText).join('; ')}.`;
+  if (isOfVibrations(grid)) return vibrationSections(grid, caseKeys, { id, title, name: 'Sweep', note, keys });
+  const coordinates = [...keys, ...cyclesOf(grid)];
+  const selection = new GridSelection(coordinates, keys);
   const quantities = quantitiesOf(grid);
   const loops = loopsOf(grid);
   const over = new OverPanel('Quantity over key', measuresOf(quantities), selection, grid.label);
@@ -118,7 +134,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
       title('Case and origin'),
       caseSection(compared, caseKeys, {
         shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''),
-        note: `The case of the first point. Swept: ${coordinates.slice(0, -1).map(sweptText).join('; ')}.`,
+        note,
       }),
     ),
   ];
@@ -133,6 +149,6 @@ export function sweepView(results: ResultData[], caseKeys: CaseKeys, alone: bool
       return sectionsOf(grid, `sweep-${i + 1}`, (text) => (several ? `${text}, ${grid.label}` : text), caseKeys);
     }),
     warnings: grids.map((grid) => gridWarnings(grid)),
-    entries: grids.flatMap((grid) => quantitiesOf(grid).map(entryOf)),
+    entries: grids.flatMap((grid) => (isOfVibrations(grid) ? vibrationEntries(grid) : quantitiesOf(grid).map(entryOf))),
   };
 }

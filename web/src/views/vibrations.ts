@@ -5,7 +5,7 @@ import type { CaseKeys, GridData, ResultData } from '../data/format';
 import { Grid, numbersOf, vectorText, type Coordinate, type Place } from '../data/grid';
 import { directionName } from '../data/kinds';
 import { gridWarnings } from '../data/outcome';
-import { at } from '../data/run';
+import { at, capital } from '../data/run';
 import { caseSection } from '../tables/case';
 import type { Entry } from '../tables/glossary';
 import { columnOf, gridTable, type GridColumn } from '../tables/grid';
@@ -73,7 +73,16 @@ function chartsOf(grid: Grid): { title: string; measures: Measure[] }[] {
       measures: measuresOf('Damping ωc', 'N/m', entries.flatMap((axes) => partOf(grid, `c${axes}`, `ωc${axes}`, `omega_c${axes}_N_per_m`, () => omega))),
     },
     { title: 'Loss factor', measures: [...ofName('loss_factor', 'Loss factor'), ...ofName('harmonic_residual', 'Harmonic residual')] },
+    { title: 'Other quantities', measures: otherMeasuresOf(grid) },
   ].filter(({ measures }) => measures.length > 0);
+}
+
+/** Of every number that has no chart of its own. */
+function otherMeasuresOf(grid: Grid): Measure[] {
+  const { vibrations, loads } = columnsOf(grid);
+  return [...vibrations, ...loads]
+    .filter(({ name, words }) => words.length === 0 && name !== 'loss_factor' && name !== 'harmonic_residual')
+    .flatMap(({ name, key, label, unit }) => measuresOf(capital(label), unit, partOf(grid, name, capital(label), key)));
 }
 
 function loopsOf(grid: Grid): Loops | undefined {
@@ -123,9 +132,22 @@ function columnsOf(grid: Grid): { vibrations: GridColumn[]; coefficients: GridCo
   };
 }
 
-function sectionsOf(grid: Grid, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
+/** What the sections of vibrations are called, and what they are of. */
+export interface VibrationSections {
+  id: string;
+  title: (text: string) => string;
+  /** Of the first. */
+  name: string;
+  /** Beside the case. */
+  note: string;
+  /** Swept keys, if any: they come before loads and amplitudes. */
+  keys: Coordinate[];
+}
+
+/** The sections of vibrations, of one run or of the points of a sweep. */
+export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, name: first, note, keys }: VibrationSections): HTMLElement[] {
   const { load, motion, amplitude, frequency } = coordinatesOf(grid);
-  const selection = new GridSelection([load, motion, amplitude], [amplitude, load]);
+  const selection = new GridSelection([...keys, load, motion, amplitude], [...keys, amplitude, load]);
   const loops = loopsOf(grid);
   const charts = chartsOf(grid).map(({ title: name, measures }) => new OverPanel(name, measures, selection, grid.label).root);
   const columns = columnsOf(grid);
@@ -134,7 +156,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   return [
     part(
       `${id}-charts`,
-      title('Vibrations'),
+      title(first),
       gridControls(selection),
       el('div', { class: 'multiples' }, ...charts, ...(loops ? [new FamilyPanel(loops, selection, label).root] : [])),
     ),
@@ -144,28 +166,29 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
       gridTable({
         title: 'Coefficients by load',
         label,
-        coordinates: [load, amplitude, frequency],
+        coordinates: [...keys, load, amplitude, frequency],
         columns: columns.coefficients,
         main: ['k', 'c'].flatMap((letter) => entries.map((axes) => `${letter}${axes}`)),
       }),
       gridTable({
         title: 'Loops by vibration',
         label,
-        coordinates: [load, motion, amplitude],
+        coordinates: [...keys, load, motion, amplitude],
         columns: columns.vibrations,
         main: ['stiffness_direct', 'loss_stiffness_direct', 'harmonic_residual', 'loss_factor', 'loop_energy', 'loops', 'settled', 'status'],
       }),
-      gridTable({ title: 'At the static loads', label, coordinates: [load], columns: columns.loads, main: [] }),
+      gridTable({ title: 'At the static loads', label, coordinates: [...keys, load], columns: columns.loads, main: [] }),
     ),
     part(
       `${id}-case`,
       title('Case and origin'),
-      caseSection(compared, caseKeys, { shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''), note: '' }),
+      caseSection(compared, caseKeys, { shortfalls: () => [grid.attribute('status_message')].filter((text) => text !== ''), note }),
     ),
   ];
 }
 
-function entriesOf(grid: Grid): Entry[] {
+/** Of the glossary. */
+export function vibrationEntries(grid: Grid): Entry[] {
   const { vibrations, coefficients, loads } = columnsOf(grid);
   return [...vibrations, ...coefficients, ...loads].map(({ name, label, unit, meaning }) => ({ name, label, unit, text: meaning }));
 }
@@ -176,9 +199,10 @@ export function vibrationView(results: ResultData[], caseKeys: CaseKeys, alone: 
   return {
     sections: grids.flatMap((grid, i) => {
       const several = grids.length > 1 || !alone;
-      return sectionsOf(grid, `vibration-${i + 1}`, (text) => (several ? `${text}, ${grid.label}` : text), caseKeys);
+      const title = (text: string): string => (several ? `${text}, ${grid.label}` : text);
+      return vibrationSections(grid, caseKeys, { id: `vibration-${i + 1}`, title, name: 'Vibrations', note: '', keys: [] });
     }),
     warnings: grids.map((grid) => gridWarnings(grid)),
-    entries: grids.flatMap(entriesOf),
+    entries: grids.flatMap(vibrationEntries),
   };
 }

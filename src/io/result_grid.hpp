@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/io/result_quantities.hpp"
+#include "io/netcdf_writer.hpp"
+
+namespace bumpfoil {
+
+struct GridDim {
+  std::string name;
+  std::size_t size{};
+};
+
+/// Numbers over some dimensions of a grid.
+struct GridVariable {
+  VariableMeaning meaning;
+  std::vector<std::string> dims{};
+  std::vector<double> values{};  ///< the last dimension runs fastest; not a number where absent; none: all absent
+  std::string coordinates{};     ///< variables that say where its values lie, beside the dimensions
+  std::string heading{};         ///< in tables of sweeps; empty where it is in the files only
+  ShownUnit shown{"", 1.0};      ///< there
+};
+
+/// What a result is, described once: its own netCDF file holds it over its dimensions, that of a sweep over the swept
+/// keys as well.
+struct ResultGrid {
+  std::vector<GridDim> dims;
+  std::vector<GridVariable> coordinates;  ///< of the dimensions: without absent values, and the same at all points
+  std::vector<GridVariable> variables;
+};
+
+/// Adds dimensions and variables to a file.
+void write_grid(NewNetcdf& file, const ResultGrid& grid);
+
+/// Numbers from `first` on.
+std::vector<double> numbers_from(double first, std::size_t count);
+
+}  // namespace bumpfoil

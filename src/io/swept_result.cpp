@@ -1,0 +1,84 @@
+#include "io/swept_result.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/io/vibration_files.hpp"
+#include "bumpfoil/io/warnings.hpp"
+#include "io/cycle_grid.hpp"
+#include "io/result_layout.hpp"
+#include "io/summary_json.hpp"
+#include "io/vibration_csv.hpp"
+#include "io/vibration_grid.hpp"
+#include "io/vibration_quantities.hpp"
+#include "io/vibration_summary.hpp"
+
+namespace bumpfoil {
+
+SweptResult swept_result(const Case& input, const CycleResult& result, RunStatus status, bool with_loops) {
+  SweptResult swept{.status = status,
+                    .grid = cycle_grid(input, result, status, with_loops),
+                    .parts = {},
+                    .rows = cycle_rows(input, result, status),
+                    .lists = {{"cycles", nlohmann::ordered_json::array()}},
+                    .failures = failure_lines(input, result),
+                    .warnings = warning_lines(input, result)};
+  const ResultLayout layout = make_result_layout(input, result.experiment);
+  for (std::size_t cycle = 0; cycle < layout.places.size(); ++cycle) {
+    const std::string name = result.experiment == Experiment::strip
+                                 ? fmt::format("cycle {}", cycle + 1)
+                                 : "direction " + direction_name(input.cycle.directions[cycle]);
+    swept.parts.push_back({name, layout.places[cycle]});
+  }
+  for (std::size_t cycle = 0; cycle < result.cycles.size(); ++cycle) {
+    swept.lists["cycles"].push_back(cycle_json(input, result, cycle));
+  }
+  return swept;
+}
+
+SweptResult swept_result(const Case& input, const VibrationResult& result, bool with_loops) {
+  const VibrationSettings& settings = *input.vibration;
+  const std::vector<LinearFoils> all = linear_foils(settings, result);
+  SweptResult swept{.status = status_of(result),
+                    .grid = vibration_grid(settings, result, all, with_loops),
+                    .parts = {},
+                    .rows = vibration_csv(settings, result),
+                    .lists = vibration_lists(settings, result, all),
+                    .failures = failure_lines(settings, result),
+                    .warnings = warning_lines(settings, result)};
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    swept.parts.push_back({name_of_vibration(settings, i), i});
+  }
+  return swept;
+}
+
+std::size_t loop_values(SweptCommand command, const Case& input) {
+  if (command == SweptCommand::vibration) {
+    const VibrationSettings& settings = *input.vibration;
+    // The solver that follows events has some more.
+    return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
+           static_cast<std::size_t>(settings.steps);
+  }
+  const ResultLayout layout = make_result_layout(input, experiment_of(command));
+  return layout.cycles.values.size() * layout.increments;
+}
+
+SweptResult not_begun(SweptCommand command, const Case& input, bool with_loops) {
+  switch (command) {
+    case SweptCommand::cycle:
+    case SweptCommand::strip: {
+      CycleResult result;
+      result.solver = input.solver.name;
+      result.experiment = experiment_of(command);
+      return swept_result(input, result, RunStatus::interrupted, with_loops);
+    }
+    case SweptCommand::vibration:
+      break;
+  }
+  return swept_result(input, vibrations_not_begun(*input.vibration), with_loops);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/io/sweep.hpp"
+#include "io/result_grid.hpp"
+
+namespace bumpfoil {
+
+/// A part of a result that tables of sweeps show by itself: a direction, a vibration.
+struct SweptPart {
+  std::string name;
+  std::size_t place{};  ///< among the values of the quantities with a heading
+};
+
+/// The result of a command, whichever it is, as sweeps take it.
+struct SweptResult {
+  RunStatus status{RunStatus::interrupted};
+  ResultGrid grid;
+  std::vector<SweptPart> parts;
+  std::string rows;              ///< of sweep.csv, under their header
+  nlohmann::ordered_json lists;  ///< of summary.json
+  std::vector<std::string> failures, warnings;
+};
+
+/// @param with_loops  whether the grid has them
+SweptResult swept_result(const Case& input, const CycleResult& result, RunStatus status, bool with_loops);
+SweptResult swept_result(const Case& input, const VibrationResult& result, bool with_loops);
+
+/// Points of all loops.
+std::size_t loop_values(SweptCommand command, const Case& input);
+
+/// That of a command that was not begun.
+SweptResult not_begun(SweptCommand command, const Case& input, bool with_loops);
+
+}  // namespace bumpfoil
