@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "support/bearing_cases.hpp"
 
@@ -50,6 +51,28 @@ TEST(RandomBearings, AreFollowedFromEventToEvent) {
     }
     EXPECT_LE(imbalance, 1e-9 * largest_work) << input.title;  // sums of some thousand pieces with roundings of 1e-16
   }
+}
+
+/// Under loads, too: where the journal could be followed all the way, loops do not depend on the increments.
+TEST(RandomBearings, AreFollowedUnderLoads) {
+  int followed = 0;
+  for (std::uint64_t number = 0; number < 24; ++number) {
+    Case input = random_case(number);
+    input.solver.name = SolverName::events;
+    input.cycle.amplitude = {Control::load, 20.0 + 15.0 * static_cast<double>(number)};
+    std::vector<Cycle> cycles;
+    for (const int steps : {3, 17}) {
+      input.cycle.steps = steps;
+      cycles.push_back(run_single_cycle(input, input.cycle.directions.front()));
+      EXPECT_EQ(first_failure(cycles.back()), "") << input.title;
+      ASSERT_TRUE(cycles.back().loop_energy) << input.title;
+    }
+    if (cycles[0].substeps > 0 || cycles[1].substeps > 0) continue;
+    ++followed;
+    const double work = cycles[0].turns.front().work;
+    EXPECT_NEAR(*cycles[0].loop_energy, *cycles[1].loop_energy, 1e-8 * work) << input.title;
+  }
+  EXPECT_GE(followed, 12);
 }
 
 TEST(RandomBearings, AreTheSameForTheSameNumberAndDifferOtherwise) {
