@@ -53,7 +53,9 @@ TEST(RandomBearings, AreFollowedFromEventToEvent) {
   }
 }
 
-/// Under loads, too: where the journal could be followed all the way, loops do not depend on the increments.
+/// Under loads, too: where the journal could be followed all the way, loops do not depend on the increments. Bearings
+/// that are squeezed when the journal is centred are left out: their way begins with the force that holds it there, and
+/// goes straight to the first load that is asked for.
 TEST(RandomBearings, AreFollowedUnderLoads) {
   int followed = 0;
   for (std::uint64_t number = 0; number < 24; ++number) {
@@ -67,12 +69,13 @@ TEST(RandomBearings, AreFollowedUnderLoads) {
       EXPECT_EQ(first_failure(cycles.back()), "") << input.title;
       ASSERT_TRUE(cycles.back().loop_energy) << input.title;
     }
-    if (cycles[0].substeps > 0 || cycles[1].substeps > 0) continue;
+    const bool squeezed = cycles[0].initial_journal_load > 0.0;
+    if (squeezed || cycles[0].substeps > 0 || cycles[1].substeps > 0) continue;
     ++followed;
     const double work = cycles[0].turns.front().work;
     EXPECT_NEAR(*cycles[0].loop_energy, *cycles[1].loop_energy, 1e-8 * work) << input.title;
   }
-  EXPECT_GE(followed, 12);
+  EXPECT_GE(followed, 6);
 }
 
 TEST(RandomBearings, AreTheSameForTheSameNumberAndDifferOtherwise) {

@@ -196,8 +196,13 @@ BearingVerdict judge_bearing(const Case& input, bool compared) {
   if (!compared || !converged(newton) || !converged(events)) return verdict;
   verdict.apart.emplace(distance(newton.forces, events.forces));
   if (*verdict.apart <= agreement) return verdict;
-  const Run refined = Push(input, foils, SolverName::newton).run(refinement);
-  if (converged(refined)) verdict.apart_refined.emplace(distance(refined.forces, events.forces));
+  for (const int parts : {8, 64}) {
+    const Run refined = Push(input, foils, SolverName::newton).run(parts);
+    verdict.apart_refined.reset();
+    if (!converged(refined)) break;
+    verdict.apart_refined.emplace(distance(refined.forces, events.forces));
+    if (*verdict.apart_refined <= agreement) break;
+  }
   return verdict;
 }
 

@@ -25,15 +25,14 @@ struct SolverVerdict {
 
 struct BearingVerdict {
   SolverVerdict newton, events;
-  /// Largest difference of their forces, as part of the largest force; absent unless both were asked for and converged.
+  /// Largest difference of their forces, as part of the largest force; absent unless they are compared and converged.
   std::optional<double> apart;
-  std::optional<double> apart_refined;  ///< the same with increments that are cut into `refinement` for newton
+  /// The same with increments of `newton` cut small enough for them to agree, or as small as is tried; absent where
+  /// they agree at once, or `newton` fails then.
+  std::optional<double> apart_refined;
 };
 
-/// Parts of increments with which solvers that differ are compared again.
-inline constexpr int refinement = 8;
-
-/// Solvers are taken to agree below this part of the largest force without a second look.
+/// Solvers agree below this part of the largest force.
 inline constexpr double agreement = 1e-2;
 
 /// Runs a drawn bearing with both solvers.

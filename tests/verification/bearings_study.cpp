@@ -51,7 +51,7 @@ void tell(const BearingVerdict& verdict, std::uint64_t number, Tally& tally) {
   if (*verdict.apart <= agreement) return;
   ++tally.refined;
   if (verdict.apart_refined) tally.apart_refined = std::max(tally.apart_refined, *verdict.apart_refined);
-  if (verdict.apart_refined && *verdict.apart_refined < 0.5 * *verdict.apart) return;
+  if (verdict.apart_refined.value_or(HUGE_VAL) <= agreement) return;
   ++tally.parted;
   fmt::print("{} solvers part: {:.2g} of the largest force, {:.2g} with smaller increments\n", number, *verdict.apart,
              verdict.apart_refined.value_or(HUGE_VAL));

@@ -17,7 +17,7 @@ TEST(DrawnBearings, AreResolvedAndNoneIsWronglyCalledConverged) {
     EXPECT_EQ(verdict.newton.substeps, 0) << input.title;
     EXPECT_EQ(verdict.apart.has_value(), number % 10 == 0);
     if (verdict.apart.value_or(0.0) > agreement) {
-      EXPECT_LT(verdict.apart_refined.value_or(1.0), 0.5 * *verdict.apart) << input.title;
+      EXPECT_LE(verdict.apart_refined.value_or(1.0), agreement) << input.title;
     }
   }
 }
