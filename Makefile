@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo paper test test-sanitized lint bench bench-peers verify-fe verify-siconos format clean
+.PHONY: help demo paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -32,6 +32,11 @@ paper: ## reproduce the studies of the source paper, and further ones, with pict
 	build/release/bumpfoil reproduce -o results/paper --all --force
 	echo
 	echo "Results: $(CURDIR)/results/paper"
+
+tolerances: ## scatter of heights, thicknesses, clearance, friction: data and page; TOLERANCES="--heights N --others N"
+	@scripts/require_packages.sh build test
+	$(call BUILD,release)
+	/usr/bin/python3 -B studies/tolerances/ensembles.py build/release/bumpfoil results/tolerances $(TOLERANCES)
 
 test: ## install what is missing, build with assertions armed, run every test
 	@scripts/require_packages.sh build plot test
