@@ -10,13 +10,17 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/ensemble_layout.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "io/binary_file.hpp"
 #include "io/case_json.hpp"
+#include "io/ensemble_reader.hpp"
 #include "io/report_names.hpp"
 #include "io/result_reader.hpp"
+#include "io/shown_samples.hpp"
 #include "io/summary_reader.hpp"
 #include "io/vibration_quantities.hpp"
 
@@ -30,6 +34,9 @@ constexpr std::string_view advice = "give the folder of a run, such as `bumpfoil
 
 /// What a report shows of the summary of numbers that result.nc or sweep.nc has.
 constexpr std::array summary_head{"schema", "command", "case", "version", "commit", "solver", "status"};
+/// And of that of an ensemble, whose statistics stand nowhere else.
+constexpr std::array ensemble_summary_parts{"samples_due",   "samples", "statistics", "bump_loads",
+                                            "sensitivities", "limits",  "yield"};
 
 [[noreturn]] void refuse_damaged(const fs::path& path, std::string what) {
   throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is damaged: " + std::move(what),
@@ -94,6 +101,56 @@ Json quantities_json(const Json& result, const Json& summary) {
   return json;
 }
 
+/// Of what a report may hold, the part that the bearings of an ensemble take: their page is to stay small.
+constexpr std::size_t part_of_samples = 4;
+
+/// The quantities and the first bearings of an ensemble.
+/// @param name  of ensemble.nc in messages
+Json ensemble_json(const Json& result, const std::string& name, std::size_t samples, std::size_t most_values) {
+  const auto input = [&] {
+    try {
+      return parse_case(result["attributes"].value("case_understood", ""), name);
+    } catch (const Error&) {
+      refuse_damaged(name, "the case in it cannot be read");
+    }
+  }();
+  if (!input.montecarlo) refuse_damaged(name, "the case in it has no ensemble");
+  Json quantities = Json::array();
+  for (const EnsembleColumn& column : make_ensemble_layout(input).columns) {
+    if (column.label.empty()) continue;
+    quantities.push_back({{"name", column.name},
+                          {"key", key_of(column.name, column.unit)},
+                          {"label", column.label},
+                          {"unit", column.unit == "1" ? "" : column.unit},
+                          {"whole", false},
+                          {"of_solver", false},
+                          {"meaning", column.long_name}});
+  }
+  return {{"quantities", quantities},
+          {"samples", run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples)}};
+}
+
+/// What of a summary a report shows.
+Json summary_shown(const Json& summary, const std::string& kind) {
+  if (has_cycles(kind)) return summary;
+  Json shown = Json::object();
+  for (const char* key : summary_head) shown[key] = summary[key];
+  if (!has_distributions(kind)) return shown;
+  for (const char* key : ensemble_summary_parts) {
+    if (summary.contains(key)) shown[key] = summary[key];
+  }
+  return shown;
+}
+
+/// The file of numbers in a folder: each command has one.
+const char* result_name_in(const fs::path& folder) {
+  std::error_code code;
+  for (const char* name : {"ensemble.nc", "sweep.nc"}) {
+    if (fs::exists(published_file(folder, name), code)) return name;
+  }
+  return "result.nc";
+}
+
 /// What a folder shows. @throws Error (file)
 Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOptions& options) {
   const auto refuse = [&folder](std::string what) {
@@ -105,8 +162,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   complete_publication_quietly(folder);
   const auto has = [&](const char* name) { return fs::exists(published_file(folder, name), code); };
   const auto read = [&folder](const char* name) { return read_binary_file(published_file(folder, name)); };
-  if (has("ensemble.nc")) refuse("holds an ensemble of `bumpfoil montecarlo`, which reports cannot show");
-  const char* result_name = has("sweep.nc") ? "sweep.nc" : "result.nc";
+  const char* result_name = result_name_in(folder);
   for (const char* name : {result_name, "summary.json"}) {
     if (!has(name)) refuse(fmt::format("holds no results: {} is missing", name));
   }
@@ -133,13 +189,14 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   Json& attributes = result["attributes"];
   attributes.erase("history");  // the date and the command line again
   attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
-  Json run{{"summary", summary.json}};
-  if (!has_cycles(result["kind"].get<std::string>())) {
-    run["summary"] = Json::object();
-    for (const char* key : summary_head) run["summary"][key] = summary.json[key];
-  }
+  const auto kind = result["kind"].get<std::string>();
+  Json run{{"summary", summary_shown(summary.json, kind)}};
   run.update(result);
-  run["quantities"] = quantities_json(result, summary.json);
+  if (has_distributions(kind)) {
+    run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
+  } else {
+    run["quantities"] = quantities_json(result, summary.json);
+  }
   return run;
 }
 

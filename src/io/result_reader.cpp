@@ -13,6 +13,7 @@
 
 #include "bumpfoil/core/printable.hpp"
 #include "io/base64.hpp"
+#include "io/ensemble_reader.hpp"
 #include "io/grid_reader.hpp"
 #include "io/netcdf_image.hpp"
 
@@ -227,18 +228,28 @@ Json read_cycles(const NetcdfImage& file, const std::string& kind, std::size_t m
 }  // namespace
 
 bool is_shown(std::string_view kind) {
-  return has_cycles(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
+  return has_cycles(kind) || has_distributions(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {
   return kind == "cycle" || kind == "strip";
 }
 
+bool has_distributions(std::string_view kind) {
+  return kind == "montecarlo";
+}
+
 Json read_result(std::string bytes, const std::string& name, std::size_t most_values) {
   const NetcdfImage file(std::move(bytes), name);
   const std::string kind = kind_of(file);
   Json result{{"kind", kind}, {"attributes", file.texts()}};
-  result.update(has_cycles(kind) ? read_cycles(file, kind, most_values) : read_grid(file, most_values));
+  if (has_cycles(kind)) {
+    result.update(read_cycles(file, kind, most_values));
+  } else if (has_distributions(kind)) {
+    result.update(read_distributions(file));
+  } else {
+    result.update(read_grid(file, most_values));
+  }
   return result;
 }
 

@@ -81,7 +81,36 @@ class SummaryChecker {
     if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");
   }
 
+  /// Statistics by direction, and how many samples keep which limits.
+  void check_ensemble(const Json& summary) const {
+    for (const char* key : {"samples", "samples_due"}) {
+      if (!at(summary, key).is_number_unsigned()) refuse(key, "is no whole number");
+    }
+    for (const char* key : {"statistics", "bump_loads", "sensitivities"}) {
+      const Json& directions = at(summary, key);
+      const bool tables =
+          directions.is_object() && std::all_of(directions.begin(), directions.end(), [](const Json& one) {
+            return std::all_of(one.begin(), one.end(), [](const Json& part) { return part.is_structured(); });
+          });
+      if (!tables) refuse(key, "is no table by direction");
+    }
+    if (!at(summary, "limits").is_array()) refuse("limits", "is no list");
+    for (const Json& limit : summary["limits"]) {
+      static_cast<void>(text(limit, "limit"));
+      check_yield(limit);
+    }
+    if (summary.contains("yield")) check_yield(summary["yield"]);
+  }
+
  private:
+  void check_yield(const Json& yield) const {
+    for (const char* key : {"passed", "samples"}) {
+      if (!at(yield, key).is_number_unsigned()) refuse(key, "is no whole number");
+    }
+    const Json& interval = at(yield, "interval_95");
+    if (!interval.is_array() || interval.size() != 2) refuse("interval_95", "is no interval");
+  }
+
   void check_value(const std::string& key, const Json& value, const Form& form) const {
     if (value.is_null()) return;
     switch (form.kind) {
@@ -128,6 +157,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
     if (!checker.at(json, "cycles").is_array()) checker.refuse("cycles", "is no list");
     for (const Json& cycle : json["cycles"]) checker.check_cycle(cycle, experiment_of(command));
   }
+  if (has_distributions(command)) checker.check_ensemble(json);
   // Version 0.1 had none of them.
   if (json.contains("run_id") || json.contains("files") || json.contains("xxh3_128")) {
     summary.xxh3_128 = checker.text(json, "xxh3_128");
@@ -148,6 +178,10 @@ void match_runs(const StoredSummary& summary, Json& result, const std::string& n
   require(summary.json["command"] == result["kind"], "command");
   require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
   const auto kind = result["kind"].get<std::string>();
+  if (has_distributions(kind)) {
+    require(summary.json["statistics"].size() == result["directions"].size(), "statistics");
+    require(summary.json["samples"] == result["sample_count"], "samples");
+  }
   if (!has_cycles(kind)) return;
   const std::string place_key(cycle_key(experiment_of(kind)));
   const Json& cycles = summary.json["cycles"];

@@ -4,6 +4,7 @@ import { glossary } from './tables/glossary';
 import { el } from './ui/dom';
 import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
+import { ensembleView } from './views/ensembles';
 import { loopView } from './views/loops';
 import { pathView } from './views/paths';
 import { sweepView } from './views/sweeps';
@@ -21,6 +22,7 @@ import './style/print.css';
 const views: Record<string, MakeView> = {
   cycle: loopView,
   strip: loopView,
+  montecarlo: ensembleView,
   path: pathView,
   sweep: sweepView,
   vibration: vibrationView,

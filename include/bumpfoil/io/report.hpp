@@ -31,7 +31,7 @@ struct ReadingOptions {
 /// `name` (the last parts of its path, as many as it takes to tell the folders apart), `kind` (the command that wrote
 /// it), `attributes` (global texts of result.nc, without paths of the machine), `summary`, and `quantities` (`name`,
 /// `key` in the summary, `label`, `unit`, `whole`, `of_solver`, `meaning` of each that tables show). Values are base64
-/// of little-endian binary32, flags of signed bytes; NaN and -127 stand for what is absent. The rest is one of two:
+/// of little-endian binary32, flags of signed bytes; NaN and -127 stand for what is absent. The rest is one of three:
 ///
 /// Cycles (`cycle`, `strip`): `summary` is summary.json as it is; `meanings` (`unit` and `text` of the variables of
 /// cycles and increments, as result.nc says them), `geometry` (variables without increments: a number, or one per bump
@@ -45,6 +45,12 @@ struct ReadingOptions {
 /// Grids (`path`, `sweep`, `vibration`): `summary` is what summary.json begins with, up to the status; `dimensions`
 /// (sizes by name), `variables` (by name: `dims`, the last running fastest, `unit`, `text`, `words` of flags, `values`,
 /// all binary32) and `left_out` (names of those that were too large).
+///
+/// Ensembles (`montecarlo`): `summary` has the statistics of summary.json as well; `directions` in degrees,
+/// `sample_count`, and `distributions` by the names of quantities: `unit`, `text`, `from` and `to` (the least and the
+/// largest number of all directions), for each direction `counts` (samples in intervals of equal width between these)
+/// and `first` (numbers of the first samples, null where they are not known). `samples` are these first bearings as
+/// cycles, run again.
 ///
 /// Variables go by their dimensions, so that new ones need no code here.
 ///

@@ -53,6 +53,8 @@ export interface LoopPanelContents {
   curves: () => Curve[];
   /** Those of them that are told apart. */
   focus: () => Curve[];
+  /** What tells them apart; the runs that are compared without it. */
+  legend?: () => LegendEntry[];
 }
 
 /** Force over displacement: the hysteresis cycles of several directions or runs, linked with the bearing. */
@@ -71,6 +73,7 @@ export class LoopPanel {
     private readonly contents: LoopPanelContents,
     private readonly comparison: Comparison,
   ) {
+    const { legend = (): LegendEntry[] => runLegend(comparison) } = contents;
     this.forces = forcesOf(at(comparison.runs, 0));
     this.force = at(this.forces, 0);
     this.read();
@@ -86,7 +89,7 @@ export class LoopPanel {
         note: 'Click a point of a loop to see the foils there.',
         controls: this.forces.length > 1 ? [this.chooser()] : [],
         subject: () => `${this.force.title} over displacement · ${comparison.names}`,
-        legend: () => [branchSample(true), branchSample(false), ...runLegend(comparison)],
+        legend: () => [branchSample(true), branchSample(false), ...legend()],
         file: () => fileName('loops', this.force.name, comparison.names, ...new Set(this.curves.map((curve) => curve.cycle.name))),
         drawing: () => this.chart.drawing,
         csv: () => this.csv(),

@@ -43,6 +43,32 @@ export interface GridData extends ResultData {
   left_out: string[];
 }
 
+/** Bearings within their tolerances. */
+export interface EnsembleData extends ResultData {
+  summary: EnsembleSummary;
+  /** Degrees, in the order of the case; all else by direction is in the same order. */
+  directions: number[];
+  sample_count: number;
+  /** By the names of quantities. */
+  distributions: Record<string, DistributionData>;
+  /** The first bearings as cycles; without those that are none. */
+  samples: SampleData[];
+}
+
+export type SampleData = Omit<RunData, 'quantities'> & { sample: number };
+
+export interface DistributionData {
+  unit: string;
+  text: string;
+  /** The least and the largest number of all directions; null where none is known. */
+  from: number | null;
+  to: number | null;
+  /** For each direction, samples in intervals of equal width between these. */
+  counts: number[][];
+  /** For each direction, numbers of the first samples. */
+  first: (number | null)[][];
+}
+
 export interface VariableData {
   /** The last runs fastest. */
   dims: string[];
@@ -101,6 +127,36 @@ export interface SummaryHead {
 
 export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
+}
+
+/** By direction: "+X". */
+export interface EnsembleSummary extends SummaryHead {
+  samples: number;
+  samples_due: number;
+  /** By the keys of quantities. */
+  statistics: Record<string, Record<string, StatisticsData>>;
+  bump_loads: Record<string, { mean_N?: (number | null)[]; std_N?: (number | null)[] }>;
+  /** By the names of quantities, and of what scatters: one per bump for heights. */
+  sensitivities: Record<string, Record<string, Record<string, number | null | (number | null)[]>>>;
+  limits: (YieldData & { limit: string })[];
+  yield?: YieldData;
+}
+
+export interface StatisticsData {
+  count: number;
+  undefined: number;
+  mean: number | null;
+  std: number | null;
+  standard_error: number | null;
+  mean_interval_95: (number | null)[];
+  /** And percentiles: p1, p5, ... */
+  [key: string]: number | null | (number | null)[];
+}
+
+export interface YieldData {
+  passed: number;
+  samples: number;
+  interval_95: number[];
 }
 
 export interface CycleSummary {

@@ -16,7 +16,7 @@ function familyText({ family }: Comparison, run: Run): string {
 }
 
 /** What the colours of a family stand for. */
-function scale(comparison: Comparison): HTMLElement[] {
+export function familyScale(comparison: Comparison): HTMLElement[] {
   const { family } = comparison;
   if (!family) return [];
   const numbers = [...family.values.values()];
@@ -68,7 +68,7 @@ export function runChooser(comparison: Comparison): HTMLElement {
       colour.style.backgroundColor = comparison.colour(run, look());
       words.textContent = [nameOf(comparison, run), familyText(comparison, run), run.outcome].filter((text) => text !== '').join(' · ');
     }
-    scalePlace.replaceChildren(...scale(comparison));
+    scalePlace.replaceChildren(...familyScale(comparison));
     tell();
   };
   const colours = dropDown(

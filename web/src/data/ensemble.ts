@@ -1,0 +1,93 @@
+import type { CaseKeys, DistributionData, EnsembleData, Quantity, StatisticsData } from './format';
+import { directionName } from './kinds';
+import { Result } from './result';
+import { capital, Run } from './run';
+
+/** Percentiles that statistics have, %. */
+export const percentiles = [1, 5, 25, 50, 75, 95, 99] as const;
+
+/** Something that scatters, and how much quantities depend on it. */
+export interface Factor {
+  text: string;
+  /** Partial rank correlation with a quantity in a direction, -1 to 1; NaN where too few samples tell. */
+  correlation: (quantity: string, direction: number) => number;
+}
+
+/** Bearings within their tolerances. Directions go by their places. */
+export class Ensemble extends Result<EnsembleData> {
+  /** The first bearings, to be looked at. */
+  readonly runs: Run[];
+  private readonly numbers = new Map<Run, number>();
+
+  constructor(data: EnsembleData) {
+    super(data);
+    this.runs = data.samples.map((sample) => {
+      const run = new Run({ ...sample, quantities: [] });
+      this.numbers.set(run, sample.sample);
+      return run;
+    });
+  }
+
+  get directions(): string[] {
+    return this.data.directions.map(directionName);
+  }
+
+  get quantities(): Quantity[] {
+    return this.data.quantities.filter(({ name }) => this.distribution(name) !== undefined);
+  }
+
+  distribution(name: string): DistributionData | undefined {
+    return this.data.distributions[name];
+  }
+
+  statistics({ key }: Quantity, direction: number): StatisticsData | undefined {
+    return this.byDirection(this.data.summary.statistics, direction)?.[key];
+  }
+
+  bumpLoads(direction: number): { mean: number[]; deviation: number[] } {
+    const loads = this.byDirection(this.data.summary.bump_loads, direction);
+    return { mean: numbersOf(loads?.mean_N), deviation: numbersOf(loads?.std_N) };
+  }
+
+  /** Of the heights of the bumps one each, from the weld on; none where they do not scatter. */
+  get heightFactors(): Factor[] {
+    const heights = (quantity: string, direction: number): number[] => numbersOf(this.sensitivity(quantity, direction)['bump_height']);
+    const count = Math.max(0, ...this.quantities.map(({ name }) => heights(name, 0).length));
+    return Array.from({ length: count }, (_, bump) => ({
+      text: String(bump + 1),
+      correlation: (quantity, direction) => heights(quantity, direction)[bump] ?? NaN,
+    }));
+  }
+
+  /** Of what is common to a bearing. */
+  commonFactors(keys: CaseKeys): Factor[] {
+    const names = new Set(this.quantities.flatMap(({ name }) => Object.keys(this.sensitivity(name, 0))));
+    names.delete('bump_height');
+    return [...names].map((name) => ({
+      text: titleOf(name, keys),
+      correlation: (quantity, direction) => numbersOf([this.sensitivity(quantity, direction)[name]])[0] ?? NaN,
+    }));
+  }
+
+  /** The number that one of the first bearings has of a quantity. */
+  numberOf(run: Run, quantity: string, direction: number): number {
+    return numbersOf(this.distribution(quantity)?.first[direction])[this.numbers.get(run) ?? -1] ?? NaN;
+  }
+
+  private sensitivity(quantity: string, direction: number): Record<string, number | null | (number | null)[]> {
+    return this.byDirection(this.data.summary.sensitivities, direction)?.[quantity] ?? {};
+  }
+
+  private byDirection<T>(table: Record<string, T>, direction: number): T | undefined {
+    return Object.values(table)[direction];
+  }
+}
+
+function numbersOf(list: unknown): number[] {
+  return Array.isArray(list) ? list.map((number) => (typeof number === 'number' ? number : NaN)) : [];
+}
+
+/** Of "Scatter of the bump length", as the case file calls it, what scatters. */
+function titleOf(name: string, keys: CaseKeys): string {
+  return capital((keys[`montecarlo.${name}`]?.title ?? name.replaceAll('_', ' ')).replace(/^Scatter of (the )?/, ''));
+}
