@@ -32,9 +32,9 @@ struct ReportOptions {
 void check_output(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders) {
   std::error_code code;
   for (const std::filesystem::path& folder : folders) {
-    for (const char* name :
-         {"summary.json", "result.nc", "cycle.csv", "strip.csv", "path.csv", "sweep.nc", "sweep.csv", "ensemble.nc",
-          "ensemble.checkpoint", "vibration.csv", "coefficients.csv", "coefficients.toml"}) {
+    for (const char* name : {"summary.json", "result.nc", "cycle.csv", "strip.csv", "path.csv", "equilibrium.csv",
+                             "film.csv", "sweep.nc", "sweep.csv", "ensemble.nc", "ensemble.checkpoint", "vibration.csv",
+                             "coefficients.csv", "coefficients.toml"}) {
       if (!std::filesystem::equivalent(path, folder / name, code)) continue;
       throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that the report is of",
                                      "give the page another name, such as report.html"}});

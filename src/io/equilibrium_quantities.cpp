@@ -285,6 +285,10 @@ std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing) {
   return quantities;
 }
 
+std::span<const RunningQuantity> all_running_quantities() {
+  return table;
+}
+
 std::span<const ColumnQuantity> column_quantities() {
   return column_table;
 }

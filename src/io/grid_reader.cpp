@@ -22,7 +22,6 @@ double size_of(const StoredVariable& variable) {
   return std::accumulate(variable.extents.begin(), variable.extents.end(), 1.0, std::multiplies<>());
 }
 
-/// What single bumps and feet do is not drawn of grids.
 bool is_of_nodes(const StoredVariable& variable) {
   return std::any_of(variable.dims.begin(), variable.dims.end(),
                      [](const std::string& dim) { return dim == "bump" || dim == "foot"; });
@@ -30,11 +29,8 @@ bool is_of_nodes(const StoredVariable& variable) {
 
 /// As few of the largest as it takes are left out, and with them those of the same size: one coordinate of a loop says
 /// nothing without the other.
-std::vector<const StoredVariable*> those_that_fit(const NetcdfImage& file, std::size_t most_values) {
-  std::vector<const StoredVariable*> variables;
-  for (const auto& [name, variable] : file.variables()) {
-    if (!is_of_nodes(variable)) variables.push_back(&variable);
-  }
+std::vector<const StoredVariable*> those_that_fit(std::vector<const StoredVariable*> variables,
+                                                  std::size_t most_values) {
   std::stable_sort(variables.begin(), variables.end(),
                    [](const StoredVariable* a, const StoredVariable* b) { return size_of(*a) < size_of(*b); });
   double values = 0.0;
@@ -59,16 +55,20 @@ Json variable_json(const NetcdfImage& file, const StoredVariable& variable) {
 
 }  // namespace
 
-Json read_grid(const NetcdfImage& file, std::size_t most_values) {
+Json read_grid(const NetcdfImage& file, std::size_t most_values, Nodes nodes) {
+  std::vector<const StoredVariable*> shown;
+  for (const auto& [name, variable] : file.variables()) {
+    if (nodes == Nodes::read || !is_of_nodes(variable)) shown.push_back(&variable);
+  }
   Json variables = Json::object();
   Json dimensions = Json::object();
-  for (const StoredVariable* variable : those_that_fit(file, most_values)) {
+  for (const StoredVariable* variable : those_that_fit(shown, most_values)) {
     variables[variable->name] = variable_json(file, *variable);
     for (std::size_t i = 0; i < variable->dims.size(); ++i) dimensions[variable->dims[i]] = variable->extents[i];
   }
   Json left_out = Json::array();
-  for (const auto& [name, variable] : file.variables()) {
-    if (!is_of_nodes(variable) && !variables.contains(name)) left_out.push_back(name);
+  for (const StoredVariable* variable : shown) {
+    if (!variables.contains(variable->name)) left_out.push_back(variable->name);
   }
   return {{"dimensions", dimensions}, {"variables", variables}, {"left_out", left_out}};
 }

@@ -13,6 +13,7 @@
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/ensemble_layout.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "io/binary_file.hpp"
@@ -70,10 +71,13 @@ Json quantity_json(const Quantity& quantity, const std::string& label, const Jso
           {"meaning", meaning_of(result, std::string(quantity.name))}};
 }
 
-Json vibration_quantities_json(const Json& result) {
+/// Labels that belong under another one on the terminal are told by their names here.
+template <typename Quantities>
+Json grid_quantities_json(const Quantities& quantities, const Json& result) {
   Json json = Json::array();
-  for (const VibrationQuantity& quantity : vibration_quantities()) {
-    std::string label(quantity.label.empty() ? quantity.name : quantity.label);
+  for (const auto& quantity : quantities) {
+    const bool own = !quantity.label.empty() && !quantity.label.starts_with(' ');
+    std::string label(own ? quantity.label : quantity.name);
     std::replace(label.begin(), label.end(), '_', ' ');
     json.push_back(quantity_json(quantity, label, result));
     json.back()["of_solver"] = false;
@@ -85,7 +89,8 @@ Json vibration_quantities_json(const Json& result) {
 Json quantities_json(const Json& result, const Json& summary) {
   // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
-  if (command == "vibration") return vibration_quantities_json(result);
+  if (command == "vibration") return grid_quantities_json(vibration_quantities(), result);
+  if (has_states(command)) return grid_quantities_json(all_running_quantities(), result);
   const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
                                 : command == name_of(Experiment::path) ? Experiment::path
                                                                        : Experiment::cycle;
@@ -135,6 +140,7 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   if (has_cycles(kind)) return summary;
   Json shown = Json::object();
   for (const char* key : summary_head) shown[key] = summary[key];
+  if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
   if (!has_distributions(kind)) return shown;
   for (const char* key : ensemble_summary_parts) {
     if (summary.contains(key)) shown[key] = summary[key];

@@ -228,7 +228,8 @@ Json read_cycles(const NetcdfImage& file, const std::string& kind, std::size_t m
 }  // namespace
 
 bool is_shown(std::string_view kind) {
-  return has_cycles(kind) || has_distributions(kind) || kind == "path" || kind == "sweep" || kind == "vibration";
+  return has_cycles(kind) || has_distributions(kind) || has_states(kind) || kind == "path" || kind == "sweep" ||
+         kind == "vibration";
 }
 
 bool has_cycles(std::string_view kind) {
@@ -237,6 +238,10 @@ bool has_cycles(std::string_view kind) {
 
 bool has_distributions(std::string_view kind) {
   return kind == "montecarlo";
+}
+
+bool has_states(std::string_view kind) {
+  return kind == "equilibrium" || kind == "film";
 }
 
 Json read_result(std::string bytes, const std::string& name, std::size_t most_values) {
@@ -248,7 +253,7 @@ Json read_result(std::string bytes, const std::string& name, std::size_t most_va
   } else if (has_distributions(kind)) {
     result.update(read_distributions(file));
   } else {
-    result.update(read_grid(file, most_values));
+    result.update(read_grid(file, most_values, has_states(kind) ? Nodes::read : Nodes::left_out));
   }
   return result;
 }

@@ -17,6 +17,9 @@ bool has_cycles(std::string_view command);
 /// over some dimensions.
 bool has_distributions(std::string_view command);
 
+/// Whether these are states of a running bearing, of which single bumps and feet are drawn.
+bool has_states(std::string_view command);
+
 /// What a report shows of result.nc, sweep.nc or ensemble.nc: `kind`, `attributes` and what there is of cycles, of
 /// distributions or of other numbers, see report_json. Whatever the file declares is compared with its size and with
 /// the rest of it before it is used.

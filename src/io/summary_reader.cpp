@@ -102,6 +102,19 @@ class SummaryChecker {
     if (summary.contains("yield")) check_yield(summary["yield"]);
   }
 
+  /// Lift-off speeds and load capacities, between two points each.
+  void check_running_limits(const Json& limits) const {
+    if (!limits.is_array()) refuse("limits", "is no list");
+    for (const Json& limit : limits) {
+      for (const char* key : {"kind", "status"}) static_cast<void>(text(limit, key));
+      for (const char* side : {"thick", "thin"}) {
+        for (const char* key : {"speed_rad_per_s", "load_x_N", "load_y_N"}) {
+          if (!at(at(limit, side), key).is_number()) refuse(key, "is no number");
+        }
+      }
+    }
+  }
+
  private:
   void check_yield(const Json& yield) const {
     for (const char* key : {"passed", "samples"}) {
@@ -158,6 +171,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
     for (const Json& cycle : json["cycles"]) checker.check_cycle(cycle, experiment_of(command));
   }
   if (has_distributions(command)) checker.check_ensemble(json);
+  if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
   // Version 0.1 had none of them.
   if (json.contains("run_id") || json.contains("files") || json.contains("xxh3_128")) {
     summary.xxh3_128 = checker.text(json, "xxh3_128");

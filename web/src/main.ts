@@ -5,6 +5,7 @@ import { el } from './ui/dom';
 import { roving } from './ui/roving';
 import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
 import { ensembleView } from './views/ensembles';
+import { equilibriumView } from './views/equilibria';
 import { loopView } from './views/loops';
 import { pathView } from './views/paths';
 import { sweepView } from './views/sweeps';
@@ -22,6 +23,8 @@ import './style/print.css';
 const views: Record<string, MakeView> = {
   cycle: loopView,
   strip: loopView,
+  equilibrium: equilibriumView,
+  film: equilibriumView,
   montecarlo: ensembleView,
   path: pathView,
   sweep: sweepView,

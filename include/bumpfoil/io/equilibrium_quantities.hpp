@@ -30,6 +30,9 @@ struct RunningQuantity {
 /// In the order of files and tables: of a bearing with foils, or of one with a wall in their place.
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing);
 
+/// Of bearings of either kind.
+std::span<const RunningQuantity> all_running_quantities();
+
 /// The value in files: not a number for a state that was not found, unless the quantity is `asked`.
 double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
 

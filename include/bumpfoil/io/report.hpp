@@ -42,7 +42,8 @@ struct ReadingOptions {
 /// the displacements give, and the friction at the journal, which is zero. Of stresses per node `series` has the
 /// largest at every increment.
 ///
-/// Grids (`path`, `sweep`, `vibration`): `summary` is what summary.json begins with, up to the status; `dimensions`
+/// Grids (`equilibrium`, `film`, `path`, `sweep`, `vibration`): `summary` is what summary.json begins with, up to the
+/// status, and its `limits`; `dimensions`
 /// (sizes by name), `variables` (by name: `dims`, the last running fastest, `unit`, `text`, `words` of flags, `values`,
 /// all binary32) and `left_out` (names of those that were too large).
 ///

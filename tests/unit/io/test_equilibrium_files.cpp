@@ -6,7 +6,9 @@
 #include <netcdf>
 #include <nlohmann/json.hpp>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/report.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -146,6 +148,28 @@ TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
   ASSERT_GE(warnings.size(), 3U);
   EXPECT_NE(warnings[0].find("2 times on the way"), std::string::npos);
   EXPECT_NE(warnings[1].find("the top foil yields: its bending stress reaches"), std::string::npos);
+}
+
+TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
+  const testing::TemporaryFolder folder;
+  std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  for (const ResultFile& file : files) folder.write(file.name, file.contents);
+  const json run = json::parse(report_json({folder.path()})).at("runs").at(0);
+  EXPECT_EQ(run.at("kind"), "equilibrium");
+  EXPECT_TRUE(run.at("summary").at("limits").empty());
+  EXPECT_TRUE(run.at("left_out").empty());
+  const json& variables = run.at("variables");
+  EXPECT_EQ(variables.at("pressure").at("dims"), (json{"state", "row", "column"}));
+  EXPECT_EQ(variables.at("normal_force_top_bump").at("dims"), (json{"state", "bump"}));
+  EXPECT_EQ(variables.at("state_bump_sleeve").at("dims"), (json{"state", "foot"}));
+  for (const json& quantity : run.at("quantities")) {
+    EXPECT_TRUE(variables.contains(quantity.at("name"))) << quantity;
+    EXPECT_NE(quantity.at("label").get<std::string>().front(), ' ') << quantity;
+  }
+  json summary = json::parse(files[2].contents);
+  summary["limits"] = {{{"kind", "load_capacity"}, {"status", "converged"}, {"thick", json::object()}}};
+  folder.write("summary.json", summary.dump());
+  EXPECT_THROW(report_json({folder.path()}, {.checked = false}), Error);
 }
 
 }  // namespace

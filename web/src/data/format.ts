@@ -125,6 +125,27 @@ export interface SummaryHead {
   status: string;
 }
 
+/** Where the film of a running bearing becomes too thin, between two points on a path. */
+export interface LimitData {
+  kind: string;
+  status: string;
+  speed_rad_per_s?: number | null;
+  load_N?: number | null;
+  thick: LimitPoint;
+  thin: LimitPoint;
+}
+
+export interface LimitPoint {
+  speed_rad_per_s: number;
+  load_x_N: number;
+  load_y_N: number;
+  h_min_m: number | null;
+}
+
+export interface StatesSummary extends SummaryHead {
+  limits?: LimitData[];
+}
+
 export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
 }

@@ -1,0 +1,165 @@
+// Reports of running bearings in a browser: film, bumps and curves are those of equilibrium.csv and summary.json, paths are
+// compared, and what was not found is told.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { assertFits, axeFindings, folder, near, paper, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
+
+const mesh = ['film.columns_per_pitch=4', 'film.rows=6'];
+
+function equilibrium(name, pairs, options = [], exitCode = 0) {
+  return run(['equilibrium', runningFile, '-o', join(folder, name), ...[...mesh, ...pairs].flatMap((pair) => ['--set', pair]), ...options], exitCode);
+}
+
+before(() => {
+  equilibrium('grid', ['equilibrium.speeds=["30000 rpm", "45000 rpm"]', 'equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"], ["80 N", "0 N"]]']);
+  equilibrium('back', ['equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"], ["20 N", "0 N"]]']);
+  equilibrium('paths', ['equilibrium.loads=[["50 N", "0 N"]]'], ['--paths']);
+  equilibrium('failed', ['equilibrium.loads=[["20 N", "0 N"], ["5000 N", "0 N"]]', 'title=</script><b>x</b>'], [], 3);
+  equilibrium('limits', ['film.h_lift_off="5 um"', 'equilibrium.loads=[["50 N", "0 N"]]'], ['--limits']);
+  run(['film', runningFile, '-o', join(folder, 'rigid'), ...[...mesh, 'film.closed=true', 'equilibrium.path=position_ray', 'equilibrium.loads=[]', 'equilibrium.positions=[["10 um", "0 um"], ["15 um", "0 um"]]'].flatMap((pair) => ['--set', pair])]);
+  for (const name of ['limits', 'rigid', 'grid', 'back', 'paths', 'failed']) report(`${name}.html`, name);
+});
+
+const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'equilibrium.csv'), 'utf8'));
+const panelOf = (page, name) => page.getByRole('region', { name, exact: true });
+const shownIn = async (page, name) => rowsOf((await saved(page, name, /CSV/)).bytes.toString().replaceAll(/"\(([^"]*)\)[^"]*"/g, 'vector'));
+const chooser = (page, name) => page.getByRole('combobox', { name: `${name} looked at` });
+const rpm = (row) => Math.round((Number(row.speed_rad_per_s) * 30) / Math.PI);
+
+test('curves over speed and load are those of equilibrium.csv', () =>
+  withReport('grid.html', async (page) => {
+    for (const [panel, text, key] of [['Least film thickness', 'Least film thickness', 'h_min'], ['Where the journal is', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Kxx', 'kxx']]) {
+      await page.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(text);
+      const shown = await shownIn(page, panel);
+      assert.equal(shown.length, 6, panel);
+      const column = Object.keys(shown[0]).find((name) => name === key || name.startsWith(`${key}_`));
+      const expected = csvOf('grid');
+      const unit = Object.keys(expected[0]).find((name) => name === key || name.startsWith(`${key}_`));
+      const sorted = (values) => values.map(Number).sort((a, b) => a - b);
+      sorted(shown.map((row) => row[column])).forEach((value, i) => near(value, sorted(expected.map((row) => row[unit]))[i], 1e-5, `${panel} ${i}`));
+    }
+    // Over the load, a line for each speed.
+    await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Load to +X');
+    assert.deepEqual(await panelOf(page, 'Least film thickness').locator('.legend li').allTextContents(), ['Speed 30000 rpm', 'Speed 45000 rpm']);
+  }));
+
+test('film, bumps and journal are those of the state looked at', () =>
+  withReport('grid.html', async (page) => {
+    const states = summaryOf('grid').states;
+    let before = '';
+    for (const [speed, load] of [[30000, 20], [45000, 80]]) {
+      await chooser(page, 'Speed').selectOption(`${speed} rpm`);
+      await chooser(page, 'Load to +X').selectOption(`(${load}, 0) N`);
+      const index = csvOf('grid').findIndex((row) => rpm(row) === speed && Number(row.load_x_N) === load);
+      const state = states[index];
+      const pressure = (await shownIn(page, 'Pressure over the unwrapped foil')).map((row) => Number(row.pressure_Pa));
+      near(Math.max(...pressure), state.p_max_Pa, 1e-6, 'highest pressure');
+      near(Math.min(...pressure), state.p_min_Pa, 1e-6, 'lowest pressure');
+      const film = await shownIn(page, 'Film thickness and sag of the top foil');
+      const thin = film.reduce((least, row) => (Number(row.film_thickness_m) < Number(least.film_thickness_m) ? row : least));
+      near(Number(thin.film_thickness_m), state.h_min_m, 1e-6, 'least thickness');
+      near(Number(thin.theta_deg), state.h_min_theta_deg, 1e-5, 'its place');
+      const loads = await shownIn(page, 'Bump loads');
+      const sizes = loads.map((row) => Number(row.load_N));
+      near(Math.max(...sizes), state.highest_bump_load_N, 1e-6, 'highest load');
+      assert.equal(sizes.indexOf(Math.max(...sizes)) + 1, state.highest_loaded_bump);
+      assert.equal(sizes.filter((size) => size > 0).length, state.loaded_bumps);
+      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`lifted off ${26 - state.loaded_bumps} of 26, off ${state.lifted_bumps_at_entry} in a row`));
+      const journal = (await panelOf(page, 'The bearing at work').locator('.subject').textContent()).match(/journal at \((\S+ \S+), (\S+ \S+)\)/);
+      near(quantity(journal[1], 'm'), state.x_m, 1e-2, 'x');
+      near(quantity(journal[2], 'm'), state.y_m, 1e-2, 'y');
+      const drawn = await panelOf(page, 'The bearing at work').locator('svg.round').innerHTML();
+      assert.notEqual(drawn, before);
+      before = drawn;
+      // The force that holds the journal points to where the load presses it: to +X.
+      const polar = await panelOf(page, 'Film around the journal').locator('svg.round').innerHTML();
+      assert.doesNotMatch(polar + drawn, /NaN|undefined/);
+    }
+  }));
+
+test('the way there and back shows both states at a load', () =>
+  withReport('back.html', async (page) => {
+    assert.deepEqual(await chooser(page, 'Load to +X').locator('option').allTextContents(), ['(20, 0) N', '(50, 0) N', '(20, 0) N, time 2']);
+    const shown = await shownIn(page, 'Least film thickness');
+    csvOf('back').forEach((row, i) => near(Number(shown[i].h_min), Number(row.h_min_m), 1e-6, `state ${i}`));
+  }));
+
+test('paths to one state are compared', () =>
+  withReport('paths.html', async (page) => {
+    const rows = csvOf('paths');
+    const names = rows.map((row) => row.path.replaceAll('_', ' '));
+    assert.ok(new Set(names).size > 2);
+    assert.deepEqual(await chooser(page, 'Path').locator('option').allTextContents(), names);
+    const table = page.getByRole('region', { name: 'Results by state' });
+    const heads = await table.locator('thead th').allTextContents();
+    const column = heads.findIndex((head) => head.startsWith('Least film thickness'));
+    const unit = heads[column].split(' ').pop();
+    const cells = await table.locator('tbody tr').evaluateAll((lines) => lines.map((line) => [...line.children].map((cell) => cell.textContent)));
+    cells.forEach((row, i) => near(quantity(`${row[column]} ${unit}`, 'm'), Number(rows[i].h_min_m), 1e-3, names[i]));
+  }));
+
+test('lift-off speed and load capacity are those of summary.json', () =>
+  withReport('limits.html', async (page) => {
+    const [speed, load] = ['lift_off_speed', 'load_capacity'].map((kind) => summaryOf('limits').limits.find((one) => one.kind === kind));
+    const rows = await page.getByRole('group', { name: 'Table of limits' }).locator('tbody tr').evaluateAll((lines) => lines.map((line) => [...line.children].map((cell) => cell.textContent)));
+    const lift = rows.find(([name]) => name === 'Lift-off speed under (50, 0) N');
+    near(Number(lift[1].replace(' rpm', '')), (speed.speed_rad_per_s * 30) / Math.PI, 1e-5, 'lift-off speed');
+    near(quantity(lift[2], 'm'), speed.thick.h_min_m, 1e-3, 'thick side');
+    near(quantity(rows.find(([name]) => name === 'Load capacity at 45000 rpm')[1], 'N'), load.load_N, 1e-3, 'load capacity');
+  }));
+
+test('a film between walls has no foils to show', () =>
+  withReport('rigid.html', async (page) => {
+    await chooser(page, 'Position to +X').selectOption('(10, 0) µm');
+    const [state] = summaryOf('rigid').states;
+    const film = await shownIn(page, 'Film thickness');
+    near(Math.min(...film.map((row) => Number(row.film_thickness_m))), state.h_min_m, 1e-6, 'least thickness');
+    for (const name of ['Bump loads', 'The bearing at work']) assert.equal(await panelOf(page, name).count(), 0);
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
+
+test('what was not found is told', () =>
+  withReport('failed.html', async (page) => {
+    assert.equal(await page.locator('h1').textContent(), '</script><b>x</b>');
+    const told = await page.locator('.warnings').textContent();
+    assert.match(told, /The run failed; its results are partial/);
+    assert.match(told, /5000/);
+    await chooser(page, 'Load to +X').selectOption('(5, 0) kN');
+    for (const name of ['Pressure over the unwrapped foil', 'Bump loads', 'The bearing at work', 'Film around the journal']) {
+      assert.match(await panelOf(page, name).locator('.subject').textContent(), /not known: no state was found/);
+    }
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
+
+test('a click on a curve looks at its state, and pictures are complete', () =>
+  withReport('grid.html', async (page) => {
+    const panel = panelOf(page, 'Least film thickness');
+    await chooser(page, 'Speed').selectOption('30000 rpm');
+    await panel.scrollIntoViewIfNeeded();
+    const there = await panel.locator('.cursor.point').boundingBox();
+    await chooser(page, 'Speed').selectOption('45000 rpm');
+    await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
+    assert.equal(await chooser(page, 'Speed').inputValue(), '30000 rpm');
+    for (const name of ['Pressure over the unwrapped foil', 'Film around the journal', 'The bearing at work']) {
+      const words = (await saved(page, name, /SVG/)).bytes.toString().replace(/<[^>]*>/g, ' ');
+      for (const text of [name, '30000 rpm', 'grid']) assert.ok(words.includes(text), `${name} does not say ${text}`);
+      assert.doesNotMatch(words, /NaN|undefined/);
+    }
+  }));
+
+test('axe finds nothing serious, and the page fits screens and paper', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    await withReport('grid.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
+  }
+  await withReport('grid.html', assertFits);
+  await withReport('grid.html', async (page) => {
+    await print(page);
+    for (const panel of await page.locator('.panel', { has: page.locator('.chart, .round') }).all()) {
+      const { height, width } = await panel.boundingBox();
+      assert.ok(height < paper.height - 60 && width <= paper.width);
+    }
+  });
+});

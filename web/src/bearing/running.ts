@@ -1,0 +1,144 @@
+import { toCsv } from '../data/csv';
+import { numbersOf } from '../data/grid';
+import { largest } from '../data/run';
+import type { States } from '../data/states';
+import { formatQuantity } from '../data/units';
+import { svg } from '../ui/dom';
+import type { GridSelection } from '../ui/grid_selection';
+import type { LegendEntry } from '../ui/legend';
+import { Panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+import { look, onLookChange, type Look } from '../ui/theme';
+import { arrowPath, pathOf, text, type Place } from './drawing';
+import { drawRound } from './round';
+import { BearingGeometry, fittingAlong, fittingInwards, shapeAt } from './shape';
+
+/** A drawing of the state that the reader looks at, redrawn with it. */
+function drawnPanel(
+  states: States,
+  selection: GridSelection,
+  contents: { title: string; what: string; told: () => string; legend: () => LegendEntry[]; csv: () => string; draw: (root: SVGSVGElement, current: Look) => void },
+): HTMLElement {
+  const root = svg('svg', { class: 'round', role: 'img' });
+  const where = (): string => selection.textAt(selection.place);
+  const panel = new Panel(
+    {
+      title: contents.title,
+      subject: () => [contents.told(), where(), states.label].filter((words) => words !== '').join(' · '),
+      legend: contents.legend,
+      file: () => fileName(contents.what, states.label, where()),
+      drawing: () => root,
+      csv: contents.csv,
+    },
+    root,
+  );
+  const draw = (): void => {
+    contents.draw(root, look());
+    panel.refresh();
+    root.setAttribute('aria-label', `${contents.title}: ${contents.told()}; ${where()}`);
+  };
+  selection.onChange(draw);
+  onLookChange(draw);
+  draw();
+  return panel.root;
+}
+
+/** The journal among the foils at the state; nothing without foils. */
+export function runningBearing(states: States, selection: GridSelection): HTMLElement[] {
+  const run = states.bearing;
+  const cycle = run?.cycles[0];
+  if (!run || !cycle) return [];
+  const geometry = new BearingGeometry(run);
+  const inwards = fittingInwards(geometry);
+  const largestForce = largest(cycle.field('normal_force_bump_sleeve').values) || 1;
+  let stretch = 1;
+  return [
+    drawnPanel(states, selection, {
+      title: 'The bearing at work',
+      what: 'bearing',
+      told: () => {
+        const { place } = selection;
+        if (!states.isFound(place)) return 'not known: no state was found';
+        const [x, y] = ['x', 'y'].map((name) => formatQuantity(states.numberAt(name, place), 'm', 3));
+        const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
+        return `journal at (${x ?? ''}, ${y ?? ''}), displacements and gaps ${times(stretch * inwards)}, height of bumps ${times(stretch)} true scale`;
+      },
+      legend: () => [
+        { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current.force })], text: 'force of the sleeve on a foot' },
+        { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'force that holds the journal' },
+      ],
+      csv: () =>
+        toCsv(
+          ['bump', 'crest_outward_m', 'top_foil_outward_m', 'load_N'],
+          numbersOf(states, 'bump').map((bump, i) => [bump, ...['crest_v', 'top_displacement', 'normal_force_top_bump'].map((name) => states.along(name, 'bump', selection.place)[i])]),
+        ),
+      draw: (root, current) => {
+        const index = states.stateAt(selection.place);
+        root.replaceChildren();
+        if (!states.isFound(selection.place)) return;
+        const shape = shapeAt(geometry, cycle, index);
+        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, current);
+      },
+    }),
+  ];
+}
+
+const size = 480;
+const centre = size / 2;
+/** Of the circle that ambient pressure lies on, and how far the largest pressure and film thickness reach from it. */
+const circle = 128;
+const reach = 88;
+
+/** Pressure in the mid-plane outwards, film thickness inwards, around the journal. */
+export function polarPlot(states: States, selection: GridSelection): HTMLElement {
+  const phi = numbersOf(states, 'column_phi');
+  const ambient = states.variable('ambient_pressure')?.at({}) ?? NaN;
+  const pressure = (): number[] => {
+    const state = states.stateAt(selection.place);
+    return phi.map((_, column) => (state < 0 ? NaN : (states.variable('pressure')?.at({ state, row: 0, column }) ?? NaN) - ambient));
+  };
+  const film = (): number[] => states.along('film_thickness', 'column', selection.place);
+  const onCircle = (angle: number, radius: number): Place => ({ x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) });
+  const around = (values: number[], perUnit: number): Place[] => phi.map((angle, i) => onCircle(angle, circle + (values[i] ?? 0) * perUnit));
+  return drawnPanel(states, selection, {
+    title: 'Film around the journal',
+    what: 'film-polar',
+    told: () =>
+      states.isFound(selection.place)
+        ? `pressure in the mid-plane up to ${formatQuantity(Math.max(...pressure()), 'Pa')} beyond ambient; film up to ${formatQuantity(largest(film()), 'm')} thick`
+        : 'not known: no state was found',
+    legend: () => [
+      { width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.friction, 'stroke-width': 2.4 })], text: 'pressure beyond ambient, outwards' },
+      { width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.accent, 'stroke-width': 2.4, 'stroke-dasharray': '6 3' })], text: 'film thickness, inwards' },
+      { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.text })], text: 'force that holds the journal' },
+    ],
+    csv: () => toCsv(['phi_deg', 'pressure_beyond_ambient_Pa', 'film_thickness_m'], phi.map((angle, i) => [(angle * 180) / Math.PI, pressure()[i], film()[i]])),
+    draw: (root, current) => {
+      root.setAttribute('viewBox', `0 0 ${size} ${size}`);
+      const found = states.isFound(selection.place);
+      const [p, h] = [pressure(), film()];
+      const force = ['force_x', 'force_y'].map((name) => states.numberAt(name, selection.place));
+      const length = Math.hypot(force[0] ?? 0, force[1] ?? 0) || 1;
+      const tip = { x: centre + (0.25 * circle * (force[0] ?? 0)) / length, y: centre - (0.25 * circle * (force[1] ?? 0)) / length };
+      const weld = phi[0] ?? 0;
+      root.replaceChildren(
+        svg('circle', { cx: centre, cy: centre, r: circle, fill: 'none', stroke: current.muted, 'stroke-width': 1 }),
+        ...[0, 0.5, 1, 1.5].map((turn) => {
+          const [from, to] = [circle - reach, circle + reach].map((radius) => onCircle(turn * Math.PI, radius));
+          return svg('line', { x1: from?.x ?? 0, y1: from?.y ?? 0, x2: to?.x ?? 0, y2: to?.y ?? 0, stroke: current.grid, 'stroke-width': 1 });
+        }),
+        text(onCircle(0, circle + reach + 8), 'X', current),
+        text(onCircle(Math.PI / 2, circle + reach + 6), 'Y', current, { 'text-anchor': 'middle' }),
+        ...(found
+          ? [
+              svg('path', { d: pathOf(around(p, reach / largest(p))), fill: 'none', stroke: current.friction, 'stroke-width': 2.4, 'stroke-linejoin': 'round' }),
+              svg('path', { d: pathOf(around(h, -reach / largest(h))), fill: 'none', stroke: current.accent, 'stroke-width': 2.4, 'stroke-dasharray': '6 3', 'stroke-linejoin': 'round' }),
+              svg('path', { d: arrowPath({ x: centre, y: centre }, tip, 3), fill: current.text }),
+            ]
+          : []),
+        svg('path', { d: pathOf([onCircle(weld, circle - 7), onCircle(weld, circle + 7)]), stroke: current.topFoil, 'stroke-width': 3.4 }),
+        text(onCircle(weld, circle + reach + 12), 'weld', current, { 'text-anchor': Math.cos(weld) < -0.5 ? 'start' : 'middle', 'font-weight': 'bold' }),
+      );
+    },
+  });
+}

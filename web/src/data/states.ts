@@ -1,0 +1,131 @@
+import { directionName } from './kinds';
+import { Grid, numbersOf, vectorText, type Coordinate, type Place } from './grid';
+import type { CycleData, GridData, LimitData, RunData, StatesSummary } from './format';
+import { Run } from './run';
+
+const revolutions = 30 / Math.PI;
+
+/** "45000 rpm" */
+export function speedText(radiansPerSecond: number): string {
+  return `${Number((radiansPerSecond * revolutions).toPrecision(6))} rpm`.replace('-', '−');
+}
+
+/** States of a running bearing: at speeds, under loads or at positions, by paths. */
+export class States extends Grid {
+  readonly speed: Coordinate;
+  /** The loads or the positions that were asked for. */
+  readonly journal: Coordinate;
+  readonly path: Coordinate;
+  /** State of each combination of their values. */
+  private readonly places = new Map<string, number>();
+
+  constructor(data: GridData) {
+    super(data);
+    const states = [...Array(this.size('state')).keys()];
+    const value = (name: string, state: number): number => this.variable(name)?.at({ state }) ?? NaN;
+    const byLoad = states.some((state) => Number.isFinite(value('load_x', state)));
+    const [x, y] = byLoad ? ['load_x', 'load_y'] : ['position_x', 'position_y'];
+    const unit = byLoad ? 'N' : 'm';
+    const speeds = states.map((state) => Number((value('speed', state) * revolutions).toPrecision(7)));
+    const vectors = states.map((state): [number, number] => [value(x, state), value(y, state)]);
+    const words = this.variable('path')?.words ?? [];
+    const paths = states.map((state) => (words[value('path', state)] ?? 'path').replaceAll('_', ' '));
+    // A way there and back comes to the same load again.
+    const times = new Map<string, number>();
+    const texts = vectors.map(([along, across], state) => {
+      const text = vectorText(along, across, unit);
+      const key = [speeds[state], text, paths[state]].join();
+      const time = (times.get(key) ?? 0) + 1;
+      times.set(key, time);
+      return time > 1 ? `${text}, time ${time}` : text;
+    });
+    const rpm = [...new Set(speeds)];
+    this.speed = { name: 'speed', title: 'Speed', texts: rpm.map((number) => speedText(number / revolutions)), numbers: rpm, unit: 'rpm' };
+    this.journal = journalOf(vectors, texts, byLoad, unit);
+    this.path = { name: 'path', title: 'Path', texts: [...new Set(paths)], unit: '' };
+    const each = [...new Set(texts)];
+    states.forEach((state) => {
+      const place = [rpm.indexOf(speeds[state] ?? NaN), each.indexOf(texts[state] ?? ''), this.path.texts.indexOf(paths[state] ?? '')];
+      this.places.set(place.join(), state);
+    });
+  }
+
+  /** Lift-off speeds and load capacities; none where they were not asked for. */
+  get limits(): LimitData[] {
+    return (this.data.summary as StatesSummary).limits ?? [];
+  }
+
+  get coordinates(): Coordinate[] {
+    return [this.journal, this.path, this.speed];
+  }
+
+  /** The state there; -1 where none was looked for. */
+  stateAt(place: Place): number {
+    return this.places.get([place['speed'] ?? 0, place['journal'] ?? 0, place['path'] ?? 0].join()) ?? -1;
+  }
+
+  /** A number of the state at a place. */
+  numberAt(name: string, place: Place): number {
+    const state = this.stateAt(place);
+    return state < 0 ? NaN : (this.variable(name)?.at({ state }) ?? NaN);
+  }
+
+  isFound(place: Place): boolean {
+    return Number.isFinite(this.numberAt('h_min', place));
+  }
+
+  /** Values along a dimension at a state. */
+  along(name: string, dimension: string, place: Place): number[] {
+    const state = this.stateAt(place);
+    const variable = this.variable(name);
+    if (state < 0 || !variable?.has(dimension)) return [];
+    return Array.from({ length: this.size(dimension) }, (_, i) => variable.at({ state, [dimension]: i }));
+  }
+
+  /** The states as increments of a cycle, which the bearing is drawn from; none without foils. */
+  get bearing(): Run | undefined {
+    const { variables } = this.data;
+    if (!variables['crest_v']) return undefined;
+    const fields: CycleData['fields'] = {};
+    for (const [name, { dims, values, words }] of Object.entries(variables)) {
+      const node = dims[1];
+      if (dims[0] !== 'state' || (node !== 'bump' && node !== 'foot')) continue;
+      fields[name] = { at: node, values: words === '' ? values : flags(this.variable(name)?.values ?? []) };
+    }
+    // The film bears on the top foil all along it.
+    fields['state_journal_top'] = { at: 'bump', values: flags(new Float32Array(this.size('state') * this.size('bump'))) };
+    const series = Object.fromEntries(['x', 'y', 'force_x', 'force_y'].map((name) => [name, variables[name]?.values ?? '']));
+    const geometry: RunData['geometry'] = {};
+    for (const [name, { dims }] of Object.entries(variables)) {
+      if (dims.length === 0) geometry[name] = this.variable(name)?.at({}) ?? null;
+      else if (dims.length === 1 && (dims[0] === 'bump' || dims[0] === 'foot')) geometry[name] = numbersOf(this, name);
+    }
+    const increments = [...Array(this.size('state')).keys()];
+    return new Run({
+      ...this.data,
+      kind: 'cycle',
+      summary: { ...this.data.summary, cycles: [] },
+      meanings: {},
+      geometry,
+      nodes: { bump: this.size('bump'), foot: this.size('foot') },
+      last_increment: Math.max(0, increments.length - 1),
+      cycles: [{ at: 0, increments, series, fields }],
+      quantities: [],
+    });
+  }
+}
+
+/** Those of one direction lie on an axis, by their sizes. */
+function journalOf(vectors: [number, number][], texts: string[], byLoad: boolean, unit: string): Coordinate {
+  const each = [...new Set(texts)];
+  const own = each.map((text): [number, number] => vectors[texts.indexOf(text)] ?? [NaN, NaN]);
+  const sizes = own.map(([x, y]) => Math.hypot(x, y));
+  const angles = own.filter((_, i) => (sizes[i] ?? 0) > 0).map(([x, y]) => Number(((Math.atan2(y, x) * 180) / Math.PI).toPrecision(6)));
+  const title = byLoad ? 'Load' : 'Position';
+  if (new Set(angles).size !== 1) return { name: 'journal', title, texts: each, unit: '' };
+  return { name: 'journal', title: `${title} to ${directionName(angles[0] ?? 0)}`, texts: each, numbers: sizes, unit };
+}
+
+function flags(values: ArrayLike<number>): string {
+  return btoa(Array.from(values, (value) => String.fromCharCode((Number.isFinite(value) ? value : -127) & 0xff)).join(''));
+}

@@ -1,0 +1,58 @@
+import { toCsv } from '../data/csv';
+import type { LimitData } from '../data/format';
+import { vectorText } from '../data/grid';
+import { speedText, type States } from '../data/states';
+import { formatQuantity } from '../data/units';
+import { el } from '../ui/dom';
+import { Panel } from '../ui/panel';
+import { fileName } from '../ui/save';
+
+function isSpeed({ kind }: LimitData): boolean {
+  return kind === 'lift_off_speed';
+}
+
+function nameOf(limit: LimitData): string {
+  const { speed_rad_per_s: speed, load_x_N: x, load_y_N: y } = limit.thick;
+  return isSpeed(limit) ? `Lift-off speed under ${vectorText(x, y, 'N')}` : `Load capacity at ${speedText(speed)}`;
+}
+
+function valueText({ speed_rad_per_s: speed, load_N: load }: LimitData): string {
+  if (typeof speed === 'number') return speedText(speed);
+  return typeof load === 'number' ? formatQuantity(load, 'N') : '–';
+}
+
+/** Lift-off speeds and load capacities, with the film on both sides of them; nothing where they were not asked for. */
+export function limitTable(states: States): HTMLElement[] {
+  const { limits } = states;
+  if (limits.length === 0) return [];
+  const rows = limits.map((limit) => [
+    valueText(limit),
+    formatQuantity(limit.thick.h_min_m, 'm'),
+    formatQuantity(limit.thin.h_min_m, 'm'),
+    limit.status.replaceAll('_', ' '),
+  ]);
+  const heads = ['Limit', 'value', 'film on its thick side', 'on its thin side', 'status'];
+  const panel = new Panel(
+    {
+      title: 'Lift-off speeds and load capacities',
+      subject: () => `Where the least film thickness crosses film.h_lift_off · ${states.label}`,
+      file: () => fileName('limits', states.label),
+      csv: () =>
+        toCsv(
+          ['limit', 'speed_rad_per_s', 'load_N', 'h_thick_m', 'h_thin_m', 'status'],
+          limits.map((limit) => [nameOf(limit), limit.speed_rad_per_s, limit.load_N, limit.thick.h_min_m, limit.thin.h_min_m, limit.status]),
+        ),
+    },
+    el(
+      'div',
+      { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of limits' },
+      el(
+        'table',
+        { class: 'results' },
+        el('thead', {}, el('tr', {}, ...heads.map((text) => el('th', { scope: 'col' }, text)))),
+        el('tbody', {}, ...limits.map((limit, i) => el('tr', {}, el('th', { scope: 'row' }, nameOf(limit)), ...(rows[i] ?? []).map((text) => el('td', {}, text))))),
+      ),
+    ),
+  );
+  return [panel.root];
+}

@@ -1,0 +1,93 @@
+import { polarPlot, runningBearing } from '../bearing/running';
+import { pressureMap, runningLoads, thicknessChart } from '../charts/film';
+import { OverPanel, type Measure, type Part } from '../charts/over';
+import type { CaseKeys, GridData, ResultData } from '../data/format';
+import { gridWarnings } from '../data/outcome';
+import { capital } from '../data/run';
+import { States } from '../data/states';
+import { caseSection } from '../tables/case';
+import { entryOf } from '../tables/glossary';
+import { gridTable, type GridColumn } from '../tables/grid';
+import { limitTable } from '../tables/limits';
+import { el } from '../ui/dom';
+import { GridSelection } from '../ui/grid_selection';
+import { gridControls } from './grid_controls';
+import { part, type View } from './view';
+
+const entries = ['xx', 'xy', 'yx', 'yy'] as const;
+/** Columns of the table that are shown at first. */
+const main = ['h_min', 'eccentricity_ratio', 'attitude_angle', 'p_max', 'power', 'loaded_bumps', 'kxx', 'kyy', 'status'];
+
+function partOf(states: States, name: string, text: string): Part[] {
+  const variable = states.variable(name);
+  if (!variable?.values.some(Number.isFinite)) return [];
+  return [{ key: name, text, has: () => true, value: (place) => states.numberAt(name, place) }];
+}
+
+/** Those of one unit in one chart, and by themselves where paths or loads are to be told apart. */
+function measuresOf(states: States, all: string, unit: string, names: [string, string][]): Measure[] {
+  const parts = names.flatMap(([name, text]) => partOf(states, name, text));
+  const each = parts.map((one): Measure => ({ text: one.text, unit, parts: [one] }));
+  return all !== '' && parts.length > 1 ? [{ text: all, unit, parts }, ...each] : each;
+}
+
+/** Charts over speed or load. */
+function chartsOf(states: States): { title: string; measures: Measure[] }[] {
+  const of = measuresOf.bind(undefined, states);
+  const stiffness = (end: string): [string, string][] => entries.map((axes) => [`k${axes}${end}`, `K${axes}${end.replace('_', ', ')}`]);
+  return [
+    { title: 'Least film thickness', measures: of('', 'm', [['h_min', 'Least film thickness'], ['h_min_crest', 'Least film thickness over a crest']]) },
+    { title: 'Where the journal is', measures: [...of('', '', [['attitude_angle', 'Attitude angle (°)']]), ...of('', '', [['eccentricity_ratio', 'Eccentricity']]), ...of('Journal centre', 'm', [['x', 'X'], ['y', 'Y']])] },
+    { title: 'Losses', measures: [...of('', 'W', [['power', 'Power loss']]), ...of('', 'N m', [['torque', 'Torque']])] },
+    { title: 'Stiffness', measures: [...of('Stiffness K', 'N/m', stiffness('')), ...of('Stiffness K, all stuck', 'N/m', stiffness('_stuck'))] },
+    { title: 'Pressure and force', measures: [...of('Pressure', 'Pa', [['p_max', 'highest'], ['p_min', 'lowest']]), ...of('Force', 'N', [['force_x', 'Force X'], ['force_y', 'Force Y']])] },
+    { title: 'Bumps', measures: [...of('', 'N', [['highest_bump_load', 'Highest bump load']]), ...of('', '', [['loaded_bumps', 'Loaded bumps'], ['lifted_bumps_at_entry', 'Lifted bumps where gas enters']])] },
+  ].filter(({ measures }) => measures.length > 0);
+}
+
+function columnsOf(states: States): GridColumn[] {
+  return states.data.quantities.flatMap((quantity): GridColumn[] => {
+    const variable = states.variable(quantity.name);
+    if (!variable || ['speed', 'load_x', 'load_y', 'path'].includes(quantity.name)) return [];
+    const unit = quantity.unit === 'degree' ? '°' : quantity.unit;
+    return [{ ...quantity, unit: unit === '°' ? '' : unit, label: unit === '°' ? `${quantity.label} (°)` : quantity.label, words: variable.words, value: (place) => states.numberAt(quantity.name, place) }];
+  });
+}
+
+function sectionsOf(states: States, id: string, title: (text: string) => string, caseKeys: CaseKeys): HTMLElement[] {
+  const { label, speed, journal } = states;
+  const selection = new GridSelection(states.coordinates, [speed, journal]);
+  const several = states.coordinates.some(({ texts }) => texts.length > 1);
+  const curves = several ? chartsOf(states).map((one) => new OverPanel(one.title, one.measures, selection, label).root) : [];
+  const film = states.data.left_out.includes('pressure') ? [] : [pressureMap(states, selection), thicknessChart(states, selection)];
+  const loads = states.variable('normal_force_top_bump') ? [runningLoads(states, selection)] : [];
+  const compared = { several: false, focus: [states], shown: [states], names: label, onChange: () => undefined };
+  return [
+    part(
+      `${id}-film`,
+      title('Running bearing'),
+      gridControls(selection),
+      el('div', { class: 'multiples' }, ...film, ...loads, ...(film.length > 0 ? [polarPlot(states, selection)] : []), ...runningBearing(states, selection)),
+    ),
+    ...(curves.length > 0 ? [part(`${id}-curves`, title('Over speed and load'), el('div', { class: 'multiples' }, ...curves))] : []),
+    part(`${id}-states`, title('States'), ...limitTable(states), gridTable({ title: 'Results by state', label, coordinates: states.coordinates, columns: columnsOf(states), main })),
+    part(
+      `${id}-case`,
+      title('Case and origin'),
+      caseSection(compared, caseKeys, { shortfalls: () => [states.attribute('status_message')].filter((text) => text !== ''), note: '' }),
+    ),
+  ];
+}
+
+/** Running bearings, one after the other. */
+export function equilibriumView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
+  const all = results.map((data) => new States(data as GridData));
+  return {
+    sections: all.flatMap((states, i) => {
+      const several = all.length > 1 || !alone;
+      return sectionsOf(states, `${states.data.kind}-${i + 1}`, (text) => (several ? `${text}, ${states.label}` : text), caseKeys);
+    }),
+    warnings: all.map((states) => gridWarnings(states)),
+    entries: all.flatMap(({ data }) => data.quantities.map(entryOf).map((entry) => ({ ...entry, label: capital(entry.label) }))),
+  };
+}
