@@ -1,5 +1,7 @@
 #include "io/case_keys.hpp"
 
+#include <numbers>
+
 #include "bumpfoil/model/validation.hpp"
 #include "io/deviations_csv.hpp"
 #include "io/height_errors_csv.hpp"
@@ -140,7 +142,11 @@ void describe(CaseVisitor& keys, SolverSettings& solver) {
 }
 
 void describe(CaseVisitor& keys, CycleSettings& cycle) {
-  keys.directions({"directions", required, "Directions", "of the cycles; also angles, \"37.5 deg\"",
+  if (cycle.directions.empty()) {
+    using std::numbers::pi;
+    cycle.directions = {0.0, pi, 0.5 * pi, 1.5 * pi};
+  }
+  keys.directions({"directions", defaulted, "Directions", "of the cycles; also angles, \"37.5 deg\"",
                    "[\"+X\", \"-X\", \"+Y\", \"-Y\"]", angle},
                   cycle.directions);
   keys.one_of({"amplitude", required, "Amplitude", "how far the journal goes", "79.5 um", length},

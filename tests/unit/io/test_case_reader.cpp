@@ -278,6 +278,13 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
   }
 }
 
+TEST(ParseCase, CyclesGoInFourDirectionsUnlessToldOtherwise) {
+  const std::string line = "directions = [\"+X\", \"37.5 deg\"]\n";
+  EXPECT_EQ(parse_case(cut(whole_case(), line), "case.toml").cycle.directions,
+            (std::vector<double>{0.0, pi, 0.5 * pi, 1.5 * pi}));
+  EXPECT_NE(refusal({"cycle.directions=[]"}).find("there is no direction"), std::string::npos);
+}
+
 TEST(ParseCase, AxesAreExact) {
   const Case input = with({"cycle.directions=[\"+X\", \"+Y\", \"-X\", \"-Y\", \"45 deg\", 1.5]"});
   EXPECT_EQ(input.cycle.directions, (std::vector<double>{0.0, 0.5 * pi, pi, 1.5 * pi, 0.25 * pi, 1.5}));
