@@ -215,7 +215,7 @@ function arrow(colour: 'force' | 'friction', text: string): LegendEntry {
 const arrows = [arrow('force', 'normal force'), arrow('friction', `friction on the bump foil (×${frictionFactor})`)];
 
 /** States of contacts, as stateMark() draws them. */
-const marks: LegendEntry[] = [
+export const marks: LegendEntry[] = [
   { width: 14, draw: (c) => [svg('circle', { cx: 7, cy: 6, r: 3, fill: c.background, stroke: c.muted })], text: 'open' },
   { width: 14, draw: (c) => [svg('rect', { x: 4, y: 3, width: 6, height: 6, fill: c.states.stick })], text: 'stick' },
   { width: 14, draw: (c) => [svg('path', { d: 'M3 2L12 6L3 10Z', fill: c.states['slip forward'] })], text: 'slip forward' },

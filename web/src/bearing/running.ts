@@ -10,6 +10,7 @@ import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { look, onLookChange, type Look } from '../ui/theme';
 import { arrowPath, pathOf, text, type Place } from './drawing';
+import { marks } from './panel';
 import { drawRound } from './round';
 import { BearingGeometry, fittingAlong, fittingInwards, shapeAt } from './shape';
 
@@ -66,6 +67,7 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
       legend: () => [
         { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current.force })], text: 'force of the sleeve on a foot' },
         { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'force that holds the journal' },
+        ...marks,
       ],
       csv: () =>
         toCsv(

@@ -92,6 +92,8 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
           type: 'custom',
           name: 'pressure',
           clip: true,
+          // All at once: prints and pictures do not wait for the rest.
+          progressive: 0,
           encode: { x: [0, 1], y: [2, 3] },
           data: drawn,
           renderItem: (_: unknown, api: RenderApi) => {
@@ -227,6 +229,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
           silent: true,
           symbol: 'circle',
           symbolSize: 7,
+          showAllSymbol: true,
           lineStyle: { width: 0, opacity: 0 },
           itemStyle: { color: current.background, borderColor: current.muted, borderWidth: 1.4 },
           data: loads().map((load) => (load <= 0 ? 0 : null)),
