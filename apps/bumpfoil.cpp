@@ -19,7 +19,9 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "commands.hpp"
+#include "ensemble_ranks.hpp"
 #include "output.hpp"
+#include "ranks.hpp"
 
 namespace bumpfoil {
 
@@ -95,9 +97,11 @@ void refuse_empty_values(CLI::App& command) {
   }
 }
 
-ExitCode run(int argc, char** argv) {
-  Session session;
-  session.command_line = command_line(argc, argv);
+/// The only command that several ranks have work for.
+constexpr const char* command_for_ranks = "montecarlo";
+
+ExitCode run(int argc, char** argv, const Ranks& ranks) {
+  Session session{.ranks = ranks, .command_line = command_line(argc, argv)};
   CLI::App program{"Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.",
                    "bumpfoil"};
   program.set_version_flag("-V,--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");
@@ -125,6 +129,12 @@ ExitCode run(int argc, char** argv) {
   add_reproduce_command(program, session);
   add_report_command(program, session);
   for (CLI::App* command : program.get_subcommands({})) refuse_empty_values(*command);
+  program.parse_complete_callback([&] {
+    if (ranks.size() == 1 || program.got_subcommand(command_for_ranks)) return;
+    throw Error(ErrorKind::input, {{"", 0, "mpirun -n", std::to_string(ranks.size()),
+                                    fmt::format("only '{}' has work for several ranks", command_for_ranks),
+                                    "start this command without mpirun"}});
+  });
   try {
     std::vector<std::string> words = words_of(argc, argv);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
@@ -160,7 +170,13 @@ int main(int argc, char** argv) {
   hold_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes fails the write, which is told
   try {
-    return static_cast<int>(run(argc, argv));
+    const Ranks ranks;
+    if (ranks.rank() > 0) {
+      help(ranks);
+      return static_cast<int>(ExitCode::done);
+    }
+    const Dismissal dismissal(ranks);
+    return static_cast<int>(run(argc, argv, ranks));
   } catch (const Error& error) {
     print_message(error.what());
     leave(error.kind() == ErrorKind::file ? ExitCode::file_error : ExitCode::wrong_input);

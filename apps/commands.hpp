@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "ranks.hpp"
+
 namespace bumpfoil {
 
 /// What the program reports to the shell.
@@ -16,6 +18,7 @@ enum class ExitCode {
 
 /// What a command is given and gives back.
 struct Session {
+  const Ranks& ranks;        ///< this is the first one
   std::string command_line;  ///< as a shell would take it again
   bool quiet{};
   ExitCode exit_code{ExitCode::done};

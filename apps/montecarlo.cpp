@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
@@ -17,6 +20,7 @@
 #include "bumpfoil/studies/ensemble_run.hpp"
 #include "bumpfoil/studies/parallel_runs.hpp"
 #include "commands.hpp"
+#include "ensemble_ranks.hpp"
 #include "experiment.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
@@ -30,7 +34,7 @@ struct MonteCarloOptions {
   std::string folder;
   std::optional<int> samples;
   std::optional<int> seed;
-  unsigned threads{available_threads()};
+  std::optional<unsigned> threads;
   std::optional<double> target_error;
   std::vector<std::string> limits;
   std::vector<std::string> overrides;
@@ -63,6 +67,13 @@ class Rate {
   Clock::time_point start_{Clock::now()};
 };
 
+/// How evenly the work was shared.
+std::string shares_text(std::vector<std::size_t> shares, std::size_t samples) {
+  shares.front() = samples - std::min(samples, std::accumulate(shares.begin(), shares.end(), std::size_t{0}));
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  return fmt::format("\n{} ranks ran {} to {} samples each\n", shares.size(), *least, *most);
+}
+
 ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session) {
   std::vector<std::string> overrides = options.overrides;
   if (options.samples) overrides.push_back(fmt::format("montecarlo.samples={}", *options.samples));
@@ -84,9 +95,12 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   const std::vector<EnsembleLimit> limits = parse_limits(options.limits, layout);
   EnsembleLog log = open_log(checkpoint, resumes, input, layout.width());
   bool finished = false;
+  const std::size_t before = log.samples();
+  std::vector<std::size_t> shares;  // by rank
   {
-    ProgressBar bar(!session.quiet);
-    const Rate rate(log.samples());
+    const bool has_log = session.ranks.size() > 1;
+    ProgressBar bar(!session.quiet, static_cast<double>(before) / input.montecarlo->samples, has_log);
+    const Rate rate(before);
     const auto enough = [&] {
       return options.target_error && relative_error_of_force(layout, log) < *options.target_error;
     };
@@ -94,7 +108,13 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
       bar.show(done / input.montecarlo->samples, rate.text(done));
       return !guard.interrupted();
     };
-    finished = run_ensemble(input, layout, log, {.threads = options.threads, .progress = progress, .enough = enough});
+    EnsembleHelpers helpers(session.ranks, input, options.threads);
+    finished = run_ensemble(input, layout, log,
+                            {.threads = options.threads.value_or(available_threads()),
+                             .progress = progress,
+                             .enough = enough,
+                             .share = [&](SampleFlow& flow) { helpers.share(flow); }});
+    shares = helpers.samples();
   }
 
   const EnsembleStatistics statistics = make_ensemble_statistics(input, layout, log);
@@ -107,6 +127,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   if (!session.quiet) {
     print_output(ensemble_table(layout, statistics));
     print_output(yield_text(yields));
+    if (shares.size() > 1) print_output(shares_text(std::move(shares), log.samples() - before));
     print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
   }
   print_some("bumpfoil: ", failure_lines(layout, statistics));

@@ -5,11 +5,15 @@
 
 namespace bumpfoil {
 
-/// A line on standard error that shows how far a run is: on a terminal only, and after a second only.
+/// Shows how far a run is: a line on standard error that changes, on a terminal only and after a
+/// second only. A job of several ranks has no terminal, and its log gets a line now and then: after a second, two, four
+/// and so on, at last once a minute.
 class ProgressBar {
  public:
-  /// @param wanted false keeps it silent
-  explicit ProgressBar(bool wanted);
+  /// @param wanted   false keeps it silent
+  /// @param begun    part that was done before
+  /// @param for_log  lines for a log
+  explicit ProgressBar(bool wanted, double begun = 0.0, bool for_log = false);
   ~ProgressBar();  ///< removes the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -19,9 +23,11 @@ class ProgressBar {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool active_;
+  bool bar_, log_;
+  double begun_;
   Clock::time_point start_{Clock::now()};
-  Clock::time_point last_shown_{};
+  bool shown_{};
+  Clock::time_point next_shown_;
 };
 
 }  // namespace bumpfoil

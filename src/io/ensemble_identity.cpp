@@ -48,6 +48,13 @@ std::string ensemble_identity(const Case& input) {
   return fmt::format("bumpfoil {} ({})\n{}\n{}", version(), commit(), instruction_set(), case_to_toml(nameless(input)));
 }
 
+Case case_of_identity(const std::string& identity) {
+  std::string_view text = identity;
+  take_line(text);
+  take_line(text);
+  return parse_case(text, "identity");
+}
+
 void require_same_ensemble(const std::string& identity, const Case& input, const std::string& file) {
   const std::string ours = ensemble_identity(input);
   if (identity == ours) return;

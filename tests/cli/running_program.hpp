@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/temporary_folder.hpp"
@@ -25,18 +26,21 @@ using testing::TemporaryFolder;
 /// A program that runs in the background; its output goes to files.
 class Running {
  public:
-  Running(const std::vector<std::string>& arguments, const std::string& output) : output_(output) {
+  /// @param launcher  what starts it, with its own arguments
+  Running(const std::vector<std::string>& arguments, const std::string& output, std::vector<std::string> launcher = {})
+      : output_(output) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    std::vector<std::string> words{BUMPFOIL_PROGRAM};
+    std::vector<std::string> words = std::move(launcher);
+    words.emplace_back(BUMPFOIL_PROGRAM);
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    EXPECT_EQ(posix_spawn(&process_, BUMPFOIL_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+    EXPECT_EQ(posix_spawn(&process_, words.front().c_str(), &actions, nullptr, argv.data(), environ), 0);
     posix_spawn_file_actions_destroy(&actions);
   }
 
@@ -64,9 +68,9 @@ struct Outcome {
   std::string output, errors;
 };
 
-inline Outcome run(const std::vector<std::string>& arguments) {
+inline Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& launcher = {}) {
   const TemporaryFolder folder;
-  const Running program(arguments, (folder.path() / "output").string());
+  const Running program(arguments, (folder.path() / "output").string(), launcher);
   const int exit_code = program.wait();
   return {exit_code, folder.read("output"), program.errors()};
 }

@@ -10,6 +10,10 @@ namespace bumpfoil {
 /// with its seed. The number of samples, and the title, are not of it.
 std::string ensemble_identity(const Case& input);
 
+/// The case in an identity, with one sample.
+/// @throws Error (input) if this program cannot read it
+Case case_of_identity(const std::string& identity);
+
 /// @param identity  of the ensemble that is to be gone on with   @param file  that it is from
 /// @throws Error (input) that names every difference to that of the case
 void require_same_ensemble(const std::string& identity, const Case& input, const std::string& file);

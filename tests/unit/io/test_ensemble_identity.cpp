@@ -45,5 +45,11 @@ TEST(EnsembleIdentity, EveryDifferenceIsNamed) {
   EXPECT_NE(refusal(elsewhere, input).find("instruction set = another machine, "), std::string::npos);
 }
 
+TEST(EnsembleIdentity, HoldsTheCase) {
+  const Case input = testing::ensemble_case(30);
+  EXPECT_EQ(ensemble_identity(case_of_identity(ensemble_identity(input))), ensemble_identity(input));
+  EXPECT_THROW(case_of_identity("bumpfoil 9\nx86-64\n[unheard_of]\n"), Error);
+}
+
 }  // namespace
 }  // namespace bumpfoil
