@@ -116,6 +116,9 @@ void add_sweep_command(CLI::App& program, Session& session) {
       "  bumpfoil sweep case.toml --over 'bump_foil.bumps=[20, 26, 32]' --set cycle.steps=50 -o bumps\n"
       "  bumpfoil sweep examples/strip.toml --command strip --over 'strip.displacement=5 um:25 um:5 um' -o strips\n"
       "  bumpfoil sweep examples/vibration.toml --command vibration --over friction.coefficient=0.05:0.2:0.05 -o K\n"
+      "  bumpfoil sweep examples/running.toml --command equilibrium --over 'bearing.radial_clearance=[25 um, 30 um]' "
+      "-o "
+      "clearance\n"
       "A grid has at most {} points. All cases are checked before the first is run. A point that fails is kept, with "
       "its status. Ctrl-C ends the run; what there is by then is written and flagged as partial.",
       most_sweep_points));

@@ -275,6 +275,10 @@ SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationRes
   return kept(swept_result(sweep.cases[point], result, sweep.with_loops));
 }
 
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const EquilibriumResult& result) {
+  return kept(swept_result(sweep.cases[point], result));
+}
+
 SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress) {
   const Case& input = sweep.cases[point];
   switch (sweep.command) {
@@ -283,9 +287,11 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
     case SweptCommand::strip:
       return sweep_point(sweep, point, run_strip(input, progress));
     case SweptCommand::vibration:
+      return sweep_point(sweep, point, run_vibration(input, progress));
+    case SweptCommand::equilibrium:
       break;
   }
-  return sweep_point(sweep, point, run_vibration(input, progress));
+  return sweep_point(sweep, point, run_equilibrium(input, {}, progress));
 }
 
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {

@@ -5,10 +5,14 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/io/equilibrium_files.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/vibration_files.hpp"
 #include "bumpfoil/io/warnings.hpp"
 #include "io/cycle_grid.hpp"
+#include "io/equilibrium_grid.hpp"
+#include "io/equilibrium_json.hpp"
 #include "io/result_layout.hpp"
 #include "io/summary_json.hpp"
 #include "io/vibration_csv.hpp"
@@ -55,7 +59,24 @@ SweptResult swept_result(const Case& input, const VibrationResult& result, bool 
   return swept;
 }
 
+SweptResult swept_result(const Case& input, const EquilibriumResult& result) {
+  const EquilibriumSettings& settings = *input.equilibrium;
+  SweptResult swept{.status = status_of(result),
+                    .grid = equilibrium_grid(settings, result),
+                    .parts = {},
+                    .rows = equilibrium_csv(result),
+                    .lists = {{"states", nlohmann::ordered_json::array()}},
+                    .failures = failure_lines(result),
+                    .warnings = warning_lines(input, result)};
+  for (std::size_t i = 0; i < result.states.size(); ++i) {
+    swept.parts.push_back({name_of_state(result.states[i]), place_of(settings, i)});
+    swept.lists["states"].push_back(state_json(*result.bearing, result.states[i]));
+  }
+  return swept;
+}
+
 std::size_t loop_values(SweptCommand command, const Case& input) {
+  if (command == SweptCommand::equilibrium) return 0;
   if (command == SweptCommand::vibration) {
     const VibrationSettings& settings = *input.vibration;
     // The solver that follows events has some more.
@@ -76,9 +97,11 @@ SweptResult not_begun(SweptCommand command, const Case& input, bool with_loops) 
       return swept_result(input, result, RunStatus::interrupted, with_loops);
     }
     case SweptCommand::vibration:
+      return swept_result(input, vibrations_not_begun(*input.vibration), with_loops);
+    case SweptCommand::equilibrium:
       break;
   }
-  return swept_result(input, vibrations_not_begun(*input.vibration), with_loops);
+  return swept_result(input, equilibrium_not_begun(input));
 }
 
 }  // namespace bumpfoil

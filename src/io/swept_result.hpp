@@ -30,6 +30,7 @@ struct SweptResult {
 /// @param with_loops  whether the grid has them
 SweptResult swept_result(const Case& input, const CycleResult& result, RunStatus status, bool with_loops);
 SweptResult swept_result(const Case& input, const VibrationResult& result, bool with_loops);
+SweptResult swept_result(const Case& input, const EquilibriumResult& result);
 
 /// Points of all loops.
 std::size_t loop_values(SweptCommand command, const Case& input);

@@ -130,6 +130,25 @@ TEST_F(SweepProgram, VibratesAtEveryPoint) {
   EXPECT_EQ(timeless(swept.at("points").at(1).at("vibrations")), timeless(summary_alone.at("vibrations")));
 }
 
+TEST_F(SweepProgram, FindsRunningBearingsAtEveryPoint) {
+  const std::vector<std::string> running{"--set", "equilibrium.speeds=[\"45000 rpm\"]",
+                                         "--set", "equilibrium.loads=[[\"30 N\", \"0 N\"]]",
+                                         "--set", "film.rows=4",
+                                         "--set", "film.columns_per_pitch=4"};
+  const Outcome sweep = run(sweep_over("bearing.radial_clearance=[30 um, 32 um]") +
+                            std::vector<std::string>{"--command", "equilibrium"} + running);
+  EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
+  EXPECT_NE(sweep.output.find("load_ramp, 45000 rpm, load (30, 0) N\n"), std::string::npos) << sweep.output;
+  const json swept = summary();
+  const std::string alone = (folder_.path() / "alone").string();
+  const Outcome single =
+      run(std::vector<std::string>{"equilibrium", case_path_, "-o", alone, "--set", "bearing.radial_clearance=32 um"} +
+          running);
+  ASSERT_EQ(single.exit_code, 0) << single.errors;
+  EXPECT_EQ(timeless(swept.at("points").at(1).at("states")),
+            timeless(json::parse(folder_.read("alone/summary.json")).at("states")));
+}
+
 TEST_F(SweepProgram, AnInterruptedSweepLeavesFlaggedResults) {
   // The first point is done at once, the others are long enough to be interrupted on any machine.
   const Running program({"sweep", case_path_, "--over", "cycle.steps=[2, 80000, 80001]", "-o", results_, "--set",

@@ -24,6 +24,9 @@ before(() => {
   ];
   sweep('vibrations', caseFile, ['friction.coefficient=[0.05, 0.1, 0.2]'], ['--command', 'vibration', ...vibration.flatMap((pair) => ['--set', pair])]);
   report('vibrations.html', 'vibrations');
+  const running = ['equilibrium.speeds=["30000 rpm", "45000 rpm"]', 'equilibrium.loads=[["30 N", "0 N"], ["50 N", "0 N"]]', 'film.rows=4', 'film.columns_per_pitch=4'];
+  sweep('running', caseFile, ['bearing.radial_clearance=30 um:34 um:2 um'], ['--command', 'equilibrium', ...running.flatMap((pair) => ['--set', pair])]);
+  report('running.html', 'running');
   report('grid.html', 'grid');
   report('friction.html', 'friction');
   report('strips.html', 'strips');
@@ -225,6 +228,38 @@ test('vibrations are drawn over the key, and over the amplitude', () =>
     assert.equal(await page.getByRole('region', { name: 'Coefficients by load' }).locator('tbody tr').count(), 2);
     assert.match(await page.getByRole('region', { name: 'Case', exact: true }).locator('.subject').textContent(), /Swept: Coefficients of friction: Both coefficients 0\.05, 0\.1, 0\.2\./);
     assert.deepEqual(await page.locator('nav a').allTextContents(), ['Sweep', 'Coefficients', 'Case and origin', 'Glossary']);
+    assert.deepEqual(await axeFindings(page), []);
+  }));
+
+test('running bearings are drawn over the key, speed and load', () =>
+  withReport('running.html', async (page) => {
+    const expected = rowsIn('running');
+    await chooser(page, 'Radial clearance').selectOption('32 µm');
+    await chooser(page, 'Load').selectOption('(50, 0) N');
+    await chooser(page, 'Speed').selectOption('45000 rpm');
+    for (const [along, lines, count] of [['Bearing: Radial clearance', 'Load', 6], ['Speed', 'Bearing: Radial clearance', 6], ['Load', 'Speed', 4]]) {
+      await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption(along);
+      await page.getByRole('combobox', { name: 'Lines' }).selectOption(lines);
+      for (const [text, key] of [['Least film thickness', 'h_min_m'], ['Power loss', 'power_W'], ['Stiffness, xx', 'kxx_N_per_m']]) {
+        await quantityChooser(page).selectOption(text);
+        const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString().replaceAll(/"\(([0-9]*), 0\) N"/g, '$1'));
+        assert.equal(shown.length, count, along);
+        for (const row of shown) {
+          const one = expected.find(
+            (other) =>
+              Math.abs(other.bearing_radial_clearance_m - row.bearing_radial_clearance_m) < 1e-9 &&
+              Number(other.load_x_N) === Number(row.load) &&
+              Math.abs((other.speed_rad_per_s * 30) / Math.PI - row.speed_rpm) < 1,
+          );
+          near(Number(row[key]), Number(one[key]), 1e-6, `${text} at ${JSON.stringify(row)}`);
+        }
+      }
+    }
+    const table = page.getByRole('region', { name: 'Results by point' });
+    assert.equal(await table.locator('tbody tr').count(), 12);
+    await page.getByRole('searchbox', { name: 'Search rows' }).fill('32 30000 50');
+    assert.deepEqual(await table.locator('tbody th').allTextContents(), ['32 µm', '30000 rpm', '(50, 0) N']);
+    assert.deepEqual(await page.locator('nav a').allTextContents(), ['Sweep', 'Points', 'Case and origin', 'Glossary']);
     assert.deepEqual(await axeFindings(page), []);
   }));
 

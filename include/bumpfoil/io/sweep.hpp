@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/equilibrium.hpp"
 #include "bumpfoil/analysis/vibration.hpp"
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/io/summary.hpp"
@@ -16,10 +17,11 @@
 namespace bumpfoil {
 
 /// Commands that can be run at every point.
-enum class SweptCommand { cycle, strip, vibration };
+enum class SweptCommand { cycle, strip, vibration, equilibrium };
 
 template <>
-inline constexpr auto enum_names<SweptCommand> = std::to_array<std::string_view>({"cycle", "strip", "vibration"});
+inline constexpr auto enum_names<SweptCommand> = std::to_array<std::string_view>({"cycle", "strip", "vibration",
+                                                                                  "equilibrium"});
 
 /// Of a command whose results are cycles.
 constexpr Experiment experiment_of(SweptCommand command) {
@@ -83,6 +85,7 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
 /// What is kept of the result of a point.
 SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const CycleResult& result);
 SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationResult& result);
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const EquilibriumResult& result);
 
 /// Points that were not begun have nothing: this makes of them what says so.
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points);

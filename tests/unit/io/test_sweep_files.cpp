@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <netcdf>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -14,7 +15,9 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/io/report.hpp"
+#include "bumpfoil/io/sweep_table.hpp"
 #include "bumpfoil/io/vibration_files.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -340,6 +343,86 @@ TEST(SweepFilesOfVibrations, HaveRoomForTheLongestLoop) {
   EXPECT_EQ(shorter[4 * 3 + 1], NC_FILL_DOUBLE);
   EXPECT_NE(shorter[4 * 3], NC_FILL_DOUBLE);
   EXPECT_NE(longer.back(), NC_FILL_DOUBLE);
+}
+
+Sweep sweep_of_equilibria(const std::string& path) {
+  return parse_sweep(case_template("gen1"), "case.toml",
+                     {.command = SweptCommand::equilibrium,
+                      .over = {"bearing.radial_clearance=[31 um, 32 um]"},
+                      .overrides = {"film.columns_per_pitch=4", "film.rows=4", "equilibrium.speeds=[4700, 4000]",
+                                    "equilibrium.loads=[[30, 0], [40, 0], [60, 0]]", "equilibrium.steps=3",
+                                    "equilibrium.path=" + path}});
+}
+
+TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) {
+  for (const std::string path : {"load_ramp", "speed_ramp"}) {
+    const Sweep sweep = sweep_of_equilibria(path);
+    std::vector<SweepPoint> points(2);
+    points[1] = run_point(sweep, 1);
+    complete(sweep, points);
+    EXPECT_EQ(points[1].status, RunStatus::complete);
+    EXPECT_EQ(points[0].status, RunStatus::interrupted);
+    const testing::TemporaryFolder folder;
+    for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
+    const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
+    EXPECT_EQ(numbers_of(file.getVar("speed")), (std::vector<double>{4700.0, 4000.0}));
+    EXPECT_EQ(numbers_of(file.getVar("load_x")), (std::vector<double>{30.0, 40.0, 60.0}));
+
+    const EquilibriumResult alone = run_equilibrium(sweep.cases[1]);
+    ASSERT_EQ(alone.states.size(), 6U);
+    for (const RunningState& state : alone.states) {
+      const std::size_t speed = state.asked.speed == 4700.0 ? 0 : 1;
+      const std::size_t load = state.asked.journal.x() == 30.0 ? 0 : state.asked.journal.x() == 40.0 ? 1 : 2;
+      for (const RunningQuantity& quantity : all_running_quantities()) {
+        if (quantity.name == "wall_time") continue;
+        const netCDF::NcVar variable = file.getVar(std::string(quantity.name));
+        ASSERT_FALSE(variable.isNull()) << quantity.name;
+        if (variable.getDimCount() < 3) continue;  // what was asked for
+        const double value = value_of(quantity, *alone.bearing, state);
+        const double swept = numbers_of(variable, {1, speed, load}).front();
+        if (std::isfinite(value)) {
+          EXPECT_EQ(swept, value) << quantity.name;
+        } else if (quantity.form.kind == Form::real) {
+          EXPECT_EQ(swept, NC_FILL_DOUBLE) << quantity.name;
+        }
+      }
+      EXPECT_EQ(numbers_of(file.getVar("status"), {0, speed, load}).front(),
+                static_cast<double>(FilmStatus::interrupted));
+      EXPECT_EQ(numbers_of(file.getVar("h_min"), {0, speed, load}).front(), NC_FILL_DOUBLE);
+    }
+    const std::string csv = folder.read("sweep.csv");
+    EXPECT_EQ(csv.find("bearing_radial_clearance_m,speed_rad_per_s,load_x_N,"), 0U) << csv;
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 6);
+    const json written = json::parse(folder.read("summary.json"));
+    EXPECT_EQ(written.at("points").at(0).at("states").at(5).at("status"), "interrupted");
+    EXPECT_EQ(written.at("points").at(1).at("states").at(5).at("status"), "converged");
+    // Coordinates are those of the states.
+    EXPECT_EQ(written.at("points").at(1).at("states").at(1).at("load_x_N"), path == "load_ramp" ? 40.0 : 30.0);
+    const std::string table = sweep_table(sweep, points);
+    EXPECT_EQ(table.find(path + ", 44881.7 rpm, load (30, 0) N\nbearing.radial_clearance  eccentricity"), 0U) << table;
+
+    const json run = json::parse(report_json({folder.path()})).at("runs").at(0);
+    EXPECT_EQ(run.at("variables").at("h_min").at("dims"), (json{"bearing_radial_clearance", "speed", "load"}));
+    for (const json& quantity : run.at("quantities")) {
+      EXPECT_TRUE(run.at("variables").contains(quantity.at("name"))) << quantity;
+      EXPECT_NE(quantity.at("label").get<std::string>().front(), ' ');
+    }
+  }
+}
+
+TEST(SweepFilesOfRunningBearings, TakePositions) {
+  const Sweep sweep =
+      parse_sweep(case_template("gen1"), "case.toml",
+                  {.command = SweptCommand::equilibrium,
+                   .over = {"friction.coefficient=[0, 0.1]"},
+                   .overrides = {"equilibrium.speeds=[4700]", "equilibrium.positions=[[1e-6, 0], [2e-6, 3e-6]]"}});
+  std::vector<SweepPoint> points(2);
+  complete(sweep, points);
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
+  const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
+  EXPECT_EQ(numbers_of(file.getVar("position_y")), (std::vector<double>{0.0, 3e-6}));
+  EXPECT_EQ(file.getVar("h_min").getDim(2).getName(), "position");
 }
 
 }  // namespace

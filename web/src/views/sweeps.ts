@@ -2,10 +2,10 @@ import { FamilyPanel, type Loops } from '../charts/family';
 import { OverPanel, type Measure } from '../charts/over';
 import { valueText } from '../data/case_values';
 import type { CaseKeys, GridData, Quantity, ResultData } from '../data/format';
-import { Grid, numbersOf, type Coordinate, type Place, type Variable } from '../data/grid';
+import { Grid, numbersOf, vectorText, type Coordinate, type Place, type Variable } from '../data/grid';
 import { kinds } from '../data/kinds';
 import { gridWarnings } from '../data/outcome';
-import { capital } from '../data/run';
+import { at, capital } from '../data/run';
 import { formatQuantity } from '../data/units';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
@@ -17,7 +17,13 @@ import { vibrationEntries, vibrationSections } from './vibrations';
 import { part, type View } from './view';
 
 /** Columns of the table that are shown at first. */
-const main = ['max_force', 'loaded_stiffness', 'secant_stiffness', 'loss_factor', 'loop_energy', 'take_up', 'status'];
+const main = [
+  ...['max_force', 'loaded_stiffness', 'secant_stiffness', 'loss_factor', 'loop_energy', 'take_up'],
+  ...['eccentricity_ratio', 'attitude_angle', 'h_min', 'p_max', 'power', 'kxx', 'kyy'],
+  'status',
+];
+/** What charts show at first, of cycles and of running bearings. */
+const headlines = ['loaded_stiffness', 'h_min'];
 
 /** A quantity of every point and cycle. */
 interface SweptQuantity extends Quantity {
@@ -26,7 +32,7 @@ interface SweptQuantity extends Quantity {
 }
 
 /** Dimensions of the results that tell their parts apart: those of `status` after the keys. */
-const partDimensions = ['direction', 'cycle', 'sense', 'load', 'amplitude'];
+const partDimensions = ['direction', 'cycle', 'sense', 'load', 'amplitude', 'speed', 'position'];
 
 /** The swept keys. */
 function keysOf(grid: Grid): Coordinate[] {
@@ -38,8 +44,20 @@ function keysOf(grid: Grid): Coordinate[] {
   });
 }
 
-/** What tells the cycles of a point apart. */
-function cyclesOf(grid: Grid): Coordinate[] {
+/** Of running bearings: speeds, and loads or positions. */
+function operatingPointsOf(grid: Grid): Coordinate[] {
+  const rpm = numbersOf(grid, 'speed').map((speed) => (speed * 30) / Math.PI);
+  const [journal, title, unit] = grid.variable('load') ? ['load', 'Load', 'N'] : ['position', 'Position', 'm'];
+  const y = numbersOf(grid, `${journal}_y`);
+  return [
+    { name: 'speed', title: 'Speed', texts: rpm.map((one) => `${Number(one.toPrecision(6))} rpm`), numbers: rpm, unit: 'rpm' },
+    { name: journal, title, texts: numbersOf(grid, `${journal}_x`).map((x, i) => vectorText(x, at(y, i), unit)), unit: '' },
+  ];
+}
+
+/** What tells the parts of a point apart. */
+function partsOf(grid: Grid): Coordinate[] {
+  if (grid.variable('speed')) return operatingPointsOf(grid);
   const kind = kinds[grid.attribute('swept_command')];
   const name = ['direction', 'cycle'].find((one) => grid.variable(one));
   return kind && name ? [{ name, title: kind.cycles.title, texts: numbersOf(grid, name).map(kind.cycles.name), unit: '' }] : [];
@@ -65,7 +83,8 @@ function clearancesOf(grid: Grid): SweptQuantity[] {
 function quantitiesOf(grid: Grid): SweptQuantity[] {
   const quantities = grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
     const variable = grid.variable(quantity.name);
-    return variable ? [{ ...quantity, variable, value: (place) => variable.at(place) }] : [];
+    // What has a single dimension is a coordinate.
+    return variable && variable.dims.length > 1 ? [{ ...quantity, variable, value: (place) => variable.at(place) }] : [];
   });
   const ofFoils = quantities.filter((one) => !one.of_solver);
   return [...ofFoils, ...clearancesOf(grid), ...quantities.filter((one) => one.of_solver)];
@@ -80,7 +99,7 @@ function measuresOf(quantities: SweptQuantity[]): Measure[] {
     unit,
     parts: [{ key, text: capital(label), has: (dimension: string) => variable.has(dimension), value }],
   }));
-  return measures.sort((a, b) => Number(b.name === 'loaded_stiffness') - Number(a.name === 'loaded_stiffness'));
+  return measures.sort((a, b) => Number(headlines.includes(b.name)) - Number(headlines.includes(a.name)));
 }
 
 function loopsOf(grid: Grid): Loops | undefined {
@@ -109,8 +128,10 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const keys = keysOf(grid);
   const note = `The case of the first point. Swept: ${keys.map(sweptText).join('; ')}.`;
   if (isOfVibrations(grid)) return vibrationSections(grid, caseKeys, { id, title, name: 'Sweep', note, keys });
-  const coordinates = [...keys, ...cyclesOf(grid)];
-  const selection = new GridSelection(coordinates, keys);
+  const coordinates = [...keys, ...partsOf(grid)];
+  // Of parts, speeds lie on an axis; loads are chosen along, too.
+  const axes = coordinates.filter(({ name, numbers }) => numbers !== undefined || name === 'load' || name === 'position');
+  const selection = new GridSelection(coordinates, axes);
   const quantities = quantitiesOf(grid);
   const loops = loopsOf(grid);
   const over = new OverPanel('Quantity over key', measuresOf(quantities), selection, grid.label);

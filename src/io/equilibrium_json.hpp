@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/analysis/equilibrium.hpp"
+
+namespace bumpfoil {
+
+/// The quantities of a state, why it was not found, and the last one that was found on the way.
+nlohmann::ordered_json state_json(const FilmBearing& bearing, const RunningState& state);
+
+}  // namespace bumpfoil
