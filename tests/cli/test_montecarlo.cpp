@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 #include <string>
@@ -93,10 +94,13 @@ TEST_F(MonteCarloProgram, AnInterruptedRunLeavesFlaggedResultsAndGoesOn) {
 /// Killed at random moments, it ends with the numbers of a run that was not, to the last bit.
 TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
   constexpr int samples = 500;
+  const auto begin = std::chrono::steady_clock::now();
   ASSERT_EQ(run(montecarlo("whole", samples)).exit_code, 0);
+  const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
   const std::vector<std::string> command = montecarlo("results", samples) + std::vector<std::string>{"--resume"};
   std::mt19937 random(20);
-  std::uniform_int_distribution<int> milliseconds(0, 600);
+  // Long enough to have written some, on slow machines, too.
+  std::uniform_int_distribution<int> milliseconds(0, std::max(600, static_cast<int>(whole.count() / 8)));
   for (int kills = 0; kills < 20; ++kills) {
     const Running program(command, (folder_.path() / "output").string());
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds(random)));
