@@ -23,15 +23,21 @@ namespace {
 
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
+  std::vector<std::filesystem::path> measured;
   std::filesystem::path path;
   bool force{};
   bool unchecked{};
 };
 
 /// The page must not take the place of what it is made from, by whatever name.
-void check_output(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders) {
+void check_output(const std::filesystem::path& path, const ReportOptions& options) {
   std::error_code code;
-  for (const std::filesystem::path& folder : folders) {
+  for (const std::filesystem::path& file : options.measured) {
+    if (!std::filesystem::equivalent(path, file, code)) continue;
+    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is the file of measured loops that the report is of",
+                                   "give the page another name, such as report.html"}});
+  }
+  for (const std::filesystem::path& folder : options.folders) {
     for (const char* name : {"summary.json", "result.nc", "cycle.csv", "strip.csv", "path.csv", "equilibrium.csv",
                              "film.csv", "sweep.nc", "sweep.csv", "ensemble.nc", "ensemble.checkpoint", "vibration.csv",
                              "coefficients.csv", "coefficients.toml"}) {
@@ -48,12 +54,14 @@ void run_report(const ReportOptions& options, const Session& session) {
                                    "install Node.js and npm (Debian: nodejs npm), then configure and build again"}});
   }
   const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
-  check_output(path, options.folders);
+  check_output(path, options);
   const auto warn = [&session](const std::string& warning) {
     if (!session.quiet) print_message("warning: " + warning);
   };
   write_file(path,
-             fill_report(report_page(), report_json(options.folders, {.checked = !options.unchecked, .warn = warn})),
+             fill_report(report_page(),
+                         report_json(options.folders,
+                                     {.checked = !options.unchecked, .warn = warn, .measured = options.measured})),
              options.force ? Existing::replace : Existing::refuse);
   if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
 }
@@ -65,6 +73,12 @@ void add_report_command(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("report", "Make one HTML file to look at from the results of runs");
   command->add_option("DIR", options->folders, "Folders of results; several are compared in the same charts")
       ->required();
+  command
+      ->add_option("--measured", options->measured,
+                   "CSV file of measured loops to draw and list beside the computed ones; columns displacement_um, "
+                   "force_N, and direction where results have several")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", options->path, "File to write; report.html in the first folder without it")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "Replace the file if it exists");
@@ -74,6 +88,7 @@ void add_report_command(CLI::App& program, Session& session) {
       "Examples:\n"
       "  bumpfoil report results\n"
       "  bumpfoil report truss frame -o comparison.html\n"
+      "  bumpfoil report results --measured loop.csv\n"
       "The file needs no network and nothing beside it: open it in a browser, print it, mail it.");
   command->callback([options, &session] { run_report(*options, session); });
 }

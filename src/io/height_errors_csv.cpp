@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "io/csv_dialect.hpp"
 #include "io/csv_lines.hpp"
 #include "io/text_file.hpp"
 
@@ -18,32 +18,16 @@ namespace {
 constexpr std::string_view bump_column = "bump";
 constexpr std::string_view name_advice = "name one height_error_um, or height_mm if it holds whole heights";
 
-struct Separator {
-  char character;
-  std::string_view name;
-};
-constexpr std::array separators{Separator{';', "semicolons"}, Separator{'\t', "tabs"}, Separator{',', "commas"}};
-
-struct Unit {
-  std::string_view name;
-  double size;  ///< m
-};
-constexpr std::array units{Unit{"m", 1.0}, Unit{"mm", 1e-3}, Unit{"um", 1e-6}, Unit{"nm", 1e-9}};
-
 /// What a column of heights holds.
 struct HeightColumn {
   std::size_t index{};
-  Unit unit{};
+  ColumnUnit unit{};
   bool absolute{};  ///< heights over the sleeve, not errors
 };
 
 std::optional<HeightColumn> height_column(std::string_view name, std::size_t index) {
-  for (const auto& [prefix, absolute] : {std::pair{"height_error_", false}, std::pair{"height_", true}}) {
-    if (!name.starts_with(prefix)) continue;
-    const std::string_view unit = name.substr(std::string_view(prefix).size());
-    const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& one) { return one.name == unit; });
-    if (found != units.end()) return HeightColumn{index, *found, absolute};
-  }
+  if (const auto unit = unit_of_column(name, "height_error", length_units)) return HeightColumn{index, *unit, false};
+  if (const auto unit = unit_of_column(name, "height", length_units)) return HeightColumn{index, *unit, true};
   return std::nullopt;
 }
 
@@ -57,19 +41,19 @@ class HeightErrorsReader {
     if (text.empty() || text.starts_with('#')) return;
     if (!has_header_) return read_header(line, text);
     if (!column_) return;  // without it nothing is known of the rest
-    const std::vector<std::string_view> cells = cells_of(text);
+    const std::vector<std::string_view> cells = dialect_.cells(text);
     if (cells.size() != columns_) {
       return fault(
           line, text,
-          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), separator_.name, columns_),
+          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
           "write a value for every column");
     }
     const std::optional<std::size_t> index = bump_of(line, text, cells);
     if (!index) return;
-    const std::optional<double> value = number(cells[column_->index]);
+    const std::optional<double> value = dialect_.number(cells[column_->index]);
     if (!value) {
       return fault(line, text,
-                   fmt::format("has no finite number for the height (columns are separated by {})", separator_.name),
+                   fmt::format("has no finite number for the height (columns are separated by {})", dialect_.name),
                    fmt::format("give it in {}, without a unit", column_->unit.name));
     }
     lines_[*index] = line;
@@ -109,21 +93,10 @@ class HeightErrorsReader {
     faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
   }
 
-  [[nodiscard]] std::vector<std::string_view> cells_of(std::string_view text) const {
-    std::vector<std::string_view> cells;
-    for (;;) {
-      const std::size_t end = text.find(separator_.character);
-      cells.push_back(trimmed(text.substr(0, end)));
-      if (end == std::string_view::npos) return cells;
-      text.remove_prefix(end + 1);
-    }
-  }
-
   void read_header(std::size_t line, std::string_view text) {
     has_header_ = true;
-    separator_ = *std::find_if(separators.begin(), separators.end() - 1,
-                               [text](const Separator& one) { return text.find(one.character) != text.npos; });
-    const std::vector<std::string_view> names = cells_of(text);
+    dialect_ = dialect_of(text);
+    const std::vector<std::string_view> names = dialect_.cells(text);
     columns_ = names.size();
     std::size_t found = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -137,7 +110,7 @@ class HeightErrorsReader {
     column_.reset();
     fault(line, text,
           fmt::format("has {} of heights among its {} columns, separated by {}",
-                      found == 0 ? "no column" : fmt::format("{} columns", found), columns_, separator_.name),
+                      found == 0 ? "no column" : fmt::format("{} columns", found), columns_, dialect_.name),
           found == 0 ? std::string(name_advice) : "leave one");
   }
 
@@ -163,20 +136,13 @@ class HeightErrorsReader {
     return index;
   }
 
-  [[nodiscard]] std::optional<double> number(std::string_view cell) const {
-    std::string text(cell);
-    if (separator_.character != ',') std::replace(text.begin(), text.end(), ',', '.');
-    const auto value = parse<double>(text);
-    return value && std::isfinite(*value) ? value : std::nullopt;
-  }
-
   std::string path_;
   double height_;
   std::vector<double> errors_;
   std::vector<std::size_t> lines_;  ///< where each bump was given; 0 if it was not
   std::vector<Fault> faults_;
   bool has_header_{};
-  Separator separator_{};
+  CsvDialect dialect_;
   std::size_t columns_{};
   std::optional<std::size_t> bump_index_;
   std::optional<HeightColumn> column_;

@@ -19,6 +19,7 @@
 #include "io/binary_file.hpp"
 #include "io/case_json.hpp"
 #include "io/ensemble_reader.hpp"
+#include "io/measured_run.hpp"
 #include "io/report_names.hpp"
 #include "io/result_reader.hpp"
 #include "io/shown_samples.hpp"
@@ -212,7 +213,9 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
   BUMPFOIL_ASSERT(!folders.empty());
   Json runs = Json::array();
   std::vector<Fault> faults;
-  const std::vector<std::string> names = names_of(folders);
+  std::vector<fs::path> sources = folders;
+  sources.insert(sources.end(), options.measured.begin(), options.measured.end());
+  const std::vector<std::string> names = names_of(sources);
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const fs::path& folder = folders[i];
     try {
@@ -226,6 +229,9 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
     }
   }
   if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
+  for (std::size_t i = 0; i < options.measured.size(); ++i) {
+    runs.push_back(measured_run(options.measured[i].string(), names[folders.size() + i], runs));
+  }
   return dump_json({{"schema", "bumpfoil-report/1"},
                     {"version", version()},
                     {"commit", commit()},

@@ -63,10 +63,12 @@ function masthead(report: ReportData, runs: Result[]): HTMLElement {
   const titles = [...new Set(runs.map((run) => run.attribute('title')))].filter((title) => title !== '');
   const title = titles.length === 0 ? 'Untitled case' : titles.join(' / ');
   document.title = `${title} – Bumpfoil report`;
-  const solvers = [...new Set(runs.map((run) => run.data.summary.solver))].join(', ');
+  const computed = runs.filter((run) => run.data.measured !== true);
+  const solvers = [...new Set(computed.map((run) => run.data.summary.solver))].join(', ');
   const dates = runs.map((run) => run.attribute('date_created').slice(0, 10)).sort();
   const about = [
-    runs.length > 1 ? `${runs.length} runs compared` : '',
+    computed.length > 1 ? `${computed.length} runs compared` : '',
+    computed.length < runs.length ? 'compared with measured loops' : '',
     outcomes(runs),
     `solver ${solvers}`,
     `bumpfoil ${report.version} (${report.commit})`,

@@ -22,6 +22,9 @@ struct ReadingOptions {
   /// by its shape, show wrong numbers, or crash libhdf5.
   bool checked = true;
   std::function<void(const std::string&)> warn{};  ///< called, where given, with what users should know of a folder
+  /// CSV files of measured loops, each shown as one more run: columns displacement_um (or _nm, _mm, _m) and force_N (or
+  /// _mN, _kN), and where the results have several cycles `direction` (+X, degrees) or, of a strip, `cycle`.
+  std::vector<std::filesystem::path> measured{};
 };
 
 /// Everything that a report shows of the results in some folders, as JSON.
@@ -40,7 +43,8 @@ struct ReadingOptions {
 /// (numbers of those that are kept: all, or every n-th one of each branch, always with its ends), `series` (variables
 /// per increment) and `fields` (per increment and node: `{"at": "bump" | "foot", "values"}`). Left out are gaps, which
 /// the displacements give, and the friction at the journal, which is zero. Of stresses per node `series` has the
-/// largest at every increment.
+/// largest at every increment. Measured loops have `measured`: true, series of displacement, force and work, and no
+/// fields.
 ///
 /// Grids (`equilibrium`, `film`, `path`, `sweep`, `vibration`): `summary` is what summary.json begins with, up to the
 /// status, and its `limits`; `dimensions`
@@ -61,7 +65,8 @@ struct ReadingOptions {
 /// version 0.1 have no checksums; they are read with a warning.
 ///
 /// @param folders  of results, at least one
-/// @throws Error (file) that lists every folder that does not exist, holds no result, cannot be read, or is damaged
+/// @throws Error (file) that lists every folder that does not exist, holds no result, cannot be read, or is damaged;
+///         Error (input) for measured loops that cannot be understood, or that no result is to be compared with
 std::string report_json(const std::vector<std::filesystem::path>& folders, const ReadingOptions& options = {});
 
 /// The page with the data in place of `report_placeholder`, written so that no text in it can end the script element

@@ -180,6 +180,42 @@ TEST(Report, ComparesSeveralFolders) {
   EXPECT_EQ(report.at("runs").at(1).at("nodes").at("foot"), 52);
 }
 
+TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
+  const Results results(run_cycles(short_case()));
+  const TemporaryFolder folder;
+  const auto with = [&](const std::string& text) {
+    return report_json({results.path()}, {.measured = {folder.write("rig.csv", text)}});
+  };
+  const json run =
+      json::parse(with("direction,displacement_um,force_N\n450,0,0\n450,10,100\n450,2,0\n")).at("runs").at(1);
+  EXPECT_EQ(run.at("name"), "rig.csv");
+  EXPECT_EQ(run.at("kind"), "cycle");
+  EXPECT_TRUE(run.at("measured").get<bool>());
+  EXPECT_EQ(run.at("cycles")[0].at("at"), 90.0);
+  EXPECT_EQ(numbers_of(run.at("cycles")[0].at("series").at("force_direct")), (std::vector<float>{0.0F, 100.0F, 0.0F}));
+  const json& summary = run.at("summary").at("cycles")[0];
+  EXPECT_EQ(summary.at("max_force_N"), 100.0);
+  EXPECT_NEAR(summary.at("loop_energy_J").get<double>(), 1e-4, 1e-18);
+  EXPECT_NEAR(summary.at("clearances")[0].at("displacement_m").get<double>(), 0.5e-6, 1e-18);
+  for (const json& quantity : run.at("quantities")) EXPECT_TRUE(summary.contains(quantity.at("key"))) << quantity;
+
+  const auto refusal = [&](const std::string& text) -> std::string {
+    try {
+      with(text);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::input);
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(
+      refusal("displacement_um,force_N\n0,0\n10,100\n2,0\n").find("add a column direction: the results have +X, +Y"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal("direction,displacement_um,force_N\n-X,0,0\n-X,10,100\n-X,2,0\n").find("of the direction 180, which"),
+      std::string::npos);
+}
+
 TEST(Report, NamesRunsByAsManyPartsOfTheirPathsAsTellThemApart) {
   const TemporaryFolder folder;
   const auto copy_to = [&](const char* place) {

@@ -14,10 +14,10 @@ export function player(selection: Selection, comparison: Comparison): HTMLElemen
   const play = el('button', { type: 'button', class: 'play' });
   const readout = el('output', {});
   const runs = el('select', { 'aria-label': 'Run' });
-  runs.addEventListener('change', () => selection.show({ run: at(comparison.shown, runs.selectedIndex) }));
+  runs.addEventListener('change', () => selection.show({ run: at(comparison.shownFoils, runs.selectedIndex) }));
   const listRuns = (): void => {
-    runs.replaceChildren(...comparison.shown.map(({ label }) => el('option', {}, label)));
-    runs.selectedIndex = comparison.shown.indexOf(selection.run);
+    runs.replaceChildren(...comparison.shownFoils.map(({ label }) => el('option', {}, label)));
+    runs.selectedIndex = comparison.shownFoils.indexOf(selection.run);
   };
   const cycles = el('select', { 'aria-label': at(selection.runs, 0).kind.cycles.title });
   cycles.addEventListener('change', () => {
@@ -55,7 +55,7 @@ export function player(selection: Selection, comparison: Comparison): HTMLElemen
     const { run, cycle, index } = selection;
     if (run !== listed) {
       listed = run;
-      runs.selectedIndex = comparison.shown.indexOf(run);
+      runs.selectedIndex = comparison.shownFoils.indexOf(run);
       cycles.replaceChildren(...run.cycles.map(({ name }) => el('option', {}, name)));
     }
     cycles.selectedIndex = run.cycles.indexOf(cycle);

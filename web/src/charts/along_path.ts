@@ -73,8 +73,8 @@ class PathPanel {
     const panel = new Panel(
       {
         title: `${section.title}, ${name}`,
-        subject: () => comparison.focus.map(({ label }) => label).join(', '),
-        file: () => fileName(section.file, ...comparison.focus.map(({ label }) => label), name),
+        subject: () => comparison.focusFoils.map(({ label }) => label).join(', '),
+        file: () => fileName(section.file, ...comparison.focusFoils.map(({ label }) => label), name),
         drawing: () => this.chart.drawing,
         legend: () => this.legend(),
         csv: () => this.csv(),
@@ -92,13 +92,13 @@ class PathPanel {
   }
 
   private get curves(): Curve[] {
-    return curvesOf(this.comparison, this.key, this.comparison.focus);
+    return curvesOf(this.comparison, this.key, this.comparison.focusFoils);
   }
 
   /** Loops that the axes have room for. */
   private get compared(): Cycle[] {
     if (this.comparison.ownAxes) return this.curves.map(({ cycle }) => cycle);
-    return this.comparison.focus.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
+    return this.comparison.focusFoils.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
   }
 
   private get most(): number {

@@ -58,9 +58,9 @@ export function colourSample(colour: (current: Look) => string, text: string): L
 }
 
 /** What tells the runs in focus apart. */
-export function runLegend(comparison: Comparison): LegendEntry[] {
+export function runLegend(comparison: Comparison, runs = comparison.focus): LegendEntry[] {
   if (!comparison.several) return [];
-  return comparison.focus.map((run) => colourSample((current) => comparison.colour(run, current), nameOf(comparison, run)));
+  return runs.map((run) => colourSample((current) => comparison.colour(run, current), nameOf(comparison, run)));
 }
 
 export function nameOf(comparison: Comparison, run: Run): string {

@@ -38,10 +38,10 @@ class LoadPanel {
     this.panel = new Panel(
       {
         title: `Bump loads, ${name}`,
-        subject: () => [this.kind.title, ...comparison.focus.map(({ label }) => label)].join(' · '),
-        file: () => fileName('loads', this.kind.name, ...comparison.focus.map(({ label }) => label), name),
+        subject: () => [this.kind.title, ...comparison.focusFoils.map(({ label }) => label)].join(' · '),
+        file: () => fileName('loads', this.kind.name, ...comparison.focusFoils.map(({ label }) => label), name),
         drawing: () => this.chart.drawing,
-        legend: () => [...samples, ...runLegend(comparison)],
+        legend: () => [...samples, ...runLegend(comparison, comparison.focusFoils)],
         csv: () => this.csv(),
       },
       this.chart.root,
@@ -62,13 +62,13 @@ class LoadPanel {
   }
 
   private get curves(): Curve[] {
-    return curvesOf(this.comparison, this.key, this.comparison.focus);
+    return curvesOf(this.comparison, this.key, this.comparison.focusFoils);
   }
 
   private get most(): number {
     const compared = this.comparison.ownAxes
       ? this.curves.map(({ cycle }) => cycle)
-      : this.comparison.focus.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
+      : this.comparison.focusFoils.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
     return largest(...compared.map((cycle) => loadsAt(cycle, this.kind, cycle.turning)));
   }
 

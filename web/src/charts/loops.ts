@@ -108,15 +108,19 @@ export class LoopPanel {
   }
 
   private read(): void {
-    this.curves = this.contents.curves();
-    this.series = this.contents.focus().flatMap((curve, i) =>
+    this.curves = this.contents.curves().filter(({ cycle }) => cycle.knows(this.force.name));
+    this.series = this.focus.flatMap((curve, i) =>
       curve.cycle.branches().map((branch, k) => ({ curve, branch, label: k === 0 ? i : undefined })),
     );
     this.scale();
   }
 
+  private get focus(): Curve[] {
+    return this.contents.focus().filter(({ cycle }) => cycle.knows(this.force.name));
+  }
+
   private description(): string {
-    const peaks = this.contents.focus().map(({ label, cycle }) => `${label} ${formatQuantity(cycle.value('force_direct', cycle.turning), 'N')}`);
+    const peaks = this.focus.map(({ label, cycle }) => `${label} ${formatQuantity(cycle.value('force_direct', cycle.turning), 'N')}`);
     return `${this.contents.title}: ${this.force.title.toLowerCase()} over displacement; at full displacement ${peaks.join(', ')}`;
   }
 
@@ -124,7 +128,7 @@ export class LoopPanel {
     const options = this.forces.map((value) => ({ value, text: value.text }));
     return choice(`Force shown: ${this.contents.title}`, options, this.force, (force) => {
       this.force = force;
-      this.scale();
+      this.read();
       this.panel.refresh();
       this.chart.fit();
       this.follow();
@@ -159,7 +163,7 @@ export class LoopPanel {
     const [right, left] = reach(compared, 'displacement', across);
     const [upper, lower] = reach(compared, this.force.name, upwards);
     const perUnit = (this.height(width) - frame.top - frame.bottom) / (upper - lower);
-    const focus = this.contents.focus();
+    const { focus } = this;
     const offsets = labelOffsets(focus.map(({ cycle }) => -perUnit * at(this.points(cycle, [cycle.turning]), 0)[1]));
     return {
       grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, ...frame },
@@ -199,7 +203,7 @@ export class LoopPanel {
 
   /** Drawn as a family, without markers. */
   private others(): Curve[] {
-    const focus = new Set(this.contents.focus().map(({ cycle }) => cycle));
+    const focus = new Set(this.focus.map(({ cycle }) => cycle));
     return this.curves.filter(({ cycle }) => !focus.has(cycle));
   }
 
@@ -212,7 +216,7 @@ export class LoopPanel {
     return tooltipBox(label, [
       ['Increment', `${at(cycle.increments, index)}, ${cycle.isLoading(index) ? 'loading' : 'unloading'}`],
       ['Displacement', formatQuantity(cycle.value('displacement', index), 'm')],
-      ...this.forces.map(({ name, title }): [string, string] => [title, formatQuantity(cycle.value(name, index), 'N')]),
+      ...this.forces.filter(({ name }) => cycle.knows(name)).map(({ name, title }): [string, string] => [title, formatQuantity(cycle.value(name, index), 'N')]),
     ]);
   }
 
@@ -249,7 +253,7 @@ export class LoopPanel {
     area.on('globalout', () => instance.dispatchAction({ type: 'hideTip' }));
     area.on('click', (event) => {
       const point = this.nearest(event.offsetX, event.offsetY, 60);
-      if (point) this.comparison.selection.show({ run: point.curve.run, key: point.curve.cycle.key, index: point.index });
+      if (point && !point.curve.run.isMeasured) this.comparison.selection.show({ run: point.curve.run, key: point.curve.cycle.key, index: point.index });
     });
   }
 

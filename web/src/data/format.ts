@@ -17,6 +17,8 @@ export interface ResultData {
   name: string;
   /** The command that wrote it. */
   kind: string;
+  /** Loops of that kind that were measured: there is displacement and force, and what follows from them. */
+  measured?: boolean;
   attributes: Record<string, string>;
   summary: SummaryHead;
   /** What tables show, in their order. */

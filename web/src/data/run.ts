@@ -108,6 +108,10 @@ export class Cycle {
     return this.values(name)[index] ?? NaN;
   }
 
+  knows(name: string): boolean {
+    return this.data.series[name] !== undefined;
+  }
+
   /** Way of the mover up to an increment: it grows on after turning points, where the displacement goes back. */
   path(index: number): number {
     if (this.way.length === 0) {
@@ -174,6 +178,11 @@ export class Run extends Result<RunData> {
       const steps = summary?.steps ?? settings?.steps ?? 0;
       return new Cycle(cycle, data.nodes, data.last_increment, kind.cycles.name(cycle.at), summary, steps, summary?.amplitude_m ?? settings?.amplitude ?? 0);
     });
+  }
+
+  /** A rig told it, not the program: nothing is known of its foils. */
+  get isMeasured(): boolean {
+    return this.data.measured === true;
   }
 
   /** From the mover outwards; where it presses on the bumps themselves, without a top foil. */

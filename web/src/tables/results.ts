@@ -73,7 +73,9 @@ function text(value: Value, { whole }: Quantity, scale: Scale): string {
 function bodyRow(quantity: Quantity, columns: Column[], reference: Run | undefined): HTMLElement {
   const numbers = columns.map((column) => numberOf(valueOf(column, quantity)));
   const scale = scaleFor(largest(numbers.map((number) => number ?? 0)), quantity.unit);
-  const compared = reference ? numberOf(valueOf(at(columns, 0), quantity)) : null;
+  const first = at(columns, 0);
+  // The reference need not have this cycle.
+  const compared = first.run === reference ? numberOf(valueOf(first, quantity)) : null;
   const cells = columns.flatMap((column, i) => {
     const place = placeOf(column, quantity);
     const value = el('td', {}, text(valueOf(column, quantity), quantity, scale), ...(place ? [el('small', { class: 'place' }, placeText(place))] : []));
@@ -93,7 +95,7 @@ function head(columns: Column[], reference: Run | undefined, name: (key: number)
   const corner = [el('th', { scope: 'col' }, 'Quantity'), el('th', { scope: 'col', class: 'unit' }, 'Unit')];
   const cells = columns.flatMap(({ run, key }, i) => {
     if (!reference) return [el('th', { scope: 'col' }, name(key))];
-    if (i === 0) return [el('th', { scope: 'col', class: 'run' }, `${run.label} (reference)`)];
+    if (i === 0) return [el('th', { scope: 'col', class: 'run' }, run === reference ? `${run.label} (reference)` : run.label)];
     return [
       el('th', { scope: 'col', class: 'run' }, run.label),
       el('th', { scope: 'col', class: 'difference' }, 'difference'),

@@ -19,12 +19,14 @@ export class Comparison {
   private readonly chosen: Set<Run>;
   private readonly listeners: (() => void)[] = [];
 
+  /** @param measured  loops that are compared with the runs, by default as their reference */
   constructor(
     readonly selection: Selection,
     readonly families: SweptKey[],
+    measured: Run[] = [],
   ) {
-    this.runs = selection.runs;
-    this.reference = selection.run;
+    this.runs = [...selection.runs, ...measured];
+    this.reference = measured[0] ?? selection.run;
     this.chosen = new Set(this.runs);
     this.family = this.runs.length > mostInColours ? families[0] : undefined;
     let run = selection.run;
@@ -55,6 +57,15 @@ export class Comparison {
     return this.runs.filter((run) => run === this.reference || run === this.selection.run);
   }
 
+  /** Those shown whose foils are known. */
+  get shownFoils(): Run[] {
+    return this.shown.filter((run) => !run.isMeasured);
+  }
+
+  get focusFoils(): Run[] {
+    return this.focus.filter((run) => !run.isMeasured);
+  }
+
   get shownLoops(): Cycle[] {
     return this.shown.flatMap((run) => run.cycles.filter((cycle) => cycle.size > 0));
   }
@@ -72,13 +83,14 @@ export class Comparison {
     this.listeners.push(listener);
   }
 
-  /** Shows these runs; of none the reference stays. */
+  /** Shows these runs; where the foils of none are known, the reference stays, or the run that is looked at. */
   show(runs: Run[]): void {
     this.chosen.clear();
-    for (const run of runs.length > 0 ? runs : [this.reference]) this.chosen.add(run);
+    for (const run of runs) this.chosen.add(run);
+    if (this.shownFoils.length === 0) this.chosen.add(this.reference.isMeasured ? this.selection.run : this.reference);
     if (!this.isShown(this.reference)) this.reference = at(this.shown, 0);
     if (this.isShown(this.selection.run)) this.tell();
-    else this.selection.show({ run: this.reference });
+    else this.selection.show({ run: at(this.shownFoils, 0) });
   }
 
   /** Changes what is told apart, and how. */
@@ -89,6 +101,7 @@ export class Comparison {
   }
 
   colour(run: Run, current: Look): string {
+    if (run.isMeasured) return current.text;
     const values = this.family?.values;
     if (!values) return at(current.series, this.runs.indexOf(run) % current.series.length);
     const all = [...values.values()];

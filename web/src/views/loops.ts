@@ -9,7 +9,7 @@ import { sweptKeys } from '../data/case_values';
 import type { CaseKeys, ResultData, RunData } from '../data/format';
 import { shortfallsOf, warningsOf } from '../data/outcome';
 import { allKeys, at, Run } from '../data/run';
-import { caseSection } from '../tables/case';
+import { caseSection, type ComparedCases } from '../tables/case';
 import { entriesOf } from '../tables/glossary';
 import { resultTable } from '../tables/results';
 import { Comparison } from '../ui/comparison';
@@ -39,29 +39,51 @@ function loopPanels(comparison: Comparison, begun: number[]): LoopPanel[] {
   );
 }
 
-/** Cycles, of a bearing or of a strip; runs of one kind are compared. */
+/** What was measured has no case. */
+function casesOf(comparison: Comparison): ComparedCases {
+  return {
+    several: comparison.selection.runs.length > 1,
+    get focus() {
+      return comparison.focusFoils;
+    },
+    get shown() {
+      return comparison.shownFoils;
+    },
+    get names() {
+      return comparison.many ? comparison.names : comparison.shownFoils.map(({ label }) => label).join(', ');
+    },
+    onChange: (listener) => comparison.onChange(listener),
+  };
+}
+
+/** Cycles, of a bearing or of a strip; runs of one kind are compared, with each other and with measured loops. */
 export function loopView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
   const runs = results.map((data) => new Run(data as RunData));
   return {
-    sections: sectionsOf(runs, caseKeys, alone),
+    sections: sectionsOf(
+      runs.filter((run) => !run.isMeasured),
+      runs.filter((run) => run.isMeasured),
+      caseKeys,
+      alone,
+    ),
     warnings: runs.map((run) => warningsOf(run)),
     entries: entriesOf(runs),
   };
 }
 
 /** Sections on cycles, and the bar that moves along them. */
-function sectionsOf(runs: Run[], caseKeys: CaseKeys, alone: boolean): HTMLElement[] {
+function sectionsOf(runs: Run[], measured: Run[], caseKeys: CaseKeys, alone: boolean): HTMLElement[] {
   const { kind, data } = at(runs, 0);
   const keys = allKeys(runs);
   const selection = new Selection(runs);
-  const comparison = new Comparison(selection, runs.length > 1 ? sweptKeys(runs, caseKeys) : []);
+  const comparison = new Comparison(selection, runs.length > 1 ? sweptKeys(runs, caseKeys) : [], measured);
   const part = (name: string, title: string, ...children: Node[]): HTMLElement =>
     section(`${data.kind}-${name}`, alone || name === 'loops' ? title : `${title}, ${kind.name}`, ...children);
   const ends = [
     part('results', 'Results', resultTable(comparison, keys)),
-    part('case', 'Case and origin', caseSection(comparison, caseKeys, {
+    part('case', 'Case and origin', caseSection(casesOf(comparison), caseKeys, {
     shortfalls: (run) => shortfallsOf(run as Run),
-    note: comparison.several ? 'Lines in which the runs differ are marked.' : '',
+    note: runs.length > 1 ? 'Lines in which the runs differ are marked.' : '',
   })),
   ];
   const begun = keys.filter((key) => runs.some((run) => (run.cycle(key)?.size ?? 0) > 0));

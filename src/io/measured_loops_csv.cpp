@@ -1,0 +1,135 @@
+#include "io/measured_loops_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bumpfoil/analysis/measured_loop.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "io/csv_dialect.hpp"
+#include "io/csv_lines.hpp"
+#include "io/text_file.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::array axes{std::pair{"+X", 0.0}, std::pair{"+Y", 90.0}, std::pair{"-X", 180.0}, std::pair{"-Y", 270.0}};
+
+struct Column {
+  std::size_t index{};
+  ColumnUnit unit{};
+};
+
+/// Takes the lines one by one.
+class LoopsReader {
+ public:
+  LoopsReader(const std::string& path, const std::string& at_column) : path_(path), at_column_(at_column) {}
+
+  void read_line(std::size_t line, std::string_view text) {
+    if (text.empty() || text.starts_with('#')) return;
+    if (columns_ == 0) return read_header(line, text);
+    if (!displacement_ || !force_) return;  // without them nothing is known of the rest
+    const std::vector<std::string_view> cells = dialect_.cells(text);
+    if (cells.size() != columns_) {
+      return fault(
+          line, text,
+          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
+          "write a value for every column");
+    }
+    const std::optional<double> displacement = dialect_.number(cells[displacement_->index]);
+    const std::optional<double> force = dialect_.number(cells[force_->index]);
+    if (!displacement || !force) {
+      return fault(line, text,
+                   fmt::format("has no finite number for the {} (columns are separated by {})",
+                               displacement ? "force" : "displacement", dialect_.name),
+                   "give it without a unit");
+    }
+    std::optional<double> at;
+    if (at_) {
+      at = place(cells[*at_]);
+      if (!at) return fault(line, text, fmt::format("has no {}", at_column_), at_advice());
+    }
+    loop_at(at).points.push_back({*displacement * displacement_->unit.size, *force * force_->unit.size});
+  }
+
+  /// @throws Error (input) if there was a fault
+  std::vector<MeasuredLoop> finish() {
+    const auto whole = [this](std::string what, std::string advice) {
+      faults_.push_back({path_, 0, "", "", std::move(what), std::move(advice)});
+    };
+    if (loops_.empty() && faults_.empty()) {
+      whole("holds no loop", "write displacement_um,force_N and a line for each point of the loop");
+    }
+    for (const MeasuredLoop& loop : loops_) {
+      if (!faults_.empty() || turns_round(loop.points)) continue;
+      whole(fmt::format("{} {} does not go to a displacement and back", loop.at ? at_column_ : "the loop",
+                        loop.at ? fmt::format("{}", *loop.at) : "in it"),
+            "give its points in the order of measurement, displacements positive towards the foils");
+    }
+    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    return std::move(loops_);
+  }
+
+ private:
+  void fault(std::size_t line, std::string_view text, std::string what, std::string advice) {
+    faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
+  }
+
+  void read_header(std::size_t line, std::string_view text) {
+    dialect_ = dialect_of(text);
+    const std::vector<std::string_view> names = dialect_.cells(text);
+    columns_ = names.size();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == at_column_ || names[i] == at_column_ + "_deg") at_ = i;
+      if (const auto unit = unit_of_column(names[i], "displacement", length_units)) displacement_ = Column{i, *unit};
+      if (const auto unit = unit_of_column(names[i], "force", force_units)) force_ = Column{i, *unit};
+    }
+    for (const auto& [column, name] : {std::pair{displacement_, "displacement_um"}, std::pair{force_, "force_N"}}) {
+      if (column) continue;
+      fault(line, text, fmt::format("has no {} among its {} columns, separated by {}", name, columns_, dialect_.name),
+            fmt::format("name a column {}, or with another unit", name));
+    }
+  }
+
+  [[nodiscard]] std::string at_advice() const {
+    return at_column_ == "cycle" ? "write 1, 2, ..." : "write +X, -X, +Y, -Y or an angle in degrees";
+  }
+
+  [[nodiscard]] std::optional<double> place(std::string_view cell) const {
+    const auto axis = std::find_if(axes.begin(), axes.end(), [cell](const auto& one) { return one.first == cell; });
+    if (at_column_ != "cycle" && axis != axes.end()) return axis->second;
+    return dialect_.number(cell);
+  }
+
+  MeasuredLoop& loop_at(const std::optional<double>& at) {
+    const auto found =
+        std::find_if(loops_.begin(), loops_.end(), [&at](const MeasuredLoop& loop) { return loop.at == at; });
+    if (found != loops_.end()) return *found;
+    loops_.push_back({at, {}});
+    return loops_.back();
+  }
+
+  std::string path_;
+  std::string at_column_;
+  std::vector<MeasuredLoop> loops_;
+  std::vector<Fault> faults_;
+  CsvDialect dialect_;
+  std::size_t columns_{};  ///< 0 before the header
+  std::optional<std::size_t> at_;
+  std::optional<Column> displacement_;
+  std::optional<Column> force_;
+};
+
+}  // namespace
+
+std::vector<MeasuredLoop> read_measured_loops(const std::string& path, const std::string& at_column) {
+  const std::string text = read_text_file(path);
+  LoopsReader reader(path, at_column);
+  for_each_line(text, [&reader](std::size_t line, std::string_view content) { reader.read_line(line, content); });
+  return reader.finish();
+}
+
+}  // namespace bumpfoil

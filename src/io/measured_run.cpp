@@ -1,0 +1,159 @@
+#include "io/measured_run.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/analysis/measured_loop.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
+#include "io/base64.hpp"
+#include "io/measured_loops_csv.hpp"
+#include "io/result_reader.hpp"
+#include "io/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What follows from displacement and force alone.
+constexpr std::array measured_quantities{"max_force",   "initial_force", "loaded_stiffness", "secant_stiffness",
+                                         "loop_energy", "loss_factor",   "take_up"};
+
+bool is_measured(std::string_view name) {
+  return std::find(measured_quantities.begin(), measured_quantities.end(), name) != measured_quantities.end();
+}
+
+[[noreturn]] void refuse(const std::string& path, std::string what, std::string advice) {
+  throw Error(ErrorKind::input, {{path, 0, "", "", std::move(what), std::move(advice)}});
+}
+
+Json increments_json(const Cycle& cycle, double at) {
+  const std::vector<Increment>& increments = cycle.increments;
+  std::vector<std::size_t> numbers(increments.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  const auto series = [&increments](double Increment::*member) {
+    std::vector<double> values;
+    values.reserve(increments.size());
+    for (const Increment& increment : increments) values.push_back(increment.*member);
+    return base64_of(values);
+  };
+  std::vector<signed char> branches;
+  branches.reserve(increments.size());
+  for (const Increment& increment : increments) branches.push_back(static_cast<signed char>(increment.branch));
+  return {{"at", at},
+          {"increments", numbers},
+          {"series",
+           {{"branch", base64_of(branches)},
+            {"displacement", series(&Increment::displacement)},
+            {"force_direct", series(&Increment::force_direct)},
+            {"work", series(&Increment::work)}}},
+          {"fields", Json::object()}};
+}
+
+Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
+  Json json{{"at", at}, {"steps", cycle.steps}, {"amplitude_m", cycle.amplitude}, {"converged", true}};
+  for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
+    if (is_measured(quantity.name)) {
+      json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, {}), quantity.form);
+    }
+  }
+  json["clearances"] = Json::array();
+  for (const Clearance& clearance : cycle.clearances) {
+    json["clearances"].push_back({{"force_N", clearance.force},
+                                  {"displacement_m", clearance.displacement ? Json(*clearance.displacement) : Json()}});
+  }
+  return json;
+}
+
+/// The cycle that a loop is of.
+double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::set<double>& cycles, bool strip) {
+  const std::string_view column = strip ? "cycle" : "direction";
+  std::vector<std::string> names;
+  names.reserve(cycles.size());
+  for (const double at : cycles) {
+    names.push_back(strip ? fmt::format("{}", at) : direction_name(at * std::numbers::pi / 180.0));
+  }
+  if (!loop.at) {
+    if (cycles.size() == 1) return *cycles.begin();
+    refuse(path, fmt::format("does not say of which {} its loop is", column),
+           fmt::format("add a column {}: the results have {}", column, fmt::join(names, ", ")));
+  }
+  // Of directions a turn more is the same.
+  const auto same = [&loop, strip](double at) {
+    const double turns = (*loop.at - at) / 360.0;
+    return at == *loop.at || (!strip && std::abs(turns - std::round(turns)) < 1e-9);
+  };
+  const auto found = std::find_if(cycles.begin(), cycles.end(), same);
+  if (found == cycles.end()) {
+    refuse(path, fmt::format("has a loop of the {} {}, which the results have not", column, *loop.at),
+           fmt::format("they have {}", fmt::join(names, ", ")));
+  }
+  return *found;
+}
+
+}  // namespace
+
+Json measured_run(const std::string& path, const std::string& name, const Json& runs) {
+  const auto like = std::find_if(runs.begin(), runs.end(),
+                                 [](const Json& run) { return has_cycles(run["kind"].get<std::string>()); });
+  if (like == runs.end()) {
+    refuse(path, "cannot be compared with results that have no loops", "give the folder of a cycle or a strip");
+  }
+  const auto kind = (*like)["kind"].get<std::string>();
+  const bool strip = kind == name_of(Experiment::strip);
+  std::set<double> cycles;
+  for (const Json& run : runs) {
+    if (run["kind"] != kind) continue;
+    for (const Json& cycle : run["cycles"]) cycles.insert(cycle["at"].get<double>());
+  }
+  std::vector<double> clearance_forces;
+  for (const Json& cycle : (*like)["summary"]["cycles"]) {
+    if (!clearance_forces.empty() || !cycle.contains("clearances")) continue;
+    for (const Json& clearance : cycle["clearances"]) clearance_forces.push_back(clearance["force_N"].get<double>());
+  }
+
+  Json quantities = Json::array();
+  for (const Json& quantity : (*like)["quantities"]) {
+    if (is_measured(quantity["name"].get<std::string>())) quantities.push_back(quantity);
+  }
+  std::size_t most = 0;
+  Json loops = Json::array();
+  Json summaries = Json::array();
+  for (const MeasuredLoop& loop : read_measured_loops(path, strip ? "cycle" : "direction")) {
+    const double at = cycle_of(path, loop, cycles, strip);
+    const Cycle cycle = measured_cycle(loop.points, clearance_forces);
+    most = std::max(most, cycle.increments.size());
+    loops.push_back(increments_json(cycle, at));
+    summaries.push_back(summary_of(cycle, at, strip ? Experiment::strip : Experiment::cycle));
+  }
+  return {{"name", name},
+          {"kind", kind},
+          {"measured", true},
+          {"attributes", Json::object()},
+          {"summary",
+           {{"case", Json::object()},
+            {"version", ""},
+            {"commit", ""},
+            {"solver", ""},
+            {"status", "complete"},
+            {"cycles", summaries}}},
+          {"quantities", quantities},
+          {"meanings", (*like)["meanings"]},
+          {"geometry", Json::object()},
+          {"nodes", {{"bump", 0}, {"foot", 0}}},
+          {"last_increment", most - 1},
+          {"cycles", loops}};
+}
+
+}  // namespace bumpfoil
