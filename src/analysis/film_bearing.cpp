@@ -42,16 +42,17 @@ BlockTridiagonal bump_foil_alone(const FoilStructure& structure, int rows) {
 }
 
 FoilFilm make_foil(const Case& input, const FilmScales& scales, const FilmResolution& resolution) {
-  const BumpFoil& bumps = input.bump_foil;
+  const int bumps = input.bump_foil.bumps;
+  const double pitch = nominal_bump(input.bump_foil).pitch;  // of all, in a valid case
   const int m = resolution.columns_per_pitch;
   BUMPFOIL_ASSERT(m >= 4 && m % 2 == 0);
   std::vector<int> crests;
-  crests.reserve(static_cast<std::size_t>(bumps.bumps));
-  for (int i = 0; i < bumps.bumps; ++i) crests.push_back(m / 2 + i * m);
+  crests.reserve(static_cast<std::size_t>(bumps));
+  for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
   const double R = input.bearing.radius;
-  const FilmMesh mesh = make_slotted_mesh(bumps.bumps * m, resolution.rows, 0.5 * input.bearing.axial_length / R,
-                                          bumps.bumps * bumps.pitch / R);
-  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(input)).bending_stiffness, bumps.pitch,
+  const FilmMesh mesh =
+      make_slotted_mesh(bumps * m, resolution.rows, 0.5 * input.bearing.axial_length / R, bumps * pitch / R);
+  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(input)).bending_stiffness, pitch,
                         std::move(crests));
 }
 

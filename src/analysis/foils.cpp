@@ -1,5 +1,6 @@
 #include "bumpfoil/analysis/foils.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -24,7 +25,9 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
   foils.problem.law = elastic_law(foils.structure);
   foils.problem.force_scale = bump_force_scale(design);
   foils.roundings.force = 1e-12 * foils.problem.force_scale;
-  foils.rise = nominal_bump(input.bump_foil).rise;
+  foils.rise = std::max_element(design.bumps.begin(), design.bumps.end(), [](const BumpShape& a, const BumpShape& b) {
+                 return a.rise < b.rise;
+               })->rise;
   foils.roundings.energy = 1e-6 * foils.rise * foils.roundings.force;
   foils.roundings.stress = 1e-12 * input.bump_foil.youngs_modulus;
   if (design.top_foil) foils.problem.pairs.push_back({.plus = dofs.top_u});
@@ -40,13 +43,12 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
 
   // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of it stays in place.
   foils.assembled_gap.setZero(foils.problem.contacts());
+  const Vector offsets = crest_offsets(input.bump_foil);
   const Eigen::Index stride = foils.contacts_per_block();
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * stride;
     const auto i = static_cast<std::size_t>(bump);
-    if (!input.bump_foil.height_errors.empty()) {
-      foils.assembled_gap[first + foils.top_bump()] = -input.bump_foil.height_errors[i];
-    }
+    foils.assembled_gap[first + foils.top_bump()] = 0.0 - offsets[bump];  // zero has no sign
     if (!input.bump_foil.sleeve_gaps.empty()) {
       foils.assembled_gap.segment(first + foils.first_foot(), dofs.feet()).setConstant(input.bump_foil.sleeve_gaps[i]);
     }

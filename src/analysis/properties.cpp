@@ -41,25 +41,38 @@ std::optional<StiffnessRange> bump_foil_range(const FoilDesign& foils) {
   return StiffnessRange{.softest = values.minCoeff(), .stiffest = values.maxCoeff()};
 }
 
+BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, double friction) {
+  const BumpArc arc = make_bump_arc(bump);
+  const Section section = make_bump_section(foils, bump);
+  BumpProperties properties;
+  properties.shape = bump;
+  properties.arc = arc;
+  properties.cell = make_bump_cell(arc, section);
+  properties.identified = identify_truss_constants(arc, section);
+  properties.shallow_bump = shallow_bump_stiffness(arc, section);
+  properties.sliding_bump = sliding_bump_stiffness(arc, section, 0.0);
+  properties.guided_bump = guided_bump_stiffness(arc, section);
+  properties.loading_bump = sliding_bump_stiffness(arc, section, friction);
+  properties.unloading_bump = sliding_bump_stiffness(arc, section, -friction);
+  return properties;
+}
+
 }  // namespace
 
 Properties compute_properties(const Case& input) {
   require_valid(input);
   const FoilDesign foils = make_bearing_design(input);
-  const BumpShape bump = nominal_bump(input.bump_foil);
-  const BumpArc arc = make_bump_arc(bump);
-  const Section section = make_bump_section(foils, bump);
-  const double friction = input.friction.bump_sleeve;
-  return {.arc = arc,
-          .cell = make_bump_cell(arc, section),
-          .identified = identify_truss_constants(arc, section),
-          .shallow_bump = shallow_bump_stiffness(arc, section),
-          .sliding_bump = sliding_bump_stiffness(arc, section, 0.0),
-          .guided_bump = guided_bump_stiffness(arc, section),
-          .loading_bump = sliding_bump_stiffness(arc, section, friction),
-          .unloading_bump = sliding_bump_stiffness(arc, section, -friction),
-          .top_foil = top_foil_range(foils),
-          .bump_foil = bump_foil_range(foils)};
+  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(foils)};
+  int number = 0;
+  for (const BumpShape& bump : nominal_bumps(input.bump_foil)) {
+    ++number;
+    if (properties.bumps.empty() || properties.bumps.back().shape != bump) {
+      properties.bumps.push_back(properties_of(foils, bump, input.friction.bump_sleeve));
+      properties.bumps.back().from = number;
+    }
+    properties.bumps.back().to = number;
+  }
+  return properties;
 }
 
 }  // namespace bumpfoil

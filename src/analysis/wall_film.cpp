@@ -47,7 +47,7 @@ FilmBearing make_wall_bearing(const Case& input) {
   require_round_sleeve(input);
   const double R = input.bearing.radius;
   const double half_width = 0.5 * input.bearing.axial_length / R;
-  const double foil_angle = input.bump_foil.bumps * input.bump_foil.pitch / R;
+  const double foil_angle = input.bump_foil.bumps * nominal_bump(input.bump_foil).pitch / R;
   const int columns = input.bump_foil.bumps * input.film.columns_per_pitch;
   FilmBearing bearing;
   bearing.scales = {gas_of(input.gas), R, film_thickness_scale(input.bearing.radial_clearance)};

@@ -5,6 +5,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -12,15 +13,22 @@ namespace {
 /// Variables of DrawPlace. Those of scattered_numbers() follow the last. Another order would draw other bearings.
 enum Variable : std::uint32_t { height, waviness, first_number };
 
+/// Of the heights of a bump (from 0) and the one before it.
+double correlation(const std::vector<BumpShape>& bumps, std::size_t bump, double correlation_length) {
+  return std::exp(-0.5 * (bumps[bump - 1].pitch + bumps[bump].pitch) / correlation_length);
+}
+
 std::vector<double> draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace place) {
-  const double rho = heights.correlation_length > 0.0 ? std::exp(-foil.pitch / heights.correlation_length) : 0.0;
+  const bool correlated = heights.correlation_length > 0.0;
+  const std::vector<BumpShape> shapes = correlated ? nominal_bumps(foil) : std::vector<BumpShape>{};
   std::vector<double> deviations(static_cast<std::size_t>(foil.bumps));
   double score = 0.0;
   for (double& deviation : deviations) {
     double probability = uniform_draw(place);
-    if (rho > 0.0) {
+    if (correlated) {
       const double fresh = normal_quantile(probability);
-      score = place.element == 0 ? fresh : rho * score + std::sqrt(1.0 - rho * rho) * fresh;
+      const double rho = place.element == 0 ? 0.0 : correlation(shapes, place.element, heights.correlation_length);
+      score = rho * score + std::sqrt(1.0 - rho * rho) * fresh;
       probability = normal_probability(score);
     }
     deviation = quantile(heights.distribution, probability);
@@ -79,7 +87,7 @@ Case sampled_case(const Case& input, const Sample& sample) {
   if (!sample.height_deviations.empty()) heights.resize(sample.height_deviations.size());
   for (std::size_t i = 0; i < sample.height_deviations.size(); ++i) heights[i] += sample.height_deviations[i];
   for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
-    scattered_numbers()[i].in(sampled) += sample.deviations[i];
+    scattered_numbers()[i].add(sampled, sample.deviations[i]);
   }
   if (const auto& waves = input.montecarlo->sleeve_waviness) {
     sampled.bearing.sleeve_waviness = SleeveWaviness{waves->harmonic, waves->amplitude, sample.waviness_phase};

@@ -65,7 +65,7 @@ FormerModel make_former_model(const Case& input) {
   const FoilDesign foils = make_bearing_design(input);
   model.structure = make_foil_structure(foils);
   model.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
-  model.height_errors = list_or_zeros(input.bump_foil.height_errors, bumps);
+  model.height_errors = crest_offsets(input.bump_foil);
   model.sleeve_gaps = list_or_zeros(input.bump_foil.sleeve_gaps, bumps);
   const BumpDofs& dofs = model.structure.dofs;
   model.problem.K = model.structure.K;

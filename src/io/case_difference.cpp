@@ -1,5 +1,6 @@
 #include "io/case_difference.hpp"
 
+#include <map>
 #include <utility>
 
 #include "io/case_json.hpp"
@@ -15,15 +16,21 @@ std::string text_of(const ListedKey& listed) {
 }  // namespace
 
 std::vector<CaseDifference> case_differences(const Case& theirs, const Case& ours) {
-  // Both have all keys, held or not.
-  const std::vector<ListedKey> their_keys = list_keys(theirs);
-  const std::vector<ListedKey> our_keys = list_keys(ours);
+  // In the order of the case file; of lists of tables one may have more.
   std::vector<CaseDifference> differences;
-  for (std::size_t i = 0; i < their_keys.size(); ++i) {
-    if (their_keys[i].is_table()) continue;
-    CaseDifference difference{their_keys[i].path, text_of(their_keys[i]), text_of(our_keys[i])};
-    if (difference.theirs != difference.ours) differences.push_back(std::move(difference));
+  std::map<std::string, std::size_t> places;
+  for (const ListedKey& listed : list_keys(theirs)) {
+    if (listed.is_table()) continue;
+    places.emplace(listed.path, differences.size());
+    differences.push_back({listed.path, text_of(listed), "none"});
   }
+  for (const ListedKey& listed : list_keys(ours)) {
+    if (listed.is_table()) continue;
+    const auto [place, is_new] = places.try_emplace(listed.path, differences.size());
+    if (is_new) differences.push_back({listed.path, "none", {}});
+    differences[place->second].ours = text_of(listed);
+  }
+  std::erase_if(differences, [](const CaseDifference& one) { return one.theirs == one.ours; });
   return differences;
 }
 

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "io/deviations_csv.hpp"
 #include "io/height_errors_csv.hpp"
@@ -21,6 +22,15 @@ void optional_table(CaseVisitor& keys, const Key& key, std::optional<Table>& mem
   keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
     describe_members(visitor, inner);
     members = inner;
+  });
+}
+
+/// Tables under [[name]], one for each member. @param describe_member  (visitor, member) -> void
+template <typename Member, typename Describe>
+void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& members, const Describe& describe_member) {
+  keys.tables(key, members.size(), [&](CaseVisitor& inner, std::size_t i) {
+    if (i == members.size()) members.emplace_back();
+    describe_member(inner, members[i]);
   });
 }
 
@@ -59,6 +69,21 @@ void describe(CaseVisitor& keys, TrussOverrides& truss) {
              &truss.theta_d);
 }
 
+void describe(CaseVisitor& keys, BumpSection& section) {
+  keys.value({"from", required, "From bump", "its first one; bumps count from 1 at the weld", "1"}, &section.from);
+  keys.value({"to", required, "To bump", "its last one", "5"}, &section.to);
+  keys.value({"pitch", optional, "Pitch", "", "4.572 mm", length}, &section.pitch);
+  keys.value({"length", optional, "Length of a bump", "", "3.4 mm", length}, &section.length);
+  keys.value({"height", optional, "Height of a bump", "", "0.5 mm", length}, &section.height);
+  keys.value({"thickness", optional, "Thickness", "", "0.127 mm", length}, &section.thickness);
+}
+
+void describe(CaseVisitor& keys, Shim& shim) {
+  keys.value({"from", required, "From bump", "the first one on it; bumps count from 1 at the weld", "10"}, &shim.from);
+  keys.value({"to", required, "To bump", "the last one on it", "12"}, &shim.to);
+  keys.value({"thickness", required, "Thickness", "", "20 um", length}, &shim.thickness);
+}
+
 void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.choice({"model", defaulted, "Model",
                "springs between crests and feet; \"frame\": arcs and beams; \"former\": model of 2007"},
@@ -67,7 +92,11 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
       {"geometry", defaulted, "Displacements", "displacements are small; frame only: \"nonlinear\" follows large ones"},
       foil.geometry);
   keys.value({"bumps", required, "Bumps"}, &foil.bumps);
-  keys.value({"pitch", required, "Pitch", "crest to crest along the foil", "4.572 mm", length}, &foil.pitch);
+  keys.value({"pitch", required, "Pitch",
+              "crest to crest along the foil; as length, height and thickness one value, a list of one per bump, or "
+              "{ start = \"4 mm\", end = \"5 mm\", law = \"linear\" } from bump 1 to the last (or \"geometric\")",
+              "4.572 mm", length},
+             &foil.pitch);
   keys.value({"length", required, "Length of a bump", "chord of a bump's arc; the rest of the pitch is flat",
               "3.556 mm", length},
              &foil.length);
@@ -81,14 +110,24 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.value({"yield_stress", optional, "Yield stress", "above it the bending stress of the foil gives a warning",
               "1.1 GPa", pressure},
              &foil.yield_stress);
+  list_of_tables(
+      keys, {"section", optional, "Section", "bumps from one to another have these dimensions in place of those above"},
+      foil.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section); });
+  list_of_tables(keys, {"shim", optional, "Shim", "a sheet under some bumps, which lifts them"}, foil.shims,
+                 [](CaseVisitor& inner, Shim& shim) { describe(inner, shim); });
   keys.value({"height_errors", optional, "Height errors", "one per bump from the weld on, positive is taller",
               "[\"5 um\", \"-3 um\", ...]", length},
              &foil.height_errors);
   keys.file({"height_errors_file", optional, "File of height errors",
              "instead: a CSV file beside this one; columns bump, and height_error_um or height_mm", "\"heights.csv\""},
             "height_errors", [&foil](const std::string& path) {
-              if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
-              foil.height_errors = read_height_errors(path, foil.bumps, foil.height);
+              const bool bumps = foil.bumps >= 1 && foil.bumps <= most_bumps;
+              const auto count = static_cast<std::size_t>(foil.bumps);
+              if (!bumps || (foil.height.is_list() && foil.height.values.size() != count)) return;  // reported as such
+              std::vector<double> heights;
+              heights.reserve(count);
+              for (std::size_t n = 0; n < count; ++n) heights.push_back(nominal_height(foil, n));
+              foil.height_errors = read_height_errors(path, heights);
             });
   keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
               "frame only: true gives a bump of another height a stiffness of its own, too"},

@@ -35,7 +35,7 @@ struct Key {
 };
 
 /// Where the value of a key is kept. An absent number and an empty list stand for no value.
-using Value = std::variant<std::string*, bool*, int*, double*, std::optional<double>*, std::vector<double>*>;
+using Value = std::variant<std::string*, bool*, int*, double*, std::optional<double>*, std::vector<double>*, PerBump*>;
 
 /// Visits every key of the case file, in its order, to read or to write.
 class CaseVisitor {
@@ -82,6 +82,11 @@ class CaseVisitor {
   /// @return whether there is one
   virtual bool file(const Key& key, std::string_view other,
                     const std::function<void(const std::string& path)>& read) = 0;
+
+  /// Any number of tables of one kind, each under its own [[name]]. `describe` visits the keys of the i-th, from 0; the
+  /// case holds `count` yet. Not at the root.
+  virtual void tables(const Key& key, std::size_t count,
+                      const std::function<void(CaseVisitor&, std::size_t i)>& describe) = 0;
 
   /// A table whose keys `describe` visits; `given`: it holds anything yet.
   virtual void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) = 0;

@@ -49,7 +49,7 @@ std::string default_of(const ListedKey& reference, const ListedKey& unset) {
   if (!key.otherwise.empty()) return fmt::format("that of `{}`", key.otherwise);
   if (key.presence == Presence::required) return "required";
   if (key.presence == Presence::optional) return "none";
-  return fmt::format("`{}`", reference.value == unset.value ? example_of(reference) : dump_json(unset.value, -1));
+  return fmt::format("`{}`", reference.value == unset.value ? example_of(reference) : toml_of(unset.value));
 }
 
 constexpr std::string_view reference_head =
@@ -76,7 +76,7 @@ std::string case_template(std::string_view preset) {
   for (const ListedKey& listed : list_keys(reference_case())) {
     if (listed.is_table()) {
       live_table = listed.live;
-      out += '\n' + commented(live_table ? "" : "# ", fmt::format("[{}]", listed.path), listed.key.text);
+      out += '\n' + commented(live_table ? "" : "# ", table_header(listed.path), listed.key.text);
       continue;
     }
     // In a table that is commented out, what contradicts the rest of it stays so when the table is taken in.
@@ -97,8 +97,9 @@ std::string case_reference() {
     const Key& key = listed.key;
     const std::string fallback = default_of(listed, unset[i++]);
     if (listed.is_table()) {
-      out += fmt::format("\n## `[{}]`\n\n{}{}{}.{}\n{}", listed.path, key.title, key.text.empty() ? "" : ": ", key.text,
-                         key.presence == Presence::required ? " Required." : "", header);
+      out +=
+          fmt::format("\n## `{}`\n\n{}{}{}.{}\n{}", table_header(listed.path), key.title, key.text.empty() ? "" : ": ",
+                      key.text, key.presence == Presence::required ? " Required." : "", header);
     } else {
       if (listed.table().empty()) out += header;
       out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, listed.kind, fallback,

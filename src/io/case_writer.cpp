@@ -12,13 +12,29 @@ namespace bumpfoil {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+/// "/bump_foil/shim/0/from" for "bump_foil.shim[1].from".
+Json::json_pointer pointer_to(const std::string& path) {
+  Json::json_pointer pointer;
+  for (std::size_t start = 0; start <= path.size();) {
+    const std::size_t end = std::min(path.find('.', start), path.size());
+    const std::string name = path.substr(start, end - start);
+    const std::size_t bracket = name.find('[');
+    pointer /= name.substr(0, bracket);
+    if (bracket != std::string::npos) pointer /= std::stoul(name.substr(bracket + 1)) - 1;
+    start = end + 1;
+  }
+  return pointer;
+}
+
+}  // namespace
+
 Json case_json(const Case& input) {
   Json json;
   for (const ListedKey& listed : list_keys(input)) {
     if (listed.is_table() || !listed.held) continue;
-    std::string pointer = "/" + listed.path;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    json[Json::json_pointer(pointer)] = listed.value;
+    json[pointer_to(listed.path)] = listed.value;
   }
   return json;
 }
@@ -34,11 +50,10 @@ std::string case_to_toml(const Case& input) {
     if (listed.is_table() || !listed.held) continue;
     if (listed.table() != table) {
       table = listed.table();
-      out += fmt::format("\n[{}]\n", table);
+      out += fmt::format("\n{}\n", table_header(table));
     }
-    // JSON texts are TOML texts, too, as the delete character is escaped.
     const auto& dimension = listed.key.dimension;
-    out += fmt::format("{} = {}{}\n", listed.key.name, dump_json(listed.value, -1),
+    out += fmt::format("{} = {}{}\n", listed.key.name, toml_of(listed.value),
                        dimension ? fmt::format("  # {}", si_unit(*dimension)) : std::string());
   }
   return out;

@@ -34,8 +34,8 @@ std::optional<HeightColumn> height_column(std::string_view name, std::size_t ind
 /// Takes the lines one by one.
 class HeightErrorsReader {
  public:
-  HeightErrorsReader(const std::string& path, int bumps, double height)
-      : path_(path), height_(height), errors_(static_cast<std::size_t>(bumps)), lines_(errors_.size(), 0) {}
+  HeightErrorsReader(const std::string& path, const std::vector<double>& heights)
+      : path_(path), heights_(heights), errors_(heights.size()), lines_(heights.size(), 0) {}
 
   void read_line(std::size_t line, std::string_view text) {
     if (text.empty() || text.starts_with('#')) return;
@@ -57,8 +57,10 @@ class HeightErrorsReader {
                    fmt::format("give it in {}, without a unit", column_->unit.name));
     }
     lines_[*index] = line;
-    errors_[*index] = *value * column_->unit.size - (column_->absolute ? height_ : 0.0);
-    if (height_ > 0.0 && std::abs(errors_[*index]) >= height_ && implausible_++ == 0) {
+    const double height = heights_[*index];
+    errors_[*index] = *value * column_->unit.size - (column_->absolute ? height : 0.0);
+    if (height > 0.0 && std::abs(errors_[*index]) >= height && implausible_++ == 0) {
+      implausible_height_ = height;
       first_implausible_ = {path_, line, "line", std::string(text), "", ""};
     }
   }
@@ -77,9 +79,9 @@ class HeightErrorsReader {
       }
     }
     if (implausible_ > 0) {
-      first_implausible_.what =
-          fmt::format("{} further from the nominal height than a bump is high, {:.6g} m",
-                      implausible_ == 1 ? "lies" : fmt::format("and {} more lie", implausible_ - 1), height_);
+      first_implausible_.what = fmt::format(
+          "{} further from the nominal height than a bump is high, {:.6g} m",
+          implausible_ == 1 ? "lies" : fmt::format("and {} more lie", implausible_ - 1), implausible_height_);
       first_implausible_.advice = column_->unit.size == 1.0 ? "micrometres in a column of metres?"
                                                             : fmt::format("is the column in {}?", column_->unit.name);
       faults_.push_back(first_implausible_);
@@ -137,7 +139,7 @@ class HeightErrorsReader {
   }
 
   std::string path_;
-  double height_;
+  const std::vector<double>& heights_;  ///< m
   std::vector<double> errors_;
   std::vector<std::size_t> lines_;  ///< where each bump was given; 0 if it was not
   std::vector<Fault> faults_;
@@ -148,14 +150,15 @@ class HeightErrorsReader {
   std::optional<HeightColumn> column_;
   std::size_t next_{};  ///< bump of the next line where these have no numbers
   int implausible_{};
+  double implausible_height_{};  ///< of the first one
   Fault first_implausible_;
 };
 
 }  // namespace
 
-std::vector<double> read_height_errors(const std::string& path, int bumps, double height) {
+std::vector<double> read_height_errors(const std::string& path, const std::vector<double>& heights) {
   const std::string text = read_text_file(path);
-  HeightErrorsReader reader(path, bumps, height);
+  HeightErrorsReader reader(path, heights);
   for_each_line(text, [&reader](std::size_t line, std::string_view content) { reader.read_line(line, content); });
   return reader.finish();
 }

@@ -29,6 +29,7 @@ struct KindOf {
   std::string operator()(const double*) const { return std::string(noun(key)); }
   std::string operator()(const std::optional<double>*) const { return std::string(noun(key)); }
   std::string operator()(const std::vector<double>*) const { return "list of " + plural(noun(key)); }
+  std::string operator()(const PerBump*) const { return fmt::format("{}, list or law", noun(key)); }
 };
 
 Json json_of(const std::optional<double>* number) {
@@ -36,6 +37,11 @@ Json json_of(const std::optional<double>* number) {
 }
 Json json_of(const std::vector<double>* list) {
   return list->empty() ? Json() : Json(*list);
+}
+Json json_of(const PerBump* dimension) {
+  if (dimension->is_list()) return dimension->values;
+  if (!dimension->law) return dimension->values.front();
+  return {{"start", dimension->values.front()}, {"end", dimension->values.back()}, {"law", name_of(*dimension->law)}};
 }
 template <typename T>
 Json json_of(const T* value) {
@@ -113,6 +119,21 @@ class KeyLister final : public CaseVisitor {
     return false;  // what it holds is listed in its place
   }
 
+  void tables(const Key& key, std::size_t count,
+              const std::function<void(CaseVisitor&, std::size_t)>& describe) override {
+    // Where there are none, one shows what they hold.
+    for (std::size_t i = 0; i < std::max(count, std::size_t{1}); ++i) {
+      KeyLister inner(tables_);
+      const std::string path = fmt::format("{}[{}]", path_of(key), i + 1);
+      inner.path_ = path + '.';
+      inner.held_ = held_ && i < count;
+      inner.live_ = live_ && i < count;
+      tables_.push_back({path, key, {}, {}, inner.held_, inner.live_, false});
+      describe(inner, i);
+      tables_.insert(tables_.end(), inner.tables_.begin(), inner.tables_.end());
+    }
+  }
+
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override {
     KeyLister inner(list_);
     inner.path_ = path_of(key) + '.';
@@ -120,6 +141,7 @@ class KeyLister final : public CaseVisitor {
     inner.live_ = live_ && (given || key.presence == Presence::required);
     list_.push_back({path_of(key), key, {}, {}, inner.held_, inner.live_, false});
     describe(inner);
+    list_.insert(list_.end(), inner.tables_.begin(), inner.tables_.end());
   }
 
  private:
@@ -133,6 +155,7 @@ class KeyLister final : public CaseVisitor {
   }
 
   std::vector<ListedKey>& list_;
+  std::vector<ListedKey> tables_{};  ///< of lists: in a case file they follow all other keys of the table they are in
   std::string path_{};
   bool held_{true};
   bool live_{true};
@@ -148,9 +171,30 @@ std::vector<ListedKey> list_keys(const Case& input) {
   return list;
 }
 
+std::string table_header(std::string_view table) {
+  std::string name;
+  bool counted = false;
+  for (const char c : table) {
+    if (c == '[') counted = true;
+    if (!counted) name += c;
+    if (c == ']') counted = false;
+  }
+  return table.ends_with(']') ? fmt::format("[[{}]]", name) : fmt::format("[{}]", name);
+}
+
+std::string toml_of(const Json& value) {
+  // JSON texts are TOML texts, too, as the delete character is escaped.
+  if (!value.is_object()) return dump_json(value, -1);
+  std::string members;
+  for (const auto& [key, member] : value.items()) {
+    members += fmt::format("{} {} = {}", members.empty() ? "" : ",", key, dump_json(member, -1));
+  }
+  return fmt::format("{{{} }}", members);
+}
+
 std::string example_of(const ListedKey& listed) {
   const std::string_view example = listed.key.example;
-  if (example.empty()) return dump_json(listed.value, -1);
+  if (example.empty()) return toml_of(listed.value);
   return listed.key.dimension && !example.starts_with('[') ? fmt::format("\"{}\"", example) : std::string(example);
 }
 

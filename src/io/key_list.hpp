@@ -28,6 +28,13 @@ struct ListedKey {
 /// All keys of the case file, in its order; those of tables that the case has not with their defaults.
 std::vector<ListedKey> list_keys(const Case& input);
 
+/// The line of a case file that begins a table: "[bump_foil.truss]" and "[[bump_foil.shim]]" of the tables
+/// "bump_foil.truss" and "bump_foil.shim[2]".
+std::string table_header(std::string_view table);
+
+/// The value in TOML.
+std::string toml_of(const nlohmann::ordered_json& value);
+
 /// The value as an author would write it in a case file.
 std::string example_of(const ListedKey& listed);
 

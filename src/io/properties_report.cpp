@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/case_json.hpp"
@@ -60,8 +61,8 @@ Group range_group(std::string_view key, std::string_view name, const std::option
            stiffness("stiffest_N_per_m", "stiffest mode", end(&StiffnessRange::stiffest))}};
 }
 
-std::vector<Group> groups_of(const Case& input, const Properties& p) {
-  const TrussOverrides& given = input.bump_foil.truss;
+/// Of bumps of one shape.
+std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpProperties& p) {
   return {
       {"arc",
        "Arc of a bump, mid-surface",
@@ -87,16 +88,17 @@ std::vector<Group> groups_of(const Case& input, const Properties& p) {
         stiffness("loading_N_per_m", "with friction, loading", p.loading_bump),
         stiffness("unloading_N_per_m", "with friction, unloading", p.unloading_bump),
         stiffness("guided_N_per_m", "rotation of feet clamped", p.guided_bump)}},
-      range_group("top_foil", "Top foil, free", p.top_foil),
-      range_group("bump_foil", "Bump foil, free", p.bump_foil),
   };
 }
 
-}  // namespace
+std::vector<Group> groups_of_foils(const Properties& p) {
+  return {range_group("top_foil", "Top foil, free", p.top_foil),
+          range_group("bump_foil", "Bump foil, free", p.bump_foil)};
+}
 
-std::string properties_table(const Case& input, const Properties& properties) {
+std::string text_of(const std::vector<Group>& groups) {
   std::string out;
-  for (const Group& group : groups_of(input, properties)) {
+  for (const Group& group : groups) {
     out += fmt::format("{}{}\n", out.empty() ? "" : "\n", group.name);
     for (const Entry& entry : group.entries) {
       const std::string line = fmt::format("  {:<30}{:>12} {:<6}{}", entry.name, number_text(entry.value, entry.scale),
@@ -107,14 +109,62 @@ std::string properties_table(const Case& input, const Properties& properties) {
   return out;
 }
 
-std::string properties_json(const Case& input, const Properties& properties) {
+Json json_of(const std::vector<Group>& groups) {
   Json json;
-  for (const Group& group : groups_of(input, properties)) {
+  for (const Group& group : groups) {
     for (const Entry& entry : group.entries) {
       json[std::string(group.key)][std::string(entry.key)] =
           entry.value && std::isfinite(*entry.value) ? Json(*entry.value) : Json();
     }
   }
+  return json;
+}
+
+/// A line for each shape of bump.
+std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpProperties>& shapes) {
+  std::string out = fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", "Bumps", "pitch",
+                                "rise", "flat", "thickness", "k1", "k2", "k3", "k4", "theta_d", "row", "alone");
+  out += fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", "", "mm", "mm", "mm", "mm",
+                     "MN/m", "MN/m", "MN/m", "MN/m", "deg", "MN/m", "MN/m");
+  for (const BumpProperties& p : shapes) {
+    const std::string bumps = p.from == p.to ? std::to_string(p.from) : fmt::format("{} to {}", p.from, p.to);
+    out += fmt::format(
+        "{:<11}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", bumps, number_text(p.shape.pitch, 1e-3),
+        number_text(p.shape.rise, 1e-3), number_text(p.arc.flat, 1e-3), number_text(p.shape.thickness, 1e-3),
+        number_text(given.k1.value_or(p.identified.k1), 1e6), number_text(given.k2.value_or(p.identified.k2), 1e6),
+        number_text(given.k3.value_or(p.identified.k3), 1e6), number_text(given.k4.value_or(p.identified.k4), 1e6),
+        number_text(given.theta_d.value_or(p.identified.theta_d), std::numbers::pi / 180.0),
+        number_text(p.cell.crest_stiffness(), 1e6), number_text(p.sliding_bump, 1e6));
+  }
+  return out +
+         "k1 to theta_d: constants of the truss for a row of such bumps; row: crest of the frame of such a row, feet\n"
+         "free to slide; alone: one isolated bump, feet free to slide\n\n";
+}
+
+}  // namespace
+
+std::string properties_table(const Case& input, const Properties& properties) {
+  const TrussOverrides& given = input.bump_foil.truss;
+  if (properties.bumps.size() > 1) {
+    return table_of_shapes(given, properties.bumps) + text_of(groups_of_foils(properties));
+  }
+  std::vector<Group> groups = groups_of_bump(given, properties.bumps.front());
+  for (Group& group : groups_of_foils(properties)) groups.push_back(std::move(group));
+  return text_of(groups);
+}
+
+std::string properties_json(const Case& input, const Properties& properties) {
+  const TrussOverrides& given = input.bump_foil.truss;
+  const bool alike = properties.bumps.size() == 1;
+  Json json = alike ? json_of(groups_of_bump(given, properties.bumps.front())) : Json();
+  if (!alike) {
+    for (const BumpProperties& shape : properties.bumps) {
+      Json bumps{{"from", shape.from}, {"to", shape.to}};
+      bumps.update(json_of(groups_of_bump(given, shape)));
+      json["bumps"].push_back(std::move(bumps));
+    }
+  }
+  json.update(json_of(groups_of_foils(properties)));
   return dump_json(json, 2) + '\n';
 }
 

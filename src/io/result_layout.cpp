@@ -1,7 +1,9 @@
 #include "io/result_layout.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <utility>
 
 #include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/io/summary.hpp"
@@ -17,7 +19,7 @@ std::vector<double> to_vector(const Vector& numbers) {
 /// What both have.
 ResultLayout layout_of_foil(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
-  const BumpShape nominal = nominal_bump(foil);
+  const std::vector<BumpShape> shapes = nominal_bumps(foil);
   const auto bumps = static_cast<std::size_t>(foil.bumps);
   const auto one_per_bump = [bumps](std::vector<double> numbers) {
     numbers.resize(bumps);
@@ -27,15 +29,33 @@ ResultLayout layout_of_foil(const Case& input) {
   layout.bumps = bumps;
   layout.scalars = {
       {"axial_length", "m", "axial length of the foils", {input.bearing.axial_length}},
-      {"bump_pitch", "m", "distance from crest to crest along the foil", {foil.pitch}},
-      {"bump_half_length", "m", "half the chord of the arc of a bump", {nominal.half_length}},
-      {"bump_rise", "m", "rise of the mid-surface of a nominal bump", {nominal.rise}},
   };
+  const std::vector<double> errors = one_per_bump(foil.height_errors);
   layout.at_bumps = {
-      {"height_error", "m", "height of the bump over the nominal one", one_per_bump(foil.height_errors)},
+      {"height_error", "m", "height of the bump over the nominal one", errors},
       {"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly",
        one_per_bump(foil.sleeve_gaps)},
   };
+  // One number where bumps are alike.
+  const auto add = [&](std::string name, std::string long_name, double BumpShape::*member) {
+    std::vector<double> values;
+    values.reserve(bumps);
+    for (const BumpShape& shape : shapes) values.push_back(shape.*member);
+    const bool alike = std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+    if (alike) values.resize(1);
+    (alike ? layout.scalars : layout.at_bumps)
+        .push_back({std::move(name), "m", std::move(long_name), std::move(values)});
+  };
+  add("bump_pitch", "distance from crest to crest along the foil", &BumpShape::pitch);
+  add("bump_half_length", "half the chord of the arc of a bump", &BumpShape::half_length);
+  add("bump_rise", "rise of the mid-surface of a nominal bump", &BumpShape::rise);
+  const std::vector<double> offsets = to_vector(crest_offsets(foil));
+  if (offsets != errors) {
+    layout.at_bumps.push_back({"crest_offset", "m",
+                               "height of the crest over that of the tallest nominal bump before assembly: nominal, "
+                               "height error and shim",
+                               offsets});
+  }
   return layout;
 }
 

@@ -30,7 +30,9 @@ constexpr std::string_view either_kind = "length or force";
 
 bool holds_number(const ListedKey& listed) {
   constexpr std::array plain{std::string_view("number"), std::string_view("whole number"), either_kind};
-  if (listed.key.dimension) return name_of(*listed.key.dimension).ends_with(" " + listed.kind);
+  // Bumps all get what is swept, though they may have a value each.
+  const std::string one = listed.kind.substr(0, listed.kind.find(','));
+  if (listed.key.dimension) return name_of(*listed.key.dimension).ends_with(" " + one);
   return std::find(plain.begin(), plain.end(), listed.kind) != plain.end();
 }
 

@@ -112,6 +112,18 @@ struct ValueReader {
     }
   }
 
+  void operator()(PerBump* value) const {
+    if (node.is_array()) {
+      std::vector<double> each;
+      (*this)(&each);
+      *value = PerBump(std::move(each));
+    } else {
+      double common = 0.0;
+      (*this)(&common);
+      *value = common;
+    }
+  }
+
   /// Entries that are faulty become zero.
   void operator()(std::vector<double>* value) const { read_list(*value, {}); }
 
@@ -269,9 +281,29 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
   return {nullptr, path};
 }
 
+/// What goes along the foil by a law.
+void TableReader::graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension) {
+  const auto named = [&key](std::string_view name, Presence presence) {
+    Key own = key;
+    own.name = name;
+    own.presence = presence;
+    return own;
+  };
+  PerBump read(0.0, 0.0, Grading::linear);
+  TableReader reader(*this, ends, path);
+  reader.value(named("start", Presence::required), &read.values.front());
+  reader.value(named("end", Presence::required), &read.values.back());
+  reader.choice(named("law", Presence::defaulted), *read.law);
+  reader.finish();
+  dimension = std::move(read);
+}
+
 void TableReader::value(const Key& key, Value value) {
   const auto [node, path] = find(key);
-  if (node != nullptr) std::visit(ValueReader{log_, path, *node, key.dimension}, value);
+  if (node == nullptr) return;
+  const auto* dimension = std::get_if<PerBump*>(&value);
+  if (dimension != nullptr && node->is_table()) return graded(key, *node->as_table(), path, **dimension);
+  std::visit(ValueReader{log_, path, *node, key.dimension}, value);
 }
 
 void TableReader::directions(const Key& key, std::vector<double>& angles) {
@@ -384,6 +416,28 @@ bool TableReader::file(const Key& key, std::string_view other, const std::functi
   const auto* list = table_.get_as<toml::array>(other);
   read_file(log_, path, *node, list != nullptr && !list->empty() ? other : "", read);
   return true;
+}
+
+void TableReader::tables(const Key& key, std::size_t /*count*/,
+                         const std::function<void(CaseVisitor&, std::size_t)>& describe) {
+  const auto [node, path] = find(key);
+  if (node == nullptr) return;
+  const auto* list = node->as_array();
+  if (list == nullptr || (!list->empty() && !list->is_homogeneous<toml::table>())) {
+    return log_.fault(path, is_where(*node, "a list of tables"),
+                      fmt::format("write [[{}]] on a line of its own before the keys of each", path));
+  }
+  if (list->size() > static_cast<std::size_t>(most_bumps)) {
+    return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
+    const toml::table& entry = *list->get(i)->as_table();
+    log_.met(entry_path, entry);
+    TableReader reader(*this, entry, entry_path);
+    describe(reader, i);
+    reader.finish();
+  }
 }
 
 void TableReader::table(const Key& key, bool /*given*/, const std::function<void(CaseVisitor&)>& describe) {

@@ -27,6 +27,8 @@ class TableReader final : public CaseVisitor {
   void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) override;
   bool places(const Key& key, PathPoints& points) override;
   bool file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) override;
+  void tables(const Key& key, std::size_t count,
+              const std::function<void(CaseVisitor&, std::size_t)>& describe) override;
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override;
 
   /// Reports every key that nobody asked for. To be called last.
@@ -36,6 +38,7 @@ class TableReader final : public CaseVisitor {
   TableReader(const TableReader& outer, const toml::table& table, std::string path)
       : log_(outer.log_), root_(outer.root_), table_(table), path_(std::move(path)) {}
 
+  void graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension);
   [[nodiscard]] bool has(const Key& key) const { return table_.contains(key.name); }
   [[nodiscard]] std::string path_of(std::string_view name) const;
   std::pair<const toml::node*, std::string> find(const Key& key);

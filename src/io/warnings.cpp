@@ -24,7 +24,7 @@ constexpr int shortest_row = 4;
 std::optional<std::string> compression_warning(const Case& input, const Cycle& cycle) {
   if (!cycle.compression) return std::nullopt;
   const CompressionPeak& peak = *cycle.compression;
-  const double part = peak.compression / nominal_bump(input.bump_foil).rise;
+  const double part = peak.compression / nominal_bump(input.bump_foil, static_cast<std::size_t>(peak.bump)).rise;
   const bool linear = input.bump_foil.geometry == Geometry::linear;
   if (part <= (linear ? linear_limit : checked_limit)) return std::nullopt;
   std::string text = fmt::format("bump {} is compressed by {:.3g} um, {:.2g} of its rise (increment {})", peak.bump + 1,

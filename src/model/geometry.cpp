@@ -1,24 +1,77 @@
 #include "bumpfoil/model/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 namespace bumpfoil {
+namespace {
 
-BumpShape nominal_bump(const BumpFoil& foil) {
+/// The one of some sections of a foil that a bump (from 0) lies in; null if there is none.
+template <typename Section>
+const Section* section_of(const std::vector<Section>& sections, std::size_t bump) {
+  const auto number = static_cast<int>(bump) + 1;
+  const auto found = std::find_if(sections.begin(), sections.end(), [number](const Section& section) {
+    return section.from <= number && number <= section.to;
+  });
+  return found == sections.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+double nominal_height(const BumpFoil& foil, std::size_t bump) {
+  const double height = foil.height.at(bump, static_cast<std::size_t>(foil.bumps));
+  const BumpSection* section = section_of(foil.sections, bump);
+  return section != nullptr ? section->height.value_or(height) : height;
+}
+
+BumpShape nominal_bump(const BumpFoil& foil, std::size_t bump) {
+  const auto bumps = static_cast<std::size_t>(foil.bumps);
+  double pitch = foil.pitch.at(bump, bumps);
+  double length = foil.length.at(bump, bumps);
+  double thickness = foil.thickness.at(bump, bumps);
+  if (const BumpSection* section = section_of(foil.sections, bump)) {
+    pitch = section->pitch.value_or(pitch);
+    length = section->length.value_or(length);
+    thickness = section->thickness.value_or(thickness);
+  }
+  const double height = nominal_height(foil, bump);
   const bool overall = foil.height_reference == HeightReference::overall;
-  return {.pitch = foil.pitch,
-          .half_length = 0.5 * foil.length,
-          .rise = overall ? foil.height - foil.thickness : foil.height,
-          .thickness = foil.thickness};
+  return {.pitch = pitch,
+          .half_length = 0.5 * length,
+          .rise = overall ? height - thickness : height,
+          .thickness = thickness};
+}
+
+std::vector<BumpShape> nominal_bumps(const BumpFoil& foil) {
+  const auto bumps = static_cast<std::size_t>(foil.bumps);
+  std::vector<BumpShape> shapes;
+  shapes.reserve(bumps);
+  for (std::size_t n = 0; n < bumps; ++n) shapes.push_back(nominal_bump(foil, n));
+  return shapes;
+}
+
+Vector crest_offsets(const BumpFoil& foil) {
+  const std::vector<BumpShape> bumps = nominal_bumps(foil);
+  const auto height = [](const BumpShape& bump) { return bump.rise + bump.thickness; };
+  const double tallest = height(*std::max_element(
+      bumps.begin(), bumps.end(), [&](const BumpShape& a, const BumpShape& b) { return height(a) < height(b); }));
+  Vector offsets(foil.bumps);
+  for (std::size_t n = 0; n < bumps.size(); ++n) {
+    double& offset = offsets[static_cast<Eigen::Index>(n)];
+    offset = height(bumps[n]) - tallest;
+    if (!foil.height_errors.empty()) offset += foil.height_errors[n];
+    if (const Shim* shim = section_of(foil.shims, n)) offset += shim->thickness;
+  }
+  return offsets;
 }
 
 FoilDesign make_bearing_design(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
   FoilDesign foils{.model = foil.model,
                    .geometry = foil.geometry,
-                   .bumps = std::vector<BumpShape>(static_cast<std::size_t>(foil.bumps), nominal_bump(foil)),
+                   .bumps = nominal_bumps(foil),
                    .youngs_modulus = foil.youngs_modulus,
                    .poisson_ratio = foil.poisson_ratio,
                    .axial_length = input.bearing.axial_length,
@@ -28,11 +81,7 @@ FoilDesign make_bearing_design(const Case& input) {
                    .truss = foil.truss,
                    .top_foil = {}};
   if (foil.stiffness_follows_height) {
-    for (std::size_t n = 0; n < foil.height_errors.size(); ++n) {
-      BumpFoil own = foil;
-      own.height += foil.height_errors[n];
-      foils.bumps[n] = nominal_bump(own);
-    }
+    for (std::size_t n = 0; n < foil.height_errors.size(); ++n) foils.bumps[n].rise += foil.height_errors[n];
   }
   if (foil.model != BumpFoilModel::former) {
     foils.top_foil = {.thickness = input.top_foil.thickness,

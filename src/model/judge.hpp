@@ -82,4 +82,11 @@ class Judge {
   std::vector<Fault> faults_;
 };
 
+/// Whether a foil of this thickness, which stands under `key`, goes into a bearing.
+inline bool judge_thinness(Judge& judge, const std::string& key, double thickness, double radius) {
+  return judge.require(thickness <= thin * radius, key, quantity(thickness, "m"),
+                       "is too thick for a foil in this bearing",
+                       fmt::format("give at most a tenth of the radius, {:.6g} m", thin * radius));
+}
+
 }  // namespace bumpfoil

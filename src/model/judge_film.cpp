@@ -1,6 +1,8 @@
 #include "model/judge_film.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "bumpfoil/model/case_names.hpp"
 
@@ -72,6 +74,18 @@ void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen
   }
 }
 
+/// Columns of the film are equally spaced, and each crest has one.
+void judge_mesh_of(Judge& judge, const BumpFoil& foil) {
+  const PerBump& pitch = foil.pitch;
+  const auto other = [&](const std::optional<double>& one) { return one && *one != pitch.values.front(); };
+  const bool equal =
+      std::all_of(pitch.values.begin(), pitch.values.end(), [&](double one) { return one == pitch.values.front(); }) &&
+      std::none_of(foil.sections.begin(), foil.sections.end(),
+                   [&](const BumpSection& one) { return other(one.pitch); });
+  judge.require(equal, "bump_foil.pitch", "", "differs along the foil, and the mesh of a film needs equal pitches",
+                "give one pitch, or remove [equilibrium]");
+}
+
 void judge_equilibrium(Judge& judge, const Case& input) {
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   judge.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "there is no speed to run at",
@@ -108,6 +122,7 @@ void judge_equilibrium(Judge& judge, const Case& input) {
   judge.require(input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
                 std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
                 "set geometry = \"linear\", or remove [equilibrium]");
+  judge_mesh_of(judge, input.bump_foil);
 }
 
 }  // namespace

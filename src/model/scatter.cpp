@@ -35,19 +35,32 @@ double truncated_quantile(const Distribution& distribution, double p) {
   return std::clamp(*distribution.sigma * (above ? -z : z), *distribution.lower, *distribution.upper);
 }
 
+/// Of all bumps alike.
+void shift(BumpFoil& foil, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
+  foil.*dimension = shifted(foil.*dimension, static_cast<std::size_t>(foil.bumps), deviation);
+  for (BumpSection& section : foil.sections) {
+    if (section.*own) *(section.*own) += deviation;
+  }
+}
+
 constexpr auto numbers = std::to_array<ScatteredNumber>({
     {"bump_foil_thickness", "m", "deviation of the thickness of the bump foil",
-     &MonteCarloSettings::bump_foil_thickness, [](Case& input) -> double& { return input.bump_foil.thickness; }},
+     &MonteCarloSettings::bump_foil_thickness,
+     [](Case& input, double deviation) {
+       shift(input.bump_foil, &BumpFoil::thickness, &BumpSection::thickness, deviation);
+     }},
     {"top_foil_thickness", "m", "deviation of the thickness of the top foil", &MonteCarloSettings::top_foil_thickness,
-     [](Case& input) -> double& { return input.top_foil.thickness; }},
+     [](Case& input, double deviation) { input.top_foil.thickness += deviation; }},
     {"bump_length", "m", "deviation of the chord of all bumps", &MonteCarloSettings::bump_length,
-     [](Case& input) -> double& { return input.bump_foil.length; }},
+     [](Case& input, double deviation) { shift(input.bump_foil, &BumpFoil::length, &BumpSection::length, deviation); }},
     {"friction_top_bump", "1", "deviation of the friction coefficient between top foil and bumps",
-     &MonteCarloSettings::friction_top_bump, [](Case& input) -> double& { return input.friction.top_bump; }},
+     &MonteCarloSettings::friction_top_bump,
+     [](Case& input, double deviation) { input.friction.top_bump += deviation; }},
     {"friction_bump_sleeve", "1", "deviation of the friction coefficient between bumps and sleeve",
-     &MonteCarloSettings::friction_bump_sleeve, [](Case& input) -> double& { return input.friction.bump_sleeve; }},
+     &MonteCarloSettings::friction_bump_sleeve,
+     [](Case& input, double deviation) { input.friction.bump_sleeve += deviation; }},
     {"radial_clearance", "m", "deviation of the radial clearance", &MonteCarloSettings::radial_clearance,
-     [](Case& input) -> double& { return input.bearing.radial_clearance; }},
+     [](Case& input, double deviation) { input.bearing.radial_clearance += deviation; }},
 });
 
 }  // namespace

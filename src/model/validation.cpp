@@ -13,6 +13,7 @@
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "model/judge.hpp"
+#include "model/judge_bump_foil.hpp"
 #include "model/judge_film.hpp"
 #include "model/judge_montecarlo.hpp"
 #include "model/judge_vibration.hpp"
@@ -37,109 +38,11 @@ bool judge_bearing(Judge& judge, const Bearing& bearing) {
   return radius;
 }
 
-/// Thickness and material of a foil; true if the thickness is usable.
 template <typename Foil>
-bool judge_material(Judge& judge, const std::string& table, const Foil& foil) {
+void judge_material(Judge& judge, const std::string& table, const Foil& foil) {
   judge.within(table + ".youngs_modulus", foil.youngs_modulus, modulus_range);
   judge.within(table + ".poisson_ratio", foil.poisson_ratio, poisson_range);
   if (foil.yield_stress) judge.within(table + ".yield_stress", *foil.yield_stress, strength_range);
-  return judge.within(table + ".thickness", foil.thickness, length_range);
-}
-
-void judge_thinness(Judge& judge, const std::string& table, double thickness, double radius) {
-  judge.require(thickness <= thin * radius, table + ".thickness", quantity(thickness, "m"),
-                "is too thick for a foil in this bearing",
-                fmt::format("give at most a tenth of the radius, {:.6g} m", thin * radius));
-}
-
-/// Bumps along the circumference; true if their number is usable.
-bool judge_bumps(Judge& judge, const BumpFoil& foil, bool pitch, double radius) {
-  const bool bumps =
-      judge.require(foil.bumps >= 1 && foil.bumps <= most_bumps, "bump_foil.bumps", std::to_string(foil.bumps),
-                    "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
-  if (!pitch || radius <= 0.0) return bumps;
-  if (!judge.require(foil.pitch <= 0.25 * turn * radius, "bump_foil.pitch", quantity(foil.pitch, "m"),
-                     "is more than a quarter of the circumference",
-                     fmt::format("give at most {:.6g} m", 0.25 * turn * radius))) {
-    return bumps;
-  }
-  if (bumps) {
-    const double foil_length = foil.bumps * foil.pitch;
-    const double circumference = turn * radius;
-    judge.require(foil_length <= circumference * (1.0 + rounding), "bump_foil.bumps", std::to_string(foil.bumps),
-                  fmt::format("the foil would overlap itself: {} pitches of {:.6g} m are {:.6g} m, the circumference "
-                              "is {:.6g} m",
-                              foil.bumps, foil.pitch, foil_length, circumference),
-                  fmt::format("give at most {} bumps", std::floor(circumference * (1.0 + rounding) / foil.pitch)));
-  }
-  return bumps;
-}
-
-/// Arcs that neither overlap nor are thicker than they are round; `height` is the key that shapes them.
-void judge_shape(Judge& judge, const BumpFoil& foil, const BumpArc& arc, const std::string& key, double height,
-                 bool pitch) {
-  const bool bulges = arc.rise > arc.half_length;
-  judge.require(!bulges || !pitch || foil.length >= foil.pitch || 2.0 * arc.radius < foil.pitch, key,
-                quantity(height, "m"),
-                fmt::format("bumps would overlap: arcs of more than a half circle are {:.6g} m wide, the pitch is "
-                            "{:.6g} m",
-                            2.0 * arc.radius, foil.pitch),
-                "give a smaller height or a larger pitch");
-  judge.require(foil.thickness < arc.radius, "bump_foil.thickness", quantity(foil.thickness, "m"),
-                fmt::format("is more than the radius of the bump's arc, {:.6g} m", arc.radius),
-                "give a thinner foil or a flatter bump");
-}
-
-/// Shape of the nominal bump; returns the rise of its mid-surface, or zero if it has none.
-double judge_arc(Judge& judge, const BumpFoil& foil, bool pitch, bool thickness) {
-  const bool length = judge.within("bump_foil.length", foil.length, length_range);
-  const bool height = judge.within("bump_foil.height", foil.height, length_range);
-  if (length && pitch) {
-    judge.require(foil.length < foil.pitch, "bump_foil.length", quantity(foil.length, "m"),
-                  fmt::format("bumps would overlap: the pitch is {:.6g} m", foil.pitch),
-                  "give a chord below the pitch, so that a flat is left");
-  }
-  if (!height || !thickness) return 0.0;
-  if (!judge.require(foil.height_reference == HeightReference::midsurface || foil.height > foil.thickness,
-                     "bump_foil.height", quantity(foil.height, "m"),
-                     fmt::format("leaves no rise: the foil alone is {:.6g} m thick", foil.thickness),
-                     "give the overall height over the sleeve, or set height_reference = \"midsurface\"")) {
-    return 0.0;
-  }
-  if (!length) return 0.0;
-  const BumpArc arc = make_bump_arc(nominal_bump(foil));
-  judge_shape(judge, foil, arc, "bump_foil.height", foil.height, pitch);
-  return arc.rise;
-}
-
-/// A list with one length per bump, each smaller than the rise (where that is known).
-void judge_list(Judge& judge, const std::string& key, const std::vector<double>& list, int bumps, double rise) {
-  if (list.empty()) return;
-  if (bumps > 0) {
-    judge.require(std::ssize(list) == bumps, key, fmt::format("{} values", list.size()),
-                  fmt::format("there must be one value per bump, {} in all", bumps),
-                  "give all of them, zeros included");
-  }
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const double limit = rise > 0.0 ? rise : length_range.most;
-    if (std::abs(list[i]) < limit) continue;  // the usual case costs no text
-    const std::string entry = fmt::format("{}[{}]", key, i + 1);
-    if (judge.finite(entry, list[i], "m") && rise > 0.0) {
-      judge.require(std::abs(list[i]) < rise, entry, quantity(list[i], "m"),
-                    fmt::format("is more than the rise of the bump, {:.6g} m", rise), "is the unit right?");
-    }
-  }
-}
-
-/// Shape of the tallest bump, where bumps have shapes of their own.
-void judge_tallest(Judge& judge, const BumpFoil& foil, bool pitch, double rise) {
-  if (!foil.stiffness_follows_height || foil.height_errors.empty() || rise <= 0.0) return;
-  const auto tallest = std::max_element(foil.height_errors.begin(), foil.height_errors.end());
-  if (!(std::abs(*tallest) < rise)) return;  // judged already
-  BumpFoil own = foil;
-  own.height += *tallest;
-  judge_shape(judge, own, make_bump_arc(nominal_bump(own)),
-              fmt::format("bump_foil.height_errors[{}]", tallest - foil.height_errors.begin() + 1), *tallest, pitch);
 }
 
 void judge_truss(Judge& judge, const TrussOverrides& truss) {
@@ -259,22 +162,13 @@ void judge_target(Judge& judge, const std::string& key, const Target& target, do
   }
 }
 
-void judge_strip_lists(Judge& judge, const BumpFoil& foil, int bumps) {
-  for (const auto& [key, list] : {std::pair{"bump_foil.height_errors", &foil.height_errors},
-                                  std::pair{"bump_foil.sleeve_gaps", &foil.sleeve_gaps}}) {
-    judge.require(list->empty() || std::ssize(*list) >= bumps, "strip.bumps", std::to_string(bumps),
-                  fmt::format("is more than the {} values of {}", list->size(), key),
-                  "give fewer bumps or more values");
-  }
-}
-
 void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil, double rise) {
   const bool by_load = strip.amplitude.control == Control::load;
   const std::string amplitude_key = by_load ? "strip.load" : "strip.displacement";
   const bool bumps =
       judge.require(strip.bumps >= 1 && strip.bumps <= most_bumps, "strip.bumps", std::to_string(strip.bumps),
                     "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
-  if (bumps) judge_strip_lists(judge, foil, strip.bumps);
+  if (bumps) judge_strip_of(judge, foil, strip.bumps);
   judge_target(judge, amplitude_key, strip.amplitude, rise);
   if (strip.preload) {
     judge_target(judge, "strip.preload", *strip.preload, rise);
@@ -398,20 +292,16 @@ std::vector<Fault> find_faults(const Case& input) {
   const bool radius = judge_bearing(judge, input.bearing);
   const double usable_radius = radius ? input.bearing.radius : 0.0;
 
-  const bool thickness = judge_material(judge, "bump_foil", foil);
-  if (thickness && radius) judge_thinness(judge, "bump_foil", foil.thickness, input.bearing.radius);
-  const bool pitch = judge.within("bump_foil.pitch", foil.pitch, length_range);
-  const bool bumps = judge_bumps(judge, foil, pitch, usable_radius);
-  const double rise = judge_arc(judge, foil, pitch, thickness);
-  judge_list(judge, "bump_foil.height_errors", foil.height_errors, bumps ? foil.bumps : 0, rise);
-  judge_tallest(judge, foil, pitch, rise);
-  judge_list(judge, "bump_foil.sleeve_gaps", foil.sleeve_gaps, bumps ? foil.bumps : 0, rise);
+  judge_material(judge, "bump_foil", foil);
+  const auto [bumps, rise] = judge_bump_foil(judge, foil, usable_radius);
   judge_truss(judge, foil.truss);
 
   if (foil.model != BumpFoilModel::former) {
     const TopFoil& top = input.top_foil;
-    const bool top_thickness = judge_material(judge, "top_foil", top);
-    if (top_thickness && radius) judge_thinness(judge, "top_foil", top.thickness, input.bearing.radius);
+    judge_material(judge, "top_foil", top);
+    if (judge.within("top_foil.thickness", top.thickness, length_range) && radius) {
+      judge_thinness(judge, "top_foil.thickness", top.thickness, usable_radius);
+    }
   }
   judge.within("friction.top_bump", input.friction.top_bump, coefficient_range);
   judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);

@@ -37,28 +37,26 @@ HalfBump make_half_bump(const BumpArc& arc, const Section& section) {
           .pull_on_flat = K(0, 2)};
 }
 
-/// Coupling of u between the crests on both sides of the border where a row of equal bumps meets a row of others. The
-/// ends of the rows are felt seven times less with each bump: 1e-7 where there are five.
-double crest_to_crest(const HalfBump& before, const HalfBump& after) {
+/// Coupling of u between neighbouring crests of a row of equal bumps. Its ends are felt seven times less with each
+/// bump: 1e-7 where there are five on either side.
+double crest_to_crest(const HalfBump& own) {
   constexpr Eigen::Index row = 5;
   // Rotations in turn of the first mid-flat, the first crest, the next mid-flat, ...; u and v of all of these are held.
   constexpr Eigen::Index last = 4 * row;
   Vector diagonal = Vector::Zero(last + 1);
-  Vector off(last);
+  const Vector off = Vector::Constant(last, own.crest_to_flat);
   for (Eigen::Index half = 0; half < last; ++half) {
-    const HalfBump& own = half < 2 * row ? before : after;
     const bool rises = half % 2 == 0;
     diagonal[half] += rises ? own.at_flat : own.at_crest;
     diagonal[half + 1] += rises ? own.at_crest : own.at_flat;
-    off[half] = own.crest_to_flat;
   }
-  // Moments that the rotations must balance where one crest moves along the foil, around the border at 2 * row.
-  const auto pulled = [](Eigen::Index crest, const HalfBump& own) {
+  // Moments that the rotations must balance where one crest moves along the foil, around the mid-flat at 2 * row.
+  const auto pulled = [&own](Eigen::Index crest) {
     Vector moments = Vector::Zero(last + 1);
     moments.segment<3>(crest - 1) << own.pull_on_flat, 2.0 * own.pull_on_crest, own.pull_on_flat;
     return moments;
   };
-  return pulled(2 * row - 1, before).dot(solve_tridiagonal(diagonal, off, pulled(2 * row + 1, after)));
+  return pulled(2 * row - 1).dot(solve_tridiagonal(diagonal, off, pulled(2 * row + 1)));
 }
 
 /// Stiffness of the first crest of the frame: clamped at mid-flat, arc ends on the sleeve, slope zero at the next
@@ -92,19 +90,16 @@ std::vector<TrussConstants> identified_constants(const FoilDesign& foils) {
   std::vector<TrussConstants> constants;
   constants.reserve(foils.bumps.size());
   TrussConstants row;
-  HalfBump half;
   const BumpShape* before = nullptr;
   for (const BumpShape& bump : foils.bumps) {
     if (before && bump == *before) {
       constants.push_back(row);
       continue;
     }
-    const BumpArc arc = make_bump_arc(bump);
-    const Section section = make_bump_section(foils, bump);
-    row = identify_truss_constants(arc, section);
+    const TrussConstants row_before =
+        std::exchange(row, identify_truss_constants(make_bump_arc(bump), make_bump_section(foils, bump)));
     constants.push_back(row);
-    const HalfBump half_before = std::exchange(half, make_half_bump(arc, section));
-    if (before) constants.back().k3 = crest_to_crest(half_before, half);
+    if (before) constants.back().k3 = 0.5 * (row_before.k3 + row.k3);
     before = &bump;
   }
   return constants;
@@ -168,8 +163,7 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
   const double c = std::cos(constants.theta_d);
   const double s = std::sin(constants.theta_d);
   constants.k1 = cell.a / (2.0 * s * s);
-  const HalfBump half = make_half_bump(arc, section);
-  constants.k3 = crest_to_crest(half, half);
+  constants.k3 = crest_to_crest(make_half_bump(arc, section));
   constants.k2 = cell.d - 0.5 * constants.k1 * c * c - constants.k3;
   constants.k4 = weld_stiffness(constants, first_crest_stiffness(arc, section));
   return constants;

@@ -79,8 +79,9 @@ double height_error(const Case& input, int bump) {
 }
 
 /// Height of the crests over the sleeve where they touch the undeformed top foil.
-double nominal_height(const Case& input) {
-  return nominal_bump(input.bump_foil).rise + input.bump_foil.thickness;
+double foil_height(const Case& input) {
+  const BumpShape bump = nominal_bump(input.bump_foil);
+  return bump.rise + bump.thickness;
 }
 
 void write_heights(const Study& /*study*/, const StudyRun& run, const StudyRunResult& result, StudyTable& table) {
@@ -91,7 +92,7 @@ void write_heights(const Study& /*study*/, const StudyRun& run, const StudyRunRe
     const Vector pushed =
         journal_gaps(input.bearing.radial_clearance, normals, cycle.amplitude * unit_vector(cycle.direction));
     for (int bump = 0; bump < input.bump_foil.bumps; ++bump) {
-      const double nominal = nominal_height(input);
+      const double nominal = foil_height(input);
       Row& row = table.rows.emplace_back(row_of(run, cycle));
       append(row, {bump + 1, to_degrees(theta[bump]), height_error(input, bump), nominal + height_error(input, bump),
                    nominal + input.bearing.radial_clearance, nominal + pushed[bump]});
@@ -104,7 +105,7 @@ void write_foils(const Study& study, const StudyRun& run, const StudyRunResult& 
   const Vector theta = crest_angles(input);
   const Vector phi = polar_angles(input.bearing, theta);
   const Eigen::Matrix2Xd normals = outward_normals(phi);
-  const double nominal = nominal_height(input);
+  const double nominal = foil_height(input);
   for (const Cycle& cycle : result.result.cycles) {
     const FoilFields& fields = cycle.fields;
     for (const int i : study.increments) {

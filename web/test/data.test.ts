@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { stretchesOf } from '../src/charts/stretches';
 import { labelOffsets } from '../src/charts/label_offsets';
-import { sweptKeys } from '../src/data/case_values';
+import { flatten, labelOf, sweptKeys, titleOf, valueText } from '../src/data/case_values';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
 import type { CycleData, Quantity, RunData } from '../src/data/format';
@@ -194,4 +194,29 @@ describe('warnings', () => {
       '+X: failed at increment 1 of 2, 2.00 µm: no modes were found.',
     ]);
   });
+});
+
+it('counts the tables of a list, and keeps what goes along the foil in one piece', () => {
+  const entries = flatten({
+    bump_foil: {
+      pitch: { start: 4e-3, end: 5e-3, law: 'linear' },
+      height_errors: [],
+      shim: [
+        { from: 1, to: 3 },
+        { from: 5, to: 5 },
+      ],
+    },
+  });
+  expect([...entries.keys()]).toEqual([
+    'bump_foil.pitch',
+    'bump_foil.height_errors',
+    'bump_foil.shim[1].from',
+    'bump_foil.shim[1].to',
+    'bump_foil.shim[2].from',
+    'bump_foil.shim[2].to',
+  ]);
+  expect(valueText(entries.get('bump_foil.pitch'), 'm')).toBe('4 mm to 5 mm, linear');
+  const keys = { bump_foil: { title: 'Bump foil' }, 'bump_foil.shim[1]': { title: 'Shim' }, 'bump_foil.shim[1].from': { title: 'From bump' } };
+  expect(labelOf(keys, 'bump_foil.shim[2].from')?.title).toBe('From bump');
+  expect(['bump_foil', 'bump_foil.shim[2]', 'bump_foil.pad[1]'].map((table) => titleOf(keys, table))).toEqual(['Bump foil', 'Shim 2', undefined]);
 });

@@ -8,7 +8,7 @@ function base64(numbers: number[]): string {
 }
 
 /** Two bumps of pitch 4 mm on a radius of 10 mm, clearance 30 um; the journal is 50 um below the centre. */
-function run(feet: number): Run {
+function run(feet: number, geometry: RunData['geometry'] = {}): Run {
   const field = (at: 'bump' | 'foot', numbers: number[]): CycleData['fields'][string] => ({ at, values: base64(numbers) });
   const footPlaces = feet === 2 ? [4e-3, 8e-3] : [0.5e-3, 3.5e-3, 4.5e-3, 7.5e-3];
   const data: RunData = {
@@ -34,6 +34,7 @@ function run(feet: number): Run {
       foot_theta: footPlaces.map((place) => place / 10e-3),
       height_error: [0, 7e-6],
       sleeve_gap: [0, 0],
+      ...geometry,
     },
     nodes: { bump: 2, foot: feet },
     last_increment: 2,
@@ -85,6 +86,19 @@ describe('shape', () => {
     const { bumpFoil } = shapeOf(4);
     expect(bumpFoil[bumpFoil.length - 1]!.along).toBeCloseTo(7.5e-3, 8);
     expect(bumpFoil[bumpFoil.length - 1]!.moveAlong).toBeCloseTo(3e-6, 10);
+  });
+
+  it('has the bumps where their pitches and heights put them', () => {
+    const one = run(2, { theta: [0.15, 0.55], bump_pitch: [3e-3, 5e-3], bump_half_length: [1e-3, 2e-3], bump_rise: [0.4e-3, 0.38e-3], crest_offset: [0, -20e-6] });
+    const geometry = new BearingGeometry(one);
+    expect(geometry.borders).toEqual([0, 3e-3, 8e-3]);
+    expect([0, 2.9e-3, 3.1e-3, 8e-3].map((along) => geometry.bumpAt(along))).toEqual([0, 0, 1, 2]);
+    const { bumpFoil, crests } = shapeAt(geometry, one.cycles[0]!, 0);
+    expect(bumpFoil[1]!.along).toBeCloseTo(0.5e-3, 10);
+    expect(bumpFoil[bumpFoil.length - 2]!.along).toBeCloseTo(7.5e-3, 10);
+    // Lower than the first by its design, whatever its height error.
+    expect(crests[1]!.moveIn).toBeCloseTo(-20e-6, 10);
+    expect(crests[1]!.height).toBeCloseTo(0.4e-3, 10);
   });
 
   it('has the gap of the journal that the conventions say', () => {

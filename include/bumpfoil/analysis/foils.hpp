@@ -37,7 +37,7 @@ struct Foils {
   FoilStructure structure;
   StressModel stress;
   ContactProblem problem;
-  double rise{};             ///< of the mid-surface of a nominal bump, m
+  double rise{};             ///< of the mid-surface of the tallest bump, m
   double clearance{};        ///< gap between the pressing body, at the origin, and the undeformed foils, m
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;

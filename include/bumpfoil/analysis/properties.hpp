@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -14,11 +15,14 @@ struct StiffnessRange {
   double stiffest{};
 };
 
-/// What is known of the foils before any contact is solved.
-struct Properties {
+/// What is known of bumps of one shape that follow each other.
+struct BumpProperties {
+  int from{};  ///< from 1
+  int to{};
+  BumpShape shape;
   BumpArc arc;
   BumpCell cell;              ///< of the symmetric frame
-  TrussConstants identified;  ///< from the frame
+  TrussConstants identified;  ///< from the frame of a row of such bumps
 
   // One isolated bump loaded at its crest, N/m; see structure/single_bump.hpp.
   double shallow_bump{};                 ///< limit for shallow bumps
@@ -26,7 +30,11 @@ struct Properties {
   double guided_bump{};                  ///< rotation of the feet clamped
   std::optional<double> loading_bump;    ///< feet slide with the friction of the case; absent where it locks them
   std::optional<double> unloading_bump;  ///< the same while the load falls
+};
 
+/// What is known of the foils before any contact is solved.
+struct Properties {
+  std::vector<BumpProperties> bumps;        ///< from the weld on; one where all bumps are alike
   std::optional<StiffnessRange> top_foil;   ///< K_t; absent without a top foil or with too many bumps
   std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps
 };

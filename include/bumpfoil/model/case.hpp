@@ -9,6 +9,7 @@
 
 #include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/model/gas_preset.hpp"
+#include "bumpfoil/model/per_bump.hpp"
 #include "bumpfoil/model/scatter.hpp"
 
 namespace bumpfoil {
@@ -54,17 +55,19 @@ struct Bearing {
 struct BumpFoil {
   BumpFoilModel model{BumpFoilModel::truss};
   Geometry geometry{Geometry::linear};
-  int bumps{};      ///< N
-  double pitch{};   ///< p, m
-  double length{};  ///< chord of the arc 2 l0, m
-  double height{};  ///< h_b, m, read as `height_reference` says
+  int bumps{};                          ///< N
+  PerBump pitch;                        ///< p, m
+  PerBump length;                       ///< chord of the arc 2 l0, m
+  PerBump height;                       ///< h_b, m, read as `height_reference` says
+  PerBump thickness;                    ///< e_f, m
+  std::vector<BumpSection> sections{};  ///< of bumps that differ from these, no bump in two of them
   HeightReference height_reference{HeightReference::overall};
-  double thickness{};                    ///< e_f, m
   double youngs_modulus{};               ///< E, Pa
   double poisson_ratio{};                ///< nu
   std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
   std::vector<double> height_errors;     ///< m, positive = taller; empty or one per bump
   bool stiffness_follows_height{};       ///< a bump's height error changes its own stiffness too (frame model only)
+  std::vector<Shim> shims{};             ///< under bumps, no bump on two of them
   std::vector<double> sleeve_gaps;       ///< g0_b, m; empty or one per bump
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;

@@ -18,6 +18,8 @@ inline constexpr auto enum_names<Geometry> = std::to_array<std::string_view>({"l
 template <>
 inline constexpr auto enum_names<HeightReference> = std::to_array<std::string_view>({"overall", "midsurface"});
 template <>
+inline constexpr auto enum_names<Grading> = std::to_array<std::string_view>({"linear", "geometric"});
+template <>
 inline constexpr auto enum_names<WeldPosition> = std::to_array<std::string_view>({"mid_flat", "arc_start"});
 template <>
 inline constexpr auto enum_names<SolverName> = std::to_array<std::string_view>({"newton", "uzawa", "events"});

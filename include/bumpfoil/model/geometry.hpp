@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -8,11 +10,23 @@
 
 namespace bumpfoil {
 
-/// The nominal bump of a foil; its rise is height - thickness or height, as `height_reference` says.
-BumpShape nominal_bump(const BumpFoil& foil);
+/// Height h_b of a bump of a foil (from 0) without its height error, m, read as `height_reference` says.
+double nominal_height(const BumpFoil& foil, std::size_t bump);
 
-/// Foils of the bearing of a case. Every bump is the nominal one, and height errors act through the gaps alone, unless
-/// `stiffness_follows_height` gives each bump a rise of its own. The case must be valid.
+/// A bump of a foil (from 0) without its height error; its rise is height - thickness or height, as `height_reference`
+/// says.
+BumpShape nominal_bump(const BumpFoil& foil, std::size_t bump = 0);
+
+/// All of them.
+std::vector<BumpShape> nominal_bumps(const BumpFoil& foil);
+
+/// How much higher than that of the tallest nominal bump each crest of a foil stands, m, without the top foil: what its
+/// bump is taller by nominally (never positive), its height error, and the shim under it. The top foil lies where the
+/// tallest nominal bumps carry it, and the clearance is counted from there.
+Vector crest_offsets(const BumpFoil& foil);
+
+/// Foils of the bearing of a case. Every bump has its nominal shape, and height errors act through the gaps alone,
+/// unless `stiffness_follows_height` gives each bump a rise of its own. The case must be valid.
 FoilDesign make_bearing_design(const Case& input);
 
 /// Foils of the strip of a case, flat and cut to its bumps. The case must be valid and have a strip.

@@ -77,7 +77,7 @@ struct ScatteredNumber {
   std::string_view unit;       ///< SI; "1" where there is none
   std::string_view long_name;  ///< of the deviation
   std::optional<Distribution> MonteCarloSettings::*distribution;
-  double& (*in)(Case&);  ///< what it is added to
+  void (*add)(Case&, double deviation);
 };
 
 /// All of them, in the order of the case file.

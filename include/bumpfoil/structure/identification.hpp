@@ -43,8 +43,7 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
 std::vector<Fault> find_truss_faults(const FoilDesign& foils);
 
 /// Constants of the truss, one set per bump: the given ones, and in place of those that are not given the identified
-/// ones. A bump's own shape gives its k1, k2, k4 and theta_d; its k3, between two bumps, is that of a row like the bump
-/// before it that goes on as a row like itself.
+/// ones. A bump's own shape gives its k1, k2, k4 and theta_d; its k3, between two bumps, is the mean of theirs.
 /// @throws Error (input) listing find_truss_faults(foils) if there are any.
 std::vector<TrussConstants> make_truss_constants(const FoilDesign& foils);
 

@@ -221,7 +221,7 @@ TEST(FirstContact, IsWhereTheNearestCrestIsMet) {
   const SharedFoils foils = make_bearing_foils(input);
   const Vector clear = Vector::Constant(26, input.bearing.radial_clearance);
   // Towards crest 5 exactly: the clearance; half-way between two crests: a little more.
-  const double pitch_angle = input.bump_foil.pitch / input.bearing.radius;
+  const double pitch_angle = input.bump_foil.pitch.values.front() / input.bearing.radius;
   EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, unit_vector(pi - 4.5 * pitch_angle)), 31.8e-6, 1e-18);
   EXPECT_NEAR(*first_contact_displacement(clear, foils->normals, unit_vector(pi - 5.0 * pitch_angle)),
               31.8e-6 / std::cos(0.5 * pitch_angle), 1e-18);

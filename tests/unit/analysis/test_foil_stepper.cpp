@@ -163,7 +163,7 @@ TEST(FoilStepper, APressureLiftsTheTopFoilAsTheClosedFormSays) {
   input.bearing.radial_clearance = 1.9e-3;
   const SharedFoils foils = make_bearing_foils(input);
   const TopFoilBeam beam = make_top_foil_beam(make_bearing_design(input));
-  const double end_angle = input.bump_foil.bumps * input.bump_foil.pitch / input.bearing.radius;
+  const double end_angle = input.bump_foil.bumps * input.bump_foil.pitch.values.front() / input.bearing.radius;
   constexpr double q = -0.5;  // N/m: less than a millimetre, though the foil is soft
   Excitation suction;
   suction.top_load = crest_loads(beam, make_top_foil_moments(beam), end_angle, Vector::Constant(27, q));

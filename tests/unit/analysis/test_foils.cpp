@@ -49,7 +49,7 @@ TEST(Foils, GapsCarryHeightErrorsSleeveGapsAndTheJournal) {
   EXPECT_EQ(loading.load, Vector::Zero(foils->problem.K.rows()));
   for (Eigen::Index i = 0; i < 26; ++i) {
     // Default weld at 180 degrees, clockwise: r = C_r + x cos(theta) - y sin(theta).
-    const double theta = (static_cast<double>(i) + 0.5) * input.bump_foil.pitch / input.bearing.radius;
+    const double theta = (static_cast<double>(i) + 0.5) * input.bump_foil.pitch.values.front() / input.bearing.radius;
     const double gap = input.bearing.radial_clearance + 1e-5 * std::cos(theta) - 2e-5 * std::sin(theta);
     EXPECT_NEAR(loading.initial_gap[3 * i], gap, 1e-19);
     EXPECT_EQ(loading.initial_gap[3 * i + 1], i == 4 ? -3e-6 : 0.0);  // a taller bump interferes
@@ -71,8 +71,8 @@ TEST(Foils, FollowAWavySleeve) {
     for (Eigen::Index i = 0; i < 26; ++i) {
       const Eigen::Index first = (foils->structure.first_bump + i) * foils->contacts_per_block();
       // Default weld at 180 degrees, clockwise.
-      const double phi =
-          std::numbers::pi - (static_cast<double>(i) + 0.5) * input.bump_foil.pitch / input.bearing.radius;
+      const double phi = std::numbers::pi -
+                         (static_cast<double>(i) + 0.5) * input.bump_foil.pitch.values.front() / input.bearing.radius;
       EXPECT_NEAR(added[first], 5e-6 * std::cos(3.0 * phi - 0.7), 1e-19);
       EXPECT_NEAR(added[first + 1], 0.0, 1e-19);
       for (Eigen::Index k = 0; k < foils->feet_per_block(); ++k) {

@@ -19,11 +19,11 @@ TEST(Properties, ReferenceTopFoilNearlyFloatsAtItsFreeEnd) {
 
 TEST(Properties, SingleBumpStiffnessesAreInTheirOrder) {
   const Properties properties = compute_properties(reference_case());
-  EXPECT_NEAR(properties.shallow_bump, 0.840e6, 0.0005e6);  // known to three digits
+  EXPECT_NEAR(properties.bumps.front().shallow_bump, 0.840e6, 0.0005e6);  // known to three digits
   // Friction of the feet helps against the load and holds back while it falls; held feet are stiffest.
-  EXPECT_LT(properties.unloading_bump.value(), properties.sliding_bump.value());
-  EXPECT_LT(properties.sliding_bump.value(), properties.loading_bump.value());
-  EXPECT_LT(properties.loading_bump.value(), properties.guided_bump);
+  EXPECT_LT(properties.bumps.front().unloading_bump.value(), properties.bumps.front().sliding_bump.value());
+  EXPECT_LT(properties.bumps.front().sliding_bump.value(), properties.bumps.front().loading_bump.value());
+  EXPECT_LT(properties.bumps.front().loading_bump.value(), properties.bumps.front().guided_bump);
 }
 
 TEST(Properties, RangeOfOneBumpIsThatOfItsMatrix) {

@@ -102,7 +102,7 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
   const Case sampled = sampled_case(input, sample);
   EXPECT_FALSE(sampled.montecarlo);
   EXPECT_EQ(sampled.bump_foil.height_errors[25], 1e-6 + sample.height_deviations[25]);
-  EXPECT_EQ(sampled.bump_foil.thickness, input.bump_foil.thickness + sample.deviations[0]);
+  EXPECT_EQ(sampled.bump_foil.thickness, input.bump_foil.thickness.values.front() + sample.deviations[0]);
   EXPECT_NE(sampled.bump_foil.thickness, input.bump_foil.thickness);
   EXPECT_EQ(sampled.top_foil, input.top_foil);
   EXPECT_EQ(sampled.friction, input.friction);
@@ -118,7 +118,7 @@ TEST(Sample, StiffnessIsIdentifiedAgain) {
   input.cycle.steps = 10;
   Case thicker = input;
   thicker.montecarlo.reset();
-  thicker.bump_foil.thickness += 5e-6;
+  thicker.bump_foil.thickness.values.front() += 5e-6;
   const CycleResult sampled = run_sample(sampled_case(input, draw_sample(input, 0)));
   EXPECT_EQ(sampled.cycles.at(0).turning_point.value().max_force,
             run_cycles(thicker).cycles.at(0).turning_point.value().max_force);

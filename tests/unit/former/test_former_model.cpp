@@ -173,20 +173,23 @@ Case random_former_case(std::uint64_t number) {
   BumpFoil& foil = input.bump_foil;
   foil.model = BumpFoilModel::former;
   foil.bumps = static_cast<int>(uniform(3.0, 45.0));
-  foil.pitch = uniform(4.3, 6.2) * input.bearing.radius / foil.bumps;
-  foil.length = foil.pitch * uniform(0.5, 0.9);
-  foil.height = foil.length * uniform(0.08, 0.3);
+  const double pitch = uniform(4.3, 6.2) * input.bearing.radius / foil.bumps;
+  const double length = pitch * uniform(0.5, 0.9);
+  const double height = length * uniform(0.08, 0.3);
+  foil.pitch = pitch;
+  foil.length = length;
+  foil.height = height;
   foil.height_reference = HeightReference::midsurface;
-  foil.thickness = std::min(0.1 * foil.pitch, uniform(0.05e-3, 0.15e-3));
-  input.bearing.radial_clearance = foil.height * uniform(0.05, 0.6);
-  std::normal_distribution<double> scatter(0.0, uniform(0.0, 0.1) * foil.height);
+  foil.thickness = std::min(0.1 * pitch, uniform(0.05e-3, 0.15e-3));
+  input.bearing.radial_clearance = height * uniform(0.05, 0.6);
+  std::normal_distribution<double> scatter(0.0, uniform(0.0, 0.1) * height);
   for (int bump = 0; bump < foil.bumps; ++bump) {
-    foil.height_errors.push_back(std::clamp(scatter(generator), -0.5 * foil.height, 0.5 * foil.height));
+    foil.height_errors.push_back(std::clamp(scatter(generator), -0.5 * height, 0.5 * height));
   }
   input.friction.top_bump = uniform(0.0, 1.0);
   input.friction.bump_sleeve = number % 2 == 0 ? input.friction.top_bump : uniform(0.0, 1.0);
   input.cycle.directions = {uniform(0.0, 6.28)};
-  input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(0.0, 0.5) * foil.height;
+  input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(0.0, 0.5) * height;
   return input;
 }
 

@@ -38,6 +38,10 @@ std::string cut(std::string text, const std::string& part) {
   return text.erase(at, part.size());
 }
 
+void expect_in(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
 TEST(ParseCase, ReadsEnsembles) {
   EXPECT_FALSE(with({}).montecarlo);
   const TemporaryFolder folder;
@@ -367,6 +371,76 @@ TEST(Overrides, AreReportedWithTheOtherFaults) {
   EXPECT_NE(message.find("nonsense"), std::string::npos);
   EXPECT_NE(message.find("bearing.radius"), std::string::npos);
   EXPECT_NE(message.find("friction.coefficient"), std::string::npos);
+}
+
+TEST(ParseCase, ReadsWhatDiffersAlongTheFoil) {
+  std::string each = "[";
+  for (int n = 0; n < 26; ++n) each += n < 25 ? "\"4.5 mm\", " : "4.4e-3]";
+  const Case input = with({"bump_foil.pitch=" + each, "bump_foil.thickness={start = \"0.1 mm\", end = 0.11e-3}",
+                           "bump_foil.height={start = \"0.5 mm\", end = \"0.4 mm\", law = \"geometric\"}"});
+  ASSERT_TRUE(input.bump_foil.pitch.is_list());
+  EXPECT_EQ(input.bump_foil.pitch.at(24, 26), 4.5e-3);
+  EXPECT_EQ(input.bump_foil.pitch.at(25, 26), 4.4e-3);
+  EXPECT_EQ(input.bump_foil.thickness, PerBump(0.1e-3, 0.11e-3, Grading::linear));
+  EXPECT_EQ(input.bump_foil.height, PerBump(0.5e-3, 0.4e-3, Grading::geometric));
+
+  const Case parts = parse_case(whole_case() + R"(
+[[bump_foil.section]]
+from = 1
+to = 5
+height = "0.5 mm"
+[[bump_foil.section]]
+from = 6
+to = 6
+pitch = "4.5 mm"
+length = 3.5e-3
+thickness = "0.1 mm"
+[[bump_foil.shim]]
+from = 20
+to = 22
+thickness = "25 um"
+)",
+                                "case.toml");
+  EXPECT_EQ(parts.bump_foil.sections,
+            (std::vector<BumpSection>{{.from = 1, .to = 5, .height = 0.5e-3},
+                                      {.from = 6, .to = 6, .pitch = 4.5e-3, .length = 3.5e-3, .thickness = 0.1e-3}}));
+  EXPECT_EQ(parts.bump_foil.shims, (std::vector<Shim>{{20, 22, 25e-6}}));
+}
+
+TEST(ParseCase, SaysWhatIsWrongAlongTheFoil) {
+  expect_in(refusal({"bump_foil.pitch={start = \"4 mm\"}"}), "bump_foil.pitch.end: is missing");
+  expect_in(refusal({"bump_foil.pitch={start = 4e-3, end = 4e-3, low = 1}"}), "did you mean \"law\"?");
+  expect_in(refusal({"bump_foil.pitch={start = 4e-3, end = 4e-3, law = \"sine\"}"}),
+            "write one of \"linear\", \"geometric\"");
+  expect_in(refusal({"bump_foil.pitch=[4e-3, \"1 N\"]"}), "bump_foil.pitch[2] = 1 N");
+  expect_in(refusal({"bump_foil.pitch=[4e-3, 4e-3]"}), "there must be one value per bump, 26 in all");
+  const auto refused = [](const std::string& tables) -> std::string {
+    try {
+      parse_case(whole_case() + tables, "case.toml");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  expect_in(refused("[[bump_foil.shim]]\nfrom = 2\nto = 30\nthickness = \"2 um\"\n"),
+            "bump_foil.shim[1].to = 30: is no bump of the foil");
+  expect_in(refused("[[bump_foil.shim]]\nfrom = 2\nthickness = \"2 um\"\n"), "bump_foil.shim[1].to: is missing");
+  expect_in(refused("[[bump_foil.shim]]\nfrom = 2\nto = 3\nthick = \"2 um\"\n"),
+            "bump_foil.shim[1].thick = 2 um: is no known key");
+  expect_in(refused("[bump_foil.shim]\nfrom = 2\nto = 3\nthickness = \"2 um\"\n"), "write [[bump_foil.shim]]");
+}
+
+TEST(HeightErrorsFile, GivesHeightsOverThoseOfItsBumps) {
+  const TemporaryFolder folder;
+  std::string heights = "height_mm\n";
+  for (int n = 0; n < 26; ++n) heights += n < 2 ? "0.505\n" : "0.510\n";
+  folder.write("heights.csv", heights);
+  std::string text = cut(whole_case(), "height_errors = []");
+  text.insert(text.find("[bump_foil]") + 11, "\nheight_errors_file = \"heights.csv\"");
+  text += "[[bump_foil.section]]\nfrom = 1\nto = 2\nheight = \"0.5 mm\"\n";
+  const Case input = parse_case(text, (folder.path() / "case.toml").string());
+  EXPECT_NEAR(input.bump_foil.height_errors[1], 5e-6, 1e-15);  // roundings of the heights
+  EXPECT_NEAR(input.bump_foil.height_errors[2], 2e-6, 1e-15);
 }
 
 TEST(HeightErrorsFile, IsReadBesideTheCase) {

@@ -34,6 +34,21 @@ std::optional<double> maybe(double least, double most) {
   return between(least, most);
 }
 
+PerBump arbitrary_dimension(int bumps, double least, double most) {
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      return between(least, most);
+    case 1:
+      return {between(least, most), between(least, most), *rc::gen::element(Grading::linear, Grading::geometric)};
+    default:
+      break;
+  }
+  std::vector<double> each(static_cast<std::size_t>(bumps));
+  for (double& one : each) one = between(least, most);
+  // A list of one is a number.
+  return bumps == 1 ? PerBump(each.front()) : PerBump(std::move(each));
+}
+
 StripSettings arbitrary_strip(int bumps) {
   StripSettings strip;
   strip.bumps = *rc::gen::inRange(1, bumps + 1);
@@ -69,9 +84,16 @@ Case arbitrary_case() {
   foil.stiffness_follows_height = foil.model == BumpFoilModel::frame && *rc::gen::arbitrary<bool>();
   foil.yield_stress = maybe(1e8, 2e9);
   foil.bumps = *rc::gen::inRange(1, 27);
-  foil.height = between(0.4e-3, 0.6e-3);
+  foil.height = arbitrary_dimension(foil.bumps, 0.4e-3, 0.6e-3);
+  foil.pitch = arbitrary_dimension(foil.bumps, 4.3e-3, 4.6e-3);
   foil.height_reference = *rc::gen::element(HeightReference::overall, HeightReference::midsurface);
-  foil.thickness = between(0.05e-3, 0.15e-3);
+  foil.thickness = arbitrary_dimension(foil.bumps, 0.05e-3, 0.15e-3);
+  if (*rc::gen::arbitrary<bool>()) {
+    const int from = *rc::gen::inRange(1, foil.bumps + 1);
+    foil.sections = {{.from = from, .to = from, .length = maybe(3.4e-3, 3.6e-3), .thickness = maybe(0.05e-3, 0.15e-3)}};
+    foil.shims = {{.from = from, .to = foil.bumps, .thickness = between(1e-6, 50e-6)}};
+    if (from > 1) foil.shims.push_back({.from = 1, .to = from - 1, .thickness = between(1e-6, 50e-6)});
+  }
   foil.youngs_modulus = between(1e9, 1e12);
   foil.poisson_ratio = between(0.0, 0.5);
   if (*rc::gen::arbitrary<bool>()) foil.height_errors = lengths(foil.bumps, 50e-6);

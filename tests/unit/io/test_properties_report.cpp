@@ -21,7 +21,7 @@ TEST(PropertiesTable, DashesStandForWhatIsNotKnown) {
   const Case input = reference_case();
   Properties properties = compute_properties(input);
   properties.bump_foil.reset();
-  properties.loading_bump.reset();
+  properties.bumps.front().loading_bump.reset();
   const std::string text = properties_table(input, properties);
   EXPECT_NE(text.find(" - N/m\n"), std::string::npos) << text;
   EXPECT_NE(text.find(" - MN/m\n"), std::string::npos);
@@ -32,12 +32,12 @@ TEST(PropertiesJson, IsInSi) {
   input.bump_foil.truss.k2 = 5e6;
   const Properties properties = compute_properties(input);
   const auto json = nlohmann::json::parse(properties_json(input, properties));
-  EXPECT_EQ(json.at("arc").at("rise_m"), properties.arc.rise);
-  EXPECT_EQ(json.at("truss").at("k1_N_per_m"), properties.identified.k1);
+  EXPECT_EQ(json.at("arc").at("rise_m"), properties.bumps.front().arc.rise);
+  EXPECT_EQ(json.at("truss").at("k1_N_per_m"), properties.bumps.front().identified.k1);
   EXPECT_EQ(json.at("truss").at("k2_N_per_m"), 5e6);
-  EXPECT_EQ(json.at("truss").at("theta_d_rad"), properties.identified.theta_d);
-  EXPECT_EQ(json.at("cell").at("crest_stiffness_N_per_m"), properties.cell.crest_stiffness());
-  EXPECT_EQ(json.at("single_bump").at("guided_N_per_m"), properties.guided_bump);
+  EXPECT_EQ(json.at("truss").at("theta_d_rad"), properties.bumps.front().identified.theta_d);
+  EXPECT_EQ(json.at("cell").at("crest_stiffness_N_per_m"), properties.bumps.front().cell.crest_stiffness());
+  EXPECT_EQ(json.at("single_bump").at("guided_N_per_m"), properties.bumps.front().guided_bump);
   EXPECT_EQ(json.at("top_foil").at("softest_N_per_m"), properties.top_foil->softest);
 }
 

@@ -188,9 +188,9 @@ TEST(ResultNetcdf, HoldsWhatItTakesToDrawTheBearing) {
   EXPECT_EQ(file.at("bearing_radius"), input.bearing.radius);
   EXPECT_EQ(file.at("axial_length"), input.bearing.axial_length);
   EXPECT_EQ(file.at("radial_clearance"), input.bearing.radial_clearance);
-  EXPECT_EQ(file.at("bump_pitch"), input.bump_foil.pitch);
-  EXPECT_EQ(file.at("bump_half_length"), 0.5 * input.bump_foil.length);
-  EXPECT_EQ(file.at("bump_rise"), input.bump_foil.height - input.bump_foil.thickness);
+  EXPECT_EQ(file.at("bump_pitch"), input.bump_foil.pitch.values.front());
+  EXPECT_EQ(file.at("bump_half_length"), 0.5 * input.bump_foil.length.values.front());
+  EXPECT_EQ(file.at("bump_rise"), nominal_bump(input.bump_foil).rise);
 }
 
 TEST(ResultNetcdf, SaysWhereItComesFrom) {

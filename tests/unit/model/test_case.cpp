@@ -15,8 +15,8 @@ using bumpfoil::reference_case;
 TEST(ReferenceCase, BumpsFillTheCircumference) {
   const Case reference = reference_case();
   // [Arghir2019, Table 1]: 26 pitches of 4.572 mm on a radius of 19.05 mm are 357.5 degrees.
-  const double degrees =
-      reference.bump_foil.bumps * reference.bump_foil.pitch / reference.bearing.radius * 180.0 / std::numbers::pi;
+  const double degrees = reference.bump_foil.bumps * reference.bump_foil.pitch.values.front() /
+                         reference.bearing.radius * 180.0 / std::numbers::pi;
   EXPECT_NEAR(degrees, 357.5, 0.1);
 }
 

@@ -110,6 +110,45 @@ TEST(BearingFoils, FollowTheHeightErrorsWhereStiffnessDoes) {
   EXPECT_EQ(foils.bumps[1].half_length, foils.bumps[0].half_length);
 }
 
+TEST(BearingFoils, HaveTheBumpsOfTheirSections) {
+  Case input = reference_case();
+  input.bump_foil.bumps = 5;
+  input.bump_foil.pitch = PerBump(std::vector{4e-3, 4.1e-3, 4.2e-3, 4.3e-3, 4.4e-3});
+  input.bump_foil.thickness = PerBump(0.1e-3, 0.14e-3, Grading::linear);
+  input.bump_foil.sections = {{.from = 2, .to = 3, .height = 0.6e-3}, {.from = 5, .to = 5, .thickness = 0.2e-3}};
+  const FoilDesign foils = make_bearing_design(input);
+  const double half_length = 0.5 * 3.556e-3;
+  const std::vector<BumpShape> expected{{4e-3, half_length, 0.508e-3 - 0.1e-3, 0.1e-3},
+                                        {4.1e-3, half_length, 0.6e-3 - 0.11e-3, 0.11e-3},
+                                        {4.2e-3, half_length, 0.6e-3 - 0.12e-3, 0.12e-3},
+                                        {4.3e-3, half_length, 0.508e-3 - 0.13e-3, 0.13e-3},
+                                        {4.4e-3, half_length, 0.508e-3 - 0.2e-3, 0.2e-3}};
+  for (std::size_t n = 0; n < expected.size(); ++n) {
+    EXPECT_DOUBLE_EQ(foils.bumps[n].pitch, expected[n].pitch) << n;
+    EXPECT_DOUBLE_EQ(foils.bumps[n].half_length, expected[n].half_length) << n;
+    EXPECT_DOUBLE_EQ(foils.bumps[n].rise, expected[n].rise) << n;
+    EXPECT_DOUBLE_EQ(foils.bumps[n].thickness, expected[n].thickness) << n;
+  }
+}
+
+TEST(CrestOffsets, CountFromTheTallestNominalBump) {
+  BumpFoil foil = reference_case().bump_foil;
+  foil.bumps = 4;
+  EXPECT_TRUE(crest_offsets(foil).isZero(0.0));
+  foil.height = PerBump(std::vector{0.5e-3, 0.52e-3, 0.51e-3, 0.52e-3});
+  foil.height_errors = {1e-6, 2e-6, 0.0, 0.0};
+  foil.shims = {{.from = 3, .to = 4, .thickness = 15e-6}};
+  // Millionths of a micrometre are roundings of the heights.
+  EXPECT_TRUE(crest_offsets(foil).isApprox(Vector{{-19e-6, 2e-6, 5e-6, 15e-6}}, 1e-9)) << crest_offsets(foil);
+  // Of the mid-surface, thicker foils are taller.
+  foil.height_errors.clear();
+  foil.shims.clear();
+  foil.height = 0.4e-3;
+  foil.height_reference = HeightReference::midsurface;
+  foil.thickness = PerBump(std::vector{0.1e-3, 0.1e-3, 0.1e-3, 0.12e-3});
+  EXPECT_TRUE(crest_offsets(foil).isApprox(Vector{{-20e-6, -20e-6, -20e-6, 0.0}}, 1e-9)) << crest_offsets(foil);
+}
+
 TEST(StripFoils, AreFlatAndCutToTheStrip) {
   Case input = reference_case();
   input.strip = {.bumps = 4, .weld = StripWeld::none, .top_foil = false, .amplitude = {}};

@@ -57,11 +57,11 @@ TEST(Scatter, TruncationKeepsShareAndBounds) {
 TEST(Scatter, NumbersAreFoundInTheCase) {
   Case input = reference_case();
   double added = 1e-6;
-  for (const ScatteredNumber& number : scattered_numbers()) number.in(input) += added *= 2.0;
+  for (const ScatteredNumber& number : scattered_numbers()) number.add(input, added *= 2.0);
   const Case reference = reference_case();
-  EXPECT_DOUBLE_EQ(input.bump_foil.thickness, reference.bump_foil.thickness + 2e-6);
+  EXPECT_DOUBLE_EQ(input.bump_foil.thickness.values.front(), reference.bump_foil.thickness.values.front() + 2e-6);
   EXPECT_DOUBLE_EQ(input.top_foil.thickness, reference.top_foil.thickness + 4e-6);
-  EXPECT_DOUBLE_EQ(input.bump_foil.length, reference.bump_foil.length + 8e-6);
+  EXPECT_DOUBLE_EQ(input.bump_foil.length.values.front(), reference.bump_foil.length.values.front() + 8e-6);
   EXPECT_DOUBLE_EQ(input.friction.top_bump, reference.friction.top_bump + 16e-6);
   EXPECT_DOUBLE_EQ(input.friction.bump_sleeve, reference.friction.bump_sleeve + 32e-6);
   EXPECT_DOUBLE_EQ(input.bearing.radial_clearance, reference.bearing.radial_clearance + 64e-6);

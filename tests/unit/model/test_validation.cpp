@@ -152,10 +152,10 @@ TEST(FindFaults, WantsFinitePositiveSizes) {
   const std::vector<std::pair<std::string, double& (*)(Case&)>> sizes{
       {"bearing.radius", [](Case& c) -> double& { return c.bearing.radius; }},
       {"bearing.axial_length", [](Case& c) -> double& { return c.bearing.axial_length; }},
-      {"bump_foil.pitch", [](Case& c) -> double& { return c.bump_foil.pitch; }},
-      {"bump_foil.length", [](Case& c) -> double& { return c.bump_foil.length; }},
-      {"bump_foil.height", [](Case& c) -> double& { return c.bump_foil.height; }},
-      {"bump_foil.thickness", [](Case& c) -> double& { return c.bump_foil.thickness; }},
+      {"bump_foil.pitch", [](Case& c) -> double& { return c.bump_foil.pitch.values.front(); }},
+      {"bump_foil.length", [](Case& c) -> double& { return c.bump_foil.length.values.front(); }},
+      {"bump_foil.height", [](Case& c) -> double& { return c.bump_foil.height.values.front(); }},
+      {"bump_foil.thickness", [](Case& c) -> double& { return c.bump_foil.thickness.values.front(); }},
       {"bump_foil.youngs_modulus", [](Case& c) -> double& { return c.bump_foil.youngs_modulus; }},
       {"top_foil.thickness", [](Case& c) -> double& { return c.top_foil.thickness; }},
       {"top_foil.youngs_modulus", [](Case& c) -> double& { return c.top_foil.youngs_modulus; }},
@@ -197,12 +197,96 @@ TEST(FindFaults, KeepsBumpsApart) {
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.bumps = 27; }), Keys{"bump_foil.bumps"});
   // A foil that goes round exactly once, but for a rounding.
   EXPECT_EQ(faulty_keys([](Case& input) {
-              input.bearing.radius = 26 * input.bump_foil.pitch / (2.0 * std::numbers::pi) * (1.0 - 1e-15);
+              input.bearing.radius =
+                  26 * input.bump_foil.pitch.values.front() / (2.0 * std::numbers::pi) * (1.0 - 1e-15);
             }),
             Keys{});
   // Arcs of more than half a circle are wider than their chord.
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 2.2e-3; }), Keys{});
   EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = 4.5e-3; }), Keys{"bump_foil.height"});
+}
+
+TEST(FindFaults, JudgesEveryBumpOfAVariableFoil) {
+  using List = std::vector<double>;
+  // As many values as bumps, each usable.
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(26, 4.5e-3)); }), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(List(25, 4.5e-3)); }),
+            Keys{"bump_foil.pitch"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.length = PerBump(List{}); }), Keys{"bump_foil.length"});
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.length = PerBump(List(26, 3.5e-3));
+              input.bump_foil.length.values[4] = -1.0;
+            }),
+            Keys{"bump_foil.length[5]"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.height = PerBump(0.5e-3, 0.0, Grading::linear); }),
+            Keys{"bump_foil.height.end"});
+  // Each bump by itself, under the key that gives it.
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.length = PerBump(List(26, 3.5e-3));
+              input.bump_foil.length.values[9] = 4.6e-3;
+            }),
+            Keys{"bump_foil.length[10]"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .height = 0.1e-3}}; }),
+            Keys{"bump_foil.section[1].height"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.sections = {{.from = 3, .to = 9, .thickness = 3e-3}}; }),
+            (Keys{"bump_foil.section[1].thickness", "bump_foil.height"}));
+  // Round the circumference, all of them together.
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bump_foil.pitch = PerBump(4.5e-3, 4.9e-3, Grading::linear); }),
+            Keys{"bump_foil.bumps"});
+}
+
+TEST(FindFaults, WantsSectionsAndShimsApartAndOnTheFoil) {
+  const auto with_shims = [](std::vector<Shim> shims) {
+    return faulty_keys([&shims](Case& input) { input.bump_foil.shims = shims; });
+  };
+  EXPECT_EQ(with_shims({{1, 3, 20e-6}, {4, 26, 10e-6}}), Keys{});
+  EXPECT_EQ(with_shims({{0, 3, 20e-6}}), Keys{"bump_foil.shim[1].from"});
+  EXPECT_EQ(with_shims({{3, 2, 20e-6}}), Keys{"bump_foil.shim[1].to"});
+  EXPECT_EQ(with_shims({{3, 27, 20e-6}}), Keys{"bump_foil.shim[1].to"});
+  EXPECT_EQ(with_shims({{10, 12, 20e-6}, {3, 10, 20e-6}}), Keys{"bump_foil.shim[2].from"});
+  EXPECT_EQ(with_shims({{3, 4, -20e-6}}), Keys{"bump_foil.shim[1].thickness"});
+  EXPECT_EQ(with_shims({{3, 4, 1e-3}}), Keys{"bump_foil.shim[1].thickness"});
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.sections = {{.from = 1, .to = 5, .pitch = 4.5e-3}, {.from = 5, .to = 6, .pitch = 4.4e-3}};
+            }),
+            Keys{"bump_foil.section[2].from"});
+}
+
+TEST(FindFaults, WantsAStripWithinWhatIsGradedOrListed) {
+  const auto strip_of = [](int bumps, const PerBump& height) {
+    return faulty_keys([&](Case& input) {
+      input.bump_foil.height = height;
+      input.strip = {.bumps = bumps, .amplitude = {.value = 20e-6}};
+    });
+  };
+  const PerBump list(std::vector<double>(26, 0.5e-3));
+  EXPECT_EQ(strip_of(26, list), Keys{});
+  EXPECT_EQ(strip_of(27, list), Keys{"strip.bumps"});
+  EXPECT_EQ(strip_of(26, PerBump(0.5e-3, 0.4e-3, Grading::geometric)), Keys{});
+  EXPECT_EQ(strip_of(27, PerBump(0.5e-3, 0.4e-3, Grading::geometric)), Keys{"strip.bumps"});
+  EXPECT_EQ(strip_of(27, 0.5e-3), Keys{});
+}
+
+TEST(FindFaults, WantsEqualPitchesUnderAFilm) {
+  const auto run = [](Case& input) {
+    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{10.0, 0.0}}};
+  };
+  EXPECT_EQ(faulty_keys(run), Keys{});
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              run(input);
+              input.bump_foil.sections = {{.from = 2, .to = 4, .height = 0.5e-3}};
+            }),
+            Keys{});
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              run(input);
+              input.bump_foil.sections = {{.from = 2, .to = 4, .pitch = 4.5e-3}};
+            }),
+            Keys{"bump_foil.pitch"});
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              run(input);
+              input.bump_foil.pitch = PerBump(4.5e-3, 4.4e-3, Grading::linear);
+            }),
+            Keys{"bump_foil.pitch"});
 }
 
 TEST(FindFaults, CountsBumps) {

@@ -57,7 +57,7 @@ TEST(FoilStructure, MomentsAreScaledByThePitchAndTheBendingStiffness) {
   const Vector u = x(every(structure, structure.dofs.top_u));
   const Vector moments = top_foil_moments(make_top_foil_moments(beam), u);
   const Vector scaled = x(every(structure, structure.dofs.top_moment));
-  const double p = input.bump_foil.pitch;
+  const double p = input.bump_foil.pitch.values.front();
   EXPECT_LT((scaled.head(25) * beam.bending_stiffness / (p * p) - moments.tail(25)).norm(), 1e-9 * moments.norm());
   EXPECT_EQ(scaled[25], 0.0);
 }

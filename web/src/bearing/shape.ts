@@ -30,8 +30,10 @@ export interface Shape {
 /** What does not change while the journal moves. */
 export class BearingGeometry {
   readonly radius: number;
-  readonly pitch: number;
-  readonly halfLength: number;
+  /** Where the pitch of each bump begins along the foil, and where the last one ends. */
+  readonly borders: number[];
+  readonly halfLengths: number[];
+  /** Of the tallest bump: there the top foil lies, and all arcs are drawn as high. */
   readonly rise: number;
   readonly clearance: number;
   readonly weldAngle: number;
@@ -39,7 +41,7 @@ export class BearingGeometry {
   readonly sense: number;
   readonly crestPlaces: number[];
   readonly footPlaces: number[];
-  readonly heightErrors: number[];
+  readonly crestOffsets: number[];
   readonly sleeveGaps: number[];
   readonly twoFeet: boolean;
   readonly topFoil: boolean;
@@ -50,9 +52,13 @@ export class BearingGeometry {
   constructor(readonly run: Run) {
     const bearing = (run.data.summary.case['bearing'] ?? {}) as { weld_angle?: number; wrap?: string };
     this.radius = run.scalar('bearing_radius');
-    this.pitch = run.scalar('bump_pitch');
-    this.halfLength = run.scalar('bump_half_length');
-    this.rise = run.scalar('bump_rise');
+    const ofBumps = (name: string): number[] => {
+      const each = run.perNode(name);
+      return each.length > 0 ? each : Array.from({ length: run.bumps }, () => run.scalar(name));
+    };
+    this.borders = ofBumps('bump_pitch').reduce((places, pitch) => [...places, at(places, places.length - 1) + pitch], [0]);
+    this.halfLengths = ofBumps('bump_half_length');
+    this.rise = Math.max(...ofBumps('bump_rise'));
     this.clearance = run.scalar('radial_clearance');
     this.weldAngle = bearing.weld_angle ?? Math.PI;
     this.sense = bearing.wrap === 'counterclockwise' ? 1 : -1;
@@ -60,7 +66,8 @@ export class BearingGeometry {
       run.kind.flat ? run.perNode(flat) : run.perNode(round).map((angle) => angle * this.radius);
     this.crestPlaces = places('crest_position', 'theta');
     this.footPlaces = places('foot_position', 'foot_theta');
-    this.heightErrors = run.perNode('height_error');
+    const offsets = run.perNode('crest_offset');
+    this.crestOffsets = offsets.length > 0 ? offsets : run.perNode('height_error');
     this.sleeveGaps = run.perNode('sleeve_gap');
     this.twoFeet = run.feet === 2 * run.bumps;
     this.topFoil = run.interfaces.some(({ name }) => name === 'journal_top');
@@ -68,7 +75,7 @@ export class BearingGeometry {
   }
 
   get length(): number {
-    return this.run.bumps * this.pitch;
+    return at(this.borders, this.run.bumps);
   }
 
   /** How far the foils of the run move at most. */
@@ -82,9 +89,14 @@ export class BearingGeometry {
   }
 
   /** Height of the arc of a bump at a distance from its crest. */
-  arc(distance: number): number {
-    const radius = (this.halfLength ** 2 + this.rise ** 2) / (2 * this.rise);
+  arc(bump: number, distance: number): number {
+    const radius = (at(this.halfLengths, bump) ** 2 + this.rise ** 2) / (2 * this.rise);
     return Math.sqrt(radius ** 2 - distance ** 2) - (radius - this.rise);
+  }
+
+  /** The bump whose pitch a place along the foil lies in, or one beyond the ends. */
+  bumpAt(along: number): number {
+    return this.borders.filter((border) => border <= along).length - 1;
   }
 
   /** Feet at the start and the end of a bump's arc; none at the start of the first one of a truss that is welded there. */
@@ -118,16 +130,16 @@ function bumpFoil(geometry: BearingGeometry, cycle: Cycle, index: number): Shape
     const [start, end] = geometry.feetOf(bump);
     const crest: Move = {
       along: crestU.at(index, bump),
-      inwards: (geometry.heightErrors[bump] ?? 0) - crestV.at(index, bump),
+      inwards: (geometry.crestOffsets[bump] ?? 0) - crestV.at(index, bump),
     };
     for (let i = -halfArcPoints; i <= halfArcPoints; i += 1) {
       const foot = footMove(i < 0 ? start : end);
-      const distance = (geometry.halfLength * i) / halfArcPoints;
+      const distance = (at(geometry.halfLengths, bump) * i) / halfArcPoints;
       // Between foot and crest nothing is known: the arc is drawn as one, flatter or higher.
-      const weight = geometry.arc(distance) / geometry.rise;
+      const weight = geometry.arc(bump, distance) / geometry.rise;
       points.push({
         along: place + distance,
-        height: geometry.arc(distance),
+        height: geometry.arc(bump, distance),
         moveAlong: foot.along + weight * (crest.along - foot.along),
         moveIn: foot.inwards + weight * (crest.inwards - foot.inwards),
       });
@@ -223,7 +235,7 @@ export function shapeAt(geometry: BearingGeometry, cycle: Cycle, index: number):
       along,
       height: geometry.rise,
       moveAlong: crestU.at(index, bump),
-      moveIn: (geometry.heightErrors[bump] ?? 0) - crestV.at(index, bump),
+      moveIn: (geometry.crestOffsets[bump] ?? 0) - crestV.at(index, bump),
     })),
     feet: geometry.footPlaces.map((along, foot) => ({
       along,
@@ -255,7 +267,7 @@ function reachOf(geometry: BearingGeometry): Reach {
     }
     return [least, most];
   };
-  const error = [Math.min(0, ...geometry.heightErrors), Math.max(0, ...geometry.heightErrors)] as const;
+  const error = [Math.min(0, ...geometry.crestOffsets), Math.max(0, ...geometry.crestOffsets)] as const;
   const crest = extremes('crest_v', -1);
   const ranges: (readonly [number, number])[] = [
     [crest[0] + error[0], crest[1] + error[1]],
@@ -284,7 +296,7 @@ export function fittingInwards(geometry: BearingGeometry): number {
   const pressed = Math.max(
     largest(...geometry.run.cycles.map((cycle) => cycle.values('displacement'))) - geometry.clearance,
     Math.abs(geometry.clearance),
-    largest(geometry.heightErrors),
+    largest(geometry.crestOffsets),
   );
   return largestFactor((0.5 * geometry.rise) / pressed);
 }
@@ -294,5 +306,6 @@ export function fittingAlong(geometry: BearingGeometry): number {
   const fields = geometry.run.cycles.flatMap((cycle) =>
     ['crest_u', 'foot_u'].map((name) => cycle.field(name).values),
   );
-  return Math.min(100, largestFactor((0.4 * geometry.pitch) / largest(...fields)));
+  const pitch = Math.min(...geometry.borders.slice(1).map((border, bump) => border - at(geometry.borders, bump)));
+  return Math.min(100, largestFactor((0.4 * pitch) / largest(...fields)));
 }

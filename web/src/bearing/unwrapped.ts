@@ -1,4 +1,4 @@
-import type { Cycle } from '../data/run';
+import { at, type Cycle } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
@@ -77,7 +77,7 @@ export class UnwrappedLayout {
   /** Bump at a place on the drawing. */
   bumpAt(x: number): number {
     const { geometry } = this.scene;
-    const bump = Math.floor((x - this.left) / (this.perLength * geometry.pitch));
+    const bump = geometry.bumpAt((x - this.left) / this.perLength);
     return Math.min(Math.max(0, bump), geometry.run.bumps - 1);
   }
 }
@@ -141,8 +141,8 @@ function weld({ geometry, shape }: Scene, layout: UnwrappedLayout, current: Look
 function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
   if (bump === undefined) return [];
   const edge = (along: number): number => layout.place({ along, height: 0, moveAlong: 0, moveIn: 0 }).x;
-  const left = edge(bump * geometry.pitch);
-  return [svg('rect', { x: left, y: 0, width: edge((bump + 1) * geometry.pitch) - left, height: height - 18, fill: current.accent, opacity: 0.12 })];
+  const left = edge(at(geometry.borders, bump));
+  return [svg('rect', { x: left, y: 0, width: edge(at(geometry.borders, bump + 1)) - left, height: height - 18, fill: current.accent, opacity: 0.12 })];
 }
 
 function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {

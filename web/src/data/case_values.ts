@@ -4,10 +4,20 @@ import { directionName } from './kinds';
 import type { Run } from './run';
 import { formatNumber, formatQuantity } from './units';
 
-/** Dotted keys with their values, in the order of the case. */
+type Table = { [key: string]: CaseValue };
+
+function isTable(value: CaseValue): value is Table {
+  return value !== null && typeof value === 'object' && !Array.isArray(value);
+}
+
+/** Dotted keys with their values, in the order of the case; tables of a list are counted from 1: "bump_foil.shim[2].to". */
 export function flatten(value: CaseValue, path = ''): Map<string, CaseValue> {
   const entries = new Map<string, CaseValue>();
-  if (value !== null && typeof value === 'object' && !Array.isArray(value)) {
+  if (Array.isArray(value) && value.length > 0 && value.every(isTable)) {
+    value.forEach((table, i) => {
+      for (const [name, leaf] of flatten(table, `${path}[${i + 1}]`)) entries.set(name, leaf);
+    });
+  } else if (isTable(value) && !('law' in value)) {
     for (const [key, part] of Object.entries(value)) {
       for (const [name, leaf] of flatten(part, path === '' ? key : `${path}.${key}`)) entries.set(name, leaf);
     }
@@ -17,8 +27,22 @@ export function flatten(value: CaseValue, path = ''): Map<string, CaseValue> {
   return entries;
 }
 
+/** What is said of a key or a table; of a list of tables, of the first. */
+export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefined {
+  return keys[path.replace(/\[\d+\]/g, '[1]')];
+}
+
+/** The title of a table, counted where there may be several. */
+export function titleOf(keys: CaseKeys, table: string): string | undefined {
+  const title = labelOf(keys, table)?.title;
+  const number = /\[(\d+)\]$/.exec(table)?.[1];
+  return title === undefined || number === undefined ? title : `${title} ${number}`;
+}
+
 export function valueText(value: CaseValue | undefined, unit: string): string {
   if (value === undefined || value === null) return '–';
+  // What goes along the foil by a law.
+  if (isTable(value) && 'law' in value) return `${valueText(value['start'], unit)} to ${valueText(value['end'], unit)}, ${String(value['law'])}`;
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
@@ -52,11 +76,11 @@ export function sweptKeys(runs: Run[], keys: CaseKeys): SweptKey[] {
     const numbers = cases.map((entries) => entries.get(path));
     if (!numbers.every((number): number is number => typeof number === 'number')) return [];
     if (new Set(numbers).size < 2) return [];
-    const words = [keys[groupOf(path)]?.title, keys[path]?.title ?? path].filter((word) => word !== undefined);
+    const words = [titleOf(keys, groupOf(path)), labelOf(keys, path)?.title ?? path].filter((word) => word !== undefined);
     return [
       {
         title: words.join(': '),
-        unit: keys[path]?.unit ?? '',
+        unit: labelOf(keys, path)?.unit ?? '',
         values: new Map(runs.map((run, i) => [run, numbers[i] ?? NaN])),
       },
     ];

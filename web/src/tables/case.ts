@@ -1,4 +1,4 @@
-import { flatten, groupOf, valueText } from '../data/case_values';
+import { flatten, groupOf, labelOf, titleOf, valueText } from '../data/case_values';
 import type { CaseKeys } from '../data/format';
 import type { Result } from '../data/result';
 import { toCsv } from '../data/csv';
@@ -38,17 +38,17 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): H
         el(
           'table',
           { class: 'case' },
-          el('tr', {}, el('th', { scope: 'col', class: 'group', colspan: several ? 1 : 2 }, caseKeys[group]?.title ?? group), ...labels),
+          el('tr', {}, el('th', { scope: 'col', class: 'group', colspan: several ? 1 : 2 }, titleOf(caseKeys, group) ?? group), ...labels),
         ),
       );
     }
-    const text = (run: Result): string => valueText(cases.get(run)?.get(key), caseKeys[key]?.unit ?? '');
+    const text = (run: Result): string => valueText(cases.get(run)?.get(key), labelOf(caseKeys, key)?.unit ?? '');
     const differs = new Set(shown.map(text)).size > 1;
     tables[tables.length - 1]?.append(
       el(
         'tr',
         differs ? { class: 'differs' } : {},
-        el('th', { scope: 'row' }, caseKeys[key]?.title ?? key.slice(key.lastIndexOf('.') + 1)),
+        el('th', { scope: 'row' }, labelOf(caseKeys, key)?.title ?? key.slice(key.lastIndexOf('.') + 1)),
         ...focus.map((run) => el('td', {}, text(run))),
       ),
     );
