@@ -7,6 +7,7 @@
 #include "bumpfoil/io/case_writer.hpp"
 #include "io/case_json.hpp"
 #include "io/key_list.hpp"
+#include "io/presets.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -15,9 +16,15 @@ namespace {
 constexpr std::size_t comment_column = 32;
 constexpr std::size_t widest_line = 120;
 
-std::string comment_on(const Key& key) {
-  if (key.otherwise.empty()) return std::string(key.text);
-  return fmt::format("{}{}default: {}", key.text, key.text.empty() ? "" : "; ", key.otherwise);
+std::string comment_on(const ListedKey& listed, const Preset& preset) {
+  std::vector<std::string> parts;
+  for (const auto& [path, remark] : preset.remarks) {
+    if (path == listed.path) parts.emplace_back(remark);
+  }
+  const Key& key = listed.key;
+  if (!key.text.empty()) parts.emplace_back(key.text);
+  if (!key.otherwise.empty()) parts.push_back(fmt::format("default: {}", key.otherwise));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 /// A line with a comment that is broken between words, each part behind `prefix`.
@@ -63,17 +70,22 @@ changes a key for one run. This page is what `bumpfoil init --keys` prints.
 }  // namespace
 
 std::vector<std::string> preset_names() {
-  return {"gen1"};
+  std::vector<std::string> names;
+  names.reserve(presets().size());
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  return names;
 }
 
-std::string case_template(std::string_view preset) {
-  if (preset != "gen1") {
-    throw Error(ErrorKind::input, {{"", 0, "preset", std::string(preset), "is not known",
+std::string case_template(std::string_view name) {
+  const auto preset =
+      std::find_if(presets().begin(), presets().end(), [&](const Preset& one) { return one.name == name; });
+  if (preset == presets().end()) {
+    throw Error(ErrorKind::input, {{"", 0, "preset", std::string(name), "is not known",
                                     fmt::format("use one of {}", fmt::join(preset_names(), ", "))}});
   }
-  std::string out(template_head);
+  std::string out = std::string(preset->head) + std::string(template_head);
   bool live_table = true;
-  for (const ListedKey& listed : list_keys(reference_case())) {
+  for (const ListedKey& listed : list_keys(preset->input)) {
     if (listed.is_table()) {
       live_table = listed.live;
       out += '\n' + commented(live_table ? "" : "# ", table_header(listed.path), listed.key.text);
@@ -82,8 +94,9 @@ std::string case_template(std::string_view preset) {
     // In a table that is commented out, what contradicts the rest of it stays so when the table is taken in.
     const bool out_of_table = live_table ? !listed.live : listed.instead;
     out += commented(live_table ? "" : "# ",
-                     fmt::format("{}{} = {}", out_of_table ? "# " : "", listed.key.name, example_of(listed)),
-                     comment_on(listed.key));
+                     fmt::format("{}{} = {}", out_of_table ? "# " : "", listed.key.name,
+                                 listed.live ? authored_value(listed) : example_of(listed)),
+                     comment_on(listed, *preset));
   }
   return out;
 }

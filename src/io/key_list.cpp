@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "io/case_json.hpp"
 
@@ -52,6 +53,16 @@ Json json_of(const T* value) {
 Json json_of(double target, Control control, Control plain) {
   if (control == plain) return target;
   return fmt::format("{:.17g} {}", target, control == Control::load ? "N" : "m");
+}
+
+/// Numbers in SI as texts with a unit, which is `one` in SI.
+std::string in_unit(const Json& value, std::string_view unit, double one) {
+  if (value.is_number()) return fmt::format("\"{:.12g} {}\"", value.get<double>() / one, unit);
+  if (!value.is_array()) return toml_of(value);
+  std::vector<std::string> entries;
+  entries.reserve(value.size());
+  for (const Json& entry : value) entries.push_back(in_unit(entry, unit, one));
+  return fmt::format("[{}]", fmt::join(entries, ", "));
 }
 
 class KeyLister final : public CaseVisitor {
@@ -196,6 +207,17 @@ std::string example_of(const ListedKey& listed) {
   const std::string_view example = listed.key.example;
   if (example.empty()) return toml_of(listed.value);
   return listed.key.dimension && !example.starts_with('[') ? fmt::format("\"{}\"", example) : std::string(example);
+}
+
+std::string authored_value(const ListedKey& listed) {
+  const std::string_view example = listed.key.example;
+  if (!listed.key.dimension || example.empty()) return toml_of(listed.value);
+  // "mm" of "4.572 mm", "N" of ["5 N", "10 N"]. Directions have names and no unit.
+  const std::size_t space = std::min(example.find(' '), example.size() - 1);
+  const std::string_view unit = example.substr(space + 1, example.find('"', space + 1) - space - 1);
+  if (unit.empty()) return example_of(listed);
+  const double one = std::get<double>(parse_quantity(fmt::format("1 {}", unit), *listed.key.dimension));
+  return in_unit(listed.value, unit, one);
 }
 
 }  // namespace bumpfoil

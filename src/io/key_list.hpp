@@ -35,7 +35,10 @@ std::string table_header(std::string_view table);
 /// The value in TOML.
 std::string toml_of(const nlohmann::ordered_json& value);
 
-/// The value as an author would write it in a case file.
+/// A value that the key might have, as an author would write it in a case file.
 std::string example_of(const ListedKey& listed);
+
+/// The value that it has, as an author would write it: in the unit of the example.
+std::string authored_value(const ListedKey& listed);
 
 }  // namespace bumpfoil

@@ -51,6 +51,12 @@ std::string_view origin(const std::optional<double>& given) {
   return given ? "given" : "identified";
 }
 
+Entry spring(std::string_view key, std::string_view name, const std::optional<double>& given, double identified) {
+  const bool none = !given && identified < 0.0;
+  return stiffness(key, name, given.value_or(identified),
+                   none ? "identified; no spring is negative: the frame alone has this shape" : origin(given));
+}
+
 Group range_group(std::string_view key, std::string_view name, const std::optional<StiffnessRange>& range) {
   const auto end = [&range](double StiffnessRange::*member) {
     return range ? std::optional((*range).*member) : std::nullopt;
@@ -70,10 +76,10 @@ std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpPropert
         angle("half_angle_rad", "half angle", p.arc.half_angle), length("flat_m", "flat between bumps", p.arc.flat)}},
       {"truss",
        "Constants of the truss",
-       {stiffness("k1_N_per_m", "k1, rods", given.k1.value_or(p.identified.k1), origin(given.k1)),
-        stiffness("k2_N_per_m", "k2, foot to foot", given.k2.value_or(p.identified.k2), origin(given.k2)),
-        stiffness("k3_N_per_m", "k3, crest to crest", given.k3.value_or(p.identified.k3), origin(given.k3)),
-        stiffness("k4_N_per_m", "k4, weld to crest", given.k4.value_or(p.identified.k4), origin(given.k4)),
+       {spring("k1_N_per_m", "k1, rods", given.k1, p.identified.k1),
+        spring("k2_N_per_m", "k2, foot to foot", given.k2, p.identified.k2),
+        spring("k3_N_per_m", "k3, crest to crest", given.k3, p.identified.k3),
+        spring("k4_N_per_m", "k4, weld to crest", given.k4, p.identified.k4),
         angle("theta_d_rad", "theta_d, inclination of rods", given.theta_d.value_or(p.identified.theta_d),
               origin(given.theta_d))}},
       {"cell",
@@ -137,8 +143,11 @@ std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpP
         number_text(p.cell.crest_stiffness(), 1e6), number_text(p.sliding_bump, 1e6));
   }
   return out +
-         "k1 to theta_d: constants of the truss for a row of such bumps; row: crest of the frame of such a row, feet\n"
-         "free to slide; alone: one isolated bump, feet free to slide\n\n";
+         "k1 to theta_d: constants of the truss for a row of such bumps; where one is negative there is none, and "
+         "only\n"
+         "the frame has such bumps; row: crest of the frame of such a row, feet free to slide; alone: one isolated "
+         "bump,\n"
+         "feet free to slide\n\n";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "cli/running_program.hpp"
@@ -156,6 +157,25 @@ TEST_F(Program, InitPrintsOrWrites) {
   EXPECT_EQ(run({"init", "-o", case_path_, "--force"}).exit_code, 0);
   EXPECT_EQ(run({"init"}).output, folder_.read("case.toml"));
   EXPECT_EQ(run({"init", "--preset", "gen9"}).exit_code, 2);
+}
+
+TEST_F(Program, RunsItsPresets) {
+  for (const auto& [preset, command] : {std::pair{"gen1-rubio", "cycle"}, {"larsen-strip", "strip"}}) {
+    const std::string path = (folder_.path() / preset).string();
+    EXPECT_EQ(run({"init", "--preset", preset, "-o", path}).exit_code, 0) << preset;
+    const Outcome done = run({command, path, "-o", results_, "--force", "--set", std::string(command) + ".steps=4"});
+    EXPECT_EQ(done.exit_code, 0) << done.errors;
+    EXPECT_EQ(summary().at("status"), "complete") << preset;
+  }
+  // No truss has the bumps of the strip: what is known of them is told, and what to do.
+  const std::string strip = (folder_.path() / "larsen-strip").string();
+  EXPECT_NE(run({"properties", strip}).output.find("no spring is negative"), std::string::npos);
+  for (const std::string command : {"check", "properties"}) {
+    const Outcome truss = run({command, strip, "--set", "bump_foil.model=truss"});
+    EXPECT_EQ(truss.exit_code, 2);
+    EXPECT_NE(truss.errors.find("bump_foil.truss.k2: comes out as -4.801e+06 N/m"), std::string::npos) << truss.errors;
+    EXPECT_NE(truss.errors.find("set bump_foil.model = \"frame\""), std::string::npos) << truss.errors;
+  }
 }
 
 TEST_F(Program, OverridesKeysAsTheShellLeavesThem) {

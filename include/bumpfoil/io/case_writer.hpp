@@ -18,9 +18,10 @@ std::string case_to_json(const Case& input);
 /// Names of the presets that `case_template` knows.
 std::vector<std::string> preset_names();
 
-/// A commented case file to start from, with every key. "gen1" is reference_case().
+/// A commented case file to start from, with every key. "gen1" is reference_case(). What a preset assumes though
+/// nobody published it is said in its line.
 /// @throws Error (input) if the preset is not known.
-std::string case_template(std::string_view preset);
+std::string case_template(std::string_view name);
 
 /// All keys of the case file with what they hold, mean and default to, in Markdown: docs/case_file.md.
 std::string case_reference();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,8 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "io/key_list.hpp"
+#include "io/presets.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -163,6 +166,38 @@ TEST(CaseTemplate, IsTheReferenceCase) {
   EXPECT_EQ(parse_case(case_template("gen1"), "template"), reference_case());
 }
 
+TEST(CaseTemplate, IsThePresetOfItsName) {
+  for (const Preset& preset : presets()) {
+    // To the last bit: numbers are written as people do.
+    EXPECT_EQ(parse_case(case_template(preset.name), std::string(preset.name)), preset.input) << preset.name;
+  }
+}
+
+TEST(CaseTemplate, ShowsWhatThePresetHoldsAndWhatItAssumes) {
+  const std::string strip = case_template("larsen-strip");
+  const auto holds = [&strip](const std::string& line) {
+    EXPECT_NE(strip.find("\n" + line), std::string::npos) << line;
+  };
+  holds("thickness = \"0.254 mm\"\n");
+  holds("youngs_modulus = \"207 GPa\"      # assumed; default: bump_foil.youngs_modulus");
+  holds("model = \"frame\"                 # of these bumps no truss");
+  holds("poisson_ratio = 0.3             # assumed\n");
+  holds("displacement = \"20 um\"          # assumed; displacement of the plate");
+  holds("# [cycle]");
+  holds("# amplitude = \"79.5 um\" ");
+}
+
+TEST(CaseTemplate, RemarksAreOnKeysThatThePresetHolds) {
+  for (const Preset& preset : presets()) {
+    const std::vector<ListedKey> keys = list_keys(preset.input);
+    for (const auto& [path, remark] : preset.remarks) {
+      const auto found = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
+      ASSERT_NE(found, keys.end()) << path;
+      EXPECT_TRUE(found->live) << path;
+    }
+  }
+}
+
 TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   std::string text = case_template("gen1");
   // All comments that are assignments or tables, but those that contradict others.
@@ -192,8 +227,10 @@ TEST(CaseTemplate, KeepsWhatContradictsItsTableOutOfIt) {
 }
 
 TEST(CaseTemplate, FitsOnAScreen) {
-  std::istringstream lines(case_template("gen1"));
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << line;
+  for (const std::string& preset : preset_names()) {
+    std::istringstream lines(case_template(preset));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120U) << line;
+  }
 }
 
 std::string content_of(const std::string& path) {
@@ -202,7 +239,10 @@ std::string content_of(const std::string& path) {
 }
 
 TEST(CaseTemplate, IsTheExample) {
-  EXPECT_EQ(content_of("../examples/gen1.toml"), case_template("gen1"));  // bumpfoil init > examples/gen1.toml
+  for (const std::string& preset : preset_names()) {
+    // bumpfoil init --preset gen1 > examples/gen1.toml
+    EXPECT_EQ(content_of("../examples/" + preset + ".toml"), case_template(preset)) << preset;
+  }
 }
 
 TEST(CaseReference, IsThePage) {

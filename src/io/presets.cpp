@@ -1,0 +1,93 @@
+#include "io/presets.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view assumed = "assumed";
+
+constexpr std::string_view rubio_head =
+    R"(# Foil bearing of Rubio & San Andres, J. Eng. Gas Turbines Power 128 (2006) 653-660: size, foils and modulus.
+# What is not taken from there is said in its line to be assumed.
+#
+)";
+
+constexpr std::string_view larsen_head =
+    R"(# Strip of foils between plates of Larsen, Varela & Santos, Tribology International 74 (2014) 46-56, for the command
+# strip: foils, modulus and width. What is not taken from there is said in its line to be assumed.
+#
+)";
+
+/// [Rubio2006], and what it takes to run it.
+Preset rubio() {
+  Preset preset{.name = "gen1-rubio",
+                .head = rubio_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.radial_clearance", assumed},
+                            {"bearing.weld_angle", assumed},
+                            {"bearing.wrap", assumed},
+                            {"bump_foil.height_reference", assumed},
+                            {"bump_foil.poisson_ratio", assumed},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.thickness", "assumed, as that of the bump foil"},
+                            {"top_foil.youngs_modulus", assumed},
+                            {"top_foil.poisson_ratio", assumed},
+                            {"friction.coefficient", assumed},
+                            {"cycle.directions", assumed},
+                            {"cycle.amplitude", assumed}}};
+  preset.input.title = "First-generation bearing, Rubio & San Andres 2006";
+  BumpFoil& foil = preset.input.bump_foil;
+  foil.bumps = 25;
+  foil.pitch = 4.581e-3;
+  foil.length = 4.064e-3;
+  foil.height = 0.381e-3;
+  foil.youngs_modulus = 213e9;
+  preset.input.top_foil.youngs_modulus = 213e9;
+  preset.input.cycle.amplitude.value = 63.6e-6;
+  return preset;
+}
+
+/// [Larsen2014], and what it takes to press it.
+Preset larsen() {
+  Preset preset{.name = "larsen-strip",
+                .head = larsen_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.radius", "assumed; of no effect on a flat strip"},
+                            {"bearing.radial_clearance", "assumed; of no effect on a strip"},
+                            {"bump_foil.model", "of these bumps no truss can be identified, its k2 is negative"},
+                            {"bump_foil.bumps", "assumed"},
+                            {"bump_foil.poisson_ratio", assumed},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.youngs_modulus", assumed},
+                            {"top_foil.poisson_ratio", assumed},
+                            {"friction.coefficient", assumed},
+                            {"strip.bumps", assumed},
+                            {"strip.weld", assumed},
+                            {"strip.displacement", assumed}}};
+  Case& input = preset.input;
+  input.title = "Strip of bump foil between plates, Larsen, Varela & Santos 2014";
+  input.bearing = {.radius = 33.5e-3, .axial_length = 53e-3, .radial_clearance = 31.8e-6};
+  BumpFoil& foil = input.bump_foil;
+  foil.model = BumpFoilModel::frame;
+  foil.bumps = 10;
+  foil.pitch = 7e-3;
+  foil.length = 6.6e-3;
+  foil.height = 0.9e-3;
+  foil.height_reference = HeightReference::midsurface;
+  foil.thickness = 0.127e-3;
+  foil.youngs_modulus = 207e9;
+  foil.poisson_ratio = 0.3;
+  input.top_foil = {.thickness = 0.254e-3, .youngs_modulus = 207e9, .poisson_ratio = 0.3};
+  input.cycle = {};
+  input.strip = StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2};
+  return preset;
+}
+
+}  // namespace
+
+const std::vector<Preset>& presets() {
+  static const std::vector<Preset> all{
+      {.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}}, rubio(), larsen()};
+  return all;
+}
+
+}  // namespace bumpfoil
