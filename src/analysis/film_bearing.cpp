@@ -75,8 +75,9 @@ Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const 
 }
 
 void require_round_sleeve(const Case& input) {
-  if (!input.bearing.sleeve_waviness) return;
-  throw Error(ErrorKind::input, {{"", 0, "bearing.sleeve_waviness", "", "is not known to the gas film", "remove it"}});
+  if (input.bearing.is_round()) return;
+  throw Error(ErrorKind::input, {{"", 0, "bearing", "",
+                                  "is not round: the gas film knows no waves, profiles and tapers", "remove them"}});
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {

@@ -56,16 +56,27 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
   return foils;
 }
 
-/// Adds the waves of a sleeve to the gaps of its foils. @param crests, feet  polar angles of all of them, rad
-void add_waves(const SleeveWaviness& waves, const Vector& crests, const Vector& feet, Foils& foils) {
-  const auto wave = [&waves](double phi) { return waves.amplitude * std::cos(waves.harmonic * phi - waves.phase); };
+/// Adds to the gaps of foils what journal and sleeve differ from circles. The foils lie in the sleeve without stress
+/// and follow it: the gap between journal and top foil over a crest grows by what the sleeve is wider there and the
+/// journal thinner, and that between a foot and the sleeve by what the sleeve is wider at the foot than at the crest of
+/// its bump, so that from the journal to the sleeve under a foot all gaps together grow by what the sleeve is wider
+/// there.
+void add_profiles(const Case& input, Foils& foils) {
+  const Bearing& bearing = input.bearing;
+  const auto sleeve = [&](double theta, double phi) {
+    return deviation_at(bearing.sleeve, phi) + bearing.taper * theta / foil_angle(input);
+  };
+  const Vector crests = crest_angles(input);
+  const Vector feet = foot_angles(input);
+  const Vector crest_phi = polar_angles(bearing, crests);
+  const Vector foot_phi = polar_angles(bearing, feet);
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * foils.contacts_per_block();
-    const double under_crest = wave(crests[bump]);
-    foils.assembled_gap[first] += under_crest;
-    for (Eigen::Index foot = 0; foot < foils.feet_per_block(); ++foot) {
-      foils.assembled_gap[first + foils.first_foot() + foot] +=
-          wave(feet[bump * foils.feet_per_block() + foot]) - under_crest;
+    const double under_crest = sleeve(crests[bump], crest_phi[bump]);
+    foils.assembled_gap[first] += under_crest - deviation_at(bearing.journal, crest_phi[bump]);
+    for (Eigen::Index k = 0; k < foils.feet_per_block(); ++k) {
+      const Eigen::Index foot = bump * foils.feet_per_block() + k;
+      foils.assembled_gap[first + foils.first_foot() + k] += sleeve(feet[foot], foot_phi[foot]) - under_crest;
     }
   }
 }
@@ -84,11 +95,8 @@ SharedFoils make_bearing_foils(const Case& input) {
   require_valid(input);
   Foils foils = make_foils(input, make_bearing_design(input));
   foils.clearance = input.bearing.radial_clearance;
-  const Vector crests = polar_angles(input.bearing, crest_angles(input));
-  foils.normals = outward_normals(crests);
-  if (const auto& waves = input.bearing.sleeve_waviness) {
-    add_waves(*waves, crests, polar_angles(input.bearing, foot_angles(input)), foils);
-  }
+  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
+  if (!input.bearing.is_round()) add_profiles(input, foils);
   return std::make_shared<const Foils>(std::move(foils));
 }
 

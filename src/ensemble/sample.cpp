@@ -90,7 +90,7 @@ Case sampled_case(const Case& input, const Sample& sample) {
     scattered_numbers()[i].add(sampled, sample.deviations[i]);
   }
   if (const auto& waves = input.montecarlo->sleeve_waviness) {
-    sampled.bearing.sleeve_waviness = SleeveWaviness{waves->harmonic, waves->amplitude, sample.waviness_phase};
+    sampled.bearing.sleeve.waves = {{waves->harmonic, waves->amplitude, sample.waviness_phase}};
   }
   return sampled;
 }

@@ -7,6 +7,7 @@
 #include "io/deviations_csv.hpp"
 #include "io/height_errors_csv.hpp"
 #include "io/path_csv.hpp"
+#include "io/profile_csv.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -34,12 +35,19 @@ void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& memb
   });
 }
 
-void describe(CaseVisitor& keys, SleeveWaviness& waves) {
+void describe(CaseVisitor& keys, Waviness& waves) {
   keys.value({"harmonic", required, "Waves", "around the circumference", "3"}, &waves.harmonic);
   keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
   keys.value({"phase", defaulted, "Phase", "harmonic times the angle of a crest of the waves, from X towards Y",
               "0 deg", angle},
              &waves.phase);
+}
+
+void describe_profile(CaseVisitor& keys, const Key& waviness, const Key& deviations, const Key& file,
+                      RadiusProfile& profile) {
+  keys.value(deviations, &profile.deviations);
+  keys.file(file, deviations.name, [&profile](const std::string& path) { profile.deviations = read_profile(path); });
+  list_of_tables(keys, waviness, profile.waves, [](CaseVisitor& inner, Waviness& waves) { describe(inner, waves); });
 }
 
 void describe(CaseVisitor& keys, Bearing& bearing) {
@@ -54,10 +62,29 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
              &bearing.weld_angle);
   keys.choice({"wrap", defaulted, "Sense of winding", "sense of the foils from the weld on; or \"counterclockwise\""},
               bearing.wrap);
-  optional_table(keys,
-                 {"sleeve_waviness", optional, "Waviness of the sleeve",
-                  "the radius of the sleeve differs by amplitude cos(harmonic angle - phase), and the foils follow it"},
-                 bearing.sleeve_waviness, [](CaseVisitor& inner, SleeveWaviness& waves) { describe(inner, waves); });
+  describe_profile(
+      keys,
+      {"sleeve_waviness", optional, "Waviness of the sleeve",
+       "the radius of the sleeve differs by amplitude cos(harmonic angle - phase), and the foils follow it; "
+       "several add up"},
+      {"sleeve_profile", optional, "Profile of the sleeve",
+       "what its radius is more than nominal, at equal angles from X on towards Y",
+       "[\"3 um\", \"0 um\", \"-3 um\", \"0 um\"]", length},
+      {"sleeve_profile_file", optional, "File of the profile of the sleeve",
+       "instead: a CSV file beside this one; column deviation_um, and angle_deg to be checked", "\"sleeve.csv\""},
+      bearing.sleeve);
+  describe_profile(keys,
+                   {"journal_waviness", optional, "Waviness of the journal",
+                    "the radius of the journal, which does not turn, differs by amplitude cos(harmonic angle - phase)"},
+                   {"journal_profile", optional, "Profile of the journal",
+                    "what its radius is more than nominal, at equal angles from X on towards Y",
+                    "[\"1 um\", \"0 um\", \"-1 um\", \"0 um\"]", length},
+                   {"journal_profile_file", optional, "File of the profile of the journal",
+                    "instead, as for the sleeve", "\"journal.csv\""},
+                   bearing.journal);
+  keys.value({"taper", defaulted, "Taper",
+              "what the radius of the sleeve is more at the free end of the foils than at the weld", "0 um", length},
+             &bearing.taper);
 }
 
 void describe(CaseVisitor& keys, TrussOverrides& truss) {

@@ -422,6 +422,14 @@ void TableReader::tables(const Key& key, std::size_t /*count*/,
                          const std::function<void(CaseVisitor&, std::size_t)>& describe) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
+  const auto read = [&, &where = path](const toml::table& entry, std::size_t i) {
+    const std::string entry_path = fmt::format("{}[{}]", where, i + 1);
+    log_.met(entry_path, entry);
+    TableReader reader(*this, entry, entry_path);
+    describe(reader, i);
+    reader.finish();
+  };
+  if (node->is_table()) return read(*node->as_table(), 0);  // one alone is written as other tables are
   const auto* list = node->as_array();
   if (list == nullptr || (!list->empty() && !list->is_homogeneous<toml::table>())) {
     return log_.fault(path, is_where(*node, "a list of tables"),
@@ -430,14 +438,7 @@ void TableReader::tables(const Key& key, std::size_t /*count*/,
   if (list->size() > static_cast<std::size_t>(most_bumps)) {
     return log_.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
   }
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
-    const toml::table& entry = *list->get(i)->as_table();
-    log_.met(entry_path, entry);
-    TableReader reader(*this, entry, entry_path);
-    describe(reader, i);
-    reader.finish();
-  }
+  for (std::size_t i = 0; i < list->size(); ++i) read(*list->get(i)->as_table(), i);
 }
 
 void TableReader::table(const Key& key, bool /*given*/, const std::function<void(CaseVisitor&)>& describe) {

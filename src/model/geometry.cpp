@@ -67,6 +67,18 @@ Vector crest_offsets(const BumpFoil& foil) {
   return offsets;
 }
 
+double deviation_at(const RadiusProfile& profile, double phi) {
+  double sum = 0.0;
+  for (const Waviness& waves : profile.waves) sum += waves.amplitude * std::cos(waves.harmonic * phi - waves.phase);
+  if (profile.deviations.empty()) return sum;
+  const std::size_t count = profile.deviations.size();
+  const double turns = phi / (2.0 * std::numbers::pi);
+  const double place = static_cast<double>(count) * (turns - std::floor(turns));
+  const auto before = std::min(static_cast<std::size_t>(place), count - 1);  // a whole turn may come out of roundings
+  const double first = profile.deviations[before];
+  return sum + first + (profile.deviations[(before + 1) % count] - first) * (place - static_cast<double>(before));
+}
+
 FoilDesign make_bearing_design(const Case& input) {
   const BumpFoil& foil = input.bump_foil;
   FoilDesign foils{.model = foil.model,
@@ -105,6 +117,12 @@ Vector crest_angles(const Case& input) {
 
 Vector foot_angles(const Case& input) {
   return foot_positions(make_bearing_design(input)) / input.bearing.radius;
+}
+
+double foil_angle(const Case& input) {
+  double length = 0.0;
+  for (const BumpShape& bump : nominal_bumps(input.bump_foil)) length += bump.pitch;
+  return length / input.bearing.radius;
 }
 
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {

@@ -21,6 +21,30 @@
 namespace bumpfoil {
 namespace {
 
+/// What a radius differs by.
+void judge_deviation(Judge& judge, const std::string& key, double deviation, double radius) {
+  if (!judge.finite(key, deviation, "m") || radius <= 0.0) return;
+  judge.require(std::abs(deviation) <= thin * radius, key, quantity(deviation, "m"), "is too large for this radius",
+                fmt::format("give at most {:.6g} m either way; is the unit right?", thin * radius));
+}
+
+/// @param part  "bearing.sleeve" or "bearing.journal"
+void judge_profile(Judge& judge, const std::string& part, const RadiusProfile& profile, double radius) {
+  for (std::size_t i = 0; i < profile.waves.size(); ++i) {
+    const std::string table = fmt::format("{}_waviness[{}]", part, i + 1);
+    judge_waves(judge, table, profile.waves[i].harmonic, profile.waves[i].amplitude, radius);
+    judge.angle(table + ".phase", profile.waves[i].phase);
+  }
+  const std::vector<double>& deviations = profile.deviations;
+  const std::string key = part + "_profile";
+  judge.require(std::cmp_less_equal(deviations.size(), most_points), key, fmt::format("{} values", deviations.size()),
+                "are too many", fmt::format("give at most {}", most_points));
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    if (radius > 0.0 && std::abs(deviations[i]) <= thin * radius) continue;  // the usual case costs no text
+    judge_deviation(judge, fmt::format("{}[{}]", key, i + 1), deviations[i], radius);
+  }
+}
+
 bool judge_bearing(Judge& judge, const Bearing& bearing) {
   const bool radius = judge.within("bearing.radius", bearing.radius, length_range);
   judge.within("bearing.axial_length", bearing.axial_length, length_range);
@@ -31,10 +55,10 @@ bool judge_bearing(Judge& judge, const Bearing& bearing) {
                   quantity(bearing.radial_clearance, "m"), "is too large for this radius",
                   fmt::format("give at most {:.6g} m either way; is the unit right?", limit));
   }
-  if (const auto& waves = bearing.sleeve_waviness) {
-    judge_waves(judge, "bearing.sleeve_waviness", waves->harmonic, waves->amplitude, radius ? bearing.radius : 0.0);
-    judge.angle("bearing.sleeve_waviness.phase", waves->phase);
-  }
+  const double usable_radius = radius ? bearing.radius : 0.0;
+  judge_profile(judge, "bearing.sleeve", bearing.sleeve, usable_radius);
+  judge_profile(judge, "bearing.journal", bearing.journal, usable_radius);
+  judge_deviation(judge, "bearing.taper", bearing.taper, usable_radius);
   return radius;
 }
 
@@ -250,9 +274,10 @@ void judge_combination(Judge& judge, const Case& input) {
                 std::string(name_of(input.bump_foil.model)),
                 "has no history: its loops have no area, and it cannot vibrate about a load",
                 "set model = \"truss\" or \"frame\", or remove [vibration]");
-  judge.require(!input.bearing.sleeve_waviness || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "has feet that follow any sleeve",
-                "set model = \"truss\" or \"frame\", or remove [bearing.sleeve_waviness]");
+  judge.require(input.bearing.is_round() || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                std::string(name_of(input.bump_foil.model)),
+                "has feet that follow any sleeve, and knows a round journal",
+                "set model = \"truss\" or \"frame\", or remove waves, profiles and taper of [bearing]");
   judge.require(!input.montecarlo || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "is no model for ensembles: its loops have no area",
                 "set model = \"truss\" or \"frame\", or remove [montecarlo]");

@@ -25,19 +25,23 @@ enum class HeightReference {
 
 enum class SolverName { newton, uzawa, events };
 
-/// Waviness of a sleeve: what its radius at the polar angle phi (from X towards Y) is more than the nominal one.
-///
-///     w(phi) = amplitude cos(harmonic phi - phase)
-///
-/// The foils lie in the sleeve without stress and follow it: the gap between journal and top foil over a crest grows by
-/// w there, and that between a foot and the sleeve by what w is at the foot more than at the crest of its bump, so that
-/// from the journal to the sleeve under a foot all gaps together grow by w under the foot.
-struct SleeveWaviness {
-  int harmonic{};      ///< waves around the circumference
+/// Waves of a radius around the circumference.
+struct Waviness {
+  int harmonic{};      ///< their number
   double amplitude{};  ///< m
   double phase{};      ///< rad
 
-  bool operator==(const SleeveWaviness&) const = default;
+  bool operator==(const Waviness&) const = default;
+};
+
+/// What a radius at the polar angle phi (from X towards Y) is more than the nominal one.
+///
+///     w(phi) = sum of amplitude cos(harmonic phi - phase) + d(phi)
+struct RadiusProfile {
+  std::vector<Waviness> waves{};
+  std::vector<double> deviations{};  ///< d, m, at equal angles from X on towards Y, straight between them; none: zero
+
+  bool operator==(const RadiusProfile&) const = default;
 };
 
 /// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
@@ -47,7 +51,14 @@ struct Bearing {
   double radial_clearance{};            ///< C_r, m; zero or negative means interference
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
   Wrap wrap{Wrap::clockwise};
-  std::optional<SleeveWaviness> sleeve_waviness{};
+  RadiusProfile sleeve{};
+  RadiusProfile journal{};  ///< in the angles of the bearing: the journal does not turn
+  double taper{};           ///< what the radius of the sleeve is more at the free end than at the weld, m
+
+  /// Whether sleeve and journal are circles.
+  [[nodiscard]] bool is_round() const {
+    return sleeve == RadiusProfile{} && journal == RadiusProfile{} && taper == 0.0;
+  }
 
   bool operator==(const Bearing&) const = default;
 };

@@ -25,6 +25,9 @@ std::vector<BumpShape> nominal_bumps(const BumpFoil& foil);
 /// tallest nominal bumps carry it, and the clearance is counted from there.
 Vector crest_offsets(const BumpFoil& foil);
 
+/// w(phi), m.
+double deviation_at(const RadiusProfile& profile, double phi);
+
 /// Foils of the bearing of a case. Every bump has its nominal shape, and height errors act through the gaps alone,
 /// unless `stiffness_follows_height` gives each bump a rise of its own. The case must be valid.
 FoilDesign make_bearing_design(const Case& input);
@@ -38,6 +41,9 @@ Vector crest_angles(const Case& input);
 
 /// Angles of the feet from the weld along the foil, in the order of the results, rad.
 Vector foot_angles(const Case& input);
+
+/// Angle of the ends of the foils from the weld, all pitches over R, rad.
+double foil_angle(const Case& input);
 
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);

@@ -118,7 +118,7 @@ TEST(Equilibrium, NeedsItsTable) {
 TEST(Equilibrium, KnowsNoWavesOfTheSleeve) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
   input.equilibrium = EquilibriumSettings{.speeds = {4000.0}, .loads = {{50.0, 0.0}}};
-  input.bearing.sleeve_waviness = SleeveWaviness{3, 5e-6, 0.0};
+  input.bearing.sleeve.waves = {{3, 5e-6, 0.0}};
   EXPECT_THROW(run_equilibrium(input), Error);
 }
 

@@ -62,9 +62,9 @@ TEST(Foils, FollowAWavySleeve) {
   input.bump_foil.height_errors.assign(26, 1e-6);
   for (const BumpFoilModel model : {BumpFoilModel::truss, BumpFoilModel::frame}) {
     input.bump_foil.model = model;
-    input.bearing.sleeve_waviness.reset();
+    input.bearing.sleeve.waves.clear();
     const Vector round = make_bearing_foils(input)->assembled_gap;
-    input.bearing.sleeve_waviness = SleeveWaviness{.harmonic = 3, .amplitude = 5e-6, .phase = 0.7};
+    input.bearing.sleeve.waves = {{.harmonic = 3, .amplitude = 5e-6, .phase = 0.7}};
     const SharedFoils foils = make_bearing_foils(input);
     const Vector added = foils->assembled_gap - round;
     const Vector feet = polar_angles(input.bearing, foot_angles(input));
@@ -81,6 +81,23 @@ TEST(Foils, FollowAWavySleeve) {
         EXPECT_NEAR(added[first] + added[first + foils->first_foot() + k], under_foot, 1e-19);
       }
     }
+  }
+}
+
+TEST(Foils, TaperWithTheSleeveAndGiveWayToTheJournal) {
+  Case input = case_with_given_constants();
+  const Vector round = make_bearing_foils(input)->assembled_gap;
+  input.bearing.taper = 8e-6;
+  input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 3e-6, .phase = 0.4}};
+  const SharedFoils foils = make_bearing_foils(input);
+  const Vector added = foils->assembled_gap - round;
+  for (Eigen::Index i = 0; i < 26; ++i) {
+    const double part = (static_cast<double>(i) + 0.5) / 26.0;  // of the way from the weld to the free end
+    const double phi = std::numbers::pi - 26.0 * part * input.bump_foil.pitch.values.front() / input.bearing.radius;
+    const Eigen::Index first = (foils->structure.first_bump + i) * foils->contacts_per_block();
+    EXPECT_NEAR(added[first], 8e-6 * part - 3e-6 * std::cos(2.0 * phi - 0.4), 1e-19);
+    // The foot of a truss is half a pitch further.
+    EXPECT_NEAR(added[first + foils->first_foot()], 8e-6 * 0.5 / 26.0, 1e-19);
   }
 }
 

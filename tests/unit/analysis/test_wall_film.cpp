@@ -75,7 +75,7 @@ TEST(WallFilm, SpringsYield) {
 
 TEST(WallFilm, KnowsNoWavesOfTheSleeve) {
   Case input = wall_case();
-  input.bearing.sleeve_waviness.emplace(SleeveWaviness{3, 5e-6, 0.0});
+  input.bearing.sleeve.waves = {{3, 5e-6, 0.0}};
   EXPECT_THROW(run_wall_films(input), Error);
 }
 

@@ -77,6 +77,21 @@ TEST(Sample, CorrelatedHeightsLoseTheirCorrelationOverItsLength) {
   EXPECT_NEAR(last / samples / 1e-10, 1.0, 5.0 * std::sqrt(2.0 / samples));
 }
 
+TEST(Sample, CorrelationFallsWithTheDistanceBetweenCrests) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
+  input.bump_foil.pitch = PerBump(4e-3, 4.8e-3, Grading::linear);
+  const std::vector<double> fresh = draw_sample(input, 3).height_deviations;
+  input.montecarlo->bump_height->correlation_length = 10e-3;
+  const std::vector<double> drawn = draw_sample(input, 3).height_deviations;
+  EXPECT_NEAR(drawn[0], fresh[0], 1e-18);
+  for (std::size_t n = 1; n < drawn.size(); ++n) {
+    const double distance = 4.0 + 0.8 / 25.0 * (static_cast<double>(n) - 0.5);  // half a pitch of either, mm
+    const double rho = std::exp(-distance / 10.0);
+    // Normal quantiles and probabilities agree to 1e-9.
+    EXPECT_NEAR(drawn[n], rho * drawn[n - 1] + std::sqrt(1.0 - rho * rho) * fresh[n], 1e-9 * 10e-6) << n;
+  }
+}
+
 TEST(Sample, CorrelationLeavesTheDistributionAsItIs) {
   const Distribution uniform{.kind = DistributionKind::uniform, .lower = -1e-6, .upper = 3e-6};
   const Case input = ensemble_case({.bump_height = HeightScatter{uniform, 20e-3}});
@@ -107,7 +122,7 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
   EXPECT_EQ(sampled.top_foil, input.top_foil);
   EXPECT_EQ(sampled.friction, input.friction);
   EXPECT_EQ(sampled.bearing.radial_clearance, input.bearing.radial_clearance + sample.deviations[5]);
-  EXPECT_EQ(sampled.bearing.sleeve_waviness, (SleeveWaviness{3, 5e-6, sample.waviness_phase}));
+  EXPECT_EQ(sampled.bearing.sleeve.waves, (std::vector<Waviness>{{3, 5e-6, sample.waviness_phase}}));
   EXPECT_GT(sample.waviness_phase, 0.0);
   EXPECT_LT(sample.waviness_phase, 2.0 * std::numbers::pi);
 }

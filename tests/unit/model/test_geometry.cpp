@@ -131,6 +131,24 @@ TEST(BearingFoils, HaveTheBumpsOfTheirSections) {
   }
 }
 
+TEST(RadiusProfile, AddsItsWavesAndWhatWasMeasured) {
+  using std::numbers::pi;
+  EXPECT_EQ(deviation_at({}, 1.0), 0.0);
+  const RadiusProfile waves{.waves = {{3, 5e-6, 0.7}, {1, 2e-6, 0.0}}};
+  EXPECT_NEAR(deviation_at(waves, 1.1), 5e-6 * std::cos(3.0 * 1.1 - 0.7) + 2e-6 * std::cos(1.1), 1e-20);
+  // At X, Y, -X and -Y, straight between them, and the same after a turn.
+  const RadiusProfile measured{.deviations = {1e-6, 3e-6, 0.0, -2e-6}};
+  for (const double turn : {-2.0 * pi, 0.0, 4.0 * pi}) {
+    EXPECT_NEAR(deviation_at(measured, turn), 1e-6, 1e-20);
+    EXPECT_NEAR(deviation_at(measured, turn + 0.5 * pi), 3e-6, 1e-20);
+    EXPECT_NEAR(deviation_at(measured, turn + 0.25 * pi), 2e-6, 1e-20);
+    EXPECT_NEAR(deviation_at(measured, turn - 0.125 * pi), 0.25e-6, 1e-20);
+  }
+  EXPECT_NEAR(deviation_at(measured, -1e-18), 1e-6, 1e-20);
+  const RadiusProfile both{.waves = waves.waves, .deviations = measured.deviations};
+  EXPECT_NEAR(deviation_at(both, 2.0), deviation_at(waves, 2.0) + deviation_at(measured, 2.0), 1e-20);
+}
+
 TEST(CrestOffsets, CountFromTheTallestNominalBump) {
   BumpFoil foil = reference_case().bump_foil;
   foil.bumps = 4;

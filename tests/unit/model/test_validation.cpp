@@ -78,17 +78,34 @@ TEST(FindFaults, JudgesEnsembles) {
 
 TEST(FindFaults, JudgesTheWavesOfASleeve) {
   const auto waves = [](
-                         SleeveWaviness given, const std::function<void(Case&)>& change = [](Case&) {}) {
+                         Waviness given, const std::function<void(Case&)>& change = [](Case&) {}) {
     return faulty_keys([&](Case& input) {
-      input.bearing.sleeve_waviness = given;
+      input.bearing.sleeve.waves = {given};
       change(input);
     });
   };
   EXPECT_EQ(waves({3, 5e-6, 1.0}), Keys{});
-  EXPECT_EQ(waves({0, 0.0, nan}), (Keys{"bearing.sleeve_waviness.harmonic", "bearing.sleeve_waviness.amplitude",
-                                        "bearing.sleeve_waviness.phase"}));
+  EXPECT_EQ(waves({0, 0.0, nan}), (Keys{"bearing.sleeve_waviness[1].harmonic", "bearing.sleeve_waviness[1].amplitude",
+                                        "bearing.sleeve_waviness[1].phase"}));
   EXPECT_EQ(waves({3, 5e-6, 1.0}, [](Case& input) { input.bump_foil.model = BumpFoilModel::former; }),
             Keys{"bump_foil.model"});
+}
+
+TEST(FindFaults, JudgesProfilesAndTapers) {
+  const auto faulty = [](const std::function<void(Bearing&)>& change) {
+    return faulty_keys([&](Case& input) { change(input.bearing); });
+  };
+  EXPECT_EQ(faulty([](Bearing& bearing) { bearing.journal.deviations = {1e-6, -2e-6}; }), Keys{});
+  EXPECT_EQ(faulty([](Bearing& bearing) {
+              bearing.journal.deviations = {1e-6, nan, -2e-3};
+            }),
+            (Keys{"bearing.journal_profile[2]", "bearing.journal_profile[3]"}));
+  EXPECT_EQ(faulty([](Bearing& bearing) {
+              bearing.journal.waves = {{2, 1e-6, 0.0}, {2, -1e-6, 0.0}};
+            }),
+            Keys{"bearing.journal_waviness[2].amplitude"});
+  EXPECT_EQ(faulty([](Bearing& bearing) { bearing.taper = -3e-6; }), Keys{});
+  EXPECT_EQ(faulty([](Bearing& bearing) { bearing.taper = 3e-3; }), Keys{"bearing.taper"});
 }
 
 TEST(FindFaults, JudgesStrips) {

@@ -1,0 +1,122 @@
+#include "io/profile_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "io/csv_dialect.hpp"
+#include "io/csv_lines.hpp"
+#include "io/text_file.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Angles agree to this part of a step: instruments round them.
+constexpr double angle_rounding = 0.05;
+
+/// Takes the lines one by one.
+class ProfileReader {
+ public:
+  explicit ProfileReader(const std::string& path) : path_(path) {}
+
+  void read_line(std::size_t line, std::string_view text) {
+    if (text.empty() || text.starts_with('#')) return;
+    if (columns_ == 0) return read_header(line, text);
+    if (!deviation_) return;  // without it nothing is known of the rest
+    const std::vector<std::string_view> cells = dialect_.cells(text);
+    if (cells.size() != columns_) {
+      return fault(
+          line, text,
+          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
+          "write a value for every column");
+    }
+    const std::optional<double> deviation = dialect_.number(cells[*deviation_]);
+    const std::optional<double> angle = angle_ ? dialect_.number(cells[*angle_]) : 0.0;
+    if (!deviation || !angle) {
+      return fault(line, text, fmt::format("has no finite numbers (columns are separated by {})", dialect_.name),
+                   fmt::format("give the deviation in {} and the angle in degrees, without units", unit_.name));
+    }
+    deviations_.push_back(*deviation * unit_.size);
+    angles_.push_back({*angle, line, std::string(text)});
+  }
+
+  /// @throws Error (input) if there was a fault.
+  std::vector<double> finish() {
+    if (faults_.empty() && deviations_.empty()) {
+      faults_.push_back(
+          {path_, 0, "", "", "holds no deviation", "write angle_deg,deviation_um and a line for each of equal angles"});
+    }
+    if (faults_.empty() && angle_) judge_angles();
+    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    return std::move(deviations_);
+  }
+
+ private:
+  struct Angle {
+    double degrees{};
+    std::size_t line{};
+    std::string text;
+  };
+
+  void fault(std::size_t line, std::string_view text, std::string what, std::string advice) {
+    faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
+  }
+
+  void read_header(std::size_t line, std::string_view text) {
+    dialect_ = dialect_of(text);
+    const std::vector<std::string_view> names = dialect_.cells(text);
+    columns_ = names.size();
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == "angle_deg") angle_ = i;
+      const std::optional<ColumnUnit> unit = unit_of_column(names[i], "deviation", length_units);
+      if (!unit) continue;
+      deviation_ = i;
+      unit_ = *unit;
+      ++found;
+    }
+    if (found == 1) return;
+    deviation_.reset();
+    fault(line, text,
+          fmt::format("has {} of deviations among its {} columns, separated by {}",
+                      found == 0 ? "no column" : fmt::format("{} columns", found), columns_, dialect_.name),
+          found == 0 ? "name one deviation_um" : "leave one");
+  }
+
+  void judge_angles() {
+    const double step = 360.0 / static_cast<double>(angles_.size());
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      const double due = static_cast<double>(i) * step;
+      const Angle& angle = angles_[i];
+      if (std::abs(angle.degrees - due) <= angle_rounding * step) continue;
+      return fault(angle.line, angle.text,
+                   fmt::format("stands where {:.6g} degrees are due: {} lines are {:.6g} degrees apart", due,
+                               angles_.size(), step),
+                   "give equal angles from 0 on, and 360 not again");
+    }
+  }
+
+  std::string path_;
+  std::vector<double> deviations_;
+  std::vector<Angle> angles_;
+  std::vector<Fault> faults_;
+  CsvDialect dialect_;
+  std::size_t columns_{};
+  std::optional<std::size_t> deviation_;
+  std::optional<std::size_t> angle_;
+  ColumnUnit unit_{};
+};
+
+}  // namespace
+
+std::vector<double> read_profile(const std::string& path) {
+  const std::string text = read_text_file(path);
+  ProfileReader reader(path);
+  for_each_line(text, [&reader](std::size_t line, std::string_view content) { reader.read_line(line, content); });
+  return reader.finish();
+}
+
+}  // namespace bumpfoil
