@@ -182,14 +182,19 @@ std::vector<ListedKey> list_keys(const Case& input) {
   return list;
 }
 
-std::string table_header(std::string_view table) {
+std::string without_counts(std::string_view path) {
   std::string name;
   bool counted = false;
-  for (const char c : table) {
+  for (const char c : path) {
     if (c == '[') counted = true;
     if (!counted) name += c;
     if (c == ']') counted = false;
   }
+  return name;
+}
+
+std::string table_header(std::string_view table) {
+  const std::string name = without_counts(table);
   return table.ends_with(']') ? fmt::format("[[{}]]", name) : fmt::format("[{}]", name);
 }
 

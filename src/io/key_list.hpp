@@ -28,6 +28,9 @@ struct ListedKey {
 /// All keys of the case file, in its order; those of tables that the case has not with their defaults.
 std::vector<ListedKey> list_keys(const Case& input);
 
+/// "bump_foil.shim.to" of "bump_foil.shim[2].to": what all tables of a list have.
+std::string without_counts(std::string_view path);
+
 /// The line of a case file that begins a table: "[bump_foil.truss]" and "[[bump_foil.shim]]" of the tables
 /// "bump_foil.truss" and "bump_foil.shim[2]".
 std::string table_header(std::string_view table);

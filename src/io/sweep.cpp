@@ -36,9 +36,14 @@ bool holds_number(const ListedKey& listed) {
   return std::find(plain.begin(), plain.end(), listed.kind) != plain.end();
 }
 
+/// A key by its path; of a table that the case has not, the key of the first table of its list.
 const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path) {
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
-  return found == keys.end() ? nullptr : &*found;
+  const auto exact = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
+  if (exact != keys.end()) return &*exact;
+  const auto like = std::find_if(keys.begin(), keys.end(), [name = without_counts(path)](const ListedKey& one) {
+    return without_counts(one.path) == name;
+  });
+  return like == keys.end() ? nullptr : &*like;
 }
 
 /// The dimension of a value of a key that takes two.
@@ -97,7 +102,9 @@ class OptionReader {
     }
     const std::string title = fmt::format("{}: {}", find_key(keys_, listed->table())->key.title, listed->key.title);
     SweepAxis axis{.swept = {}, .name = key, .title = title, .unit = "1", .values = {}};
-    std::replace(axis.name.begin(), axis.name.end(), '.', '_');
+    std::erase(axis.name, ']');
+    std::replace_if(
+        axis.name.begin(), axis.name.end(), [](char c) { return c == '.' || c == '['; }, '_');
     if (listed->key.dimension) axis.unit = si_unit(*listed->key.dimension);
     if (listed->kind == either_kind) axis.unit = unit_of_either(swept);
     axis.swept = std::move(swept);

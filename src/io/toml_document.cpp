@@ -90,17 +90,56 @@ bool is_bare_key(std::string_view key) {
   return !key.empty() && std::all_of(key.begin(), key.end(), allowed);
 }
 
-/// The parts of "a.b.c"; empty if one of them is no bare key or there are too many.
-std::vector<std::string> split_key(std::string_view key) {
-  std::vector<std::string> parts;
+/// A part of "a.b[2].c".
+struct KeyPart {
+  std::string text;
+  std::string name;
+  std::size_t number{};  ///< of a table of a list, from 1; 0 where it is not counted
+};
+
+std::optional<KeyPart> read_part(std::string_view text) {
+  const std::size_t bracket = text.find('[');
+  KeyPart part{.text = std::string(text), .name = std::string(text.substr(0, bracket))};
+  if (!is_bare_key(part.name)) return std::nullopt;
+  if (bracket == std::string_view::npos) return part;
+  const std::string_view counted = text.substr(bracket + 1);
+  const auto [end, status] = read_number(counted.substr(0, counted.find(']')), part.number);
+  if (status != std::errc{} || end + 1 != text.data() + text.size() || part.number < 1) return std::nullopt;
+  return part;
+}
+
+/// The parts of a key; empty if one of them is no bare key, with or without a number, or there are too many.
+std::vector<KeyPart> split_key(std::string_view key) {
+  std::vector<KeyPart> parts;
   while (static_cast<int>(parts.size()) < most_key_parts) {
     const std::size_t dot = key.find('.');
-    if (!is_bare_key(key.substr(0, dot))) return {};
-    parts.emplace_back(key.substr(0, dot));
-    if (dot == std::string_view::npos) return parts;
+    std::optional<KeyPart> part = read_part(key.substr(0, dot));
+    if (!part) return {};
+    parts.push_back(std::move(*part));
+    if (dot == std::string_view::npos) return parts.back().number == 0 ? parts : std::vector<KeyPart>{};
     key.remove_prefix(dot + 1);
   }
   return {};
+}
+
+/// The table that a part of a key names, made where there is none. A table that stands alone is the first of its list.
+/// @throws Error (input) if the part names none
+toml::table& table_of(toml::table& outer, const KeyPart& part, const std::string& argument) {
+  toml::node* child = outer.get(part.name);
+  if (child == nullptr && part.number <= 1) child = &outer.insert(part.name, toml::table{}).first->second;
+  if (child != nullptr && child->is_table() && part.number <= 1) return *child->as_table();
+  if (child != nullptr && !child->is_table() && !child->is_array_of_tables()) {
+    throw Error(ErrorKind::input, {override_fault(argument, fmt::format("\"{}\" is a value, not a table", part.text),
+                                                  "give the key of a value inside a table")});
+  }
+  toml::array* list = child == nullptr ? nullptr : child->as_array();
+  const std::size_t count = list == nullptr ? (child == nullptr ? 0 : 1) : list->size();
+  if (part.number > count || (part.number == 0 && count > 1)) {
+    throw Error(ErrorKind::input,
+                {override_fault(argument, fmt::format("\"{}\" is none of the {} there are", part.text, count),
+                                fmt::format("count from \"{}[1]\"", part.name))});
+  }
+  return *list->get(part.number == 0 ? 0 : part.number - 1)->as_table();
 }
 
 /// Reads "v = value"; the text might hold more than one value.
@@ -136,24 +175,16 @@ toml::table parse_override_value(const std::string& key, const std::string& valu
 
 void apply_override(toml::table& root, const std::string& argument) {
   const std::size_t equals = argument.find('=');
-  const std::vector<std::string> parts = split_key(std::string_view(argument).substr(0, equals));
+  const std::vector<KeyPart> parts = split_key(std::string_view(argument).substr(0, equals));
   if (equals == std::string::npos || parts.empty()) {
     throw Error(ErrorKind::input, {override_fault(argument, "is no assignment to a key of the case file",
                                                   "write table.key=value, for example friction.coefficient=0.2")});
   }
   toml::table value = parse_override_value(argument.substr(0, equals), argument.substr(equals + 1));
   toml::table* table = &root;
-  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-    toml::node* child = table->get(parts[i]);
-    if (child == nullptr) child = &table->insert(parts[i], toml::table{}).first->second;
-    table = child->as_table();
-    if (table == nullptr) {
-      throw Error(ErrorKind::input, {override_fault(argument, fmt::format("\"{}\" is a value, not a table", parts[i]),
-                                                    "give the key of a value inside a table")});
-    }
-  }
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) table = &table_of(*table, parts[i], argument);
   // Moved, not copied: copies of nodes forget where they stood.
-  value.get("v")->visit([&](auto& node) { table->insert_or_assign(parts.back(), std::move(node)); });
+  value.get("v")->visit([&](auto& node) { table->insert_or_assign(parts.back().name, std::move(node)); });
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ inline bool is_override(const toml::node& node) {
 /// @throws Error (input) at the first place that is no TOML.
 toml::table parse_toml(std::string_view text, const std::string& name);
 
-/// Replaces or adds values given as "table.key=value". The value is TOML, or a bare string where it is not. Their
-/// nodes carry `command_line` as the file.
+/// Replaces or adds values given as "table.key=value", or "table[2].key=value" in the second of several tables. The
+/// value is TOML, or a bare string where it is not. Their nodes carry `command_line` as the file.
 /// @return a fault for every override that cannot be applied
 std::vector<Fault> apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
 

@@ -365,6 +365,9 @@ TEST(Overrides, MustBeAssignments) {
     EXPECT_NE(refusal({argument}).find("is no assignment"), std::string::npos) << argument;
   }
   EXPECT_NE(refusal({"title.x=1"}).find("\"title\" is a value, not a table"), std::string::npos);
+  EXPECT_NE(refusal({"bearing[0].radius=1"}).find("is no assignment to a key"), std::string::npos);
+  EXPECT_NE(refusal({"bearing[1]=1"}).find("is no assignment to a key"), std::string::npos);
+  EXPECT_NE(refusal({"bump_foil.shim[2].from=1"}).find("\"shim[2]\" is none of the 0 there are"), std::string::npos);
 }
 
 TEST(Overrides, CannotSmuggleInOtherKeys) {
@@ -411,6 +414,17 @@ thickness = "25 um"
             (std::vector<BumpSection>{{.from = 1, .to = 5, .height = 0.5e-3},
                                       {.from = 6, .to = 6, .pitch = 4.5e-3, .length = 3.5e-3, .thickness = 0.1e-3}}));
   EXPECT_EQ(parts.bump_foil.shims, (std::vector<Shim>{{20, 22, 25e-6}}));
+}
+
+TEST(Overrides, CountTablesOfAList) {
+  const std::vector<std::string> shim{"bump_foil.shim[1].from=1", "bump_foil.shim.to=2",
+                                      "bump_foil.shim[1].thickness=5 um"};
+  EXPECT_EQ(with(shim).bump_foil.shims, (std::vector<Shim>{{1, 2, 5e-6}}));
+  const std::string two = "bump_foil.shim=[{from=1, to=2, thickness=1e-6}, {from=5, to=6, thickness=1e-6}]";
+  EXPECT_EQ(with({two, "bump_foil.shim[2].thickness=5 um"}).bump_foil.shims,
+            (std::vector<Shim>{{1, 2, 1e-6}, {5, 6, 5e-6}}));
+  EXPECT_NE(refusal({two, "bump_foil.shim[3].to=7"}).find("\"shim[3]\" is none of the 2 there are"), std::string::npos);
+  EXPECT_NE(refusal({two, "bump_foil.shim.to=7"}).find("\"shim\" is none of the 2 there are"), std::string::npos);
 }
 
 TEST(ParseCase, SaysWhatIsWrongAlongTheFoil) {

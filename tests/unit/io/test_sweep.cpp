@@ -54,6 +54,14 @@ TEST(Sweep, CasesAreThoseOfOverrides) {
   }
 }
 
+TEST(Sweep, TablesOfAListAreCounted) {
+  const Sweep sweep = sweep_over({"bump_foil.shim[2].thickness=[5 um, 10 um]"},
+                                 {"bump_foil.shim=[{from=1, to=2, thickness=1e-6}, {from=5, to=6, thickness=1e-6}]"});
+  EXPECT_EQ(sweep.axes[0].name, "bump_foil_shim_2_thickness");
+  EXPECT_EQ(sweep.axes[0].title, "Shim: Thickness");
+  EXPECT_EQ(sweep.cases[1].bump_foil.shims, (std::vector<Shim>{{1, 2, 1e-6}, {5, 6, 10e-6}}));
+}
+
 TEST(Sweep, WholeNumbersAndAnglesAreSwept) {
   EXPECT_EQ(sweep_over({"cycle.steps=[5, 10]"}).cases[1].cycle.steps, 10);
   const Sweep turned = sweep_over({"bearing.weld_angle=0 deg:180 deg:90 deg"});
