@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "bumpfoil/core/error.hpp"
 
@@ -38,6 +40,24 @@ TEST(Properties, RangeOfOneBumpIsThatOfItsMatrix) {
   ASSERT_TRUE(range.has_value());
   EXPECT_NEAR(range->softest, 1e6 * softest, 1e-3);  // the digits that are written here
   EXPECT_NEAR(range->stiffest, 1e6 * stiffest, 1e-3);
+}
+
+TEST(Properties, AreThoseOfEachShapeOfBumps) {
+  Case input = reference_case();
+  input.bump_foil.sections = {{.from = 3, .to = 5, .thickness = 0.127e-3}};
+  const std::vector<BumpProperties> bumps = compute_properties(input).bumps;
+  ASSERT_EQ(bumps.size(), 3U);
+  EXPECT_EQ(std::pair(bumps[0].from, bumps[0].to), std::pair(1, 2));
+  EXPECT_EQ(std::pair(bumps[1].from, bumps[1].to), std::pair(3, 5));
+  EXPECT_EQ(std::pair(bumps[2].from, bumps[2].to), std::pair(6, 26));
+  EXPECT_EQ(bumps[2].identified.k1, bumps[0].identified.k1);
+  Case thicker = reference_case();
+  thicker.bump_foil.thickness = 0.127e-3;
+  const std::vector<BumpProperties> uniform = compute_properties(thicker).bumps;
+  ASSERT_EQ(uniform.size(), 1U);
+  EXPECT_EQ(std::pair(uniform[0].from, uniform[0].to), std::pair(1, 26));
+  EXPECT_EQ(bumps[1].identified.k1, uniform[0].identified.k1);
+  EXPECT_EQ(bumps[1].sliding_bump, uniform[0].sliding_bump);
 }
 
 TEST(Properties, LeavesOutWhatTakesTooLong) {

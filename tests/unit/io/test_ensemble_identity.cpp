@@ -45,6 +45,22 @@ TEST(EnsembleIdentity, EveryDifferenceIsNamed) {
   EXPECT_NE(refusal(elsewhere, input).find("instruction set = another machine, "), std::string::npos);
 }
 
+TEST(EnsembleIdentity, TablesThatOneCaseHasMoreOfAreDifferences) {
+  Case input = testing::ensemble_case(10);
+  input.bump_foil.shims = {{1, 2, 5e-6}};
+  Case other = input;
+  other.bump_foil.shims.push_back({4, 5, 6e-6});
+  EXPECT_EQ(refusal(ensemble_identity(input), input), "");
+  const std::string more = refusal(ensemble_identity(input), other);
+  EXPECT_NE(more.find("bump_foil.shim[2].from = none: is 4 now"), std::string::npos) << more;
+  EXPECT_EQ(more.find("shim[1]"), std::string::npos) << more;
+  const std::string fewer = refusal(ensemble_identity(other), input);
+  EXPECT_NE(fewer.find("bump_foil.shim[2].thickness = 6e-06: is none now"), std::string::npos) << fewer;
+  other.bump_foil.pitch = PerBump(4.2e-3, 4.3e-3, Grading::linear);
+  const std::string graded = refusal(ensemble_identity(input), other);
+  EXPECT_NE(graded.find("bump_foil.pitch = 0.004572: is {"), std::string::npos) << graded;
+}
+
 TEST(EnsembleIdentity, HoldsTheCase) {
   const Case input = testing::ensemble_case(30);
   EXPECT_EQ(ensemble_identity(case_of_identity(ensemble_identity(input))), ensemble_identity(input));

@@ -18,6 +18,7 @@
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "io/result_layout.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -191,6 +192,30 @@ TEST(ResultNetcdf, HoldsWhatItTakesToDrawTheBearing) {
   EXPECT_EQ(file.at("bump_pitch"), input.bump_foil.pitch.values.front());
   EXPECT_EQ(file.at("bump_half_length"), 0.5 * input.bump_foil.length.values.front());
   EXPECT_EQ(file.at("bump_rise"), nominal_bump(input.bump_foil).rise);
+}
+
+TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
+  Case input = short_case();
+  const auto values = [&](const std::string& name) {
+    for (const NamedNumbers& numbers : make_result_layout(input, Experiment::cycle).at_bumps) {
+      if (numbers.name == name) return numbers.values;
+    }
+    return std::vector<double>{};
+  };
+  EXPECT_EQ(values("bump_pitch"), std::vector<double>{});
+  EXPECT_EQ(values("crest_offset"), std::vector<double>{});
+  const auto bumps = static_cast<std::size_t>(input.bump_foil.bumps);
+  input.bump_foil.height_errors.assign(bumps, 1e-6);
+  EXPECT_EQ(values("crest_offset"), std::vector<double>{});
+  input.bump_foil.sections = {{.from = 2, .to = 2, .pitch = 4.4e-3}};
+  input.bump_foil.shims = {{.from = 1, .to = 1, .thickness = 5e-6}};
+  ASSERT_EQ(values("bump_pitch").size(), bumps);
+  EXPECT_EQ(values("bump_pitch")[1], 4.4e-3);
+  EXPECT_EQ(values("bump_pitch")[2], 4.572e-3);
+  EXPECT_EQ(values("bump_rise"), std::vector<double>{});
+  ASSERT_EQ(values("crest_offset").size(), bumps);
+  EXPECT_NEAR(values("crest_offset")[0], 6e-6, 1e-18);
+  EXPECT_NEAR(values("crest_offset")[1], 1e-6, 1e-18);
 }
 
 TEST(ResultNetcdf, SaysWhereItComesFrom) {

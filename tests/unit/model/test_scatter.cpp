@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -65,6 +67,19 @@ TEST(Scatter, NumbersAreFoundInTheCase) {
   EXPECT_DOUBLE_EQ(input.friction.top_bump, reference.friction.top_bump + 16e-6);
   EXPECT_DOUBLE_EQ(input.friction.bump_sleeve, reference.friction.bump_sleeve + 32e-6);
   EXPECT_DOUBLE_EQ(input.bearing.radial_clearance, reference.bearing.radial_clearance + 64e-6);
+}
+
+TEST(Scatter, DeviationsOfFoilsAreThoseOfAllTheirBumps) {
+  Case input = reference_case();
+  input.bump_foil.thickness = PerBump(0.1e-3, 0.12e-3, Grading::geometric);
+  input.bump_foil.sections = {{.from = 3, .to = 4, .thickness = 0.2e-3}, {.from = 5, .to = 5, .length = 3.2e-3}};
+  const std::vector<BumpShape> before = nominal_bumps(input.bump_foil);
+  for (const ScatteredNumber& number : scattered_numbers()) number.add(input, 1e-6);
+  const std::vector<BumpShape> after = nominal_bumps(input.bump_foil);
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    EXPECT_NEAR(after[n].thickness - before[n].thickness, 1e-6, 1e-18) << n;
+    EXPECT_NEAR(after[n].half_length - before[n].half_length, 0.5e-6, 1e-18) << n;
+  }
 }
 
 }  // namespace
