@@ -117,8 +117,9 @@ TEST(Sample, DeviationsAreAddedToTheCase) {
   const Case sampled = sampled_case(input, sample);
   EXPECT_FALSE(sampled.montecarlo);
   EXPECT_EQ(sampled.bump_foil.height_errors[25], 1e-6 + sample.height_deviations[25]);
-  EXPECT_EQ(sampled.bump_foil.thickness, input.bump_foil.thickness.values.front() + sample.deviations[0]);
-  EXPECT_NE(sampled.bump_foil.thickness, input.bump_foil.thickness);
+  EXPECT_EQ(sampled.bump_foil.thickness.values,
+            std::vector{input.bump_foil.thickness.values.front() + sample.deviations[0]});
+  EXPECT_NE(sampled.bump_foil.thickness.values, input.bump_foil.thickness.values);
   EXPECT_EQ(sampled.top_foil, input.top_foil);
   EXPECT_EQ(sampled.friction, input.friction);
   EXPECT_EQ(sampled.bearing.radial_clearance, input.bearing.radial_clearance + sample.deviations[5]);

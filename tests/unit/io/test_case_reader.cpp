@@ -93,10 +93,10 @@ TEST(ParseCase, ReadsEveryKey) {
   EXPECT_EQ(input.bearing.weld_angle, pi);
   EXPECT_EQ(input.bearing.wrap, Wrap::clockwise);
   EXPECT_EQ(input.bump_foil.bumps, 26);
-  EXPECT_EQ(input.bump_foil.pitch, 4.572e-3);
-  EXPECT_EQ(input.bump_foil.length, 3.556e-3);
-  EXPECT_EQ(input.bump_foil.height, 0.508e-3);
-  EXPECT_EQ(input.bump_foil.thickness, 0.102e-3);
+  EXPECT_EQ(input.bump_foil.pitch.values, std::vector{4.572e-3});
+  EXPECT_EQ(input.bump_foil.length.values, std::vector{3.556e-3});
+  EXPECT_EQ(input.bump_foil.height.values, std::vector{0.508e-3});
+  EXPECT_EQ(input.bump_foil.thickness.values, std::vector{0.102e-3});
   EXPECT_EQ(input.bump_foil.youngs_modulus, 214e9);
   EXPECT_EQ(input.bump_foil.poisson_ratio, 0.29);
   EXPECT_EQ(input.bump_foil.truss.k1, 150e6);
@@ -317,9 +317,11 @@ TEST(ParseCase, ReadsWindowsLineEndsAndByteOrderMark) {
 
 TEST(Overrides, TakeTomlAndBareStrings) {
   EXPECT_EQ(with({"friction.coefficient=0.2"}).friction.top_bump, 0.2);
-  EXPECT_EQ(with({"bump_foil.height=0.5 mm"}).bump_foil.height, 0.5e-3);      // as the shell leaves "0.5 mm"
-  EXPECT_EQ(with({"bump_foil.height=\"0.5 mm\""}).bump_foil.height, 0.5e-3);  // as it leaves '"0.5 mm"'
-  EXPECT_EQ(with({"bump_foil.height=0.0005"}).bump_foil.height, 0.5e-3);
+  EXPECT_EQ(with({"bump_foil.height=0.5 mm"}).bump_foil.height.values,
+            std::vector{0.5e-3});  // as the shell leaves "0.5 mm"
+  EXPECT_EQ(with({"bump_foil.height=\"0.5 mm\""}).bump_foil.height.values,
+            std::vector{0.5e-3});  // as it leaves '"0.5 mm"'
+  EXPECT_EQ(with({"bump_foil.height=0.0005"}).bump_foil.height.values, std::vector{0.5e-3});
   EXPECT_EQ(with({"bearing.wrap=counterclockwise"}).bearing.wrap, Wrap::counterclockwise);
   EXPECT_EQ(with({"title=a = \"b\" # c"}).title, "a = \"b\" # c");
   EXPECT_EQ(with({"title="}).title, "");
