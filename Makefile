@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
+.PHONY: help demo designer paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -25,6 +25,14 @@ demo: ## install what is missing, build, run the reference bearing in four direc
 	echo "Report:  $(CURDIR)/results/demo/report.html (open it in a browser)"
 	echo "Time: $$SECONDS s in all"
 
+designer: ## the program as one HTML page: change the bearing, see it answer
+	@scripts/require_packages.sh build designer
+	$(call BUILD,release)
+	echo
+	mkdir -p results
+	build/release/bumpfoil designer -o results/designer.html --force --quiet
+	echo "Designer: $(CURDIR)/results/designer.html (open it in a browser)"
+
 paper: ## reproduce the studies of the source paper, and further ones, with pictures
 	@scripts/require_packages.sh build plot
 	$(call BUILD,release)
@@ -39,7 +47,7 @@ tolerances: ## scatter of heights, thicknesses, clearance, friction: data and pa
 	/usr/bin/python3 -B studies/tolerances/ensembles.py build/release/bumpfoil results/tolerances $(TOLERANCES)
 
 test: ## install what is missing, build with assertions armed, run every test
-	@scripts/require_packages.sh build plot test
+	@scripts/require_packages.sh build plot designer test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
 

@@ -128,6 +128,7 @@ ExitCode run(int argc, char** argv, const Ranks& ranks) {
   add_film_command(program, session);
   add_reproduce_command(program, session);
   add_report_command(program, session);
+  add_designer_command(program, session);
   for (CLI::App* command : program.get_subcommands({})) refuse_empty_values(*command);
   program.parse_complete_callback([&] {
     if (ranks.size() == 1 || program.got_subcommand(command_for_ranks)) return;

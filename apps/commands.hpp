@@ -38,6 +38,7 @@ void add_equilibrium_command(CLI::App& program, Session& session);
 void add_film_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
+void add_designer_command(CLI::App& program, Session& session);
 
 /// Adds the option --set, which changes keys of the case file.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);

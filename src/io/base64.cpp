@@ -1,8 +1,8 @@
 #include "io/base64.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string_view>
 
@@ -30,8 +30,9 @@ std::string base64_of(const std::vector<double>& numbers) {
   bytes.reserve(4 * numbers.size());
   for (const double number : numbers) {
     const bool known = std::abs(number) <= std::numeric_limits<float>::max();
-    const auto bits =
-        std::bit_cast<std::uint32_t>(known ? static_cast<float>(number) : std::numeric_limits<float>::quiet_NaN());
+    const float single = known ? static_cast<float>(number) : std::numeric_limits<float>::quiet_NaN();
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &single, sizeof bits);  // std::bit_cast is younger than the library of Emscripten
     for (const unsigned shift : {0U, 8U, 16U, 24U}) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
   }
   return encode(bytes);

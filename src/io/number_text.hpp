@@ -11,11 +11,19 @@ namespace bumpfoil {
 /// a dash if it is not known.
 std::string number_text(const std::optional<double>& number, double unit);
 
+/// std::from_chars of a double, for standard libraries that lack it, such as that of Emscripten.
+std::from_chars_result read_decimal(std::string_view text, double& number);
+
 /// std::from_chars, except that one plus sign may stand before the number.
 template <typename Number>
 std::from_chars_result read_number(std::string_view text, Number& number) {
-  const bool plus = text.starts_with('+') && !text.starts_with("+-");
-  return std::from_chars(text.data() + (plus ? 1 : 0), text.data() + text.size(), number);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  const char* const end = text.data() + text.size();
+  if constexpr (requires { std::from_chars(end, end, number); }) {
+    return std::from_chars(text.data(), end, number);
+  } else {
+    return read_decimal(text, number);
+  }
 }
 
 }  // namespace bumpfoil

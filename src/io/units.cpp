@@ -1,17 +1,16 @@
 #include "io/units.hpp"
 
 #include <fmt/format.h>
-#include <udunits2.h>
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <system_error>
 
 #include "bumpfoil/core/error.hpp"
 #include "io/number_text.hpp"
+#include "io/unit_system.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -42,52 +41,23 @@ const DimensionText& text_of(Dimension dimension) {
   return dimensions[static_cast<std::size_t>(dimension)];
 }
 
-struct FreeSystem {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-};
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-struct FreeConverter {
-  void operator()(cv_converter* converter) const { cv_free(converter); }
-};
-using System = std::unique_ptr<ut_system, FreeSystem>;
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
-using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+/// Of base_units.
+constexpr std::size_t radian = 7;
 
-System read_system() {
-  ut_set_error_message_handler(ut_ignore);  // it would print on standard error
-  System system(ut_read_xml(nullptr));
-  if (!system) {
-    throw Error(ErrorKind::file, {{"", 0, "", "", "the units database of UDUNITS-2 cannot be read",
-                                   "install the package libudunits2-data or set UDUNITS2_XML_PATH"}});
-  }
-  const Unit radian(ut_get_unit_by_name(system.get(), "radian"));
-  const Unit degree(ut_scale(std::numbers::pi / 180.0, radian.get()));
-  ut_map_name_to_unit("deg", UT_UTF8, degree.get());
-  return system;
+UnitPowers powers_of(Dimension dimension) {
+  return read_unit(text_of(dimension).si_unit).value_or(UnitMeaning{}).powers;
 }
 
-Unit parse_unit(std::string_view text) {
-  static const System system = read_system();
-  return Unit(ut_parse(system.get(), std::string(text).c_str(), UT_UTF8));
+/// Angles have radians in them; "30 %" is no angle all the same.
+bool counts_radians(const UnitMeaning& unit) {
+  return unit.powers[radian] != 0;
 }
 
-/// Angles are pure numbers for UDUNITS-2; "30 %" is no angle all the same.
-bool counts_radians(ut_unit* unit) {
-  std::array<char, 128> definition{};
-  const int length = ut_format(unit, definition.data(), definition.size(), UT_ASCII | UT_DEFINITION);
-  return length > 0 && std::string_view(definition.data()).find("rad") != std::string_view::npos;
-}
-
-bool measures(ut_unit* unit, Dimension dimension) {
-  const Unit si = parse_unit(text_of(dimension).si_unit);
-  const bool radians = counts_radians(unit);
-  // A second could be converted to a frequency, too, as its inverse.
-  const Unit product(ut_multiply(unit, si.get()));
-  if (dimension == Dimension::frequency && ut_is_dimensionless(product.get()) != 0) return false;
-  return ut_are_convertible(unit, si.get()) != 0 &&
-         (dimension == Dimension::frequency || radians == (dimension == Dimension::angle));
+bool measures(const UnitMeaning& unit, Dimension dimension) {
+  UnitPowers due = powers_of(dimension);
+  // A frequency counts radians or, by its name, turns.
+  if (dimension == Dimension::frequency && !counts_radians(unit)) due[radian] = 0;
+  return unit.powers == due;
 }
 
 /// UDUNITS-2 takes numbers inside units: "1 000 mm" would be nothing, "mm^1.5" half a millimetre. Digits are
@@ -111,17 +81,6 @@ std::string_view trimmed(std::string_view text) {
 /// Turns, or parts of them, by their name: for UDUNITS-2 a hertz is 1/s.
 bool is_hertz(std::string_view unit) {
   return unit.ends_with("Hz") || unit.ends_with("hertz");
-}
-
-/// Scale of a proportional unit in SI; none if the unit is shifted or logarithmic ("degC", "lg(re 1 m)").
-std::optional<double> scale_to_si(ut_unit* unit, Dimension dimension) {
-  const Unit si = parse_unit(text_of(dimension).si_unit);
-  const Converter converter(ut_get_converter(unit, si.get()));
-  if (!converter) return std::nullopt;
-  const double one = cv_convert_double(converter.get(), 1.0);
-  const double three = cv_convert_double(converter.get(), 3.0);
-  if (!std::isfinite(one) || std::abs(three - 3.0 * one) > 1e-12 * std::abs(one)) return std::nullopt;
-  return one;
 }
 
 /// Dividing by 1e6 gives the double nearest to the decimal fraction where multiplying by 1e-6 may miss it.
@@ -168,20 +127,20 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
         fmt::format("has digits where a unit is due, in \"{}\"", unit_text),
         "write one number with a decimal point, without separators, and one unit with whole exponents"};
   }
-  const Unit unit = parse_unit(unit_text);
+  const std::optional<UnitMeaning> unit = read_unit(unit_text);
   if (!unit) return QuantityFault{fmt::format("has a unit that is not known, \"{}\"", unit_text), advice};
-  if (!measures(unit.get(), due)) {
+  if (!measures(*unit, due)) {
     for (const DimensionText& other : dimensions) {
-      if (measures(unit.get(), other.dimension)) {
+      if (measures(*unit, other.dimension)) {
         return QuantityFault{fmt::format("is {} where {} is due", other.name, name_of(due)), advice};
       }
     }
     return QuantityFault{fmt::format("has the unit \"{}\" where {} is due", unit_text, name_of(due)), advice};
   }
-  const std::optional<double> scale = scale_to_si(unit.get(), due);
-  if (!scale) return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
-  double value = scaled(number, *scale);
-  if (due == Dimension::frequency && !counts_radians(unit.get())) {
+  if (!unit->scale)
+    return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
+  double value = scaled(number, *unit->scale);
+  if (due == Dimension::frequency && !counts_radians(*unit)) {
     if (!is_hertz(unit_text)) {
       return QuantityFault{fmt::format("has the unit \"{}\", which may count turns or radians", unit_text),
                            "write \"Hz\" or \"rpm\" for turns, \"rad/s\" for radians"};

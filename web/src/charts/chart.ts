@@ -70,8 +70,6 @@ export class Chart {
     if (!this.instance) {
       this.instance = echarts.init(this.place, null, { renderer: 'svg', width, height });
       this.ready(this.instance);
-    } else {
-      this.instance.resize({ width, height });
     }
     this.root.setAttribute('aria-label', this.label());
     const current = look();
@@ -84,6 +82,7 @@ export class Chart {
       },
       { notMerge: true },
     );
+    if (this.instance.getWidth() !== width || this.instance.getHeight() !== height) this.instance.resize({ width, height });
     this.moveCursor();
   }
 

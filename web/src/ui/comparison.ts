@@ -10,7 +10,7 @@ const mostInColours = 8;
 
 /** Which runs are compared, with which one, and how they are told apart. All views follow it. */
 export class Comparison {
-  readonly runs: Run[];
+  runs: Run[];
   reference: Run;
   /** What the colours stand for; one for each run where it is absent. */
   family: SweptKey | undefined;
@@ -98,6 +98,17 @@ export class Comparison {
     Object.assign(this, change);
     this.chosen.add(this.reference);
     this.tell();
+  }
+
+  /** Compares other runs, all of them. */
+  replace(runs: Run[], reference: Run): void {
+    this.runs = runs;
+    this.chosen.clear();
+    for (const run of runs) this.chosen.add(run);
+    this.reference = reference;
+    this.selection.replace(runs);
+    this.tell();
+    this.selection.tell();
   }
 
   colour(run: Run, current: Look): string {

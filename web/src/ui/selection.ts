@@ -8,7 +8,7 @@ export class Selection {
   index: number;
   private readonly listeners: (() => void)[] = [];
 
-  constructor(readonly runs: Run[]) {
+  constructor(public runs: Run[]) {
     this.run = runs.find((run) => run.cycles.some((cycle) => cycle.size > 0)) ?? at(runs, 0);
     this.cycle = this.run.cycles.find((cycle) => cycle.size > 0) ?? at(this.run.cycles, 0);
     this.index = this.cycle.turning;
@@ -20,11 +20,26 @@ export class Selection {
 
   /** Shows an increment; the same part of the way when run or direction change alone. */
   show({ run = this.run, key = this.cycle.key, index }: { run?: Run; key?: number; index?: number }): void {
+    this.look(run, key, index);
+    this.tell();
+  }
+
+  private look(run: Run, key: number, index?: number): void {
     const cycle = run.cycle(key) ?? at(run.cycles, 0);
     const wanted = index ?? this.sameWay(cycle);
     this.run = run;
     this.cycle = cycle;
     this.index = Math.min(Math.max(0, wanted), Math.max(0, cycle.size - 1));
+  }
+
+  /** Looks at other runs, each in the place of one, in the same way as before. Nobody is told until tell() is called. */
+  replace(runs: Run[]): void {
+    const run = at(runs, Math.min(this.runs.indexOf(this.run), runs.length - 1));
+    this.runs = runs;
+    this.look(run, this.cycle.key);
+  }
+
+  tell(): void {
     for (const listener of this.listeners) listener();
   }
 

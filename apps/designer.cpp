@@ -1,0 +1,52 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
+#include "bumpfoil/io/write_file.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+
+namespace bumpfoil {
+
+/// The page that web/ makes, with the solver in it; empty if the program was built without Node.js or Emscripten.
+std::string_view designer_page();
+
+namespace {
+
+struct DesignerOptions {
+  std::filesystem::path path{"designer.html"};
+  bool force{};
+};
+
+void run_designer(const DesignerOptions& options, const Session& session) {
+  if (designer_page().empty()) {
+    throw Error(
+        ErrorKind::file,
+        {{"bumpfoil designer", 0, "", "", "this program was built without the designer",
+          "install Emscripten, Node.js and npm (Debian: emscripten nodejs npm), then configure and build again"}});
+  }
+  write_file(options.path, std::string(designer_page()), options.force ? Existing::replace : Existing::refuse);
+  if (!session.quiet) print_output("wrote " + printable(options.path.string(), longest_path) + "\n");
+}
+
+}  // namespace
+
+void add_designer_command(CLI::App& program, Session& session) {
+  const auto options = std::make_shared<DesignerOptions>();
+  CLI::App* command =
+      program.add_subcommand("designer", "Make the program as one HTML file: change the bearing and see it answer");
+  command->add_option("-o,--output", options->path, "File to write; designer.html without it")->type_name("FILE");
+  command->add_flag("--force", options->force, "Replace the file if it exists");
+  command->footer(
+      "Example:\n"
+      "  bumpfoil designer\n"
+      "Open the file in a browser of 2022 or later. It needs no network and nothing beside it, and computes in the "
+      "browser\n"
+      "what `bumpfoil cycle` computes.");
+  command->callback([options, &session] { run_designer(*options, session); });
+}
+
+}  // namespace bumpfoil

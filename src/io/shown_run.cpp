@@ -1,0 +1,133 @@
+#include "io/shown_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "io/base64.hpp"
+#include "io/case_json.hpp"
+#include "io/result_layout.hpp"
+#include "io/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Flag = signed char;
+
+constexpr Flag absent_flag = -127;
+
+std::string encoded(const Form& form, const std::vector<double>& numbers) {
+  if (form.kind != Form::flag && form.kind != Form::truth) return base64_of(numbers);
+  std::vector<Flag> flags(numbers.size());
+  std::transform(numbers.begin(), numbers.end(), flags.begin(),
+                 [](double number) { return std::isnan(number) ? absent_flag : static_cast<Flag>(number); });
+  return base64_of(flags);
+}
+
+/// Of a stress, which has no sign, its largest at every increment is shown; gaps follow from displacements.
+bool is_reduced(std::string_view name) {
+  return name.starts_with("stress_");
+}
+bool is_left_out(std::string_view name) {
+  return name.starts_with("gap_") || name == "friction_force_journal_top" || name == "compression";
+}
+
+void add_field(Json& json, const FieldQuantity& quantity, const FoilFields& fields, Eigen::Index reached) {
+  if (is_left_out(quantity.name)) return;
+  const FieldMatrix values = quantity.values(fields);
+  const bool reduced = is_reduced(quantity.name);
+  if (values.cols() == 0 && reduced) return;
+  const std::string name(quantity.name);
+  if (reduced || quantity.node == Node::foil) {
+    const Vector most = values.topRows(reached).rowwise().maxCoeff();
+    json["series"][name] = encoded(quantity.form, {most.begin(), most.end()});
+    return;
+  }
+  const Eigen::Index known = values.cols() == 0 ? 0 : reached * values.cols();
+  json["fields"][name] = {{"at", quantity.node == Node::foot ? "foot" : "bump"},
+                          {"values", encoded(quantity.form, {values.data(), values.data() + known})}};
+}
+
+Json cycle_data(const Cycle& cycle, const std::vector<IncrementQuantity>& quantities) {
+  Json json{{"at", to_degrees(cycle.direction)},
+            {"increments", Json::array()},
+            {"series", Json::object()},
+            {"fields", Json::object()}};
+  const std::vector<Increment>& increments = cycle.increments;
+  const auto failed = std::find_if(increments.begin(), increments.end(),
+                                   [](const Increment& one) { return std::isnan(one.force_direct); });
+  const auto reached = static_cast<std::size_t>(failed - increments.begin());
+  for (std::size_t i = 0; i < reached; ++i) json["increments"].push_back(i);
+  for (const IncrementQuantity& quantity : quantities) {
+    std::vector<double> values(reached);
+    std::transform(increments.begin(), failed, values.begin(), quantity.value);
+    json["series"][std::string(quantity.name)] = encoded(quantity.form, values);
+  }
+  for (const FieldQuantity& quantity : field_quantities())
+    add_field(json, quantity, cycle.fields, static_cast<Eigen::Index>(reached));
+  return json;
+}
+
+Json summary_of(const Case& input, const CycleResult& result) {
+  Json summary = summary_head(name_of(result.experiment), input, status_of(result), {});
+  summary["cycles"] = Json::array();
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) summary["cycles"].push_back(cycle_json(input, result, i));
+  return summary;
+}
+
+Json geometry_of(const ResultLayout& layout) {
+  Json geometry = Json::object();
+  for (const NamedNumbers& one : layout.scalars) geometry[one.name] = one.values.front();
+  for (const NamedNumbers& one : layout.at_bumps) geometry[one.name] = one.values;
+  for (const NamedNumbers& one : layout.at_feet) geometry[one.name] = one.values;
+  return geometry;
+}
+
+}  // namespace
+
+Json shown_quantity(std::string_view name, std::string_view unit, std::string_view label, std::string_view meaning) {
+  return {{"name", name},   {"key", key_of(name, unit)}, {"label", label}, {"unit", unit == "1" ? "" : unit},
+          {"whole", false}, {"meaning", meaning}};
+}
+
+Json shown_run(const Case& input, const CycleResult& result) {
+  BUMPFOIL_ASSERT(result.experiment == Experiment::cycle);
+  const ResultLayout layout = make_result_layout(input, result.experiment);
+  const Wording wording = wording_of(input, result.experiment);
+  Json run{{"kind", name_of(result.experiment)},
+           {"attributes", {{"title", input.title}}},
+           {"summary", summary_of(input, result)},
+           {"meanings", Json::object()},
+           {"geometry", geometry_of(layout)},
+           {"nodes", {{"bump", layout.bumps}, {"foot", layout.feet}}},
+           {"last_increment", layout.increments - 1},
+           {"cycles", Json::array()},
+           {"quantities", Json::array()}};
+  const std::vector<IncrementQuantity> quantities = increment_quantities(result.experiment);
+  for (const Cycle& cycle : result.cycles) run["cycles"].push_back(cycle_data(cycle, quantities));
+  const auto explain = [&](const auto& quantity) {
+    run["meanings"][std::string(quantity.name)] = {{"unit", quantity.unit == "1" ? "" : quantity.unit},
+                                                   {"text", spelled(quantity.long_name, wording)}};
+  };
+  for (const IncrementQuantity& quantity : quantities) explain(quantity);
+  for (const FieldQuantity& quantity : field_quantities()) explain(quantity);
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
+    explain(quantity);
+    if (quantity.label.empty()) continue;
+    Json shown = shown_quantity(quantity.name, quantity.unit, quantity.label, spelled(quantity.long_name, wording));
+    shown["whole"] = quantity.form.kind == Form::whole;
+    shown["of_solver"] = quantity.of_solver;
+    run["quantities"].push_back(std::move(shown));
+  }
+  return run;
+}
+
+}  // namespace bumpfoil

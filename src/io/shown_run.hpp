@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// What tables on a page say of a quantity of a cycle. @param meaning  in words, empty where there are none
+nlohmann::ordered_json shown_quantity(std::string_view name, std::string_view unit, std::string_view label,
+                                      std::string_view meaning);
+
+/// Cycles of a bearing as report_json describes them, out of memory: the same as if they had been written and read
+/// back, but for attributes and the order of cycles, which is that of the case.
+/// @param result  with everything recorded
+nlohmann::ordered_json shown_run(const Case& input, const CycleResult& result);
+
+}  // namespace bumpfoil

@@ -1,0 +1,99 @@
+// The solver of the designer, WebAssembly, in Node.js: the same numbers as the program.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { due, largestDifference, loopsOfProgram, reference, run, withFolder } from './support.mjs';
+
+const { BUMPFOIL_SOLVER: folder, BUMPFOIL_EXAMPLES: examples } = process.env;
+const makeSolver = createRequire(import.meta.url)(join(folder, 'solver.cjs'));
+let ask;
+
+before(async () => {
+  const solver = await makeSolver({ wasmBinary: readFileSync(join(folder, 'solver.wasm')) });
+  ask = (request) => JSON.parse(makeSolver.answerOf(solver, JSON.stringify(request)));
+});
+
+/** In the last digits: mathematical libraries differ. Where others of its kind are larger, `scale`, by their roundings. */
+function near(found, expected, what, scale = 0) {
+  assert.ok(Math.abs(found - expected) <= 1e-9 * Math.abs(expected) + 1e-15 * scale, `${what}: ${found}, not ${expected}`);
+}
+
+test('loops are those of the program', () => {
+  const changed = (...pairs) => pairs.reduce((text, [from, to]) => text.replace(from, to), reference);
+  const cases = {
+    reference,
+    frame: changed(['model = "truss"', 'model = "frame"']),
+    'rough, following events': `${changed([
+      'stiffness_follows_height',
+      `height_errors = [${Array.from({ length: 26 }, (_, i) => `"${((7 * i) % 11) - 5} um"`).join(', ')}]\nstiffness_follows_height`,
+    ])}\n[solver]\nname = "events"\n`,
+    'inch and psi': changed(['radius = "19.05 mm"', 'radius = "0.75 inch"'], ['"214 GPa"', '"31.03 Mpsi"']),
+  };
+  assert.equal(new Set(Object.values(cases)).size, 4);
+  for (const [name, text] of Object.entries(cases)) {
+    const answer = ask({ what: 'csv', text });
+    assert.equal(answer.faults, undefined, JSON.stringify(answer.faults));
+    const difference = largestDifference(loopsOfProgram(text), answer.csv);
+    console.log(`${name}: loops differ by ${difference.toExponential(1)} of the largest force`);
+    assert.ok(difference <= due, `${name}: ${difference}`);
+  }
+});
+
+test('every example is understood as the program understands it', () => {
+  for (const name of ['gen1', 'strip', 'running', 'vibration', 'orbit']) {
+    let text;
+    try {
+      text = readFileSync(join(examples, `${name}.toml`), 'utf8');
+    } catch {
+      continue;
+    }
+    if (/_file = |^file = /m.test(text)) continue; // there are none in a browser
+    const answer = ask({ what: 'cycles', text });
+    assert.equal(answer.faults, undefined, `${name}: ${JSON.stringify(answer.faults)}`);
+  }
+});
+
+test('faults are told in the words of the program', () => {
+  const { faults } = ask({ what: 'cycles', text: reference.replace('= "31.8 um"', '= "31.8 N"').replace('bumps = 26', 'bumps = 0') });
+  assert.deepEqual(
+    faults.map(({ key, line }) => [key, reference.split('\n')[line - 1].trim().split(' ')[0]]),
+    [
+      ['bearing.radial_clearance', 'radial_clearance'],
+      ['bump_foil.bumps', 'bumps'],
+    ],
+  );
+  assert.match(faults[0].what, /is a force where a length is due/);
+});
+
+test('properties, samples and vibrations are those of the program', () => {
+  withFolder((place) => {
+    const file = join(examples, 'gen1.toml');
+    const expected = JSON.parse(run('properties', file, '--json'));
+    const found = ask({ what: 'properties', text: reference });
+    for (const [group, numbers] of Object.entries(expected)) {
+      const largest = Math.max(...Object.values(numbers));
+      for (const [key, number] of Object.entries(numbers)) near(found[group][key], number, `${group}.${key}`, largest);
+    }
+    const scatter = ['--set', 'montecarlo.samples=3', '--set', 'montecarlo.seed=5', '--set', 'montecarlo.bump_height={ distribution = "normal", std = "5 um" }'];
+    run('montecarlo', file, '-o', join(place, 'm'), ...scatter);
+    const { statistics } = JSON.parse(readFileSync(join(place, 'm', 'summary.json'), 'utf8'));
+    const text = `${reference}\n[montecarlo]\nsamples = 3\nseed = 5\nbump_height = { distribution = "normal", std = "5 um" }\n`;
+    const { quantities, samples, faults } = ask({ what: 'samples', text, first: 0, count: 3 });
+    assert.equal(faults, undefined, JSON.stringify(faults));
+    quantities.forEach(({ key }, i) => {
+      Object.values(statistics).forEach((byQuantity, direction) => {
+        near(samples.reduce((sum, one) => sum + one[direction][i], 0) / 3, byQuantity[key].mean, key);
+      });
+    });
+    const vibration = ['--set', 'vibration.loads=[["0 N", "-50 N"]]', '--set', 'vibration.directions=["+X", "+Y"]', '--set', 'vibration.amplitudes=["2 um"]', '--set', 'vibration.frequencies=["200 Hz"]', '--set', 'vibration.steps=20'];
+    run('vibration', file, '-o', join(place, 'v'), ...vibration);
+    const [header, row] = readFileSync(join(place, 'v', 'coefficients.csv'), 'utf8').trim().split('\n').map((line) => line.split(','));
+    const answer = ask({ what: 'vibration', text: reference, load: [0, -50], amplitudes: [2e-6], steps: 20 });
+    near(answer.directions[0].stiffness[0], Number(row[header.indexOf('kxx_N_per_m')]), 'kxx');
+    near(answer.directions[1].stiffness[0], Number(row[header.indexOf('kyy_N_per_m')]), 'kyy');
+    near(answer.directions[1].loss_factor[0], Number(row[header.indexOf('loss_factor_y')]), 'loss factor');
+  });
+});

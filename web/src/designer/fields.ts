@@ -1,0 +1,232 @@
+/** A field for every key of the case that the page answers to, made from the solver's own description of the keys. */
+import type { CaseValue } from '../data/format';
+import { el } from '../ui/dom';
+import type { Design } from './design';
+import type { CaseKey, Fault, Units } from './format';
+import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
+import { groups, ranges, type Group } from './ranges';
+
+/** What a field needs to know of the page. */
+interface Place {
+  design: Design;
+  units: Units;
+  /** The value as understood, in SI, of the last case that was right. */
+  understood: (path: string) => CaseValue | undefined;
+}
+
+interface Field {
+  path: string;
+  root: HTMLElement;
+  refresh: (faults: Fault[]) => void;
+}
+
+/** Steps of a slider between its ends. */
+const fineSteps = 400;
+
+function idOf(path: string): string {
+  return `field-${path.replaceAll(/[^a-z0-9_]/g, '-')}`;
+}
+
+/** Label, controls, and the solver's messages under them. */
+function frame(key: CaseKey, controls: HTMLElement[], labelled: HTMLElement): { root: HTMLElement; tell: (faults: Fault[], given: boolean) => void } {
+  const id = idOf(key.path);
+  const message = el('p', { class: 'fault', id: `${id}-fault`, role: 'status' });
+  labelled.id = id;
+  labelled.setAttribute('aria-describedby', `${id}-fault`);
+  if (key.text !== '') labelled.title = key.text;
+  const label = el('label', { for: id, title: key.text }, key.title);
+  const root = el('div', { class: 'field', 'data-key': key.path }, label, el('div', { class: 'controls' }, ...controls), message);
+  const tell = (faults: Fault[], given: boolean): void => {
+    const own = faults.filter((fault) => fault.key === key.path || fault.key.startsWith(`${key.path}[`) || fault.key.startsWith(`${key.path}.`));
+    message.textContent = own.map(({ what, advice }) => (advice === '' ? what : `${what}; ${advice}`)).join(' · ');
+    root.classList.toggle('faulty', own.length > 0);
+    root.classList.toggle('default', !given);
+    labelled.setAttribute('aria-invalid', String(own.length > 0));
+  };
+  return { root, tell };
+}
+
+/** A number with a slider where there is a range for it, and with a unit where it has one. */
+function numberField(key: CaseKey, { design, units, understood }: Place): Field {
+  const { path, unit: si = '' } = key;
+  const whole = key.kind === 'whole number';
+  const range = ranges[path];
+  const text = el('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', class: 'number' });
+  const slider = el('input', { type: 'range', 'aria-label': `${key.title}, slider` });
+  const list = el('select', { 'aria-label': `Unit of ${key.title}` });
+  const usual = readQuantity(key.example ?? '')?.unit ?? si;
+  const offered = Object.keys(units[si] ?? {});
+  let unit = usual;
+  let plain = si === '';
+
+  /** As it stands in the case; else what it is by default. */
+  const current = (): Quantity | undefined => {
+    const written = design.written(path);
+    const read = written === undefined ? undefined : readQuantity(written);
+    if (written !== undefined) return read;
+    const value = understood(path) ?? (key.presence === 'defaulted' ? key.value : undefined);
+    return typeof value === 'number' ? converted({ number: value, unit: si }, usual, si, units) : undefined;
+  };
+  const set = (number: number, going: boolean): void => design.set(path, writeQuantity({ number, unit: plain ? '' : unit }), going);
+
+  slider.addEventListener('input', () => {
+    const value = Number(slider.value);
+    set(whole ? Math.round(value) : Number(value.toPrecision(4)), true);
+  });
+  slider.addEventListener('change', () => design.change(design.text, false));
+  text.addEventListener('change', () => {
+    const typed = text.value.trim();
+    if (typed === '') {
+      if (design.written(path) !== undefined) design.remove(path);
+      return;
+    }
+    const read = readQuantity(typed);
+    // A unit may be typed, too, or a list; what is neither the solver refuses in its own words.
+    if (/^[[{]/.test(typed)) design.set(path, typed);
+    else if (!read) design.set(path, JSON.stringify(typed));
+    else if (read.unit !== '') design.set(path, writeQuantity(read));
+    else set(read.number, false);
+  });
+  list.addEventListener('change', () => {
+    const now = current();
+    unit = list.value;
+    plain = false;
+    const same = now && converted({ ...now, unit: now.unit === '' ? si : now.unit }, unit, si, units);
+    if (same) design.set(path, writeQuantity(same));
+  });
+
+  const controls = [...(range ? [slider] : []), text, ...(si === '' ? [] : [list])];
+  const { root, tell } = frame(key, controls, text);
+  root.classList.toggle('wide', !range);
+  const refresh = (faults: Fault[]): void => {
+    const now = current();
+    const written = design.written(path);
+    if (now) {
+      plain = si === '' || (written !== undefined && now.unit === '');
+      unit = now.unit === '' ? si : now.unit;
+    }
+    const shown = now ? String(now.number) : (written ?? '').replace(/^"|"$/g, '');
+    if (text !== document.activeElement || now?.number !== Number(text.value)) text.value = shown;
+    if (si !== '') {
+      const names = offered.includes(unit) ? offered : [...offered, unit];
+      if (list.childElementCount !== names.length) list.replaceChildren(...names.map((name) => el('option', { value: name }, name)));
+      list.value = unit;
+    }
+    if (range) {
+      const size = si === '' ? 1 : (sizeOf(unit, si, units) ?? 1);
+      const [least, most, step] = range;
+      slider.min = String(Number((least / size).toPrecision(6)));
+      slider.max = String(Number((most / size).toPrecision(6)));
+      slider.step = String(Number(((step ?? (most - least) / fineSteps) / size).toPrecision(3)));
+      slider.disabled = !now && written !== undefined;
+      if (now) slider.value = String(now.number);
+      slider.setAttribute('aria-valuetext', now ? `${now.number} ${unit}` : 'not given');
+    }
+    tell(faults, written !== undefined);
+  };
+  return { path, root, refresh };
+}
+
+/** One of a few words, or true and false. */
+function choiceField(key: CaseKey, words: string[], { design, understood }: Place): Field {
+  const { path } = key;
+  const list = el('select', {}, ...words.map((word) => el('option', { value: word }, word.replaceAll('_', ' '))));
+  const truth = key.kind === 'true or false';
+  list.addEventListener('change', () => design.set(path, truth ? list.value : `"${list.value}"`));
+  const { root, tell } = frame(key, [list], list);
+  root.classList.add('wide');
+  const refresh = (faults: Fault[]): void => {
+    const written = design.written(path);
+    const value = written?.replace(/^["']|["']$/g, '') ?? String(understood(path) ?? key.value ?? '');
+    list.value = value;
+    tell(faults, written !== undefined);
+  };
+  return { path, root, refresh };
+}
+
+/** Lists and texts, as they are written in the file. */
+function textField(key: CaseKey, { design }: Place): Field {
+  const { path } = key;
+  const input = el('input', { type: 'text', class: 'text', autocomplete: 'off', spellcheck: 'false', placeholder: key.kind === 'text' ? '' : (key.example ?? '') });
+  const isText = key.kind === 'text';
+  input.addEventListener('change', () => {
+    const typed = input.value.trim();
+    if (typed === '' && !isText) design.remove(path);
+    else design.set(path, isText ? JSON.stringify(typed) : typed);
+  });
+  const { root, tell } = frame(key, [input], input);
+  root.classList.add('wide');
+  const refresh = (faults: Fault[]): void => {
+    const written = design.written(path);
+    if (input !== document.activeElement) input.value = (isText ? written?.replace(/^["']|["']$/g, '') : written) ?? '';
+    tell(faults, written !== undefined);
+  };
+  return { path, root, refresh };
+}
+
+function fieldOf(key: CaseKey, place: Place): Field | undefined {
+  if (key.kind === '' || key.kind === 'name of a file') return undefined;
+  if (key.kind === 'true or false') return choiceField(key, ['false', 'true'], place);
+  if (key.kind.startsWith('"')) return choiceField(key, key.kind.split(', ').map((word) => word.replaceAll('"', '')), place);
+  if (key.kind === 'text' || /^list|^two |or force/.test(key.kind)) return textField(key, place);
+  return numberField(key, place);
+}
+
+/** A table of the case: its fields, and of an optional one what adds it and takes it out. */
+function section(group: Group, keys: CaseKey[], place: Place): { root: HTMLElement; fields: Field[]; refresh: (faults: Fault[]) => void } {
+  const { design } = place;
+  const head = keys.find(({ path }) => path === group.path);
+  const inner = keys.filter(({ path }) => path.startsWith(`${group.path}.`) && !path.slice(group.path.length).includes('[') && !groups.some((other) => other !== group && other.path.startsWith(group.path) && (path === other.path || path.startsWith(`${other.path}.`))));
+  const fields = inner.flatMap((key) => fieldOf(key, place) ?? []);
+  const body = el('div', { class: 'fields' }, ...fields.map(({ root }) => root));
+  const title = el('summary', {}, head?.title ?? group.path);
+  const root = el('details', { class: 'group', 'data-table': group.path, open: group.open }, title);
+  const toggle = el('button', { type: 'button', class: 'quiet' });
+  if (group.optional) {
+    toggle.addEventListener('click', () => {
+      if (design.hasTable(group.path)) design.remove(group.path);
+      else design.change(withTable(design.text, group.path, keys), false);
+    });
+    root.append(el('div', { class: 'group-tools' }, el('p', { class: 'note' }, head?.text ?? ''), toggle));
+  }
+  root.append(body);
+  const refresh = (faults: Fault[]): void => {
+    const there = !group.optional || design.hasTable(group.path);
+    body.hidden = !there;
+    toggle.textContent = there ? 'Take out' : 'Add';
+    toggle.setAttribute('aria-label', `${there ? 'Take out' : 'Add'}: ${head?.title ?? group.path}`);
+    if (there) for (const field of fields) field.refresh(faults);
+    const faulty = faults.some(({ key }) => inner.some(({ path }) => key === path));
+    root.classList.toggle('faulty', faulty);
+    if (faulty) root.open = true;
+  };
+  return { root, fields, refresh };
+}
+
+/** With a table that has what it needs. */
+export function withTable(text: string, path: string, keys: CaseKey[]): string {
+  const own = keys.filter((key) => key.path.startsWith(`${path}.`) && key.kind !== '' && !key.path.slice(path.length + 1).includes('.'));
+  const needed = own.filter(({ presence }) => presence === 'required');
+  const lines = (needed.length > 0 ? needed : own.slice(0, 1)).map((key) => `${key.path.slice(path.length + 1)} = ${key.example ?? ''}`);
+  const scatter = path === 'montecarlo' ? ['bump_height = { distribution = "normal", std = "5 um" }'] : [];
+  const head = path.endsWith(']') ? `[[${path.replace(/\[\d+\]$/, '')}]]` : `[${path}]`;
+  return `${text.replace(/\s*$/, '')}\n\n${head}\n${[...lines, ...scatter].join('\n')}\n`;
+}
+
+export interface Form {
+  root: HTMLElement;
+  /** @param faults  of the case, for the fields that they are about */
+  refresh: (faults: Fault[]) => void;
+  /** Whether there is a field for a key. */
+  has: (path: string) => boolean;
+}
+
+export function form(keys: CaseKey[], place: Place): Form {
+  const sections = groups.map((group) => section(group, keys, place));
+  const paths = new Set(sections.flatMap(({ fields }) => fields.map(({ path }) => path)));
+  return {
+    root: el('form', { class: 'form', 'aria-label': 'The case', autocomplete: 'off' }, ...sections.map(({ root }) => root)),
+    refresh: (faults) => sections.forEach(({ refresh }) => refresh(faults)),
+    has: (path) => paths.has(path),
+  };
+}

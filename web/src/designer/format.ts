@@ -1,0 +1,63 @@
+/** What the solver answers; include/bumpfoil/io/designer.hpp describes it. */
+import type { CaseValue, Quantity, RunData } from '../data/format';
+
+export interface CaseKey {
+  path: string;
+  title: string;
+  text: string;
+  /** Empty for a table. */
+  kind: string;
+  presence: 'required' | 'optional' | 'defaulted';
+  /** SI. */
+  unit?: string;
+  /** Key whose value it has where it is not given. */
+  otherwise?: string;
+  /** As it is written in a case file. */
+  example?: string;
+  /** Of the reference case, in SI. */
+  value?: CaseValue;
+}
+
+/** For each SI unit the ones that people write, with their sizes. */
+export type Units = Record<string, Record<string, number>>;
+
+export interface KeysAnswer {
+  version: string;
+  commit: string;
+  keys: CaseKey[];
+  units: Units;
+  /** Case files by name. */
+  presets: Record<string, string>;
+}
+
+export interface Fault {
+  /** 0 where it is not known. */
+  line: number;
+  key: string;
+  value: string;
+  what: string;
+  advice: string;
+  message: string;
+}
+
+export interface Faults {
+  faults: Fault[];
+}
+
+export interface CyclesAnswer {
+  run: Omit<RunData, 'name'>;
+}
+
+export type PropertiesAnswer = Record<string, Record<string, number | null>>;
+
+export interface VibrationAnswer {
+  position_m: [number, number];
+  status: string;
+  directions: Record<'stiffness' | 'loss_factor' | 'dissipation', (number | null)[]>[];
+}
+
+export interface SamplesAnswer {
+  quantities: Quantity[];
+  /** By number, direction and quantity. */
+  samples: (number | null)[][][];
+}

@@ -1,0 +1,222 @@
+import type { CaseValue, RunData } from '../data/format';
+import { flatten } from '../data/case_values';
+import { Run } from '../data/run';
+import { el } from '../ui/dom';
+import { roving } from '../ui/roving';
+import { download } from '../ui/save';
+import { isDark, onLookChange, startTheme, toggleTheme } from '../ui/theme';
+import { Design } from './design';
+import { form } from './fields';
+import type { CyclesAnswer, Fault, KeysAnswer } from './format';
+import { layoutOf, results, type Results } from './results';
+import { caseIn, fragmentOf } from './share';
+import { isFaulty, makeSolvers, type Request, type Solver } from './solver';
+import { tabs } from './tabs';
+import '../style/page.css';
+import '../style/panels.css';
+import '../style/runs.css';
+import '../style/charts.css';
+import '../style/tables.css';
+import '../style/player.css';
+import '../style/designer.css';
+
+function button(text: string, title: string, action: () => void): HTMLButtonElement {
+  const one = el('button', { type: 'button', class: 'quiet', title }, text);
+  one.addEventListener('click', action);
+  return one;
+}
+
+function runOf(answer: CyclesAnswer, name: string): Run {
+  return new Run({ ...answer.run, name } as RunData);
+}
+
+/** The page: what is said of the case on the left, what it does on the right. */
+class Page {
+  private readonly design: Design;
+  private understood = new Map<string, CaseValue>();
+  private faults: Fault[] = [];
+  /** The design as it stands, and the one it is compared with. */
+  private now: { answer: CyclesAnswer; text: string } | undefined;
+  private before: { answer: CyclesAnswer; text: string } | undefined;
+  private results: Results | undefined;
+  private layout = '';
+  private readonly views = el('div', { class: 'results' });
+  private readonly bar = el('div');
+  private readonly state = el('p', { class: 'state', role: 'status' });
+  private readonly general = el('ul', { class: 'general-faults', role: 'alert' });
+  private readonly fields;
+  private readonly editor = el('textarea', { class: 'editor', spellcheck: 'false', 'aria-label': 'Case file', rows: 28 });
+  private readonly undo = button('Undo', 'Undo (Ctrl+Z)', () => this.design.undo());
+  private readonly redo = button('Redo', 'Redo (Ctrl+Shift+Z)', () => this.design.redo());
+
+  constructor(
+    private readonly keys: KeysAnswer,
+    private readonly quick: Solver,
+    text: string,
+  ) {
+    this.design = new Design(text);
+    this.fields = form(keys.keys, { design: this.design, units: keys.units, understood: (path) => this.understood.get(path) });
+    document.getElementById('designer')?.append(
+      el('a', { class: 'skip', href: '#contents' }, 'Skip to the results'),
+      this.masthead(),
+      el(
+        'div',
+        { class: 'sides' },
+        el('aside', { class: 'side', 'aria-label': 'The case' }, this.general, this.fields.root),
+        el('main', { id: 'contents', tabindex: -1 }, this.views),
+      ),
+      this.bar,
+      el('footer', {}, 'Computed in this page: nothing is sent. Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
+    );
+    this.design.onChange(() => this.changed());
+    this.editor.addEventListener('input', () => this.design.change(this.editor.value, true));
+    this.editor.addEventListener('change', () => this.design.change(this.editor.value, false));
+    document.addEventListener('keydown', (event) => this.key(event));
+    this.changed();
+  }
+
+  private masthead(): HTMLElement {
+    const presets = el(
+      'select',
+      { 'aria-label': 'Start from' },
+      el('option', {}, 'Start from …'),
+      ...Object.keys(this.keys.presets)
+        // Those that are pushed and pulled as bearings.
+        .filter((name) => /^\[cycle\]/m.test(this.keys.presets[name] ?? ''))
+        .map((name) => el('option', { value: name }, name)),
+    );
+    presets.addEventListener('change', () => {
+      const text = this.keys.presets[presets.value];
+      if (text !== undefined) this.design.change(text, false);
+      presets.selectedIndex = 0;
+    });
+    const file = el('input', { type: 'file', accept: '.toml,text/plain', hidden: true });
+    file.addEventListener('change', () => {
+      void file.files?.[0]?.text().then((text) => this.design.change(text, false));
+      file.value = '';
+    });
+    const theme = button('Dark', 'Change colours', toggleTheme);
+    const name = (): void => {
+      theme.textContent = isDark() ? 'Light' : 'Dark';
+    };
+    onLookChange(name);
+    name();
+    return el(
+      'header',
+      { class: 'masthead' },
+      el('h1', {}, el('span', { class: 'brand' }, 'Bumpfoil designer')),
+      this.state,
+      roving(
+        el(
+          'div',
+          { class: 'page-tools', role: 'toolbar', 'aria-label': 'Design' },
+          this.undo,
+          this.redo,
+          button('Compare from here', 'Take the design as it stands for the one before', () => this.pin()),
+          button('Open …', 'Open a case file', () => file.click()),
+          button('Save case', 'Save the case file', () => download('case.toml', new Blob([this.design.text], { type: 'application/toml' }))),
+          button('Copy link', 'Put a link to this design into the clipboard and the address', () => void this.share()),
+          theme,
+        ),
+      ),
+      presets,
+      file,
+    );
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (!(event.ctrlKey || event.metaKey) || event.target === this.editor) return;
+    const name = event.key.toLowerCase();
+    if (name === 'z' && !event.shiftKey) this.design.undo();
+    else if (name === 'y' || (name === 'z' && event.shiftKey)) this.design.redo();
+    else return;
+    event.preventDefault();
+  }
+
+  private async share(): Promise<void> {
+    const fragment = await fragmentOf(this.design.text);
+    history.replaceState(null, '', fragment);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.state.textContent = 'The link is in the clipboard.';
+    } catch {
+      this.state.textContent = 'The link is in the address.';
+    }
+  }
+
+  private pin(): void {
+    this.before = this.now;
+    this.show();
+  }
+
+  /** The text has changed: it is computed, and shown once that is done. */
+  private changed(): void {
+    this.undo.disabled = !this.design.canUndo;
+    this.redo.disabled = !this.design.canRedo;
+    if (this.editor.value !== this.design.text) this.editor.value = this.design.text;
+    this.fields.refresh(this.faults);
+    void this.compute();
+  }
+
+  private async compute(): Promise<void> {
+    const { text } = this.design;
+    const began = performance.now();
+    const answer = await this.quick.ask<CyclesAnswer>({ what: 'cycles', text });
+    if (!answer) return;
+    if (isFaulty(answer)) {
+      this.faults = answer.faults;
+    } else {
+      this.faults = [];
+      this.understood = flatten(answer.run.summary.case);
+      this.now = { answer, text };
+      this.before ??= this.now;
+      this.show();
+    }
+    this.fields.refresh(this.faults);
+    const elsewhere = this.faults.filter(({ key }) => !this.fields.has(key.replace(/\[.*$/, '')));
+    this.general.replaceChildren(...elsewhere.map(({ line, message }) => el('li', {}, line > 0 ? `Line ${line}: ${message}` : message)));
+    this.views.classList.toggle('stale', this.faults.length > 0);
+    this.state.textContent =
+      this.faults.length > 0 ? `${this.faults.length === 1 ? 'One fault' : `${this.faults.length} faults`} in the case: what is shown is the last that was right.` : '';
+    const { dataset } = document.documentElement;
+    dataset['answered'] = String(Number(dataset['answered'] ?? 0) + 1);
+    dataset['took'] = (performance.now() - began).toFixed(1);
+  }
+
+  private show(): void {
+    if (!this.now || !this.before) return;
+    const now = runOf(this.now.answer, 'now');
+    const runs = this.before.text === this.now.text ? [now] : [now, runOf(this.before.answer, 'before')];
+    const layout = layoutOf(runs);
+    if (this.results && layout === this.layout) {
+      this.results.show(runs);
+      return;
+    }
+    this.layout = layout;
+    this.results = results(runs);
+    this.bar.replaceChildren(this.results.bar);
+    this.views.replaceChildren(
+      this.results.main,
+      tabs([
+        { name: 'loads', title: 'Bump loads', body: this.results.loads },
+        { name: 'table', title: 'Table', body: this.results.table },
+        { name: 'case', title: 'Case file', body: el('div', { class: 'panel' }, this.editor) },
+      ]),
+    );
+  }
+}
+
+async function start(): Promise<void> {
+  startTheme();
+  const { quick, slow } = await makeSolvers();
+  // For those who want numbers without clicking: include/bumpfoil/io/designer.hpp says what may be asked.
+  Object.assign(window, { bumpfoilAsk: (request: Request) => slow.ask(request) });
+  const keys = await quick.ask<KeysAnswer>({ what: 'keys' });
+  if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not answer');
+  const shared = await caseIn(location.hash);
+  new Page(keys, quick, shared ?? Object.values(keys.presets)[0] ?? '');
+}
+
+start().catch((error: unknown) => {
+  document.getElementById('designer')?.append(el('p', { class: 'warnings', role: 'alert' }, `The designer cannot start: ${String(error)}. It needs a browser of 2022 or later.`));
+});

@@ -1,0 +1,56 @@
+/** What the page has fields for, and between which values their sliders go; SI. Whatever a field is given is computed. */
+
+export interface Group {
+  /** Of the table in the case file. */
+  path: string;
+  /** It can be added to the case and taken out of it. */
+  optional: boolean;
+  open: boolean;
+}
+
+export const groups: Group[] = [
+  { path: 'bearing', optional: false, open: true },
+  { path: 'bump_foil', optional: false, open: true },
+  { path: 'top_foil', optional: false, open: true },
+  { path: 'friction', optional: false, open: true },
+  { path: 'cycle', optional: false, open: false },
+  { path: 'bearing.sleeve_waviness[1]', optional: true, open: false },
+  { path: 'bump_foil.truss', optional: true, open: false },
+  { path: 'solver', optional: false, open: false },
+  { path: 'montecarlo', optional: true, open: false },
+];
+
+const [um, mm, deg, GPa, MN] = [1e-6, 1e-3, Math.PI / 180, 1e9, 1e6];
+
+/** Ends of the slider, and its step where that is not a fine one. */
+export const ranges: Record<string, [least: number, most: number, step?: number]> = {
+  'bearing.radius': [5 * mm, 60 * mm],
+  'bearing.axial_length': [5 * mm, 120 * mm],
+  'bearing.radial_clearance': [-40 * um, 160 * um],
+  'bearing.weld_angle': [0, 360 * deg, 1 * deg],
+  'bearing.sleeve_waviness[1].harmonic': [1, 12, 1],
+  'bearing.sleeve_waviness[1].amplitude': [0, 30 * um],
+  'bearing.sleeve_waviness[1].phase': [0, 360 * deg, 1 * deg],
+  'bump_foil.bumps': [3, 60, 1],
+  'bump_foil.pitch': [1 * mm, 12 * mm],
+  'bump_foil.length': [0.5 * mm, 10 * mm],
+  'bump_foil.height': [0.15 * mm, 1.5 * mm],
+  'bump_foil.thickness': [0.03 * mm, 0.3 * mm],
+  'bump_foil.youngs_modulus': [50 * GPa, 300 * GPa],
+  'bump_foil.poisson_ratio': [0, 0.49, 0.01],
+  'top_foil.thickness': [0.03 * mm, 0.4 * mm],
+  'top_foil.youngs_modulus': [50 * GPa, 300 * GPa],
+  'top_foil.poisson_ratio': [0, 0.49, 0.01],
+  'friction.coefficient': [0, 1, 0.01],
+  'friction.top_bump': [0, 1, 0.01],
+  'friction.bump_sleeve': [0, 1, 0.01],
+  'cycle.amplitude': [1 * um, 200 * um],
+  'cycle.load': [1, 500],
+  'cycle.steps': [10, 200, 5],
+  'cycle.cycles': [1, 20, 1],
+  'bump_foil.truss.k1': [1 * MN, 500 * MN],
+  'bump_foil.truss.k2': [0.1 * MN, 50 * MN],
+  'bump_foil.truss.k3': [0.1 * MN, 20 * MN],
+  'bump_foil.truss.k4': [0.1 * MN, 100 * MN],
+  'bump_foil.truss.theta_d': [2 * deg, 60 * deg],
+};

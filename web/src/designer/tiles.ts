@@ -1,0 +1,52 @@
+/** The main numbers of one direction in large letters, and by how much they differ from those before. */
+import { at } from '../data/run';
+import { differences, formatNumber, formatQuantity, scaleFor } from '../data/units';
+import { numberOf } from '../tables/results';
+import type { Comparison } from '../ui/comparison';
+import { el } from '../ui/dom';
+import { roving } from '../ui/roving';
+
+const told = ['loaded_stiffness', 'max_force', 'loop_energy', 'loss_factor', 'take_up', 'max_stress_top_foil'];
+
+export function numberTiles(keys: number[], comparison: Comparison): HTMLElement {
+  const { selection } = comparison;
+  const { kind } = at(comparison.runs, 0);
+  const tiles = el('div', { class: 'tiles' });
+  const buttons = keys.map((key) => {
+    const button = el('button', { type: 'button' }, kind.cycles.name(key));
+    button.addEventListener('click', () => selection.show({ key }));
+    return button;
+  });
+  const fill = (): void => {
+    const { key } = selection.cycle;
+    buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(keys[i] === key)));
+    const [now, before] = [at(comparison.runs, 0), comparison.runs[1]];
+    tiles.replaceChildren(
+      ...told.flatMap((name) => {
+        const quantity = now.quantities.find((one) => one.name === name);
+        if (!quantity) return [];
+        const value = numberOf(now.cycle(key)?.summary?.[quantity.key]);
+        const old = numberOf(before?.cycle(key)?.summary?.[quantity.key]);
+        const [, percent] = before ? differences(value, old, scaleFor(Math.abs(old ?? 0), quantity.unit)) : ['', ''];
+        return [
+          el(
+            'div',
+            { class: 'tile', 'data-key': quantity.key, title: quantity.meaning },
+            el('span', { class: 'what' }, quantity.label),
+            el('strong', {}, quantity.unit === '' ? formatNumber(value, 3) : formatQuantity(value, quantity.unit)),
+            el('span', { class: 'change' }, before ? (percent === '0 %' ? 'as before' : `${percent ?? ''} to before`) : ''),
+          ),
+        ];
+      }),
+    );
+  };
+  comparison.onChange(fill);
+  selection.onChange(fill);
+  fill();
+  return el(
+    'div',
+    { class: 'numbers' },
+    roving(el('div', { class: 'choice', role: 'group', 'aria-label': `${kind.cycles.title} of the numbers and of the bearing` }, ...buttons)),
+    tiles,
+  );
+}
