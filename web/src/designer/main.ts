@@ -41,7 +41,7 @@ class Page {
   private results: Results | undefined;
   private layout = '';
   private readonly views = el('div', { class: 'results' });
-  private readonly bar = el('div');
+  private readonly bar = el('div', { class: 'bar' });
   private readonly state = el('p', { class: 'state', role: 'status' });
   private readonly general = el('ul', { class: 'general-faults', role: 'alert' });
   private readonly fields;
