@@ -1,0 +1,71 @@
+import { describe, expect, it } from 'vitest';
+import { Design } from '../src/designer/design';
+import { converted, readQuantity, writeQuantity } from '../src/designer/quantity';
+import { outlineOf, without, withValue, writtenValue } from '../src/designer/toml';
+
+const text = `title = "a # no comment"  # one
+[bearing]
+radius = "19.05 mm"   # inner
+list = ["1 um", # first
+  "2 um"]
+[[bearing.wave]]
+amplitude = 1
+[[bearing.wave]]
+amplitude = 2
+[montecarlo]
+bump_height = { distribution = "normal", std = "5 um" }
+`;
+
+describe('case files', () => {
+  it('say what is written where', () => {
+    const written = (path: string): string | undefined => writtenValue(text, outlineOf(text), path);
+    expect(written('title')).toBe('"a # no comment"');
+    expect(written('bearing.list')).toBe('["1 um", # first\n  "2 um"]');
+    expect(written('bearing.wave[2].amplitude')).toBe('2');
+    expect(written('montecarlo.bump_height.std')).toBe('"5 um"');
+    expect(written('bearing.length')).toBeUndefined();
+  });
+
+  it('are changed in one place alone', () => {
+    expect(withValue(text, 'bearing.radius', '"2 cm"')).toBe(text.replace('"19.05 mm"', '"2 cm"'));
+    expect(withValue(text, 'montecarlo.bump_height.std', '1')).toBe(text.replace('"5 um"', '1'));
+    expect(withValue(text, 'bearing.wave[1].phase', '3')).toBe(text.replace('amplitude = 1\n', 'amplitude = 1\nphase = 3\n'));
+    expect(withValue(text, 'montecarlo.bump_height.mean', '0')).toBe(text.replace('um" }', 'um", mean = 0 }'));
+    expect(withValue(text, 'friction.coefficient', '0.1')).toBe(`${text}\n[friction]\ncoefficient = 0.1\n`);
+    expect(without(text, 'bearing.radius')).toBe(text.replace(/radius.*\n/, ''));
+    expect(without(text, 'bearing.wave[2]')).toBe(text.replace('[[bearing.wave]]\namplitude = 2\n', ''));
+  });
+
+  it('are read as far as they are right', () => {
+    expect(writtenValue('a = 1\nb = [', outlineOf('a = 1\nb = ['), 'a')).toBe('1');
+    expect(outlineOf('a = "open').values.size).toBe(0);
+  });
+});
+
+describe('designs', () => {
+  it('undo what was dragged as one step', () => {
+    const design = new Design('x = 1');
+    design.set('x', '2', true);
+    design.set('x', '3', true);
+    design.change(design.text, false);
+    design.set('x', '4');
+    design.undo();
+    expect(design.text).toBe('x = 3');
+    design.undo();
+    expect(design.text).toBe('x = 1');
+    expect(design.canUndo).toBe(false);
+    design.redo();
+    design.set('x', '5');
+    expect(design.canRedo).toBe(false);
+  });
+});
+
+describe('quantities', () => {
+  it('are read, written and converted', () => {
+    const units = { m: { m: 1, um: 1e-6, mm: 1e-3 } };
+    expect(readQuantity('"31.8 um"')).toEqual({ number: 31.8, unit: 'um' });
+    expect(readQuantity('"um"')).toBeUndefined();
+    expect(writeQuantity({ number: 2, unit: '' })).toBe('2');
+    expect(converted({ number: 31.8, unit: 'um' }, 'mm', 'm', units)).toEqual({ number: 0.0318, unit: 'mm' });
+  });
+});
