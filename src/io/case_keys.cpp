@@ -51,8 +51,10 @@ void describe_profile(CaseVisitor& keys, const Key& waviness, const Key& deviati
 }
 
 void describe(CaseVisitor& keys, Bearing& bearing) {
-  keys.value({"radius", required, "Radius", "inner radius of the sleeve with the foils, R", "19.05 mm", length},
-             &bearing.radius);
+  keys.once_or_twice(
+      {"radius", required, "Radius",
+       "R of the circle on which the foils lie; sleeve and journal are taken to have it too", "19.05 mm", length},
+      {"diameter", required, "Diameter", "instead of the radius", "38.1 mm", length}, bearing.radius);
   keys.value({"axial_length", required, "Axial length", "along the axis, L", "38.1 mm", length}, &bearing.axial_length);
   keys.value({"radial_clearance", required, "Radial clearance",
               "C_r, journal to undeformed top foil; zero or negative is interference", "31.8 um", length},

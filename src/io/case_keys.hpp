@@ -66,6 +66,9 @@ class CaseVisitor {
   /// A number that is given once for all of several keys, or for each by its own.
   virtual void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) = 0;
 
+  /// A length by itself or by its double, such as a radius or a diameter.
+  virtual void once_or_twice(const Key& once, const Key& twice, double& number) = 0;
+
   /// A displacement or a load, each by a key of its own.
   virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;
 

@@ -94,6 +94,11 @@ class KeyLister final : public CaseVisitor {
     for (const auto& [key, number] : each) add(key, "number", *number, same);
   }
 
+  void once_or_twice(const Key& once, const Key& twice, double& number) override {
+    add(once, std::string(noun(once)), number);
+    add(twice, std::string(noun(twice)), 2.0 * number, true).held = false;
+  }
+
   void one_of(const Key& displacement, const Key& load, Target& target) override {
     const bool by_load = target.control == Control::load;
     add(displacement, std::string(noun(displacement)), by_load ? Json() : Json(target.value), by_load);

@@ -66,7 +66,7 @@ ResultLayout layout_of_bearing(const Case& input) {
   layout.feet = static_cast<std::size_t>(foot_theta.size());
   layout.scalars.insert(
       layout.scalars.end(),
-      {{"bearing_radius", "m", "radius of the bearing", {input.bearing.radius}},
+      {{"bearing_radius", "m", "radius R of the circle on which the foils lie", {input.bearing.radius}},
        {"radial_clearance", "m", "radial clearance; negative means interference", {input.bearing.radial_clearance}}});
   layout.at_bumps.insert(
       layout.at_bumps.end(),

@@ -372,21 +372,36 @@ void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<
   }
 }
 
-void TableReader::one_of(const Key& displacement, const Key& load, Target& target) {
-  const bool both = has(displacement) && has(load);
-  const auto overridden = [this](const Key& key) { return is_override(*table_.get(key.name)); };
+/// Of two keys of which one is to be given, and the first is missed where none is.
+bool TableReader::second_counts(const Key& first, const Key& second) {
+  if (!has(first) || !has(second)) return has(second);
+  const toml::node& node = *table_.get(first.name);
+  const bool overridden = is_override(*table_.get(second.name));
   // On the command line, one stands in for the other.
-  const bool resolved = both && overridden(displacement) != overridden(load);
-  const bool by_load = has(load) && !(resolved && overridden(displacement));
+  if (is_override(node) != overridden) return overridden;
+  log_.met(path_of(first.name), node);
+  log_.fault(path_of(first.name), fmt::format("contradicts {}, which is given too", second.name),
+             "give one of the two");
+  return true;
+}
+
+void TableReader::once_or_twice(const Key& once, const Key& twice, double& number) {
+  const bool doubled = second_counts(once, twice);
   double unused = 0.0;
-  // The first is what is missed where none is given.
+  double two = 2.0 * number;
+  value(doubled ? optional_key(once) : once, doubled ? &unused : &number);
+  value(optional_key(twice), doubled ? &two : &unused);
+  if (!doubled) return;
+  number = 0.5 * two;
+  log_.taken_from(path_of(once.name), path_of(twice.name));
+}
+
+void TableReader::one_of(const Key& displacement, const Key& load, Target& target) {
+  const bool by_load = second_counts(displacement, load);
+  double unused = 0.0;
   value(by_load ? optional_key(displacement) : displacement, by_load ? &unused : &target.value);
   value(optional_key(load), by_load ? &target.value : &unused);
   target.control = by_load ? Control::load : Control::displacement;
-  if (both && !resolved) {
-    log_.fault(path_of(displacement.name), fmt::format("contradicts {}, which is given too", load.name),
-               "give one of the two");
-  }
 }
 
 void TableReader::either(const Key& key, Control plain, std::optional<Target>& target) {

@@ -22,6 +22,7 @@ class TableReader final : public CaseVisitor {
   void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) override;
   void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override;
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override;
+  void once_or_twice(const Key& once, const Key& twice, double& number) override;
   void one_of(const Key& displacement, const Key& load, Target& target) override;
   void either(const Key& key, Control plain, std::optional<Target>& target) override;
   void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) override;
@@ -38,6 +39,7 @@ class TableReader final : public CaseVisitor {
   TableReader(const TableReader& outer, const toml::table& table, std::string path)
       : log_(outer.log_), root_(outer.root_), table_(table), path_(std::move(path)) {}
 
+  bool second_counts(const Key& first, const Key& second);
   void graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension);
   [[nodiscard]] bool has(const Key& key) const { return table_.contains(key.name); }
   [[nodiscard]] std::string path_of(std::string_view name) const;

@@ -200,6 +200,8 @@ void add_physics(std::vector<WrongCase>& table) {
            {"cycle.steps = 1000000", "would not fit in memory"}));
   add(edit("both frictions", "coefficient = 0.1", "coefficient = 0.1\ntop_bump = 0.2",
            {"friction.coefficient = 0.1: contradicts top_bump"}));
+  add(edit("radius and diameter", "radius = \"19.05 mm\"", "radius = \"19.05 mm\"\ndiameter = \"38.1 mm\"",
+           {"bearing.radius = 19.05 mm: contradicts diameter"}));
   add(edit("height errors twice", "height_errors = []",
            "height_errors = [" + repeated("0, ", 26) + "]\nheight_errors_file = \"heights.csv\"",
            {"bump_foil.height_errors_file = heights.csv: contradicts height_errors"}));

@@ -46,7 +46,7 @@ struct RadiusProfile {
 
 /// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
 struct Bearing {
-  double radius{};                      ///< R, m
+  double radius{};                      ///< R, m: of the foils; sleeve and journal are taken to have it too
   double axial_length{};                ///< L, m
   double radial_clearance{};            ///< C_r, m; zero or negative means interference
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad

@@ -78,7 +78,7 @@ struct FoilDesign {
   double youngs_modulus{};       ///< E of the bump foil, Pa
   double poisson_ratio{};        ///< nu of the bump foil
   double axial_length{};         ///< L of both foils, m
-  std::optional<double> radius;  ///< R of the sleeve, m; absent: the foils lie flat
+  std::optional<double> radius;  ///< R of the bearing, m; absent: the foils lie flat
   bool welded{true};             ///< both foils are clamped before bump 1; else they are free at both ends
   WeldPosition weld_at{WeldPosition::mid_flat};
   TrussOverrides truss;  ///< of every bump

@@ -162,6 +162,35 @@ TEST(ParseCase, ReadsStrips) {
   EXPECT_NE(refusal({"strip.displacement=20 um", "strip.welt=none"}).find("did you mean \"weld\"?"), std::string::npos);
 }
 
+TEST(ParseCase, TakesADiameterForTheRadius) {
+  const auto written = [](const std::string& diameter) {
+    std::string text = whole_case();
+    const std::string radius = "radius = \"19.05 mm\"";
+    return text.replace(text.find(radius), radius.size(), "diameter = " + diameter);
+  };
+  const std::string text = written("\"38.1 mm\"");
+  EXPECT_EQ(parse_case(text, "case.toml"), parse_case(whole_case(), "case.toml"));
+  // What is wrong with it is said of what was written.
+  const auto refused = [&written](const std::string& diameter) {
+    try {
+      static_cast<void>(parse_case(written(diameter), "case.toml"));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("\"-2 mm\""),
+            "case.toml:3: bearing.diameter = -2 mm: must be positive; give a value from 1e-09 m to 1000 m");
+  EXPECT_EQ(refused("\"2 N\"").find("case.toml:3: bearing.diameter = 2 N: is a force where a length is due"), 0);
+  EXPECT_EQ(refused("\"2 N\"").find('\n'), std::string::npos);
+  // On the command line it stands in for the radius of the file, and the radius for a diameter there.
+  EXPECT_EQ(with({"bearing.diameter=40 mm"}).bearing.radius, 20e-3);
+  const CaseRequest request{.overrides = {"bearing.radius=20 mm"}, .required_tables = {}};
+  EXPECT_EQ(parse_case(text, "case.toml", request).bearing.radius, 20e-3);
+  EXPECT_EQ(refusal({"bearing.diameter=40 mm", "bearing.radius=20 mm"}),
+            "--set: bearing.radius = 20 mm: contradicts diameter, which is given too; give one of the two");
+}
+
 TEST(ParseCase, ReadsVibrations) {
   EXPECT_FALSE(with({}).vibration);
   const std::vector<std::string> given{

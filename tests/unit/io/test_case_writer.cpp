@@ -205,7 +205,8 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
     const bool contradicts = line.starts_with("height_errors") || line.find("_profile_file") < line.find(' ') ||
                              line.starts_with("sleeve_gaps") || line.starts_with("top_bump") ||
-                             line.starts_with("bump_sleeve") || line.starts_with("load ");
+                             line.starts_with("bump_sleeve") || line.starts_with("load ") ||
+                             line.starts_with("diameter ");
     const bool assigns = line.starts_with('[') || line.find(" = ") < line.find('#');
     if (assigns && !contradicts) text.erase(at + 1, 2);
   }
@@ -252,7 +253,8 @@ TEST(CaseReference, IsThePage) {
 TEST(CaseReference, SaysWhatAKeyIsWithoutItsLine) {
   const std::string page = case_reference();
   const auto says = [&](const std::string& row) { return page.find("\n| " + row) != std::string::npos; };
-  EXPECT_TRUE(says("`radius` | length | required | inner radius"));
+  EXPECT_TRUE(says("`radius` | length | required | R of the circle"));
+  EXPECT_TRUE(says("`diameter` | length | – | instead"));
   EXPECT_TRUE(says("`weld_angle` | angle | `\"180 deg\"` |"));  // as its author would write it
   EXPECT_TRUE(says("`wrap` | \"clockwise\", \"counterclockwise\" | `\"clockwise\"` |"));
   EXPECT_TRUE(says("`yield_stress` | pressure | none |"));

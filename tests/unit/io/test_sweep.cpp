@@ -129,6 +129,12 @@ TEST(Sweep, FaultsOfPointsNameTheFirstAndCountTheOthers) {
       << faults[2].what;
 }
 
+TEST(Sweep, GoesOverDiameters) {
+  const Sweep sweep = sweep_over({"bearing.diameter=38 mm:40 mm:1 mm"});
+  EXPECT_EQ(sweep.axes[0].values, (std::vector<double>{38e-3, 39e-3, 40e-3}));
+  EXPECT_EQ(sweep.cases[2].bearing.radius, 20e-3);
+}
+
 TEST(Sweep, ValuesThatAreTheSameAreRefused) {
   const std::vector<Fault> faults = faults_of({"bump_foil.height=[0.5 mm, 0.51 mm, 500 um]"});
   ASSERT_EQ(faults.size(), 1U);
