@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
+.PHONY: help demo designer python paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -33,6 +33,14 @@ designer: ## the program as one HTML page: change the bearing, see it answer
 	build/release/bumpfoil designer -o results/designer.html --force --quiet
 	echo "Designer: $(CURDIR)/results/designer.html (open it in a browser)"
 
+python: ## the Python package, from Debian's packages alone
+	@scripts/require_packages.sh build python
+	cmake --log-level=WARNING --preset release -DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 > /dev/null
+	cmake --build --preset release --parallel $(JOBS)
+	echo
+	PYTHONPATH=build/release/python /usr/bin/python3 -B -c 'import bumpfoil; print("Built: bumpfoil", bumpfoil.__version__)'
+	echo "To import it:  export PYTHONPATH=$(CURDIR)/build/release/python"
+
 paper: ## reproduce the studies of the source paper, and further ones, with pictures
 	@scripts/require_packages.sh build plot
 	$(call BUILD,release)
@@ -47,7 +55,7 @@ tolerances: ## scatter of heights, thicknesses, clearance, friction: data and pa
 	/usr/bin/python3 -B studies/tolerances/ensembles.py build/release/bumpfoil results/tolerances $(TOLERANCES)
 
 test: ## install what is missing, build with assertions armed, run every test
-	@scripts/require_packages.sh build plot designer test
+	@scripts/require_packages.sh build plot designer python test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
 
@@ -57,7 +65,7 @@ test-sanitized: ## the tests of the code again, under the address and undefined-
 	ctest --preset dev --parallel $(JOBS)
 
 lint: ## install what is missing, let clang-tidy read the sources
-	@scripts/require_packages.sh build test bench lint
+	@scripts/require_packages.sh build python test bench lint
 	scripts/lint.sh
 
 bench: ## build and run the benchmarks; JSON in results/bench
@@ -89,7 +97,7 @@ verify-siconos: ## compare with the contact solvers of Siconos on random problem
 	../build/release-audit/verification_by_others --gtest_filter='Siconos*'
 
 format: ## format the C++ sources in place
-	@find include src apps tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +
+	@find include src apps python tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +
 
 clean: ## remove what was built and the results of the demo
 	@rm -rf build results/demo results/paper

@@ -1,11 +1,11 @@
 #!/bin/bash
 # clang-tidy by the rules of .clang-tidy, several files at a time; fails where it finds anything.
-# Usage: scripts/lint.sh [source...]    without any: all of src, apps, bench and examples, with the headers they include
+# Usage: scripts/lint.sh [source...]    without any: all of src, apps, python, bench and examples, with the headers they include
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 sources=("$@")
-if (( ${#sources[@]} == 0 )); then mapfile -t sources < <(find src apps bench examples -name '*.cpp' | sort); fi
+if (( ${#sources[@]} == 0 )); then mapfile -t sources < <(find src apps python bench examples -name '*.cpp' | sort); fi
 
 # Nothing is built: clang-tidy only needs to know how everything would be compiled.
 cmake --log-level=WARNING --preset lint > /dev/null

@@ -91,7 +91,7 @@ def check_includes(path, module, text):
 def check_private_headers(root):
     """What is inside a module is included by that module and by tests of it: all else uses its public headers."""
     private = {header.relative_to(root / "src").as_posix() for header in (root / "src").rglob("*.hpp")}
-    for base in ("include", "src", "apps", "bench", "examples"):
+    for base in ("include", "src", "apps", "python", "bench", "examples"):
         for file in sorted((root / base).rglob("*.[ch]pp")):
             path = file.relative_to(root).as_posix()
             own_module = file.relative_to(root / base).parts[0] if base == "src" else None
@@ -121,8 +121,9 @@ def check_printing(path, text):
 
 
 def check_programs(root):
-    for file in sorted((root / "apps").rglob("*.[ch]pp")):
-        yield from check_printing(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
+    for base in ("apps", "python"):
+        for file in sorted((root / base).rglob("*.[ch]pp")):
+            yield from check_printing(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
 
 
 def check_sources(root):

@@ -1,5 +1,5 @@
 # Fails where clang-format would change a source; `make format` mends it.
-foreach(folder include src apps tests bench examples)
+foreach(folder include src apps python tests bench examples)
   file(GLOB_RECURSE found ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.hpp)
   list(APPEND sources ${found})
 endforeach()

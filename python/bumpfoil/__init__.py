@@ -1,0 +1,36 @@
+"""Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.
+
+>>> import bumpfoil
+>>> result = bumpfoil.run_cycle("case.toml", friction={"coefficient": 0.2})
+>>> result.cycles[0].loop_energy, result.cycles[0].force_direct  # J, N
+"""
+
+from . import _native
+from .case import Case, template
+from .cycle import Cycle
+from .errors import CaseError, Error, FileError, RunWarning
+from .result import Result, write_report
+from .runs import check, properties, run_cycle, run_equilibrium, run_path, run_strip, run_vibration
+
+__version__: str = _native.version
+load = Result.load
+
+__all__ = [
+    "Case",
+    "CaseError",
+    "Cycle",
+    "Error",
+    "FileError",
+    "Result",
+    "RunWarning",
+    "check",
+    "load",
+    "properties",
+    "run_cycle",
+    "run_equilibrium",
+    "run_path",
+    "run_strip",
+    "run_vibration",
+    "template",
+    "write_report",
+]

@@ -1,0 +1,151 @@
+"""Cases: a bearing, and what is to be computed of it."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from . import _native
+
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def _toml(value: Any) -> str:
+    """A value as TOML writes it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if hasattr(value, "magnitude") and hasattr(value, "units"):  # of pint: its unit is read as those in files are
+        magnitude = value.magnitude.tolist() if hasattr(value.magnitude, "tolist") else value.magnitude
+        return _toml(_with_unit(magnitude, f"{value.units:C}"))
+    if isinstance(value, Mapping):
+        pairs = (f"{_key(key)} = {_toml(entry)}" for key, entry in value.items() if entry is not None)
+        return "{" + ", ".join(pairs) + "}"
+    if hasattr(value, "tolist"):  # of NumPy, also its scalars
+        return _toml(value.tolist())
+    if isinstance(value, os.PathLike):
+        return _toml(os.fspath(value))
+    if isinstance(value, (list, tuple, range)):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    raise TypeError(f"a case cannot hold {value!r}, of the type {type(value).__name__}")
+
+
+def _with_unit(magnitude: Any, unit: str) -> Any:
+    if isinstance(magnitude, list):
+        return [_with_unit(entry, unit) for entry in magnitude]
+    return f"{magnitude!r} {unit}" if unit else magnitude
+
+
+def _key(name: str) -> str:
+    return name if _BARE_KEY.fullmatch(name) else json.dumps(name)
+
+
+def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
+    """``table.key=value`` of everything in nested tables; what is None is left as it is."""
+    for name, value in tables.items():
+        key = path + (name if not path else _key(name))
+        if isinstance(value, Mapping):
+            yield from _pairs(value, key + ".")
+        elif value is not None:
+            yield f"{key}={_toml(value)}"
+
+
+class Case:
+    """A bearing and what is to be computed of it, as a case file says it: checked, and never changed.
+
+    Parameters
+    ----------
+    source : path, str, mapping or Case, optional
+        A case file; its text, if a string of several lines; or its tables as a nested dictionary.
+    **tables : mapping
+        Keys that are added or changed: ``friction={"coefficient": 0.2}``.
+
+    Numbers are in SI; strings carry their unit, ``"31.8 um"``; quantities of pint theirs. Arrays are lists. The keys are
+    those of docs/case_file.md.
+
+    Raises
+    ------
+    CaseError
+        With the message of ``bumpfoil check``: every fault, its place, the value met, what to change.
+    FileError
+        A file cannot be read.
+
+    Examples
+    --------
+    >>> case = Case("case.toml", friction={"coefficient": 0.2})
+    >>> slippery = case.replace({"friction.coefficient": 0.0})
+    """
+
+    def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any] | Case | None = None, /, **tables: Any) -> None:
+        changes: list[str] = []
+        if isinstance(source, Case):
+            text, name, changes = source._source.text, source._source.name, source._source.changes
+        elif isinstance(source, str) and "\n" in source:
+            text, name = source, "TOML text"
+        elif isinstance(source, (str, os.PathLike)):
+            name = os.fspath(source)
+            text = _native.read_case_text(name)
+        else:
+            text, name = "\n".join(_pairs({**(source or {}), **tables})), ""
+            tables = {}
+        self._source = _native.CaseSource(text, name, [*changes, *_pairs(tables)])
+        self._toml: str = self._source.toml()
+
+    def replace(self, changes: Mapping[str, Any] | None = None, /, **tables: Any) -> Case:
+        """The same with other values.
+
+        Parameters
+        ----------
+        changes : mapping, optional
+            Values by their dotted keys: ``{"friction.coefficient": 0.2}``.
+        **tables : mapping
+            Values by table: ``friction={"coefficient": 0.2}``.
+        """
+        return Case(self, **{**(changes or {}), **tables})
+
+    @property
+    def toml(self) -> str:
+        """The case as understood, as a case file: SI, defaults filled in. What ``bumpfoil check`` prints."""
+        return self._toml
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as nested dictionaries, SI."""
+        tables: dict[str, Any] = json.loads(self._source.json())
+        return tables
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the case as understood to a file that does not exist yet."""
+        with open(path, "x", encoding="utf-8") as file:
+            file.write(self._toml)
+
+    def __eq__(self, other: object) -> bool:
+        return self._toml == other._toml if isinstance(other, Case) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._toml)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Case, (self._toml,)
+
+    def __repr__(self) -> str:
+        return f"<bumpfoil.Case {Path(self._source.name).name or 'of Python'}>"
+
+    def __str__(self) -> str:
+        return self._toml
+
+
+def as_case(source: Any, tables: Mapping[str, Any]) -> Case:
+    """What the functions of this package take for a case."""
+    return source if isinstance(source, Case) and not tables else Case(source, **tables)
+
+
+def template(name: str = "gen1") -> str:
+    """A commented case file to start from, with every key: the text that ``bumpfoil init --preset`` writes."""
+    return _native.case_template(name)

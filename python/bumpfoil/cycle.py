@@ -1,0 +1,65 @@
+"""Cycles: the hysteresis loop of one direction, increment by increment."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+
+class Cycle:
+    """A cycle of the journal in one direction, one of a strip, or a path.
+
+    Everything goes by the names of result.nc, docs/results.md: as attributes, ``cycle.loop_energy``, or in the
+    dictionaries below. SI; directions in degrees. Arrays are read-only.
+
+    Attributes
+    ----------
+    quantities : dict
+        Of the whole cycle: ``max_force`` (N), ``loop_energy`` (J), ``loss_factor``, ``status`` (a word), ...; loads at
+        full displacement, ``bump_loads`` (N, one per bump), ... NaN or None is what is not known.
+    series : dict of ndarray, (increments,)
+        ``displacement`` (m), ``force_direct`` (N), ``dissipated_energy`` (J), ...
+    fields : dict of ndarray, (increments, bumps or feet)
+        ``crest_v`` (m), ``normal_force_top_bump`` (N), ``state_bump_sleeve`` (0 open, 1 stick, 2 slip_forward,
+        3 slip_backward), ... Of a run, views of its result without a copy. Rows are the increments that were solved.
+    events : dict of ndarray, (events,)
+        Changes of state of contacts; of the solver ``events`` alone.
+    """
+
+    def __init__(
+        self,
+        quantities: dict[str, Any],
+        series: dict[str, np.ndarray],
+        fields: dict[str, np.ndarray],
+        events: dict[str, np.ndarray],
+    ) -> None:
+        self.quantities = quantities
+        self.series = series
+        self.fields = fields
+        self.events = events
+
+    def _places(self) -> tuple[Mapping[str, Any], ...]:
+        return self.quantities, self.series, self.fields
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_") and name not in ("quantities", "series", "fields", "events"):
+            for place in self._places():
+                if name in place:
+                    return place[name]
+        raise AttributeError(f"a cycle has no {name!r}; dir(cycle) lists what it has")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name for place in self._places() for name in place)]
+
+    @property
+    def name(self) -> str:
+        """What tells it from the others of its result: "+X", "37.5 deg", "cycle 2", "path"."""
+        if "direction" in self.quantities:
+            degrees = self.quantities["direction"]
+            return {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}.get(degrees, f"{degrees:g} deg")
+        return f"cycle {self.quantities['cycle']}" if "cycle" in self.quantities else "path"
+
+    def __repr__(self) -> str:
+        return f"<bumpfoil.Cycle {self.name}: {len(self.series['displacement'])} increments, {self.status}>"

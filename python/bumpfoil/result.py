@@ -1,0 +1,260 @@
+"""Results: what a command gave, in memory and in files."""
+
+from __future__ import annotations
+
+import html
+import io
+import json
+import math
+import os
+import tempfile
+import warnings
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _native
+from .case import Case
+from .cycle import Cycle
+from .errors import FileError, RunWarning
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+_PAGE = Path(__file__).with_name("report.html")
+
+#: Quantities of cycles that a result shows of itself: name, words, unit, its size in SI.
+_HEADLINES = (
+    ("max_force", "maximum force", "N", 1.0),
+    ("cross_force_at_max", "cross force", "N", 1.0),
+    ("loaded_stiffness", "loaded stiffness", "MN/m", 1e6),
+    ("loop_energy", "loop energy", "mJ", 1e-3),
+    ("loss_factor", "loss factor", "", 1.0),
+    ("first_contact", "first contact", "um", 1e-6),
+)
+
+
+class Result:
+    """What a command gave: its cycles, where it has some, and the files that the program writes of it.
+
+    Attributes
+    ----------
+    command : str
+        ``cycle``, ``strip``, ``path``, ``vibration``, ...
+    cycles : list of Cycle
+        In the order of the case; of ``cycle``, ``strip`` and ``path`` alone.
+    files : dict of bytes
+        The files of the result by their names: what :meth:`save` writes.
+    """
+
+    def __init__(self, command: str, cycles: list[Cycle], run: Any = None, files: dict[str, bytes] | None = None) -> None:
+        self.command = command
+        self.cycles = cycles
+        self._run = run
+        if files is not None:
+            self.files = files  # in place of the property, which would make them
+
+    @classmethod
+    def _of_run(cls, run: Any) -> Result:
+        interrupted = ["the run was interrupted: its result is partial"] if run.status == "interrupted" else []
+        for line in [*run.failures, *interrupted, *run.warnings]:
+            warnings.warn(line, RunWarning, stacklevel=4)
+        return cls(run.command, [Cycle(**views) for views in run.cycles()], run=run)
+
+    @cached_property
+    def files(self) -> dict[str, bytes]:
+        files: dict[str, bytes] = self._run.files()
+        return files
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """Contents of summary.json."""
+        summary: dict[str, Any] = json.loads(self.files["summary.json"])
+        return summary
+
+    @property
+    def status(self) -> str:
+        """``complete``, ``failed`` or ``interrupted``; the results of the last two are partial."""
+        status: str = self._run.status if self._run is not None else self.summary["status"]
+        return status
+
+    @cached_property
+    def case(self) -> Case:
+        """The case that was run."""
+        return Case(self.summary["case"])
+
+    def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Writes the files of the result, together or not at all.
+
+        Parameters
+        ----------
+        folder : path
+            Made where it does not exist. One that holds results is refused unless ``force``.
+
+        Raises
+        ------
+        FileError
+        """
+        _native.save(os.fspath(folder), self.files, force)
+
+    @classmethod
+    def load(cls, folder: str | os.PathLike[str]) -> Result:
+        """Reads what :meth:`save`, or the program, wrote.
+
+        Raises
+        ------
+        FileError
+            There is no result, or it is damaged.
+        """
+        files = {"summary.json": _read(folder, "summary.json")}
+        try:
+            summary = json.loads(files["summary.json"])
+            command, listed = summary["command"], dict(summary["files"])
+            whole = _native.is_sealed(files["summary.json"], summary["xxh3_128"])
+        except (ValueError, KeyError, TypeError):
+            raise FileError(f"{os.fspath(folder)}/summary.json: is no summary of a result of this version") from None
+        if not whole:
+            raise FileError(f"{os.fspath(folder)}/summary.json: is damaged")
+        for name, entry in listed.items():
+            files[name] = _read(folder, name)
+            if _native.checksum(files[name]) != entry["xxh3_128"]:
+                raise FileError(f"{os.fspath(folder)}/{name}: is damaged, or of another run than summary.json")
+        cycles = read_cycles(files["result.nc"], summary) if command in ("cycle", "strip", "path") else []
+        return cls(command, cycles, files=files)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """result.nc (of a sweep sweep.nc, of an ensemble ensemble.nc) as a data set in memory."""
+        import netCDF4
+        import xarray
+
+        (name,) = (name for name in self.files if name.endswith(".nc"))
+        store = xarray.backends.NetCDF4DataStore(netCDF4.Dataset(name, memory=self.files[name]))
+        with xarray.open_dataset(store) as dataset:
+            return dataset.load()
+
+    def to_dataframe(self, table: str | None = None) -> pandas.DataFrame:
+        """A CSV file of the result as a table, to the last bit.
+
+        Parameters
+        ----------
+        table : str, optional
+            Name of the file without its end; that of the command without it.
+        """
+        import pandas
+
+        return pandas.read_csv(io.BytesIO(self.files[f"{table or self.command}.csv"]), float_precision="round_trip")
+
+    def report(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Writes the page of ``bumpfoil report``: one HTML file to open in a browser.
+
+        Parameters
+        ----------
+        path : path
+            A file that exists is refused unless ``force``.
+        """
+        write_report({self.command: self}, path, force=force)
+
+    def __repr__(self) -> str:
+        counted = f" of {len(self.cycles)} cycles" if len(self.cycles) > 1 else ""
+        return f"<bumpfoil.Result of {self.command}{counted}, {self.status}>"
+
+    def _repr_html_(self) -> str:
+        head = f"<p><b>{html.escape(self.command)}</b>, {self.status}</p>"
+        if not self.cycles:
+            return head
+        rows = [["", *(cycle.name for cycle in self.cycles)]]
+        for name, words, unit, size in _HEADLINES:
+            values = [cycle.quantities.get(name) for cycle in self.cycles]
+            if any(value is not None for value in values):
+                shown = ["–" if value is None or math.isnan(value) else f"{value / size:.4g}" for value in values]
+                rows.append([f"{words} ({unit})" if unit else words, *shown])
+        cells = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
+        return f"{head}<table>{cells}</table>"
+
+
+def _read(folder: str | os.PathLike[str], name: str) -> bytes:
+    try:
+        return Path(_native.published_file(os.fspath(folder), name)).read_bytes()
+    except OSError as error:
+        raise FileError(f"{os.fspath(folder)}/{name}: cannot be read: {error.strerror}") from None
+
+
+def write_report(results: Mapping[str, Result], path: str | os.PathLike[str], *, force: bool = False) -> None:
+    """Writes the page of ``bumpfoil report`` of several results, compared in the same charts.
+
+    Parameters
+    ----------
+    results : mapping
+        Results by what they are to be called.
+    path : path
+        A file that exists is refused unless ``force``.
+    """
+    page = _PAGE.read_text(encoding="utf-8") if _PAGE.exists() else ""
+    if not page:
+        raise FileError("this package was built without the page of reports: Node.js and npm were not found")
+    with tempfile.TemporaryDirectory(prefix="bumpfoil-") as temporary:
+        folders = []
+        for name, result in results.items():
+            folders.append(Path(temporary, name.replace(os.sep, " ")))
+            result.save(folders[-1])
+        _native.write_report(folders, page, os.fspath(path), force)
+
+
+def read_cycles(contents: bytes, summary: Mapping[str, Any]) -> list[Cycle]:
+    """The cycles in the bytes of a result.nc, in the order of summary.json."""
+    import netCDF4
+
+    with netCDF4.Dataset("result.nc", memory=contents) as file:
+        (of_cycles,) = {"direction", "cycle"} & set(file.dimensions) or (None,)
+        places: list[Any] = [()]
+        if of_cycles is not None:
+            known = file[of_cycles][:].tolist()
+            key = {"direction": "direction_deg", "cycle": "cycle"}[of_cycles]
+            places = [known.index(cycle[key]) for cycle in summary["cycles"]]
+        names = {*_native.quantity_names(summary["command"]), *filter(None, [of_cycles])}
+        return [_read_cycle(file, names, of_cycles, place) for place in places]
+
+
+def _read_cycle(file: Any, names: set[str], of_cycles: str | None, place: Any) -> Cycle:
+    quantities: dict[str, Any] = {}
+    series: dict[str, np.ndarray] = {}
+    fields: dict[str, np.ndarray] = {}
+    events: dict[str, np.ndarray] = {}
+    for name, variable in file.variables.items():
+        dims = [dim for dim in variable.dimensions if dim != of_cycles]
+        values = variable[place] if of_cycles in variable.dimensions else variable[...]
+        if name in dims or (not dims and name not in names):
+            continue  # numbers of increments, bumps and feet; geometry
+        if dims == ["event"]:
+            events[name] = _plain(values)
+        elif dims == ["increment"] and name in ("stress_top_foil_weld", "stress_bump_foil_weld"):
+            fields[name] = _plain(values)
+        elif dims[:1] == ["increment"]:
+            (series if len(dims) == 1 else fields)[name] = _plain(values)
+        elif not dims:
+            quantities[name] = int(values) if name == "cycle" else _word(variable, values)
+        elif name.endswith("_loads"):
+            quantities[name] = _plain(values)
+    return Cycle(quantities, series, fields, events)
+
+
+def _plain(values: Any) -> np.ndarray:
+    """Without a mask: NaN for what is absent."""
+    if np.ma.is_masked(values):
+        values = values.astype(float).filled(np.nan)
+    values = np.asarray(values)
+    values.flags.writeable = False
+    return values
+
+
+def _word(variable: Any, value: Any) -> Any:
+    if np.ma.is_masked(value):
+        return math.nan if variable.dtype.kind == "f" else None
+    if "flag_meanings" not in variable.ncattrs():
+        return value.item()
+    words = variable.flag_meanings.split()
+    return bool(value) if words == ["no", "yes"] else words[int(value)]

@@ -1,0 +1,98 @@
+"""The commands of the program."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from . import _native
+from .case import Case, as_case
+from .progress import Progress, shown
+from .result import Result
+
+_WHAT_RUNS_TAKE = """
+
+    Parameters
+    ----------
+    case : Case, path, str or mapping
+        What :class:`Case` takes.
+    progress : bool or callable, optional
+        Whether to show how far the run is: without it on a terminal and in a notebook, after a second. Or what is to be
+        called with the fraction that is done, 0 to 1; returning False ends the run, whose result is partial then.
+    **tables : mapping
+        Keys of the case that are changed: ``friction={"coefficient": 0.2}``.
+
+    Returns
+    -------
+    Result
+        A numerical failure is no exception but a status of the result, and a RunWarning.
+
+    Raises
+    ------
+    CaseError
+        The case is wrong, or has not the table that says what is to be run.
+    KeyboardInterrupt
+        Ctrl-C was pressed.
+    """
+
+
+def _run(command: str, case: Any, progress: Progress, tables: dict[str, Any]) -> Result:
+    source = as_case(case, tables)._source
+    with shown(progress) as called:
+        run = _native.run(command, source, called)
+    return Result._of_run(run)
+
+
+def check(case: Any = None, /, **tables: Any) -> Case:
+    """Reads and checks a case; raises a CaseError that lists every fault. What it takes is what :class:`Case` takes."""
+    return as_case(case, tables)
+
+
+def properties(case: Any, /, **tables: Any) -> dict[str, Any]:
+    """Truss constants, single-bump stiffnesses, softest and stiffest modes: what ``bumpfoil properties --json`` prints.
+
+    Units are at the ends of the keys; None is what is not known.
+    """
+    found: dict[str, Any] = json.loads(as_case(case, tables)._source.properties())
+    return found
+
+
+def run_cycle(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Pushes the journal in each direction of [cycle] and pulls it back."""
+    return _run("cycle", case, progress, tables)
+
+
+def run_strip(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Compresses a flat strip of the foils between two plates, as [strip] says."""
+    return _run("strip", case, progress, tables)
+
+
+def run_path(
+    case: Any, /, positions: Any = None, loads: Any = None, *, progress: Progress = None, **tables: Any
+) -> Result:
+    """Takes the journal along the path of [path], or along one of NumPy.
+
+    With `positions` (m) or `loads` (N), arrays of the shape (points, 2), these are the path; the first increment is the
+    assembly at the centre of the bearing."""
+    if positions is not None:
+        tables["path"] = {**tables.get("path", {}), "points": np.asarray(positions, dtype=float)}
+    if loads is not None:
+        points = [[f"{force!r} N" for force in load] for load in np.asarray(loads, dtype=float).tolist()]
+        tables["path"] = {**tables.get("path", {}), "points": points}
+    return _run("path", case, progress, tables)
+
+
+def run_vibration(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Lets the journal vibrate about static loads, as [vibration] says: stiffness, damping and loss factor."""
+    return _run("vibration", case, progress, tables)
+
+
+def run_equilibrium(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Finds where the journal of a running bearing is, with gas film, foils and friction, as [equilibrium] says."""
+    return _run("equilibrium", case, progress, tables)
+
+
+for _function in (run_cycle, run_strip, run_path, run_vibration, run_equilibrium):
+    _function.__doc__ = (_function.__doc__ or "") + _WHAT_RUNS_TAKE

@@ -1,0 +1,133 @@
+// The compiled part of the Python package: cases go in as texts, runs come out. What is made of them for people is in
+// Python, in python/bumpfoil/.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/analysis/properties.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/properties_report.hpp"
+#include "bumpfoil/io/report.hpp"
+#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
+#include "cycle_views.hpp"
+#include "run.hpp"
+#include "watch.hpp"
+
+namespace bumpfoil {
+namespace {
+
+namespace py = pybind11;
+
+using Files = std::map<std::string, py::bytes>;
+
+void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 wants it
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Error& error) {
+    py::list faults;
+    for (const Fault& fault : error.faults()) faults.append(format_fault(fault));
+    const py::object type =
+        py::module_::import("bumpfoil.errors").attr(error.kind() == ErrorKind::input ? "CaseError" : "FileError");
+    PyErr_SetObject(type.ptr(), type(std::string(error.what()), faults).ptr());
+  }
+}
+
+/// The case as its author wrote it or, where it was changed since, as it was understood.
+std::string kept_text(const CaseSource& source, const Case& input) {
+  return source.changes.empty() ? source.text : case_to_toml(input);
+}
+
+Run run(const std::string& command, const CaseSource& source, const py::object& progress) {
+  const Case input = read_source(source, {command});  // with the lock: units are not thread-safe
+  Watch watch(progress);
+  Run result = [&] {
+    const py::gil_scoped_release unlocked;
+    return run_command(command, input, kept_text(source, input),
+                       [&](double fraction) { return watch.go_on(fraction); });
+  }();
+  watch.rethrow();
+  return result;
+}
+
+Files files_of(const Run& run) {
+  Files files;
+  for (const ResultFile& file : run.files()) files.emplace(file.name, file.contents);
+  return files;
+}
+
+/// Names of what a cycle of `cycle`, `strip` or `path` has in result.nc.
+std::vector<std::string> quantity_names(const std::string& command) {
+  const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
+                                : command == name_of(Experiment::path) ? Experiment::path
+                                                                       : Experiment::cycle;
+  const std::vector<CycleQuantity> quantities = cycle_quantities(experiment);
+  std::vector<std::string> names;
+  names.reserve(quantities.size());
+  for (const CycleQuantity& quantity : quantities) names.emplace_back(quantity.name);
+  return names;
+}
+
+void save(const std::filesystem::path& path, const Files& files, bool force) {
+  std::vector<std::string> names;
+  names.reserve(files.size());
+  for (const auto& [name, contents] : files) names.push_back(name);
+  ResultFolder folder(path, force ? Existing::replace : Existing::refuse, names);
+  for (const auto& [name, contents] : files) folder.stage(name, std::string_view(contents));
+  folder.publish();
+}
+
+void write_report(const std::vector<std::filesystem::path>& folders, const std::string& page,
+                  const std::filesystem::path& path, bool force) {
+  write_file(path, fill_report(page, report_json(folders)), force ? Existing::replace : Existing::refuse);
+}
+
+}  // namespace
+}  // namespace bumpfoil
+
+PYBIND11_MODULE(_native, m) {
+  using namespace bumpfoil;
+  py::register_local_exception_translator(translate);
+  m.attr("version") = std::string(version());
+  m.attr("commit") = std::string(commit());
+
+  py::class_<CaseSource>(m, "CaseSource")
+      .def(py::init<std::string, std::string, std::vector<std::string>>(), py::arg("text"), py::arg("name"),
+           py::arg("changes"))
+      .def_readonly("text", &CaseSource::text)
+      .def_readonly("name", &CaseSource::name)
+      .def_readonly("changes", &CaseSource::changes)
+      .def("toml", [](const CaseSource& source) { return case_to_toml(read_source(source)); })
+      .def("json", [](const CaseSource& source) { return case_to_json(read_source(source)); })
+      .def("properties", [](const CaseSource& source) {
+        const Case input = read_source(source);
+        return properties_json(input, compute_properties(input));
+      });
+  py::class_<Run>(m, "Run")
+      .def_readonly("command", &Run::command)
+      .def_property_readonly("status", [](const Run& run) { return std::string(name_of(run.status)); })
+      .def_readonly("warnings", &Run::warnings)
+      .def_readonly("failures", &Run::failures)
+      .def("files", files_of)
+      .def("cycles", [](const py::object& run) { return cycle_views(run); });
+  m.def("read_case_text", read_case_text);
+  m.def("case_template", [](const std::string& name) { return case_template(name); });
+  m.def("quantity_names", quantity_names);
+  m.def("run", run);
+  m.def("save", save);
+  m.def("published_file", published_file);
+  m.def("checksum", [](const py::bytes& bytes) { return xxh3_128(std::string_view(bytes)); });
+  m.def("is_sealed", [](const py::bytes& text, const std::string& checksum) { return is_sealed(text, checksum); });
+  m.def("write_report", write_report);
+}

@@ -1,0 +1,85 @@
+#include "run.hpp"
+
+#include <utility>
+
+#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/analysis/path.hpp"
+#include "bumpfoil/analysis/strip.hpp"
+#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/equilibrium_files.hpp"
+#include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/io/vibration_files.hpp"
+#include "bumpfoil/io/warnings.hpp"
+
+namespace bumpfoil {
+namespace {
+
+Provenance provenance_of(const std::string& command, std::string case_text) {
+  return {.command_line = "bumpfoil.run_" + command + " (Python)", .case_text = std::move(case_text)};
+}
+
+Run cycle_run(const std::string& command, const Case& input, const std::string& case_text, CycleResult computed) {
+  const auto result = std::make_shared<const CycleResult>(std::move(computed));
+  const RunStatus status = status_of(*result);
+  return {.command = command,
+          .input = input,
+          .status = status,
+          .warnings = warning_lines(input, *result),
+          .failures = failure_lines(input, *result),
+          .files = [=] { return cycle_files(input, *result, status, provenance_of(command, case_text)); },
+          .cycles = result};
+}
+
+Run vibration_run(const Case& input, const std::string& case_text, VibrationResult result) {
+  const RunStatus status = status_of(result);
+  Run run{.command = "vibration",
+          .input = input,
+          .status = status,
+          .warnings = warning_lines(input, result),
+          .failures = failure_lines(input, result),
+          .files = {}};
+  run.files = [=, result = std::move(result)] {
+    return vibration_files(input, result, status, provenance_of("vibration", case_text));
+  };
+  return run;
+}
+
+Run equilibrium_run(const Case& input, const std::string& case_text, EquilibriumResult result) {
+  const RunStatus status = status_of(result);
+  Run run{.command = "equilibrium",
+          .input = input,
+          .status = status,
+          .warnings = warning_lines(input, result),
+          .failures = failure_lines(result),
+          .files = {}};
+  run.files = [=, result = std::move(result)] {
+    return equilibrium_files(input, result, status, provenance_of("equilibrium", case_text));
+  };
+  return run;
+}
+
+}  // namespace
+
+Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables) try {
+  return parse_case(source.text, source.name, {.overrides = source.changes, .required_tables = required_tables});
+} catch (const Error& error) {
+  std::vector<Fault> faults = error.faults();
+  for (Fault& fault : faults) {
+    if (fault.file == "--set") fault.file.clear();
+    if (fault.file.empty()) fault.line = 0;
+  }
+  throw Error(error.kind(), std::move(faults));
+}
+
+Run run_command(const std::string& command, const Case& input, const std::string& case_text,
+                const ProgressCallback& progress) {
+  if (command == "strip") return cycle_run(command, input, case_text, run_strip(input, progress));
+  if (command == "path") return cycle_run(command, input, case_text, run_path(input, progress));
+  if (command == "vibration") return vibration_run(input, case_text, run_vibration(input, progress));
+  if (command == "equilibrium") return equilibrium_run(input, case_text, run_equilibrium(input, {}, progress));
+  return cycle_run("cycle", input, case_text, run_cycles(input, progress));
+}
+
+}  // namespace bumpfoil

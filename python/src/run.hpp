@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/io/cycle_files.hpp"
+#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// A case as Python gives it.
+struct CaseSource {
+  std::string text;                  ///< of a case file
+  std::string name;                  ///< of the file; empty where Python made the text, whose lines nobody knows
+  std::vector<std::string> changes;  ///< "table.key=value" each, see CaseRequest
+};
+
+/// @throws Error as parse_case() does; what was given in Python is told by its keys alone
+Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables = {});
+
+/// What a command gave.
+struct Run {
+  std::string command;
+  Case input;
+  RunStatus status{};
+  std::vector<std::string> warnings, failures;     ///< a line each
+  std::function<std::vector<ResultFile>()> files;  ///< made when they are asked for; netCDF is not thread-safe
+  std::shared_ptr<const CycleResult> cycles{};     ///< of commands that give cycles
+};
+
+/// Runs `cycle`, `strip`, `path`, `vibration` or `equilibrium`.
+/// @param case_text  for the provenance
+Run run_command(const std::string& command, const Case& input, const std::string& case_text,
+                const ProgressCallback& progress);
+
+}  // namespace bumpfoil

@@ -1,0 +1,23 @@
+"""What the tests of the Python package share."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import bumpfoil
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+PROGRAM = Path(bumpfoil.__file__).with_name("program")
+
+
+@pytest.fixture
+def program(tmp_path):
+    """Runs the program and gives the folder of its results."""
+
+    def run(*words):
+        folder = tmp_path / "by_program"
+        subprocess.run([PROGRAM, *map(str, words), "-o", folder, "--quiet"], check=True)
+        return folder
+
+    return run

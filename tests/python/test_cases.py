@@ -1,0 +1,113 @@
+"""A case is the same whatever it is made of, and its faults are told in the words of the program."""
+
+import pickle
+import subprocess
+
+import numpy as np
+import pytest
+
+import bumpfoil
+from conftest import EXAMPLES, PROGRAM
+
+GEN1 = EXAMPLES / "gen1.toml"
+
+
+def test_file_text_and_dictionary_give_the_same_case():
+    case = bumpfoil.Case(GEN1)
+    assert bumpfoil.Case(GEN1.read_text()) == case
+    assert bumpfoil.Case(case.to_dict()) == case
+    assert bumpfoil.Case(**case.to_dict()) == case
+    assert bumpfoil.Case(case.toml) == case
+    assert pickle.loads(pickle.dumps(case)) == case
+    assert hash(bumpfoil.Case(str(GEN1))) == hash(case)
+    printed = subprocess.run([PROGRAM, "check", GEN1], check=True, capture_output=True, text=True).stdout
+    assert case.toml == printed
+
+
+def test_numbers_are_si_and_texts_have_units():
+    by_number = bumpfoil.Case(GEN1, bearing={"radius": 0.02, "weld_angle": np.float64(np.pi)})
+    by_text = bumpfoil.Case(GEN1, bearing={"radius": "20 mm", "weld_angle": "180 deg"})
+    assert by_number == by_text
+    assert by_number.to_dict()["bearing"]["radius"] == 0.02
+
+
+def test_arrays_are_lists():
+    errors = np.linspace(-1e-6, 1e-6, 26)
+    case = bumpfoil.Case(GEN1, bump_foil={"height_errors": errors})
+    assert case.to_dict()["bump_foil"]["height_errors"] == errors.tolist()
+    assert case.replace({"cycle.steps": np.int64(7)}).to_dict()["cycle"]["steps"] == 7
+
+
+def test_quantities_of_pint():
+    units = pytest.importorskip("pint").UnitRegistry()
+    case = bumpfoil.Case(
+        GEN1,
+        bearing={"radius": 19.05 * units.mm, "radial_clearance": 31.8 * units.um},
+        bump_foil={"youngs_modulus": 214 * units.GPa, "height_errors": [1.0] * 26 * units.um},
+        cycle={"load": 50 * units.newton, "amplitude": None},
+    )
+    assert case.to_dict()["bearing"]["radial_clearance"] == bumpfoil.Case(GEN1).to_dict()["bearing"]["radial_clearance"]
+    assert case.to_dict()["bump_foil"]["height_errors"] == [1e-6] * 26
+
+
+def test_changes_leave_the_case_as_it_was():
+    case = bumpfoil.Case(GEN1)
+    changed = case.replace({"friction.coefficient": 0.3}, cycle={"steps": 10})
+    assert changed.to_dict()["cycle"]["steps"] == 10
+    assert changed.to_dict()["friction"] != case.to_dict()["friction"]
+    assert case == bumpfoil.Case(GEN1)
+
+
+def test_faults_are_those_of_the_program(tmp_path):
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(GEN1.read_text().replace('radius = "19.05 mm"', 'radius = "19.05 N"').replace("bumps = ", "bmups = "))
+    told = subprocess.run([PROGRAM, "check", wrong], capture_output=True, text=True)
+    assert told.returncode == 2
+    with pytest.raises(bumpfoil.CaseError) as caught:
+        bumpfoil.Case(wrong)
+    assert str(caught.value) == told.stderr.rstrip("\n")
+    assert caught.value.faults == told.stderr.splitlines()
+    assert len(caught.value.faults) > 2
+    assert isinstance(caught.value, ValueError)
+
+
+def test_faults_of_what_python_gave_go_by_their_keys():
+    with pytest.raises(bumpfoil.CaseError, match=r"^bearing\.radius = -1: must be positive"):
+        bumpfoil.check(GEN1, bearing={"radius": -1})
+    tables = bumpfoil.Case(GEN1).to_dict()
+    tables["bearing"]["radius"] = "3 N"
+    with pytest.raises(bumpfoil.CaseError, match=r"^bearing\.radius = 3 N: is a force"):
+        bumpfoil.check(tables)
+    with pytest.raises(bumpfoil.CaseError, match="did you mean"):
+        bumpfoil.check(tables, friction={"coeficient": 0.1})
+    with pytest.raises(bumpfoil.CaseError, match=r"TOML text:1: bearing\.radius = false"):
+        bumpfoil.check("bearing.radius = false\n")
+    with pytest.raises(TypeError, match="complex"):
+        bumpfoil.check(GEN1, bearing={"radius": 1j})
+
+
+def test_files_that_cannot_be_read(tmp_path):
+    with pytest.raises(bumpfoil.FileError, match="nowhere.toml") as caught:
+        bumpfoil.Case(tmp_path / "nowhere.toml")
+    assert isinstance(caught.value, OSError)
+
+
+def test_a_command_needs_its_table():
+    with pytest.raises(bumpfoil.CaseError, match=r"strip: this table is missing"):
+        bumpfoil.run_strip(GEN1)
+
+
+def test_template_and_saved_case(tmp_path):
+    case = bumpfoil.Case(bumpfoil.template("gen1"))
+    case.save(tmp_path / "case.toml")
+    assert bumpfoil.Case(tmp_path / "case.toml") == case
+    with pytest.raises(FileExistsError):
+        case.save(tmp_path / "case.toml")
+
+
+def test_properties_are_those_of_the_program():
+    properties = bumpfoil.properties(GEN1)
+    printed = subprocess.run([PROGRAM, "properties", GEN1, "--json"], check=True, capture_output=True, text=True).stdout
+    import json
+
+    assert properties == json.loads(printed)
