@@ -10,7 +10,17 @@ from .case import Case, template
 from .cycle import Cycle
 from .errors import CaseError, Error, FileError, RunWarning
 from .result import Result, write_report
-from .runs import check, properties, run_cycle, run_equilibrium, run_path, run_strip, run_vibration
+from .runs import (
+    check,
+    properties,
+    run_cycle,
+    run_equilibrium,
+    run_montecarlo,
+    run_path,
+    run_strip,
+    run_sweep,
+    run_vibration,
+)
 
 __version__: str = _native.version
 load = Result.load
@@ -28,8 +38,10 @@ __all__ = [
     "properties",
     "run_cycle",
     "run_equilibrium",
+    "run_montecarlo",
     "run_path",
     "run_strip",
+    "run_sweep",
     "run_vibration",
     "template",
     "write_report",

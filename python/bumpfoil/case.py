@@ -14,7 +14,7 @@ from . import _native
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def _toml(value: Any) -> str:
+def toml_value(value: Any) -> str:
     """A value as TOML writes it."""
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -24,16 +24,16 @@ def _toml(value: Any) -> str:
         return repr(value)
     if hasattr(value, "magnitude") and hasattr(value, "units"):  # of pint: its unit is read as those in files are
         magnitude = value.magnitude.tolist() if hasattr(value.magnitude, "tolist") else value.magnitude
-        return _toml(_with_unit(magnitude, f"{value.units:C}"))
+        return toml_value(_with_unit(magnitude, f"{value.units:C}"))
     if isinstance(value, Mapping):
-        pairs = (f"{_key(key)} = {_toml(entry)}" for key, entry in value.items() if entry is not None)
+        pairs = (f"{_key(key)} = {toml_value(entry)}" for key, entry in value.items() if entry is not None)
         return "{" + ", ".join(pairs) + "}"
     if hasattr(value, "tolist"):  # of NumPy, also its scalars
-        return _toml(value.tolist())
+        return toml_value(value.tolist())
     if isinstance(value, os.PathLike):
-        return _toml(os.fspath(value))
+        return toml_value(os.fspath(value))
     if isinstance(value, (list, tuple, range)):
-        return "[" + ", ".join(map(_toml, value)) + "]"
+        return "[" + ", ".join(map(toml_value, value)) + "]"
     raise TypeError(f"a case cannot hold {value!r}, of the type {type(value).__name__}")
 
 
@@ -54,7 +54,7 @@ def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
         if isinstance(value, Mapping):
             yield from _pairs(value, key + ".")
         elif value is not None:
-            yield f"{key}={_toml(value)}"
+            yield f"{key}={toml_value(value)}"
 
 
 class Case:

@@ -7,6 +7,7 @@ import io
 import json
 import math
 import os
+import sys
 import tempfile
 import warnings
 from collections.abc import Mapping
@@ -60,9 +61,7 @@ class Result:
 
     @classmethod
     def _of_run(cls, run: Any) -> Result:
-        interrupted = ["the run was interrupted: its result is partial"] if run.status == "interrupted" else []
-        for line in [*run.failures, *interrupted, *run.warnings]:
-            warnings.warn(line, RunWarning, stacklevel=4)
+        warn_of(run.status, [*run.failures, *run.warnings])
         return cls(run.command, [Cycle(**views) for views in run.cycles()], run=run)
 
     @cached_property
@@ -174,6 +173,16 @@ class Result:
                 rows.append([f"{words} ({unit})" if unit else words, *shown])
         cells = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
         return f"{head}<table>{cells}</table>"
+
+
+def warn_of(status: str, lines: list[str]) -> None:
+    """Warns of what a run has to say, at the line outside of this package that called it."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == os.path.dirname(__file__):
+        level, frame = level + 1, frame.f_back
+    interrupted = ["the run was interrupted: its result is partial"] if status == "interrupted" else []
+    for line in interrupted + lines:
+        warnings.warn(line, RunWarning, stacklevel=level)
 
 
 def _read(folder: str | os.PathLike[str], name: str) -> bytes:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import _native
-from .case import Case, as_case
+from .case import Case, as_case, toml_value
 from .progress import Progress, shown
-from .result import Result
+from .result import Result, warn_of
 
 _WHAT_RUNS_TAKE = """
 
@@ -94,5 +97,66 @@ def run_equilibrium(case: Any, /, *, progress: Progress = None, **tables: Any) -
     return _run("equilibrium", case, progress, tables)
 
 
-for _function in (run_cycle, run_strip, run_path, run_vibration, run_equilibrium):
+def run_sweep(
+    case: Any,
+    /,
+    over: Mapping[str, Any],
+    *,
+    command: str = "cycle",
+    threads: int | None = None,
+    progress: Progress = None,
+    **tables: Any,
+) -> Result:
+    """Runs a command for every combination of the values of some keys, on all cores.
+
+    `over` has the values by their dotted keys: ``{"friction.coefficient": numpy.linspace(0, 0.5, 11)}``, or a range as
+    the program takes it, ``"60 um:90 um:10 um"`` (its end included). `command` is cycle, strip, vibration or
+    equilibrium. What is kept of every point are its quantities and loops, see :meth:`Result.to_xarray`."""
+    if command not in _native.swept_commands():
+        raise ValueError(f"{command!r} is not swept; give one of {', '.join(_native.swept_commands())}")
+    swept = [f"{key}={values if isinstance(values, str) else toml_value(values)}" for key, values in over.items()]
+    source = as_case(case, tables)._source
+    with shown(progress) as called:
+        run = _native.sweep(source, command, swept, threads, called)
+    return Result._of_run(run)
+
+
+def run_montecarlo(
+    case: Any,
+    /,
+    folder: str | os.PathLike[str] | None = None,
+    *,
+    samples: int | None = None,
+    seed: int | None = None,
+    threads: int | None = None,
+    target_error: float | None = None,
+    limits: Sequence[str] = (),
+    resume: bool = False,
+    force: bool = False,
+    progress: Progress = None,
+    **tables: Any,
+) -> Result:
+    """Runs the cycles of many bearings that differ within the tolerances of [montecarlo].
+
+    With a `folder` the samples are kept there as they come: `resume` goes on where a run was interrupted, `force` begins
+    anew. `samples` and `seed` change those of the case; `target_error` ends the run when the standard error of the mean
+    of the maximum force is below that part of it; `limits` are what a bearing is to keep, ``"clearance_5N > 20 um"``.
+    Samples depend on their number and the seed alone. See :meth:`Result.to_xarray` and ``summary["statistics"]``."""
+    if folder is None:
+        with tempfile.TemporaryDirectory(prefix="bumpfoil-") as temporary:
+            return run_montecarlo(
+                case, temporary, samples=samples, seed=seed, threads=threads, target_error=target_error, limits=limits,
+                progress=progress, **tables,
+            )  # fmt: skip
+    tables["montecarlo"] = {**tables.get("montecarlo", {}), "samples": samples, "seed": seed}
+    source = as_case(case, tables)._source
+    with shown(progress) as called:
+        status, failures = _native.montecarlo(
+            source, os.fspath(folder), threads, target_error, list(limits), resume, force, called
+        )
+    warn_of(status, failures)
+    return Result.load(folder)
+
+
+for _function in (run_cycle, run_strip, run_path, run_vibration, run_equilibrium, run_sweep, run_montecarlo):
     _function.__doc__ = (_function.__doc__ or "") + _WHAT_RUNS_TAKE

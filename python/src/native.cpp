@@ -4,9 +4,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +24,9 @@
 #include "bumpfoil/io/report.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/studies/parallel_runs.hpp"
 #include "cycle_views.hpp"
+#include "ensemble.hpp"
 #include "run.hpp"
 #include "watch.hpp"
 
@@ -59,6 +64,37 @@ Run run(const std::string& command, const CaseSource& source, const py::object& 
   }();
   watch.rethrow();
   return result;
+}
+
+Run sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
+          std::optional<unsigned> threads, const py::object& progress) {
+  const auto& names = enum_names<SweptCommand>;
+  const auto swept = static_cast<SweptCommand>(std::find(names.begin(), names.end(), command) - names.begin());
+  const Sweep grid = read_sweep(source, swept, over);
+  const std::string text = kept_text(source, grid.cases.front());
+  Watch watch(progress);
+  Run result = [&] {
+    const py::gil_scoped_release unlocked;
+    return run_sweep(grid, text, threads.value_or(available_threads()),
+                     [&](double fraction) { return watch.go_on(fraction); });
+  }();
+  watch.rethrow();
+  return result;
+}
+
+std::pair<std::string, std::vector<std::string>> montecarlo(const CaseSource& source, const EnsembleRequest& request,
+                                                            const py::object& progress) {
+  const Case input = read_source(source, {"montecarlo", "cycle"});
+  Watch watch(progress);
+  EnsembleOutcome outcome = run_ensemble_to(
+      input, request, provenance_of("montecarlo", kept_text(source, input)),
+      [](const std::function<void()>& run) {
+        const py::gil_scoped_release unlocked;
+        run();
+      },
+      [&](double fraction) { return watch.go_on(fraction); });
+  watch.rethrow();
+  return {std::string(name_of(outcome.status)), std::move(outcome.failures)};
 }
 
 Files files_of(const Run& run) {
@@ -125,6 +161,14 @@ PYBIND11_MODULE(_native, m) {
   m.def("case_template", [](const std::string& name) { return case_template(name); });
   m.def("quantity_names", quantity_names);
   m.def("run", run);
+  m.def("sweep", sweep);
+  m.def("swept_commands",
+        [] { return std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()); });
+  m.def("montecarlo", [](const CaseSource& source, std::filesystem::path folder, std::optional<unsigned> threads,
+                         std::optional<double> target_error, std::vector<std::string> limits, bool resumes, bool force,
+                         const py::object& progress) {
+    return montecarlo(source, {std::move(folder), threads, target_error, std::move(limits), resumes, force}, progress);
+  });
   m.def("save", save);
   m.def("published_file", published_file);
   m.def("checksum", [](const py::bytes& bytes) { return xxh3_128(std::string_view(bytes)); });

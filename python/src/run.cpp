@@ -10,14 +10,26 @@
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/equilibrium_files.hpp"
 #include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/io/sweep_files.hpp"
+#include "bumpfoil/io/sweep_table.hpp"
 #include "bumpfoil/io/vibration_files.hpp"
 #include "bumpfoil/io/warnings.hpp"
+#include "bumpfoil/studies/parallel_runs.hpp"
 
 namespace bumpfoil {
 namespace {
 
-Provenance provenance_of(const std::string& command, std::string case_text) {
-  return {.command_line = "bumpfoil.run_" + command + " (Python)", .case_text = std::move(case_text)};
+/// Does what reads a source; faults of what was given in Python go by their keys alone.
+template <typename Reading>
+auto told_by_keys(const Reading& reading) try {
+  return reading();
+} catch (const Error& error) {
+  std::vector<Fault> faults = error.faults();
+  for (Fault& fault : faults) {
+    if (fault.file.starts_with("--")) fault.file.clear();
+    if (fault.file.empty()) fault.line = 0;
+  }
+  throw Error(error.kind(), std::move(faults));
 }
 
 Run cycle_run(const std::string& command, const Case& input, const std::string& case_text, CycleResult computed) {
@@ -62,15 +74,20 @@ Run equilibrium_run(const Case& input, const std::string& case_text, Equilibrium
 
 }  // namespace
 
-Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables) try {
-  return parse_case(source.text, source.name, {.overrides = source.changes, .required_tables = required_tables});
-} catch (const Error& error) {
-  std::vector<Fault> faults = error.faults();
-  for (Fault& fault : faults) {
-    if (fault.file == "--set") fault.file.clear();
-    if (fault.file.empty()) fault.line = 0;
-  }
-  throw Error(error.kind(), std::move(faults));
+Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables) {
+  return told_by_keys([&] {
+    return parse_case(source.text, source.name, {.overrides = source.changes, .required_tables = required_tables});
+  });
+}
+
+Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over) {
+  return told_by_keys([&] {
+    return parse_sweep(source.text, source.name, {.command = command, .over = over, .overrides = source.changes});
+  });
+}
+
+Provenance provenance_of(const std::string& command, const std::string& case_text) {
+  return {.command_line = "bumpfoil.run_" + command + " (Python)", .case_text = case_text};
 }
 
 Run run_command(const std::string& command, const Case& input, const std::string& case_text,
@@ -80,6 +97,23 @@ Run run_command(const std::string& command, const Case& input, const std::string
   if (command == "vibration") return vibration_run(input, case_text, run_vibration(input, progress));
   if (command == "equilibrium") return equilibrium_run(input, case_text, run_equilibrium(input, {}, progress));
   return cycle_run("cycle", input, case_text, run_cycles(input, progress));
+}
+
+Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress) {
+  std::vector<SweepPoint> points(sweep.cases.size());
+  run_in_parallel(
+      points.size(), threads,
+      [&](std::size_t i, const ProgressCallback& point_progress) { points[i] = run_point(sweep, i, point_progress); },
+      progress);
+  complete(sweep, points);
+  Run run{.command = "sweep",
+          .input = sweep.cases.front(),
+          .status = status_of(points),
+          .warnings = warning_lines(sweep, points),
+          .failures = failure_lines(sweep, points),
+          .files = {}};
+  run.files = [=, points = std::move(points)] { return sweep_files(sweep, points, provenance_of("sweep", case_text)); };
+  return run;
 }
 
 }  // namespace bumpfoil

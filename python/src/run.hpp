@@ -8,6 +8,7 @@
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/io/sweep.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -32,9 +33,19 @@ struct Run {
   std::shared_ptr<const CycleResult> cycles{};     ///< of commands that give cycles
 };
 
+/// The grid of a sweep.
+/// @throws Error as parse_sweep() and read_source() do
+Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over);
+
+/// Where results come from. @param case_text  see kept_text()
+Provenance provenance_of(const std::string& command, const std::string& case_text);
+
 /// Runs `cycle`, `strip`, `path`, `vibration` or `equilibrium`.
 /// @param case_text  for the provenance
 Run run_command(const std::string& command, const Case& input, const std::string& case_text,
                 const ProgressCallback& progress);
+
+/// Runs the points of a sweep, several at a time. @param progress  called by this thread alone
+Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress);
 
 }  // namespace bumpfoil

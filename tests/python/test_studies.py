@@ -1,0 +1,71 @@
+"""Sweeps and ensembles of Python are those of the program, bit by bit."""
+
+import netCDF4
+import numpy as np
+import pytest
+
+import bumpfoil
+from conftest import EXAMPLES
+from test_runs import assert_same, variables
+
+GEN1 = EXAMPLES / "gen1.toml"
+TOLERANCES = EXAMPLES / "tolerances.toml"
+SHORT = {"cycle.steps": 10, "cycle.directions": ["+X", "-Y"]}
+
+
+def assert_same_file(result, path):
+    with netCDF4.Dataset(path) as by_program, netCDF4.Dataset(path.name, memory=result.files[path.name]) as file:
+        assert_same(variables(file), variables(by_program))
+
+
+def test_sweep_is_that_of_the_program(program):
+    over = {"friction.coefficient": np.array([0.0, 0.1, 0.2]), "cycle.amplitude": "60 um:80 um:20 um"}
+    result = bumpfoil.run_sweep(GEN1, over, **SHORT)
+    words = ["--over", "friction.coefficient=[0.0, 0.1, 0.2]", "--over", "cycle.amplitude=60 um:80 um:20 um"]
+    sets = ["--set", "cycle.steps=10", "--set", 'cycle.directions=["+X","-Y"]']
+    folder = program("sweep", GEN1, *words, *sets)
+    assert_same_file(result, folder / "sweep.nc")
+    table, by_program = (read.to_dataframe().drop(columns="wall_time_s") for read in (result, bumpfoil.load(folder)))
+    assert table.equals(by_program)
+    energy = result.to_xarray().loop_energy.sel(direction=0)
+    assert energy.shape == (3, 2) and np.all(np.diff(energy[1:], axis=1) > 0)
+    assert len(result.to_dataframe()) == 12
+    assert bumpfoil.load(folder).command == "sweep" == result.command
+
+
+def test_sweep_of_another_command():
+    result = bumpfoil.run_sweep(EXAMPLES / "strip.toml", {"friction.coefficient": [0.0, 0.1]}, command="strip")
+    assert result.to_xarray().attrs["swept_command"] == "strip"
+    with pytest.raises(ValueError, match="give one of cycle, strip"):
+        bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0]}, command="path")
+
+
+def test_faults_of_a_sweep():
+    with pytest.raises(bumpfoil.CaseError, match=r"^friction\.coefficient = -1"):
+        bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0, -1]})
+
+
+def test_sweep_can_be_stopped():
+    with pytest.warns(bumpfoil.RunWarning) as warned:
+        result = bumpfoil.run_sweep(GEN1, {"friction.coefficient": "0:0.5:0.01"}, progress=lambda fraction: False)
+    assert result.status == "interrupted"
+    assert warned[0].filename == __file__
+
+
+def test_ensemble_is_that_of_the_program(program, tmp_path):
+    folder = program("montecarlo", TOLERANCES, "--samples", 20, "--seed", 3, "--limit", "clearance_5N > 20 um")
+    result = bumpfoil.run_montecarlo(TOLERANCES, samples=20, seed=3, limits=["clearance_5N > 20 um"])
+    assert_same_file(result, folder / "ensemble.nc")
+    assert result.summary["statistics"] == bumpfoil.load(folder).summary["statistics"]
+    assert (result.command, result.status) == ("montecarlo", "complete")
+    with pytest.raises(bumpfoil.FileError):
+        bumpfoil.run_montecarlo(TOLERANCES, folder, samples=20, seed=3)
+
+
+def test_ensemble_goes_on_where_it_was_stopped(tmp_path):
+    with pytest.warns(bumpfoil.RunWarning, match="interrupted"):
+        stopped = bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=200, progress=lambda fraction: False)
+    assert stopped.status == "interrupted"
+    resumed = bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=40, resume=True, threads=2)
+    whole = bumpfoil.run_montecarlo(TOLERANCES, samples=40, threads=1)
+    np.testing.assert_array_equal(resumed.to_xarray().max_force, whole.to_xarray().max_force)
