@@ -86,9 +86,9 @@ export class Chart {
     this.moveCursor();
   }
 
-  /** Changes parts of the option that is there. */
+  /** Changes parts of the option that is there; out of sight nothing, where what is there may be of runs that are gone. */
   update(option: Option): void {
-    this.instance?.setOption(option);
+    if (this.root.clientWidth > 0) this.instance?.setOption(option);
   }
 
   /** Puts marks (elements of class `cursor`) where `position` says, now and whenever the chart changes its size. */

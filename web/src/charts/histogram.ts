@@ -68,6 +68,11 @@ export class HistogramPanel {
     this.follow();
   }
 
+  /** To be called when the numbers have changed. */
+  refresh(): void {
+    this.panel.refresh();
+  }
+
   private get direction(): string {
     return at(this.ensemble.directions, this.selection.direction);
   }

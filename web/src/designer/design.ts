@@ -1,4 +1,5 @@
 /** The case that is worked on: the text of its file, with what was done to it before. */
+import { alternatives } from './ranges';
 import { outlineOf, without, withValue, writtenValue, type Outline } from './toml';
 
 /** Texts that can be gone back to. */
@@ -40,7 +41,9 @@ export class Design {
 
   /** @param going  whether more of the same change is to come: it is undone as one */
   set(path: string, value: string, going = false): void {
-    this.change(withValue(this.text, path, value), going);
+    const others = alternatives.find((keys) => keys.includes(path)) ?? [];
+    const text = others.filter((other) => other !== path && this.written(other) !== undefined).reduce(without, this.text);
+    this.change(withValue(text, path, value), going);
   }
 
   remove(path: string): void {

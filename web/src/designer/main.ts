@@ -6,12 +6,15 @@ import { roving } from '../ui/roving';
 import { download } from '../ui/save';
 import { isDark, onLookChange, startTheme, toggleTheme } from '../ui/theme';
 import { Design } from './design';
-import { form } from './fields';
+import { EnsembleView } from './ensemble';
+import { form, withTable } from './fields';
 import type { CyclesAnswer, Fault, KeysAnswer } from './format';
+import { reportOf } from './report';
 import { layoutOf, results, type Results } from './results';
 import { caseIn, fragmentOf } from './share';
 import { isFaulty, makeSolvers, type Request, type Solver } from './solver';
 import { tabs } from './tabs';
+import { VibrationView } from './vibration';
 import '../style/page.css';
 import '../style/panels.css';
 import '../style/runs.css';
@@ -45,6 +48,8 @@ class Page {
   private readonly state = el('p', { class: 'state', role: 'status' });
   private readonly general = el('ul', { class: 'general-faults', role: 'alert' });
   private readonly fields;
+  private readonly vibration;
+  private readonly ensemble;
   private readonly editor = el('textarea', { class: 'editor', spellcheck: 'false', 'aria-label': 'Case file', rows: 28 });
   private readonly undo = button('Undo', 'Undo (Ctrl+Z)', () => this.design.undo());
   private readonly redo = button('Redo', 'Redo (Ctrl+Shift+Z)', () => this.design.redo());
@@ -52,9 +57,12 @@ class Page {
   constructor(
     private readonly keys: KeysAnswer,
     private readonly quick: Solver,
+    slow: Solver,
     text: string,
   ) {
     this.design = new Design(text);
+    this.vibration = new VibrationView(slow);
+    this.ensemble = new EnsembleView(slow, () => this.design.change(withTable(this.design.text, 'montecarlo', keys.keys), false));
     this.fields = form(keys.keys, { design: this.design, units: keys.units, understood: (path) => this.understood.get(path) });
     document.getElementById('designer')?.append(
       el('a', { class: 'skip', href: '#contents' }, 'Skip to the results'),
@@ -115,6 +123,7 @@ class Page {
           button('Compare from here', 'Take the design as it stands for the one before', () => this.pin()),
           button('Open …', 'Open a case file', () => file.click()),
           button('Save case', 'Save the case file', () => download('case.toml', new Blob([this.design.text], { type: 'application/toml' }))),
+          button('Save report', 'Save what is shown as the page that `bumpfoil report` writes', () => this.saveReport()),
           button('Copy link', 'Put a link to this design into the clipboard and the address', () => void this.share()),
           theme,
         ),
@@ -142,6 +151,12 @@ class Page {
     } catch {
       this.state.textContent = 'The link is in the address.';
     }
+  }
+
+  private saveReport(): void {
+    if (!this.now || !this.before) return;
+    const designs = this.before.text === this.now.text ? { design: this.now } : { before: this.before, design: this.now };
+    download('report.html', new Blob([reportOf(this.keys, designs)], { type: 'text/html' }));
   }
 
   private pin(): void {
@@ -188,10 +203,14 @@ class Page {
     const now = runOf(this.now.answer, 'now');
     const runs = this.before.text === this.now.text ? [now] : [now, runOf(this.before.answer, 'before')];
     const layout = layoutOf(runs);
-    if (this.results && layout === this.layout) {
-      this.results.show(runs);
-      return;
-    }
+    if (this.results && layout === this.layout) this.results.show(runs);
+    else this.layOut(runs, layout);
+    this.vibration.show(this.now.text, this.before.text);
+    this.ensemble.show(this.now);
+  }
+
+  /** Views of another layout are made anew. */
+  private layOut(runs: Run[], layout: string): void {
     this.layout = layout;
     this.results = results(runs);
     this.bar.replaceChildren(this.results.bar);
@@ -200,6 +219,8 @@ class Page {
       tabs([
         { name: 'loads', title: 'Bump loads', body: this.results.loads },
         { name: 'table', title: 'Table', body: this.results.table },
+        { name: 'vibration', title: 'Vibration', body: this.vibration.root, shown: () => this.vibration.refresh() },
+        { name: 'ensemble', title: 'Ensemble', body: this.ensemble.root, shown: () => this.ensemble.refresh() },
         { name: 'case', title: 'Case file', body: el('div', { class: 'panel' }, this.editor) },
       ]),
     );
@@ -214,7 +235,7 @@ async function start(): Promise<void> {
   const keys = await quick.ask<KeysAnswer>({ what: 'keys' });
   if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not answer');
   const shared = await caseIn(location.hash);
-  new Page(keys, quick, shared ?? Object.values(keys.presets)[0] ?? '');
+  new Page(keys, quick, slow, shared ?? Object.values(keys.presets)[0] ?? '');
 }
 
 start().catch((error: unknown) => {

@@ -76,15 +76,15 @@ export class Solver {
   }
 }
 
-function contentOf(id: string): string {
-  return atob(document.getElementById(id)?.textContent?.trim() ?? '');
+/** What the page carries in one of its elements. */
+export function bytesIn(id: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(document.getElementById(id)?.textContent?.trim() ?? ''), (c) => c.charCodeAt(0));
 }
 
 /** Two solvers out of the page itself: one answers while the reader drags, the other takes what lasts longer. */
 export async function makeSolvers(): Promise<{ quick: Solver; slow: Solver }> {
-  const script = new TextDecoder().decode(Uint8Array.from(contentOf('bumpfoil-solver-script'), (c) => c.charCodeAt(0)));
-  const bytes = Uint8Array.from(contentOf('bumpfoil-solver-module'), (c) => c.charCodeAt(0));
-  const module = await WebAssembly.compile(bytes);
+  const script = new TextDecoder().decode(bytesIn('bumpfoil-solver-script'));
+  const module = await WebAssembly.compile(bytesIn('bumpfoil-solver-module'));
   return { quick: new Solver(script, module), slow: new Solver(script, module) };
 }
 

@@ -4,6 +4,13 @@ interface Tab {
   name: string;
   title: string;
   body: HTMLElement;
+  /** Told when it comes into sight. */
+  shown?: () => void;
+}
+
+/** Whether it is on the page, and no other tab in its place. */
+export function isSeen(element: HTMLElement): boolean {
+  return element.getClientRects().length > 0;
 }
 
 /** The one last looked at, so that it stays when the views are made anew. */
@@ -20,6 +27,7 @@ export function tabs(all: Tab[]): HTMLElement {
       button.tabIndex = i === place ? 0 : -1;
     });
     bodies.forEach((body, i) => (body.hidden = i !== place));
+    all[place]?.shown?.();
   };
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => choose(i));
