@@ -21,6 +21,7 @@ from .runs import (
     run_sweep,
     run_vibration,
 )
+from .stepper import State, Stepper
 
 __version__: str = _native.version
 load = Result.load
@@ -33,6 +34,8 @@ __all__ = [
     "FileError",
     "Result",
     "RunWarning",
+    "State",
+    "Stepper",
     "check",
     "load",
     "properties",

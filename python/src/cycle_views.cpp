@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/io/result_quantities.hpp"
@@ -57,28 +59,32 @@ py::array view(const Number* numbers, const std::vector<py::ssize_t>& shape, con
   return array;
 }
 
+/// Which axes views have beside that of bumps or feet.
+enum class Rows { all, single };
+
 /// Leaves out what a model does not know, which has no columns. The weld is a single place: its axis falls away.
 template <typename Matrix>
-void add_view(py::dict& fields, const std::string& name, const Matrix& matrix, const py::object& owner) {
+void add_view(py::dict& fields, const std::string& name, const Matrix& matrix, Rows rows, const py::object& owner) {
   if (matrix.cols() == 0) return;
-  std::vector<py::ssize_t> shape{matrix.rows()};
+  std::vector<py::ssize_t> shape;
+  if (rows == Rows::all) shape.push_back(matrix.rows());
   if (!name.ends_with("_weld")) shape.push_back(matrix.cols());
   using Number = std::conditional_t<std::is_enum_v<typename Matrix::Scalar>, std::uint8_t, double>;
   static_assert(sizeof(Number) == sizeof(typename Matrix::Scalar));
   fields[name.c_str()] = view(reinterpret_cast<const Number*>(matrix.data()), shape, owner);
 }
 
-py::dict field_views(const FoilFields& fields, const py::object& owner) {
+py::dict field_views(const FoilFields& fields, Rows rows, const py::object& owner) {
   py::dict views;
-  for (const NamedField& field : displacements) add_view(views, field.name, fields.*field.values, owner);
+  for (const NamedField& field : displacements) add_view(views, field.name, fields.*field.values, rows, owner);
   for (const auto& [name, member] : interfaces) {
     const InterfaceFields& interface = fields.*member;
-    add_view(views, std::string("gap_") + name, interface.gap, owner);
-    add_view(views, std::string("normal_force_") + name, interface.normal_force, owner);
-    add_view(views, std::string("friction_force_") + name, interface.friction_force, owner);
-    add_view(views, std::string("state_") + name, interface.mode, owner);
+    add_view(views, std::string("gap_") + name, interface.gap, rows, owner);
+    add_view(views, std::string("normal_force_") + name, interface.normal_force, rows, owner);
+    add_view(views, std::string("friction_force_") + name, interface.friction_force, rows, owner);
+    add_view(views, std::string("state_") + name, interface.mode, rows, owner);
   }
-  for (const NamedStress& stress : stresses) add_view(views, stress.name, fields.stress.*stress.values, owner);
+  for (const NamedStress& stress : stresses) add_view(views, stress.name, fields.stress.*stress.values, rows, owner);
   return views;
 }
 
@@ -123,6 +129,10 @@ py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t
 
 }  // namespace
 
+py::dict row_views(const FoilFields& fields, const py::object& owner) {
+  return field_views(fields, Rows::single, owner);
+}
+
 py::list cycle_views(const py::object& run) {
   const auto& [input, result] = [&run] {
     const Run& held = run.cast<const Run&>();
@@ -143,7 +153,7 @@ py::list cycle_views(const py::object& run) {
     py::dict views;
     views["quantities"] = quantities_of(input, *result, i, run);
     views["series"] = series;
-    views["fields"] = field_views(cycle.fields, run);
+    views["fields"] = field_views(cycle.fields, Rows::all, run);
     views["events"] = events;
     cycles.append(views);
   }

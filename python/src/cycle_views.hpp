@@ -2,6 +2,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "bumpfoil/analysis/fields.hpp"
+
 namespace bumpfoil {
 
 /// The cycles of a run as a list of dictionaries with the names of result.nc: `quantities` (numbers and words of the
@@ -10,5 +12,9 @@ namespace bumpfoil {
 /// known is left out.
 /// @param run  a Run
 pybind11::list cycle_views(const pybind11::object& run);
+
+/// The fields of a single increment, one number per bump or foot, as such views.
+/// @param owner  of the fields
+pybind11::dict row_views(const FoilFields& fields, const pybind11::object& owner);
 
 }  // namespace bumpfoil

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "analysis/load_search.hpp"
+#include "bumpfoil/analysis/load_search.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "analysis/load_search.hpp"
 #include "bumpfoil/analysis/increment.hpp"
+#include "bumpfoil/analysis/load_search.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/reference_cycles.hpp"
 

@@ -1,4 +1,4 @@
-#include "analysis/load_search.hpp"
+#include "bumpfoil/analysis/load_search.hpp"
 
 #include <gtest/gtest.h>
 

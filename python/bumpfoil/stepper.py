@@ -1,0 +1,145 @@
+"""Foils taken from state to state, for those who couple them to a film or a rotor of their own."""
+
+from __future__ import annotations
+
+import warnings
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from . import _native
+from .case import as_case
+from .errors import RunWarning
+
+
+class State:
+    """A state of the foils: never changed, to be kept and gone back to.
+
+    Attributes
+    ----------
+    status : str
+        ``converged``, or why the increment failed; nothing but the position is known then.
+    position : ndarray, (2,)
+        Of the journal, m.
+    force : ndarray, (2,)
+        That holds the journal, N.
+    elastic_energy, dissipated_energy, work : float
+        Energy in the foils, J; lost by friction and done by the journal since the assembly, the dissipation of that
+        included.
+    """
+
+    def __init__(self, native: Any) -> None:
+        self._native = native
+        self.status: str = native.status
+        self.position: np.ndarray = native.position
+        self.force: np.ndarray = native.force
+        self.elastic_energy: float = native.elastic_energy
+        self.dissipated_energy: float = native.dissipated_energy
+        self.work: float = native.work
+        self.position.flags.writeable = self.force.flags.writeable = False
+
+    @property
+    def converged(self) -> bool:
+        """Whether this is a state, and not the end of an increment that failed."""
+        return self.status == "converged"
+
+    @cached_property
+    def fields(self) -> dict[str, np.ndarray]:
+        """Displacements (m), gaps (m), forces (N), contact states and stresses (Pa), one per bump or foot, by the names
+        of result.nc; read-only views without a copy."""
+        fields: dict[str, np.ndarray] = self._native.fields() if self.converged else {}
+        return fields
+
+    def __repr__(self) -> str:
+        x, y = self.position * 1e6
+        if not self.converged:
+            return f"<bumpfoil.State {self.status}>"
+        return f"<bumpfoil.State at ({x:.4g}, {y:.4g}) um, held by ({self.force[0]:.4g}, {self.force[1]:.4g}) N>"
+
+
+class Stepper:
+    """The foils of a bearing with their solver, and the state that they are in.
+
+    Parameters
+    ----------
+    case : Case, path, str or mapping
+        What :class:`Case` takes.
+    position : array_like, (2,)
+        Of the journal at the assembly, m: one step from the unstressed foils.
+    top_load : array_like, (bumps,), optional
+        Forces on the top foil over each crest at the assembly, N, positive outward.
+    **tables : mapping
+        Keys of the case that are changed.
+
+    Attributes
+    ----------
+    state : State
+        That the foils are in: set it to go back to one that was kept.
+
+    Several steppers share foils, see :meth:`copy`; each may be used by a thread of its own.
+
+    Examples
+    --------
+    >>> stepper = Stepper("case.toml", position=(0, -40e-6))
+    >>> before = stepper.state
+    >>> stepper.advance(position=(1e-6, -40e-6)).force
+    >>> stepper.state = before  # as if it had not been
+    """
+
+    def __init__(self, case: Any, /, position: Any = (0.0, 0.0), top_load: Any = None, **tables: Any) -> None:
+        self._native = _native.BearingStepper(as_case(case, tables)._source)
+        self.state = self._told(State(self._native.assemble(position, top_load)))
+
+    def advance(self, *, position: Any = None, load: Any = None, top_load: Any = None) -> State:
+        """One increment, straight from the state that the foils are in.
+
+        Parameters
+        ----------
+        position : array_like, (2,), optional
+            Of the journal at its end, m.
+        load : array_like, (2,), optional
+            That the journal carries at its end, N, free to move in the plane; in place of a position.
+        top_load : array_like, (bumps,), optional
+            Forces on the top foil over each crest at its end, N, positive outward, of a film for one; without them, those
+            before.
+
+        Returns
+        -------
+        State
+            The new one, which `state` is then. If the increment failed, which a RunWarning tells, `state` stays.
+
+        Raises
+        ------
+        CaseError
+            Both a position and a load are given, a load of zero, or another number of top loads than of bumps.
+        """
+        state = self._told(State(self._native.advance(self.state._native, position, load, top_load)))
+        if state.converged:
+            self.state = state
+        return state
+
+    def tangents(self) -> tuple[np.ndarray | None, np.ndarray | None]:
+        """Stiffness dF/d(x, y) of the state, N/m, (2, 2): of further motion, and with all closed contacts stuck.
+
+        None where the closed contacts leave the foils loose."""
+        further, stuck = self._native.tangents(self.state._native)
+        return further, stuck
+
+    def copy(self) -> Stepper:
+        """Another one in the same state, which goes its own way."""
+        other = Stepper.__new__(Stepper)
+        other._native = _native.BearingStepper(self._native)
+        other.state = self.state
+        return other
+
+    def __copy__(self) -> Stepper:
+        return self.copy()
+
+    def _told(self, state: State) -> State:
+        if not state.converged:
+            warnings.warn(f"the increment failed: {state._native.explanation}", RunWarning, stacklevel=3)
+        return state
+
+    def __repr__(self) -> str:
+        return f"<bumpfoil.Stepper in {self.state!r}>"
