@@ -83,18 +83,22 @@ class Case:
     >>> slippery = case.replace({"friction.coefficient": 0.0})
     """
 
+    _source: _native.CaseSource
+
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any] | Case | None = None, /, **tables: Any) -> None:
         changes: list[str] = []
         if isinstance(source, Case):
-            text, name, changes = source._source.text, source._source.name, source._source.changes
+            held = source._source
+            text, name, changes = held.text, held.name, held.changes
         elif isinstance(source, str) and "\n" in source:
             text, name = source, "TOML text"
         elif isinstance(source, (str, os.PathLike)):
             name = os.fspath(source)
             text = _native.read_case_text(name)
         else:
-            text, name = "\n".join(_pairs({**(source or {}), **tables})), ""
-            tables = {}
+            if source is None:
+                source, tables = tables, {}
+            text, name = "\n".join(_pairs(source)), ""
         self._source = _native.CaseSource(text, name, [*changes, *_pairs(tables)])
         self._toml: str = self._source.toml()
 
@@ -126,7 +130,7 @@ class Case:
             file.write(self._toml)
 
     def __eq__(self, other: object) -> bool:
-        return self._toml == other._toml if isinstance(other, Case) else NotImplemented
+        return isinstance(other, Case) and self._toml == other._toml
 
     def __hash__(self) -> int:
         return hash(self._toml)

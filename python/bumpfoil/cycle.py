@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
+
+from . import plots
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class Cycle:
@@ -31,9 +37,9 @@ class Cycle:
     def __init__(
         self,
         quantities: dict[str, Any],
-        series: dict[str, np.ndarray],
-        fields: dict[str, np.ndarray],
-        events: dict[str, np.ndarray],
+        series: dict[str, NDArray[Any]],
+        fields: dict[str, NDArray[Any]],
+        events: dict[str, NDArray[Any]],
     ) -> None:
         self.quantities = quantities
         self.series = series
@@ -60,6 +66,30 @@ class Cycle:
             degrees = self.quantities["direction"]
             return {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}.get(degrees, f"{degrees:g} deg")
         return f"cycle {self.quantities['cycle']}" if "cycle" in self.quantities else "path"
+
+    def plot_contacts(self, interface: str = "bump_sleeve", *, ax: Axes | None = None) -> Axes:
+        """Draws which contacts are open, stick or slip, increment by increment.
+
+        Parameters
+        ----------
+        interface : str
+            ``journal_top``, ``top_bump`` or ``bump_sleeve``.
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
+        return plots.contacts(self, interface, ax)
+
+    def plot_foils(self, increment: int | None = None, *, ax: Axes | None = None) -> Axes:
+        """Draws the radial displacements of top foil and crests at an increment.
+
+        Parameters
+        ----------
+        increment : int, optional
+            That of the largest displacement without.
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
+        return plots.foils(self, increment, ax)
 
     def __repr__(self) -> str:
         return f"<bumpfoil.Cycle {self.name}: {len(self.series['displacement'])} increments, {self.status}>"

@@ -16,8 +16,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from . import _native
+from . import _native, plots
 from .case import Case
 from .cycle import Cycle
 from .errors import FileError, RunWarning
@@ -25,6 +26,7 @@ from .errors import FileError, RunWarning
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from matplotlib.axes import Axes
 
 _PAGE = Path(__file__).with_name("report.html")
 
@@ -52,7 +54,7 @@ class Result:
         The files of the result by their names: what :meth:`save` writes.
     """
 
-    def __init__(self, command: str, cycles: list[Cycle], run: Any = None, files: dict[str, bytes] | None = None) -> None:
+    def __init__(self, command: str, cycles: list[Cycle], run: _native.Run | None = None, files: dict[str, bytes] | None = None) -> None:
         self.command = command
         self.cycles = cycles
         self._run = run
@@ -60,14 +62,14 @@ class Result:
             self.files = files  # in place of the property, which would make them
 
     @classmethod
-    def _of_run(cls, run: Any) -> Result:
+    def _of_run(cls, run: _native.Run) -> Result:
         warn_of(run.status, [*run.failures, *run.warnings])
         return cls(run.command, [Cycle(**views) for views in run.cycles()], run=run)
 
     @cached_property
     def files(self) -> dict[str, bytes]:
-        files: dict[str, bytes] = self._run.files()
-        return files
+        assert self._run is not None  # those of a file are there
+        return self._run.files()
 
     @cached_property
     def summary(self) -> dict[str, Any]:
@@ -78,8 +80,7 @@ class Result:
     @property
     def status(self) -> str:
         """``complete``, ``failed`` or ``interrupted``; the results of the last two are partial."""
-        status: str = self._run.status if self._run is not None else self.summary["status"]
-        return status
+        return self._run.status if self._run is not None else str(self.summary["status"])
 
     @cached_property
     def case(self) -> Case:
@@ -131,8 +132,8 @@ class Result:
         import xarray
 
         (name,) = (name for name in self.files if name.endswith(".nc"))
-        store = xarray.backends.NetCDF4DataStore(netCDF4.Dataset(name, memory=self.files[name]))
-        with xarray.open_dataset(store) as dataset:
+        make_store: Any = xarray.backends.NetCDF4DataStore
+        with xarray.open_dataset(make_store(netCDF4.Dataset(name, memory=self.files[name]))) as dataset:
             return dataset.load()
 
     def to_dataframe(self, table: str | None = None) -> pandas.DataFrame:
@@ -156,6 +157,18 @@ class Result:
             A file that exists is refused unless ``force``.
         """
         write_report({self.command: self}, path, force=force)
+
+    def plot_loops(self, *, ax: Axes | None = None) -> Axes:
+        """Draws the direct force over the displacement, cycle by cycle, on `ax` or on new matplotlib axes."""
+        return plots.loops(self, ax)
+
+    def plot_bump_loads(self, *, ax: Axes | None = None) -> Axes:
+        """Draws the loads of the bumps at full displacement, cycle by cycle, on `ax` or on new matplotlib axes."""
+        return plots.bump_loads(self, ax)
+
+    def plot_coefficients(self, *, ax: Axes | None = None) -> Axes:
+        """Draws the direct stiffnesses of vibrations over their amplitude, on `ax` or on new matplotlib axes."""
+        return plots.coefficients(self, ax)
 
     def __repr__(self) -> str:
         counted = f" of {len(self.cycles)} cycles" if len(self.cycles) > 1 else ""
@@ -230,9 +243,9 @@ def read_cycles(contents: bytes, summary: Mapping[str, Any]) -> list[Cycle]:
 
 def _read_cycle(file: Any, names: set[str], of_cycles: str | None, place: Any) -> Cycle:
     quantities: dict[str, Any] = {}
-    series: dict[str, np.ndarray] = {}
-    fields: dict[str, np.ndarray] = {}
-    events: dict[str, np.ndarray] = {}
+    series: dict[str, NDArray[Any]] = {}
+    fields: dict[str, NDArray[Any]] = {}
+    events: dict[str, NDArray[Any]] = {}
     for name, variable in file.variables.items():
         dims = [dim for dim in variable.dimensions if dim != of_cycles]
         values = variable[place] if of_cycles in variable.dimensions else variable[...]
@@ -251,17 +264,18 @@ def _read_cycle(file: Any, names: set[str], of_cycles: str | None, place: Any) -
     return Cycle(quantities, series, fields, events)
 
 
-def _plain(values: Any) -> np.ndarray:
+def _plain(values: Any) -> NDArray[Any]:
     """Without a mask: NaN for what is absent."""
-    if np.ma.is_masked(values):
-        values = values.astype(float).filled(np.nan)
-    values = np.asarray(values)
-    values.flags.writeable = False
-    return values
+    if isinstance(values, np.ma.MaskedArray) and values.mask.any():
+        numbers: Any = values.astype(float)
+        values = numbers.filled(np.nan)
+    plain: NDArray[Any] = np.asarray(values)
+    plain.flags.writeable = False
+    return plain
 
 
 def _word(variable: Any, value: Any) -> Any:
-    if np.ma.is_masked(value):
+    if value is np.ma.masked:
         return math.nan if variable.dtype.kind == "f" else None
     if "flag_meanings" not in variable.ncattrs():
         return value.item()

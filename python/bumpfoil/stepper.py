@@ -6,7 +6,7 @@ import warnings
 from functools import cached_property
 from typing import Any
 
-import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from .case import as_case
@@ -29,11 +29,11 @@ class State:
         included.
     """
 
-    def __init__(self, native: Any) -> None:
+    def __init__(self, native: _native.ReachedState) -> None:
         self._native = native
         self.status: str = native.status
-        self.position: np.ndarray = native.position
-        self.force: np.ndarray = native.force
+        self.position: NDArray[Any] = native.position
+        self.force: NDArray[Any] = native.force
         self.elastic_energy: float = native.elastic_energy
         self.dissipated_energy: float = native.dissipated_energy
         self.work: float = native.work
@@ -45,11 +45,10 @@ class State:
         return self.status == "converged"
 
     @cached_property
-    def fields(self) -> dict[str, np.ndarray]:
+    def fields(self) -> dict[str, NDArray[Any]]:
         """Displacements (m), gaps (m), forces (N), contact states and stresses (Pa), one per bump or foot, by the names
         of result.nc; read-only views without a copy."""
-        fields: dict[str, np.ndarray] = self._native.fields() if self.converged else {}
-        return fields
+        return self._native.fields() if self.converged else {}
 
     def __repr__(self) -> str:
         x, y = self.position * 1e6
@@ -119,12 +118,11 @@ class Stepper:
             self.state = state
         return state
 
-    def tangents(self) -> tuple[np.ndarray | None, np.ndarray | None]:
+    def tangents(self) -> tuple[NDArray[Any] | None, NDArray[Any] | None]:
         """Stiffness dF/d(x, y) of the state, N/m, (2, 2): of further motion, and with all closed contacts stuck.
 
         None where the closed contacts leave the foils loose."""
-        further, stuck = self._native.tangents(self.state._native)
-        return further, stuck
+        return self._native.tangents(self.state._native)
 
     def copy(self) -> Stepper:
         """Another one in the same state, which goes its own way."""

@@ -56,6 +56,8 @@ def test_changes_leave_the_case_as_it_was():
     assert changed.to_dict()["cycle"]["steps"] == 10
     assert changed.to_dict()["friction"] != case.to_dict()["friction"]
     assert case == bumpfoil.Case(GEN1)
+    # Of a dictionary, too, the other keys of the table stay.
+    assert bumpfoil.Case(case.to_dict(), cycle={"steps": 10}) == case.replace({"cycle.steps": 10})
 
 
 def test_faults_are_those_of_the_program(tmp_path):
