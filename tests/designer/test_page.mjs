@@ -260,6 +260,36 @@ test('what is shown is saved as a report', () =>
     await other.close();
   }));
 
+test('tables of lists are added, changed and taken out one by one', () =>
+  withPage(
+    async (page) => {
+      // A table alone, as people wrote it before there were lists.
+      await answered(page, () => page.locator('.editor').evaluate((one, text) => {
+        one.value = `${text}\n[bearing.sleeve_waviness]\nharmonic = 3\namplitude = "2 um"\n`;
+        one.dispatchEvent(new Event('input', { bubbles: true }));
+      }, reference));
+      const waves = page.locator('[data-table="bearing.sleeve_waviness"]');
+      assert.match(await waves.locator('summary').textContent(), /\(1\)$/);
+      await waves.locator('summary').click();
+      const before = await tile(page, 'max_force_N');
+      await type(page, 'bearing.sleeve_waviness[1].amplitude', '4 um');
+      assert.notEqual(await tile(page, 'max_force_N'), before);
+      await answered(page, () => waves.getByRole('button', { name: /^Add/ }).click());
+      await type(page, 'bearing.sleeve_waviness[2].harmonic', '2');
+      assert.match(await textOf(page), /\[\[bearing\.sleeve_waviness\]\]\nharmonic = 3\namplitude = "4 um"\n\n\[\[bearing\.sleeve_waviness\]\]\nharmonic = 2\namplitude = "5 um"\n$/);
+      await type(page, 'bearing.sleeve_waviness[2].harmonic', '-2');
+      assert.match(await page.locator('[data-key="bearing.sleeve_waviness[2].harmonic"] .fault').textContent(), /give a whole number from 1/);
+      assert.equal(await page.locator('.general-faults').textContent(), '');
+      await answered(page, () => waves.getByRole('button', { name: 'Take out: Waviness of the sleeve 2' }).click());
+      await answered(page, () => waves.getByRole('button', { name: 'Take out: Waviness of the sleeve 1' }).click());
+      assert.equal((await textOf(page)).trim(), reference.trim());
+      assert.equal(await tile(page, 'max_force_N'), '739.3 N');
+      await answered(page, () => page.locator('[data-table="bump_foil.shim"] summary').click().then(() => page.getByRole('button', { name: /^Add: Shim/ }).click()));
+      assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
+    },
+    { viewport: { width: 1366, height: 2000 } },
+  ));
+
 test('of radius and diameter one is given', () =>
   withPage(async (page) => {
     // With the charts of loads out of sight.

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Design } from '../src/designer/design';
 import { converted, readQuantity, writeQuantity } from '../src/designer/quantity';
-import { outlineOf, without, withValue, writtenValue } from '../src/designer/toml';
+import { inList, outlineOf, without, withValue, writtenValue } from '../src/designer/toml';
 
 const text = `title = "a # no comment"  # one
 [bearing]
@@ -34,6 +34,27 @@ describe('case files', () => {
     expect(withValue(text, 'friction.coefficient', '0.1')).toBe(`${text}\n[friction]\ncoefficient = 0.1\n`);
     expect(without(text, 'bearing.radius')).toBe(text.replace(/radius.*\n/, ''));
     expect(without(text, 'bearing.wave[2]')).toBe(text.replace('[[bearing.wave]]\namplitude = 2\n', ''));
+  });
+
+  it('hold lists of tables in three ways', () => {
+    const alone = '[bearing]\n[bearing.wave] # one\namplitude = 1\n';
+    const one = new Design(alone);
+    expect([one.count('bearing.wave'), one.written('bearing.wave[1].amplitude')]).toEqual([1, '1']);
+    one.set('bearing.wave[1].amplitude', '2');
+    one.set('bearing.wave[1].phase', '3');
+    expect(one.text).toBe('[bearing]\n[bearing.wave] # one\namplitude = 2\nphase = 3\n');
+    expect(inList(alone, 'bearing.wave')).toBe(alone.replace('[bearing.wave]', '[[bearing.wave]]'));
+    one.remove('bearing.wave[1]');
+    expect(one.text).toBe('[bearing]\n');
+    const many = new Design(text);
+    expect([many.count('bearing.wave'), many.isInline('bearing.wave'), inList(text, 'bearing.wave')]).toEqual([2, false, text]);
+    many.remove('bearing.wave[1]');
+    expect([many.count('bearing.wave'), many.written('bearing.wave[1].amplitude')]).toEqual([1, '2']);
+    const inline = new Design('[bearing]\nwave = [{ amplitude = 1 }, { amplitude = 2 }]\n');
+    expect([inline.count('bearing.wave'), inline.isInline('bearing.wave')]).toEqual([2, true]);
+    inline.set('bearing.wave[2].amplitude', '3');
+    inline.set('bearing.wave[2].phase', '4');
+    expect(inline.text).toBe('[bearing]\nwave = [{ amplitude = 1 }, { amplitude = 3, phase = 4 }]\n');
   });
 
   it('are read as far as they are right', () => {

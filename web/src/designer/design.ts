@@ -28,11 +28,30 @@ export class Design {
 
   /** As it is written; nothing where the case does not give it. */
   written(path: string): string | undefined {
-    return writtenValue(this.text, this.outline, path);
+    return writtenValue(this.text, this.outline, this.spelled(path));
+  }
+
+  /** One table alone of a list is written as other tables are, too. */
+  private spelled(path: string): string {
+    const [, list, key = ''] = /^(.*)\[1\](.*)$/.exec(path) ?? [];
+    return list !== undefined && this.outline.heads.has(list) ? list + key : path;
+  }
+
+  /** How many tables a list has. */
+  count(path: string): number {
+    let count = 0;
+    while (this.hasTable(`${path}[${count + 1}]`)) count += 1;
+    return count;
+  }
+
+  /** Whether all tables of a list stand in one value: they are changed, not added or taken out. */
+  isInline(path: string): boolean {
+    return this.outline.values.has(path);
   }
 
   hasTable(path: string): boolean {
-    return this.outline.tables.has(path) || this.outline.values.has(path) || [...this.outline.values.keys()].some((key) => key.startsWith(`${path}.`));
+    const table = this.spelled(path);
+    return this.outline.tables.has(table) || this.outline.values.has(table) || [...this.outline.values.keys()].some((key) => key.startsWith(`${table}.`));
   }
 
   onChange(listener: () => void): void {
@@ -43,11 +62,11 @@ export class Design {
   set(path: string, value: string, going = false): void {
     const others = alternatives.find((keys) => keys.includes(path)) ?? [];
     const text = others.filter((other) => other !== path && this.written(other) !== undefined).reduce(without, this.text);
-    this.change(withValue(text, path, value), going);
+    this.change(withValue(text, this.spelled(path), value), going);
   }
 
   remove(path: string): void {
-    this.change(without(this.text, path), false);
+    this.change(without(this.text, this.spelled(path)), false);
   }
 
   change(text: string, going: boolean): void {

@@ -5,6 +5,7 @@ import type { Design } from './design';
 import type { CaseKey, Fault, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
 import { groups, ranges, type Group } from './ranges';
+import { inList } from './toml';
 
 /** What a field needs to know of the page. */
 interface Place {
@@ -23,6 +24,16 @@ interface Field {
 /** Steps of a slider between its ends. */
 const fineSteps = 400;
 
+/** The path that the key of a table of a list has in the first one: all have the same. */
+function ofFirst(path: string): string {
+  return path.replace(/\[\d+\]/g, '[1]');
+}
+
+/** Whether a fault is of a key, or of what it holds. */
+function concerns({ key }: Fault, path: string): boolean {
+  return key === path || key.startsWith(`${path}[`) || key.startsWith(`${path}.`);
+}
+
 function idOf(path: string): string {
   return `field-${path.replaceAll(/[^a-z0-9_]/g, '-')}`;
 }
@@ -37,7 +48,7 @@ function frame(key: CaseKey, controls: HTMLElement[], labelled: HTMLElement): { 
   const label = el('label', { for: id, title: key.text }, key.title);
   const root = el('div', { class: 'field', 'data-key': key.path }, label, el('div', { class: 'controls' }, ...controls), message);
   const tell = (faults: Fault[], given: boolean): void => {
-    const own = faults.filter((fault) => fault.key === key.path || fault.key.startsWith(`${key.path}[`) || fault.key.startsWith(`${key.path}.`));
+    const own = faults.filter((fault) => concerns(fault, key.path));
     message.textContent = own.map(({ what, advice }) => (advice === '' ? what : `${what}; ${advice}`)).join(' · ');
     root.classList.toggle('faulty', own.length > 0);
     root.classList.toggle('default', !given);
@@ -50,7 +61,7 @@ function frame(key: CaseKey, controls: HTMLElement[], labelled: HTMLElement): { 
 function numberField(key: CaseKey, { design, units, understood }: Place): Field {
   const { path, unit: si = '' } = key;
   const whole = key.kind === 'whole number';
-  const range = ranges[path];
+  const range = ranges[ofFirst(path)];
   const text = el('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', class: 'number' });
   const slider = el('input', { type: 'range', 'aria-label': `${key.title}, slider` });
   const list = el('select', { 'aria-label': `Unit of ${key.title}` });
@@ -172,8 +183,15 @@ function fieldOf(key: CaseKey, place: Place): Field | undefined {
   return numberField(key, place);
 }
 
+interface Section {
+  root: HTMLElement;
+  /** Whether a fault is told beside one of its fields. */
+  tells: (fault: Fault) => boolean;
+  refresh: (faults: Fault[]) => void;
+}
+
 /** A table of the case: its fields, and of an optional one what adds it and takes it out. */
-function section(group: Group, keys: CaseKey[], place: Place): { root: HTMLElement; fields: Field[]; refresh: (faults: Fault[]) => void } {
+function section(group: Group, keys: CaseKey[], place: Place): Section {
   const { design } = place;
   const head = keys.find(({ path }) => path === group.path);
   const inner = keys.filter(({ path }) => path.startsWith(`${group.path}.`) && !path.slice(group.path.length).includes('[') && !groups.some((other) => other !== group && other.path.startsWith(group.path) && (path === other.path || path.startsWith(`${other.path}.`))));
@@ -200,14 +218,55 @@ function section(group: Group, keys: CaseKey[], place: Place): { root: HTMLEleme
     root.classList.toggle('faulty', faulty);
     if (faulty) root.open = true;
   };
-  return { root, fields, refresh };
+  return { root, tells: (fault) => fields.some(({ path }) => concerns(fault, path)), refresh };
+}
+
+/** The tables of a list, each with its fields, and what adds one more. */
+function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Section {
+  const { design } = place;
+  const head = keys.find((key) => key.path === `${path}[1]`);
+  const title = head?.title ?? path;
+  const own = keys.filter((key) => key.path.startsWith(`${path}[1].`));
+  const heading = el('summary', {}, title);
+  const add = el('button', { type: 'button', class: 'quiet', 'aria-label': `Add: ${title}` }, 'Add');
+  const body = el('div');
+  const root = el('details', { class: 'group', 'data-table': path, open }, heading, el('div', { class: 'group-tools' }, el('p', { class: 'note' }, head?.text ?? ''), add), body);
+  add.addEventListener('click', () => design.change(withTable(inList(design.text, path), `${path}[${design.count(path) + 1}]`, keys), false));
+  let entries: { fields: Field[]; takeOut: HTMLElement; root: HTMLElement }[] = [];
+  const entry = (number: number): (typeof entries)[number] => {
+    const table = `${path}[${number}]`;
+    const fields = own.flatMap((key) => fieldOf({ ...key, path: key.path.replace('[1]', `[${number}]`) }, place) ?? []);
+    const takeOut = el('button', { type: 'button', class: 'quiet', 'aria-label': `Take out: ${title} ${number}` }, 'Take out');
+    takeOut.addEventListener('click', () => design.remove(table));
+    return {
+      fields,
+      takeOut,
+      root: el('div', { role: 'group', 'aria-label': `${title} ${number}`, 'data-table': table }, el('div', { class: 'group-tools' }, el('p', { class: 'note' }, `No. ${number}`), takeOut), el('div', { class: 'fields' }, ...fields.map((field) => field.root))),
+    };
+  };
+  const refresh = (faults: Fault[]): void => {
+    const count = design.count(path);
+    if (count !== entries.length) {
+      entries = Array.from({ length: count }, (_, i) => entries[i] ?? entry(i + 1));
+      body.replaceChildren(...entries.map((one) => one.root));
+    }
+    heading.textContent = count === 0 ? title : `${title} (${count})`;
+    const inline = design.isInline(path);
+    for (const button of [add, ...entries.map(({ takeOut }) => takeOut)]) button.hidden = inline;
+    for (const { fields } of entries) for (const field of fields) field.refresh(faults);
+    const faulty = faults.some((fault) => fault.key.startsWith(`${path}[`));
+    root.classList.toggle('faulty', faulty);
+    if (faulty) root.open = true;
+  };
+  return { root, tells: (fault) => entries.some(({ fields }) => fields.some((field) => concerns(fault, field.path))), refresh };
 }
 
 /** With a table that has what it needs. */
 export function withTable(text: string, path: string, keys: CaseKey[]): string {
-  const own = keys.filter((key) => key.path.startsWith(`${path}.`) && key.kind !== '' && !key.path.slice(path.length + 1).includes('.'));
+  const first = `${ofFirst(path)}.`;
+  const own = keys.filter((key) => key.path.startsWith(first) && key.kind !== '' && !key.path.slice(first.length).includes('.'));
   const needed = own.filter(({ presence }) => presence === 'required');
-  const lines = (needed.length > 0 ? needed : own.slice(0, 1)).map((key) => `${key.path.slice(path.length + 1)} = ${key.example ?? ''}`);
+  const lines = (needed.length > 0 ? needed : own.slice(0, 1)).map((key) => `${key.path.slice(first.length)} = ${key.example ?? ''}`);
   const scatter = path === 'montecarlo' ? ['bump_height = { distribution = "normal", std = "5 um" }'] : [];
   const head = path.endsWith(']') ? `[[${path.replace(/\[\d+\]$/, '')}]]` : `[${path}]`;
   return `${text.replace(/\s*$/, '')}\n\n${head}\n${[...lines, ...scatter].join('\n')}\n`;
@@ -217,16 +276,15 @@ export interface Form {
   root: HTMLElement;
   /** @param faults  of the case, for the fields that they are about */
   refresh: (faults: Fault[]) => void;
-  /** Whether there is a field for a key. */
-  has: (path: string) => boolean;
+  /** Whether a fault is told beside a field. */
+  tells: (fault: Fault) => boolean;
 }
 
 export function form(keys: CaseKey[], place: Place): Form {
-  const sections = groups.map((group) => section(group, keys, place));
-  const paths = new Set(sections.flatMap(({ fields }) => fields.map(({ path }) => path)));
+  const sections = groups.map((group) => (group.list ? listSection : section)(group, keys, place));
   return {
     root: el('form', { class: 'form', 'aria-label': 'The case', autocomplete: 'off' }, ...sections.map(({ root }) => root)),
     refresh: (faults) => sections.forEach(({ refresh }) => refresh(faults)),
-    has: (path) => paths.has(path),
+    tells: (fault) => sections.some(({ tells }) => tells(fault)),
   };
 }

@@ -188,7 +188,7 @@ class Page {
       this.show();
     }
     this.fields.refresh(this.faults);
-    const elsewhere = this.faults.filter(({ key }) => !this.fields.has(key.replace(/\[.*$/, '')));
+    const elsewhere = this.faults.filter((fault) => !this.fields.tells(fault));
     this.general.replaceChildren(...elsewhere.map(({ line, message }) => el('li', {}, line > 0 ? `Line ${line}: ${message}` : message)));
     this.views.classList.toggle('stale', this.faults.length > 0);
     this.state.textContent =

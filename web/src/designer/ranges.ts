@@ -6,6 +6,8 @@ export interface Group {
   /** It can be added to the case and taken out of it. */
   optional: boolean;
   open: boolean;
+  /** There may be several of it, counted from 1. */
+  list?: true;
 }
 
 export const groups: Group[] = [
@@ -14,7 +16,10 @@ export const groups: Group[] = [
   { path: 'top_foil', optional: false, open: true },
   { path: 'friction', optional: false, open: true },
   { path: 'cycle', optional: false, open: false },
-  { path: 'bearing.sleeve_waviness[1]', optional: true, open: false },
+  { path: 'bearing.sleeve_waviness', optional: true, open: false, list: true },
+  { path: 'bearing.journal_waviness', optional: true, open: false, list: true },
+  { path: 'bump_foil.section', optional: true, open: false, list: true },
+  { path: 'bump_foil.shim', optional: true, open: false, list: true },
   { path: 'bump_foil.truss', optional: true, open: false },
   { path: 'solver', optional: false, open: false },
   { path: 'montecarlo', optional: true, open: false },
@@ -28,7 +33,7 @@ export const alternatives = [
 
 const [um, mm, deg, GPa, MN] = [1e-6, 1e-3, Math.PI / 180, 1e9, 1e6];
 
-/** Ends of the slider, and its step where that is not a fine one. */
+/** Ends of the slider, and its step where that is not a fine one; of tables of a list those of the first. */
 export const ranges: Record<string, [least: number, most: number, step?: number]> = {
   'bearing.radius': [5 * mm, 60 * mm],
   'bearing.diameter': [10 * mm, 120 * mm],
@@ -38,6 +43,10 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'bearing.sleeve_waviness[1].harmonic': [1, 12, 1],
   'bearing.sleeve_waviness[1].amplitude': [0, 30 * um],
   'bearing.sleeve_waviness[1].phase': [0, 360 * deg, 1 * deg],
+  'bearing.journal_waviness[1].harmonic': [1, 12, 1],
+  'bearing.journal_waviness[1].amplitude': [0, 30 * um],
+  'bearing.journal_waviness[1].phase': [0, 360 * deg, 1 * deg],
+  'bump_foil.shim[1].thickness': [0, 100 * um],
   'bump_foil.bumps': [3, 60, 1],
   'bump_foil.pitch': [1 * mm, 12 * mm],
   'bump_foil.length': [0.5 * mm, 10 * mm],

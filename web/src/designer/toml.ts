@@ -89,7 +89,10 @@ class Reader {
     for (let i = 0; ; i += 1) {
       this.skip(true);
       if (this.text[this.place] === ']') break;
-      this.content(`${path}[${i}]`);
+      const entry = `${path}[${i + 1}]`;
+      const start = this.place;
+      this.content(entry);
+      this.outline.values.set(entry, { start, end: this.place });
       this.skip(true);
       if (this.text[this.place] === ',') this.place += 1;
       else if (this.text[this.place] !== ']') throw new SyntaxError();
@@ -192,6 +195,12 @@ export function withValue(text: string, path: string, value: string): string {
   if (place === undefined) return `${text.replace(/\s*$/, '')}\n\n[${table}]\n${line}\n`;
   const before = text.slice(0, place);
   return `${before}${before === '' ? '' : '\n'}${line}${before === '' ? '\n' : ''}${text.slice(place)}`;
+}
+
+/** The table with which a list begins, in the one or the other way: `[[path]]` of many, `[path]` where it is alone. */
+export function inList(text: string, path: string): string {
+  const head = outlineOf(text).heads.get(path);
+  return head ? `${text.slice(0, head.start)}${text.slice(head.start, head.end).replace(/\[([^\[\]]*)\]/, '[[$1]]')}${text.slice(head.end)}` : text;
 }
 
 /** The text without a key, or without a table and all that is in it; comments on lines of their own stay. */
