@@ -127,6 +127,11 @@ std::optional<Eigen::Matrix2d> FilmBearingSolver::stiffness(const FilmBearingSta
   return workspace_->newton.stiffness(state, stuck);
 }
 
+std::optional<std::vector<Eigen::Matrix2cd>> FilmBearingSolver::impedances(
+    const FilmBearingState& state, const std::vector<std::complex<double>>& rates, bool stuck) {
+  return workspace_->newton.impedances(state, rates, stuck);
+}
+
 // A copy: it may be that of the state, which changes. NOLINTNEXTLINE(performance-unnecessary-value-param)
 FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state) {
   Workspace& w = *workspace_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/film_impedance.hpp"
 #include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
@@ -139,38 +140,94 @@ Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
       .replicate(bearing_.foil.mesh.rows + 1, 1);
 }
 
-/// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
-/// were set last. @return those of the force on the journal, N/m
-Eigen::Matrix2d FilmNewton::find_rates() {
+/// Change of all unknowns that takes residuals of the film, and no others, to zero: where the system was linearised
+/// last, with the modes that were set last.
+void FilmNewton::answer(Matrix film_residual, Step& change) {
   const FilmMesh& mesh = bearing_.foil.mesh;
-  Eigen::Matrix2d K_film;
+  residual_.film = std::move(film_residual);
   residual_.balance.setZero(mesh.nodes());
   residual_.compatibility.setZero(mesh.nodes());
   loading_.initial_gap.setZero();
+  loading_.load.setZero();
+  load_condensed();
+  modes_->solve(loading_, Vector::Zero(K_.rows()), change.contact);
+  expand(change.contact.x, change.foil);
+}
+
+/// Change of the force on the journal with the pressure.
+Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
+  return film_force(bearing_, bearing_.foil.mesh.field(1.0) + change.film.pressure);
+}
+
+/// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
+/// were set last. @return those of the force on the journal, N/m
+Eigen::Matrix2d FilmNewton::find_rates() {
+  Eigen::Matrix2d K_film;
   for (const int axis : {0, 1}) {
     Step& rate = rates_[static_cast<std::size_t>(axis)];
     const Matrix rigid = thinning(Eigen::Vector2d::Unit(axis));
-    residual_.film = stencil_product(mesh, system_.film_jacobian().by_thickness, rigid);
-    loading_.load.setZero();
-    load_condensed();
-    modes_->solve(loading_, Vector::Zero(K_.rows()), rate.contact);
-    expand(rate.contact.x, rate.foil);
+    answer(stencil_product(bearing_.foil.mesh, system_.film_jacobian().by_thickness, rigid), rate);
     rate.foil.film.thickness += rigid;
-    K_film.col(axis) = film_force(bearing_, mesh.field(1.0) + rate.foil.film.pressure);
+    K_film.col(axis) = force_of(rate.foil);
   }
   return K_film;
 }
 
-std::optional<Eigen::Matrix2d> FilmNewton::stiffness(const FilmBearingState& state, bool stuck) {
-  if (!system_.linearise(film_equation(bearing_, state.speed), state.foil)) return std::nullopt;
+/// Linearises about a state, with contacts in its modes, or with all closed ones stuck.
+/// @return whether that leaves a regular system
+bool FilmNewton::linearise(const ReynoldsEquation& equation, const FilmBearingState& state, bool stuck) {
+  if (!system_.linearise(equation, state.foil)) return false;
   assemble();
   modes_->set_elasticity(K_);
   std::vector<ContactMode> held = state.contact.mode;
   for (ContactMode& mode : held) {
     if (stuck && mode != ContactMode::open) mode = ContactMode::stick;
   }
-  if (!modes_->set_modes(held)) return std::nullopt;
+  return modes_->set_modes(held);
+}
+
+std::optional<Eigen::Matrix2d> FilmNewton::stiffness(const FilmBearingState& state, bool stuck) {
+  if (!linearise(film_equation(bearing_, state.speed), state, stuck)) return std::nullopt;
   return find_rates();
+}
+
+std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBearingState& state,
+                                                                    const std::vector<std::complex<double>>& rates,
+                                                                    bool stuck) {
+  const FilmMesh& mesh = bearing_.foil.mesh;
+  const double T0 = bearing_.scales.squeeze_time();
+  ReynoldsEquation equation = film_equation(bearing_, state.speed);
+  for (const std::complex<double> rate : rates) equation.squeeze_rate = std::max(equation.squeeze_rate, std::abs(rate));
+  equation.squeeze_rate *= T0;
+  equation.previous_content = film_content(state.foil.film);
+  if (!linearise(equation, state, stuck)) return std::nullopt;
+
+  std::vector<std::complex<double>> excess;
+  excess.reserve(rates.size());
+  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - equation.squeeze_rate);
+  const auto told = [&](const FoilFilmState& change) {
+    const Matrix content = change.film.pressure.cwiseProduct(state.foil.film.thickness) +
+                           state.foil.film.pressure.cwiseProduct(change.film.thickness);
+    const Matrix inside = content.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns());
+    return FilmAnswer{inside.reshaped(), force_of(change)};
+  };
+  Step change;
+  const auto stored = [&](const Vector& content) {
+    Matrix residual = mesh.field(0.0);
+    residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
+        mesh.dtheta * mesh.dzeta * content.reshaped(mesh.unknown_rows(), mesh.unknown_columns());
+    for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+    answer(std::move(residual), change);
+    return told(change.foil);
+  };
+  find_rates();
+  std::vector<Eigen::Matrix2cd> found(rates.size());
+  for (const int axis : {0, 1}) {
+    const auto forces = film_forces(told(rates_[static_cast<std::size_t>(axis)].foil), stored, excess);
+    if (!forces) return std::nullopt;
+    for (std::size_t i = 0; i < rates.size(); ++i) found[i].col(axis) = (*forces)[i];
+  }
+  return found;
 }
 
 /// Newton's step at the position of `state` with exact contacts: the unknowns of the contact problem are the steps of

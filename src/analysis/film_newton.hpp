@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bumpfoil/analysis/film_bearing_solver.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
@@ -28,6 +30,12 @@ class FilmNewton {
   /// @return nothing if the modes leave a singular system
   [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck);
 
+  /// The same for motions e^{s t}, at rates s (1/s), N/m.
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+                                                                        const std::vector<std::complex<double>>& rates,
+                                                                        bool stuck);
+
  private:
   /// Change of all unknowns.
   struct Step {
@@ -42,6 +50,9 @@ class FilmNewton {
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);
   bool find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report);
+  bool linearise(const ReynoldsEquation& equation, const FilmBearingState& state, bool stuck);
+  void answer(Matrix film_residual, Step& change);
+  [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
   Eigen::Matrix2d find_rates();
   Eigen::Vector2d missing_displacement(const OperatingPoint& to, const FilmBearingState& state);
   void move_journal(const OperatingPoint& to, const FilmBearingState& state);

@@ -24,6 +24,18 @@ FilmResolution read_resolution(const nlohmann::json& entry) {
   return {.columns_per_pitch = entry.at("m"), .rows = entry.at("nz")};
 }
 
+Eigen::Matrix2d read_matrix(const nlohmann::json& entry) {
+  const auto rows = entry.get<std::vector<std::vector<double>>>();
+  Eigen::Matrix2d matrix;
+  matrix << rows[0][0], rows[0][1], rows[1][0], rows[1][1];
+  return matrix;
+}
+
+/// K + i omega C
+Eigen::Matrix2cd read_impedance(const nlohmann::json& stiffness, const nlohmann::json& damping, double frequency) {
+  return read_matrix(stiffness) + std::complex<double>(0.0, frequency) * read_matrix(damping);
+}
+
 std::vector<ReferenceRun> read_runs() {
   std::vector<ReferenceRun> runs;
   for (const nlohmann::json& entry : document().at("frictionless")) {
@@ -51,11 +63,11 @@ std::vector<ReferenceEquilibrium> read_equilibria() {
   std::vector<ReferenceEquilibrium> equilibria;
   for (const nlohmann::json& entry : document().at("load_equilibria")) {
     const auto load = entry.at("load_N").get<std::vector<double>>();
-    const auto K = entry.at("K0").get<std::vector<std::vector<double>>>();
     ReferenceEquilibrium equilibrium{
         .resolution = read_resolution(entry), .load = {load[0], load[1]}, .speed = speed_of_rpm(entry.at("rpm"))};
     equilibrium.position = {entry.at("x").get<double>(), entry.at("y").get<double>()};
-    equilibrium.stiffness << K[0][0], K[0][1], K[1][0], K[1][1];
+    equilibrium.stiffness = read_matrix(entry.at("K0"));
+    equilibrium.impedance = read_impedance(entry.at("K_whirl"), entry.at("C_whirl"), equilibrium.speed);
     equilibria.push_back(equilibrium);
   }
   return equilibria;
@@ -74,6 +86,16 @@ ReferencePath read_path() {
   }
   path.last_bump_loads = entry.at("bump_loads_end").get<std::vector<double>>();
   return path;
+}
+
+std::vector<ReferenceWhirl> read_whirls() {
+  const double speed = read_path().speed;
+  std::vector<ReferenceWhirl> whirls;
+  for (const nlohmann::json& entry : document().at("friction_whirl")) {
+    const double frequency = entry.at("frequency_over_speed").get<double>() * speed;
+    whirls.push_back({entry.at("stuck"), frequency, read_impedance(entry.at("K"), entry.at("C"), frequency)});
+  }
+  return whirls;
 }
 
 }  // namespace
@@ -102,6 +124,11 @@ const std::vector<ReferenceRun>& reference_runs() {
 const std::vector<ReferenceEquilibrium>& reference_equilibria() {
   static const std::vector<ReferenceEquilibrium> equilibria = read_equilibria();
   return equilibria;
+}
+
+const std::vector<ReferenceWhirl>& reference_friction_whirls() {
+  static const std::vector<ReferenceWhirl> whirls = read_whirls();
+  return whirls;
 }
 
 const ReferencePath& reference_friction_path() {

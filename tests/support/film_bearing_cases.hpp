@@ -49,9 +49,18 @@ struct ReferenceEquilibrium {
   FilmResolution resolution;
   Eigen::Vector2d load{Eigen::Vector2d::Zero()};  ///< N
   double speed{};
-  Eigen::Vector2d position{Eigen::Vector2d::Zero()};   ///< in C_r
-  Eigen::Matrix2d stiffness{Eigen::Matrix2d::Zero()};  ///< N/m
+  Eigen::Vector2d position{Eigen::Vector2d::Zero()};     ///< in C_r
+  Eigen::Matrix2d stiffness{Eigen::Matrix2d::Zero()};    ///< N/m
+  Eigen::Matrix2cd impedance{Eigen::Matrix2cd::Zero()};  ///< to a whirl at the speed, N/m
 };
 const std::vector<ReferenceEquilibrium>& reference_equilibria();
+
+/// Impedance after the increment of the friction path at 0.8 C_r, of the same file.
+struct ReferenceWhirl {
+  bool stuck{};
+  double frequency{};  ///< rad/s
+  Eigen::Matrix2cd impedance{Eigen::Matrix2cd::Zero()};
+};
+const std::vector<ReferenceWhirl>& reference_friction_whirls();
 
 }  // namespace bumpfoil

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <complex>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bumpfoil/analysis/film_bearing.hpp"
 #include "bumpfoil/film/film_solver.hpp"
@@ -74,6 +76,17 @@ class FilmBearingSolver {
   /// contact keeping its mode; with `stuck` slipping contacts stick, as under a small whirl. Not symmetric.
   /// @return nothing if the modes leave a singular system
   [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck = false);
+
+  /// Impedance Z = dF/d(x, y) of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s
+  /// (1/s): N/m, rows x and y. The film squeezes, foils and journal have no mass, contacts keep their modes or stick
+  /// as in stiffness(), which Z is at s = 0. At a frequency omega, s = i omega, K = Re Z and C = Im Z / omega.
+  ///
+  /// One factorisation serves all rates (docs/theory/gas_film.md).
+  /// @param rates  s, real parts not negative
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+                                                                        const std::vector<std::complex<double>>& rates,
+                                                                        bool stuck = false);
 
   [[nodiscard]] const FilmBearing& bearing() const;
 

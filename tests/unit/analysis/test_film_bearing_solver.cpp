@@ -144,6 +144,29 @@ TEST(FilmBearingSolver, StuckContactsAreStiffer) {
   EXPECT_GT((*stuck)(0, 0), 1.1 * (*slipping)(0, 0));
 }
 
+TEST(FilmBearingSolver, ImpedanceAtRestIsTheStiffness) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmBearingSolver solver(bearing);
+  FilmBearingState state;
+  ASSERT_EQ(solver.cold_start({0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  for (const bool stuck : {false, true}) {
+    const auto K = solver.stiffness(state, stuck);
+    const std::complex<double> whirl(0.0, speed);
+    const auto Z = solver.impedances(state, {0.0, whirl, std::conj(whirl)}, stuck);
+    ASSERT_TRUE(K.has_value() && Z.has_value() && Z->size() == 3);
+    EXPECT_LT(((*Z)[0] - *K).norm(), 1e-8 * K->norm());
+    EXPECT_LT(((*Z)[1] - (*Z)[2].conjugate()).norm(), 1e-12 * K->norm());
+    EXPECT_GT((*Z)[1].imag()(0, 0), 0.0);
+    // What else is asked for decides where the equations are factored.
+    const auto alone = solver.impedances(state, {whirl / 7.0}, stuck);
+    const auto with_others = solver.impedances(state, {whirl / 7.0, 5.0 * whirl}, stuck);
+    ASSERT_TRUE(alone.has_value() && with_others.has_value());
+    EXPECT_LT(((*alone)[0] - (*with_others)[0]).norm(), 1e-8 * K->norm());
+    EXPECT_GT(((*alone)[0] - (*Z)[0]).norm(), 1e-3 * K->norm());
+  }
+}
+
 TEST(FilmBearingSolver, FindsThePositionThatCarriesALoad) {
   const FilmBearing bearing = film_reference_bearing(coarse);
   FilmBearingSolver solver(bearing);

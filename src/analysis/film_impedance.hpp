@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+
+namespace bumpfoil {
+
+/// What a linearised film does where the journal moves, or where something is stored in its volumes.
+struct FilmAnswer {
+  Vector content;                                  ///< change of P H at the nodes whose pressure is unknown
+  Eigen::Vector2d force{Eigen::Vector2d::Zero()};  ///< change of the force on the journal
+};
+
+/// Forces on a journal that moves by q e^{s t} about a state, at any number of rates s, from one factorisation at a
+/// real rate, the shift.
+///
+/// With J the derivatives of the steady equations by all unknowns X and S those of what the film stores, r and a the
+/// same by the displacement q of the journal, the motion is
+///
+///     (J + s S) X = -(r + s a) q
+///
+/// Let X_0 solve it at the shift. What remains is an equation for what is stored alone, w = S X + a q:
+///
+///     w - (s - shift) C w = S X_0 + a q,      C w = -S (J + shift S)^-1 w
+///
+/// C is real, and its Krylov space on the right-hand side is the same for all s: Arnoldi's method [Saad2011] builds a
+/// basis of it until the residual of the Galerkin solution is small at every s asked for.
+///
+/// @param moved   of X_0, for a unit displacement
+/// @param stored  C: the answer to rates of storage at the nodes whose pressure is unknown
+/// @param excess  s - shift, for all s
+/// @return forces per displacement, for all s; nothing if the space does not grow to hold the solution
+std::optional<std::vector<Eigen::Vector2cd>> film_forces(const FilmAnswer& moved,
+                                                         const std::function<FilmAnswer(const Vector&)>& stored,
+                                                         const std::vector<std::complex<double>>& excess);
+
+}  // namespace bumpfoil
