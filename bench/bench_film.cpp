@@ -1,6 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include <complex>
 #include <numbers>
+#include <vector>
 
 #include "bumpfoil/analysis/film_bearing_solver.hpp"
 
@@ -99,6 +101,19 @@ void equilibrium_from_a_neighbour(benchmark::State& bench) {
   bench.counters["iterations"] = iterations;
 }
 BENCHMARK(equilibrium_from_a_neighbour)->Apply(meshes);
+
+/// Stiffness and damping at 20 frequencies, a tenth of that of the rotation to twice it.
+void impedances(benchmark::State& bench) {
+  const FilmBearing bearing = frictionless_bearing(bench);
+  const FilmBearingState state = cold_state(bearing, 0.6, bench);
+  FilmBearingSolver solver(bearing);
+  std::vector<std::complex<double>> rates;
+  for (int i = 1; i <= 20; ++i) rates.emplace_back(0.0, 0.1 * i * speed);
+  for (auto _ : bench) {
+    if (!solver.impedances(state, rates)) bench.SkipWithError("singular");
+  }
+}
+BENCHMARK(impedances)->Apply(meshes);
 
 /// 50 speeds from 45,000 to 5,000 rpm under 50 N, without the way to the first.
 void coasting_down(benchmark::State& bench) {

@@ -30,7 +30,7 @@ class PathWalker {
       : result_(result),
         progress_(progress),
         states_(states),
-        steps_(input.equilibrium->steps),
+        settings_(*input.equilibrium),
         solver_(*result.bearing, options_of(input)) {}
 
   /// The states at `points`, one after the other.
@@ -75,6 +75,7 @@ class PathWalker {
     found.outcome = film_bearing_outcome(*result_.bearing, *state_);
     found.stiffness = solver_.stiffness(*state_);
     found.stuck_stiffness = solver_.stiffness(*state_, true);
+    found.whirls = whirls();
     const Foils& foils = *result_.foils;
     const FoilFilm& film = result_.bearing->foil;
     const double moment = film.stiffness * film.pitch * result_.bearing->scales.thickness;
@@ -83,6 +84,23 @@ class PathWalker {
     if (stress.bump_largest.size() > 0) {
       found.bump_foil_stress = std::max(stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0));
     }
+  }
+
+  [[nodiscard]] std::vector<FilmWhirl> whirls() {
+    std::vector<double> frequencies = settings_.frequencies;
+    if (frequencies.empty()) frequencies.push_back(std::abs(state_->speed));
+    std::vector<std::complex<double>> rates;
+    rates.reserve(frequencies.size());
+    for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
+    const auto moving = solver_.impedances(*state_, rates);
+    const auto stuck = solver_.impedances(*state_, rates, true);
+    std::vector<FilmWhirl> whirls(frequencies.size());
+    for (std::size_t i = 0; i < whirls.size(); ++i) {
+      whirls[i].frequency = frequencies[i];
+      if (moving) whirls[i].impedance = (*moving)[i];
+      if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
+    }
+    return whirls;
   }
 
   static void add(FilmReport& total, const FilmReport& more) {
@@ -148,12 +166,12 @@ class PathWalker {
                        ? film_force(*result_.bearing, state_->foil.film.pressure)
                        : state_->position;
     if (from.journal == point.journal && from.speed == point.speed) return;
-    for (int i = 1; i <= steps_ && total.status == FilmStatus::converged; ++i) {
-      const double part = static_cast<double>(i) / steps_;
+    for (int i = 1; i <= settings_.steps && total.status == FilmStatus::converged; ++i) {
+      const double part = static_cast<double>(i) / settings_.steps;
       OperatingPoint to = point;
       to.journal = from.journal + part * (point.journal - from.journal);
       to.speed = from.speed + part * (point.speed - from.speed);
-      done_of_state_ = part - 1.0 / steps_;
+      done_of_state_ = part - 1.0 / settings_.steps;
       go(to, total);
     }
   }
@@ -164,7 +182,7 @@ class PathWalker {
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
   std::size_t states_;
-  int steps_;
+  const EquilibriumSettings& settings_;
   double done_of_state_{};
   bool reached_{true};
   FilmBearingSolver solver_;

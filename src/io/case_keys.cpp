@@ -367,6 +367,11 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
               equilibrium.path);
   keys.value({"steps", defaulted, "Steps", "equal increments of the ramp to the first state of a path"},
              &equilibrium.steps);
+  keys.value({"frequencies", optional, "Frequencies",
+              "of small motions about the states, that stiffness and damping are given for; left out: that of the "
+              "rotation",
+              "[\"375 Hz\", \"750 Hz\"]", frequency},
+             &equilibrium.frequencies);
 }
 
 /// How a deviation is distributed whose keys are shown with these examples.

@@ -9,16 +9,20 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "io/csv_value.hpp"
 #include "io/equilibrium_json.hpp"
 #include "io/equilibrium_netcdf.hpp"
 #include "io/manifest.hpp"
 #include "io/summary_json.hpp"
+#include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
   const FilmBearing& bearing = *result.bearing;
@@ -73,7 +77,9 @@ std::string_view command_of(const EquilibriumResult& result) {
 }
 
 std::vector<std::string> equilibrium_file_names(std::string_view command) {
-  return {"summary.json", fmt::format("{}.csv", command), "result.nc"};
+  const std::string csv = fmt::format("{}.csv", command);
+  if (command == "film") return {"summary.json", csv, "result.nc"};
+  return {"summary.json", csv, "coefficients.csv", "result.nc"};
 }
 
 RunStatus status_of(const EquilibriumResult& result) {
@@ -98,6 +104,33 @@ std::string equilibrium_csv(const EquilibriumResult& result) {
       if (!column.in_csv) continue;
       append_csv(out += separator, value_of(column, *result.bearing, state), column.form);
       separator = ',';
+    }
+  }
+  return out + '\n';
+}
+
+std::string film_coefficients_csv(const EquilibriumResult& result) {
+  std::string out = "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s";
+  for (const std::string_view contacts : {"", "_stuck"}) {
+    for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",k{}{}_N_per_m", entry.axes, contacts);
+    for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",c{}{}_N_s_per_m", entry.axes, contacts);
+  }
+  for (const RunningState& state : result.states) {
+    if (!state.found()) continue;
+    const bool by_load = state.asked.control == OperatingPoint::Control::load;
+    for (const FilmWhirl& whirl : state.whirls) {
+      append_csv(out += '\n', state.asked.speed);
+      for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.asked.journal[axis] : absent);
+      for (const int axis : {0, 1}) append_csv(out += ',', state.last->position[axis]);
+      out += fmt::format(",{}", name_of(state.path));
+      append_csv(out += ',', whirl.frequency);
+      for (const auto& impedance : {whirl.impedance, whirl.stuck_impedance}) {
+        const Eigen::Matrix2cd Z = impedance.value_or(Eigen::Matrix2cd::Constant({absent, absent}));
+        for (const auto& [axes, row, column] : matrix_entries) append_csv(out += ',', Z(row, column).real());
+        for (const auto& [axes, row, column] : matrix_entries) {
+          append_csv(out += ',', Z(row, column).imag() / whirl.frequency);
+        }
+      }
     }
   }
   return out + '\n';
@@ -174,6 +207,7 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
   files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
+  if (result.foils) files.push_back({"coefficients.csv", film_coefficients_csv(result)});
   files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
   files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});
   return files;

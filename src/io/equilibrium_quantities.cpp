@@ -25,6 +25,7 @@ constexpr ShownUnit bars{"bar", 1e5};
 constexpr ShownUnit revolutions{"rpm", rpm};
 constexpr ShownUnit newton_millimetres{"N mm", 1e-3};
 constexpr ShownUnit stiffness{"MN/m", 1e6};
+constexpr ShownUnit damping{"N s/m", 1.0};
 constexpr ShownUnit megapascals{"MPa", 1e6};
 
 /// Imbalances are relative to the power, the torque and the largest flow.
@@ -76,6 +77,18 @@ double bump_number(const FilmBearing&, const RunningState& state) {
 template <std::optional<Eigen::Matrix2d> RunningState::*member, int row, int column>
 double entry(const FilmBearing&, const RunningState& state) {
   return state.*member ? (*(state.*member))(row, column) : absent;
+}
+
+/// Of the first of the frequencies.
+template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
+double whirl_stiffness(const FilmBearing&, const RunningState& state) {
+  if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
+  return (*(state.whirls.front().*member))(row, column).real();
+}
+template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
+double whirl_damping(const FilmBearing&, const RunningState& state) {
+  if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
+  return (*(state.whirls.front().*member))(row, column).imag() / state.whirls.front().frequency;
 }
 
 template <int FilmReport::*member>
@@ -214,6 +227,41 @@ constexpr auto table = std::to_array<RunningQuantity>({
     csv(foils({"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>})),
     csv(foils({"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>})),
     csv(foils({"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>})),
+    foils({"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
+           [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; },
+           "whirl frequency", revolutions}),
+    foils({"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 0, 0>, "whirl stiffness, xx", stiffness}),
+    foils({"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 0, 1>, "whirl stiffness, xy", stiffness}),
+    foils({"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 1, 0>, "whirl stiffness, yx", stiffness}),
+    foils({"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 1, 1>, "whirl stiffness, yy", stiffness}),
+    foils({"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 0, 0>, "whirl damping, xx", damping}),
+    foils({"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 0, 1>, "whirl damping, xy", damping}),
+    foils({"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 1, 0>, "whirl damping, yx", damping}),
+    foils({"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 1, 1>, "whirl damping, yy", damping}),
+    foils({"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 0>}),
+    foils({"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 1>}),
+    foils({"kyx_whirl_stuck", "N/m", "dF_y/dx at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 0>}),
+    foils({"kyy_whirl_stuck", "N/m", "dF_y/dy at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 1>}),
+    foils({"cxx_whirl_stuck", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 0, 0>}),
+    foils({"cxy_whirl_stuck", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 0, 1>}),
+    foils({"cyx_whirl_stuck", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 1, 0>}),
+    foils({"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>}),
     asked(counted(foils({"jumps", "1", "folds on the way to the state, over which the film was marched in time",
                          cost<&FilmReport::jumps>}))),
     asked(counted({"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>})),

@@ -25,6 +25,7 @@ inline constexpr Range length_range{1e-9, 1e3, "m"};
 inline constexpr Range modulus_range{1e6, 1e13, "Pa"};
 inline constexpr Range stiffness_range{1.0, 1e15, "N/m"};
 inline constexpr Range load_range{1e-6, 1e9, "N"};
+inline constexpr Range frequency_range{1e-3, 1e7, "rad/s"};
 inline constexpr Range strength_range{1e5, 1e11, "Pa"};
 inline constexpr Range coefficient_range{0.0, 1.0, ""};
 inline constexpr Range poisson_range{0.0, 0.5, ""};

@@ -116,6 +116,9 @@ void judge_equilibrium(Judge& judge, const Case& input) {
   judge.require(equilibrium.steps >= 1 && equilibrium.steps <= most_steps, "equilibrium.steps",
                 std::to_string(equilibrium.steps), "is no possible number of increments",
                 fmt::format("give a whole number from 1 to {}", most_steps));
+  for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
+    judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
+  }
   judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
                 "set model = \"truss\" or \"frame\", or remove [equilibrium]");

@@ -5,7 +5,6 @@
 namespace bumpfoil {
 namespace {
 
-constexpr Range frequency_range{1e-3, 1e7, "rad/s"};
 /// Points of all loops, which are kept until the end, and rows of all coefficients.
 constexpr std::int64_t most_points = 20'000'000;
 constexpr std::int64_t most_rows = 1'000'000;

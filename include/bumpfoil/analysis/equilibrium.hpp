@@ -15,6 +15,13 @@
 
 namespace bumpfoil {
 
+/// How a state answers to small motions of the journal at a frequency, as FilmBearingSolver::impedances() tells: K = Re
+/// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
+struct FilmWhirl {
+  double frequency{};  ///< rad/s
+  std::optional<Eigen::Matrix2cd> impedance, stuck_impedance;
+};
+
 /// A state of a bearing that runs, as it was asked for and as it was found.
 struct RunningState {
   FilmPath path{};       ///< that led here
@@ -27,6 +34,8 @@ struct RunningState {
   std::optional<FilmBearingOutcome> outcome;  ///< of it
   /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
   std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
+  /// At the frequencies of the case, or at that of the rotation: one entry or more.
+  std::vector<FilmWhirl> whirls;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
 

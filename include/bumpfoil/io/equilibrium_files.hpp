@@ -18,8 +18,8 @@ std::vector<std::string> equilibrium_file_names(std::string_view command);
 /// How a run ended.
 RunStatus status_of(const EquilibriumResult& result);
 
-/// The files of a run, as docs/results.md describes them: equilibrium.csv or film.csv, result.nc and summary.json, with
-/// the same run id and checksums as those of cycles.
+/// The files of a run, as docs/results.md describes them: equilibrium.csv with coefficients.csv, or film.csv; result.nc
+/// and summary.json, with the same run id and checksums as those of cycles.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 /// @throws Error (file) if the memory does not suffice
@@ -28,6 +28,10 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
 
 /// One row for each state.
 std::string equilibrium_csv(const EquilibriumResult& result);
+
+/// Stiffness and damping of every state that was found at each of its frequencies, a row for each: those of further
+/// motion, and with all closed contacts stuck.
+std::string film_coefficients_csv(const EquilibriumResult& result);
 
 /// The states side by side, for the terminal; of states that several paths led to, how far these lie apart.
 std::string equilibrium_table(const EquilibriumResult& result);

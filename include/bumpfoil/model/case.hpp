@@ -277,7 +277,8 @@ struct EquilibriumSettings {
   std::vector<Eigen::Vector2d> loads{};      ///< on the journal, N; empty with positions
   std::vector<Eigen::Vector2d> positions{};  ///< of the journal, m; empty with loads
   FilmPath path{FilmPath::load_ramp};
-  int steps{10};  ///< equal increments of the ramp to the first state of a path
+  int steps{10};                      ///< equal increments of the ramp to the first state of a path
+  std::vector<double> frequencies{};  ///< of motions that coefficients are given for, rad/s; none: of the rotation
 
   bool operator==(const EquilibriumSettings&) const = default;
 };

@@ -37,6 +37,27 @@ TEST(Equilibrium, RampsLoads) {
   EXPECT_EQ(result.states[2].asked.speed, 0.8 * speed);
 }
 
+TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
+  EquilibriumSettings settings{
+      .speeds = {-speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::position_ray, .steps = 2};
+  const FilmWhirl of_rotation = run_equilibrium(running_case(settings, 0.1)).states.at(0).whirls.at(0);
+  EXPECT_EQ(of_rotation.frequency, speed);
+  settings.frequencies = {0.1 * speed, speed};
+  const EquilibriumResult result = run_equilibrium(running_case(settings, 0.1));
+  const RunningState& state = result.states.at(0);
+  ASSERT_EQ(state.whirls.size(), 2U);
+  EXPECT_EQ(state.whirls[0].frequency, 0.1 * speed);
+  const FilmWhirl& again = state.whirls[1];
+  ASSERT_TRUE(of_rotation.impedance && of_rotation.stuck_impedance && again.impedance && again.stuck_impedance);
+  // Where the equations are factored depends on what is asked for: to 1e-10 of what is stored.
+  EXPECT_LT((*again.impedance - *of_rotation.impedance).norm(), 1e-8 * again.impedance->norm());
+  EXPECT_LT((*again.stuck_impedance - *of_rotation.stuck_impedance).norm(), 1e-8 * again.impedance->norm());
+  EXPECT_GT((*again.stuck_impedance - *again.impedance).norm(), 1e-3 * again.impedance->norm());
+  const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, 0.1 * speed}}, true);
+  ASSERT_TRUE(Z && state.whirls[0].stuck_impedance);
+  EXPECT_LT(((*Z)[0] - *state.whirls[0].stuck_impedance).norm(), 1e-8 * (*Z)[0].norm());
+}
+
 /// Every path leads to states that carry the load, if not to the same ones.
 TEST(Equilibrium, PathsLeadToStatesThatCarryTheLoad) {
   const Case input = running_case({.speeds = {speed, 0.9 * speed}, .loads = {{50.0, 0.0}}, .steps = 4});

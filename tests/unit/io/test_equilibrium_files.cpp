@@ -1,5 +1,6 @@
 #include "bumpfoil/io/equilibrium_files.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
@@ -48,12 +49,13 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(EquilibriumFiles, AreOneSet) {
   const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
-  ASSERT_EQ(files.size(), 3U);
+  ASSERT_EQ(files.size(), 4U);
   EXPECT_EQ(files[0].name, "equilibrium.csv");
-  const json summary = json::parse(files[2].contents);
+  EXPECT_EQ(files[1].name, "coefficients.csv");
+  const json summary = json::parse(files[3].contents);
   EXPECT_EQ(summary.at("command"), "equilibrium");
-  EXPECT_TRUE(is_sealed(files[2].contents, summary.at("xxh3_128").get<std::string>()));
-  for (const std::size_t i : {0U, 1U}) {
+  EXPECT_TRUE(is_sealed(files[3].contents, summary.at("xxh3_128").get<std::string>()));
+  for (const std::size_t i : {0U, 1U, 2U}) {
     EXPECT_EQ(summary.at("files").at(files[i].name).at("xxh3_128"), xxh3_128(files[i].contents));
   }
   ASSERT_EQ(summary.at("states").size(), 2U);
@@ -76,9 +78,33 @@ TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
   EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,");
 }
 
+TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
+  const std::vector<std::string> lines = lines_of(film_coefficients_csv(example(true)));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0],
+            "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,"
+            "kyy_N_per_m,cxx_N_s_per_m,cxy_N_s_per_m,cyx_N_s_per_m,cyy_N_s_per_m,kxx_stuck_N_per_m,kxy_stuck_N_per_m,"
+            "kyx_stuck_N_per_m,kyy_stuck_N_per_m,cxx_stuck_N_s_per_m,cxy_stuck_N_s_per_m,cyx_stuck_N_s_per_m,"
+            "cyy_stuck_N_s_per_m");
+  const FilmWhirl& whirl = example().states[0].whirls.at(0);
+  const Eigen::Matrix2cd& Z = *whirl.impedance;
+  EXPECT_NE(lines[1].find(fmt::format(",30,0,{:.17g},{:.17g},load_ramp,{:.17g},{:.17g},{:.17g},",
+                                      example().states[0].last->position.x(), example().states[0].last->position.y(),
+                                      whirl.frequency, Z(0, 0).real(), Z(0, 1).real())),
+            std::string::npos);
+  EXPECT_TRUE(lines[1].ends_with(fmt::format(",{:.17g}", whirl.stuck_impedance->imag()(1, 1) / whirl.frequency)));
+  // At the frequency of the rotation these are quantities of the state, too.
+  const json state =
+      json::parse(equilibrium_files(small_case(), example(), RunStatus::complete, {})[3].contents).at("states").at(0);
+  EXPECT_EQ(state.at("whirl_frequency_rad_per_s"), whirl.frequency);
+  EXPECT_EQ(state.at("kyx_whirl_N_per_m"), Z(1, 0).real());
+  EXPECT_EQ(state.at("cxy_whirl_N_s_per_m"), Z(0, 1).imag() / whirl.frequency);
+  EXPECT_EQ(state.at("cyy_whirl_stuck_N_s_per_m"), whirl.stuck_impedance->imag()(1, 1) / whirl.frequency);
+}
+
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
   const std::vector<ResultFile> files = equilibrium_files(small_case(), example(true), RunStatus::failed, {});
-  const json failed = json::parse(files[2].contents).at("states").at(1);
+  const json failed = json::parse(files[3].contents).at("states").at(1);
   EXPECT_TRUE(failed.at("x_m").is_null());
   EXPECT_GT(failed.at("last_state").at("x_m"), 0.0);
   EXPECT_NE(failed.at("reason").get<std::string>().find("the branch of states ends"), std::string::npos);
@@ -87,7 +113,7 @@ TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
 TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   const testing::TemporaryFolder folder;
   const std::string path =
-      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[1].contents);
+      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[2].contents);
   const netCDF::NcFile file(path, netCDF::NcFile::read);
   std::string status;
   file.getAtt("status").getValues(status);
@@ -166,7 +192,7 @@ TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
     EXPECT_TRUE(variables.contains(quantity.at("name"))) << quantity;
     EXPECT_NE(quantity.at("label").get<std::string>().front(), ' ') << quantity;
   }
-  json summary = json::parse(files[2].contents);
+  json summary = json::parse(files[3].contents);
   summary["limits"] = {{{"kind", "load_capacity"}, {"status", "converged"}, {"thick", json::object()}}};
   folder.write("summary.json", summary.dump());
   EXPECT_THROW(report_json({folder.path()}, {.checked = false}), Error);
