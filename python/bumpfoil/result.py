@@ -9,6 +9,7 @@ import math
 import os
 import sys
 import tempfile
+import threading
 import warnings
 from collections.abc import Mapping
 from functools import cached_property
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
     import pandas
     import xarray
     from matplotlib.axes import Axes
+
+#: netCDF is not thread-safe, and its package for Python lets other threads go on: who reads or writes holds this.
+netcdf = threading.RLock()
 
 _PAGE = Path(__file__).with_name("report.html")
 
@@ -69,7 +73,8 @@ class Result:
     @cached_property
     def files(self) -> dict[str, bytes]:
         assert self._run is not None  # those of a file are there
-        return self._run.files()
+        with netcdf:
+            return self._run.files()
 
     @cached_property
     def summary(self) -> dict[str, Any]:
@@ -133,7 +138,7 @@ class Result:
 
         (name,) = (name for name in self.files if name.endswith(".nc"))
         make_store: Any = xarray.backends.NetCDF4DataStore
-        with xarray.open_dataset(make_store(netCDF4.Dataset(name, memory=self.files[name]))) as dataset:
+        with netcdf, xarray.open_dataset(make_store(netCDF4.Dataset(name, memory=self.files[name]))) as dataset:
             return dataset.load()
 
     def to_dataframe(self, table: str | None = None) -> pandas.DataFrame:
@@ -223,14 +228,15 @@ def write_report(results: Mapping[str, Result], path: str | os.PathLike[str], *,
         for name, result in results.items():
             folders.append(Path(temporary, name.replace(os.sep, " ")))
             result.save(folders[-1])
-        _native.write_report(folders, page, os.fspath(path), force)
+        with netcdf:
+            _native.write_report(folders, page, os.fspath(path), force)
 
 
 def read_cycles(contents: bytes, summary: Mapping[str, Any]) -> list[Cycle]:
     """The cycles in the bytes of a result.nc, in the order of summary.json."""
     import netCDF4
 
-    with netCDF4.Dataset("result.nc", memory=contents) as file:
+    with netcdf, netCDF4.Dataset("result.nc", memory=contents) as file:
         (of_cycles,) = {"direction", "cycle"} & set(file.dimensions) or (None,)
         places: list[Any] = [()]
         if of_cycles is not None:

@@ -13,7 +13,7 @@ import numpy as np
 from . import _native
 from .case import Case, as_case, toml_value
 from .progress import Progress, shown
-from .result import Result, warn_of
+from .result import Result, netcdf, warn_of
 
 _WHAT_RUNS_TAKE = """
 
@@ -150,10 +150,13 @@ def run_montecarlo(
             )  # fmt: skip
     tables["montecarlo"] = {**tables.get("montecarlo", {}), "samples": samples, "seed": seed}
     source = as_case(case, tables)._source
-    with shown(progress) as called:
-        status, failures = _native.montecarlo(
-            source, os.fspath(folder), threads, target_error, list(limits), resume, force, called
-        )
+    ensemble = _native.FolderEnsemble(source, os.fspath(folder), threads, target_error, list(limits), resume, force)
+    try:
+        with shown(progress) as called:
+            ensemble.run(called)
+    finally:  # what there is by then, also after Ctrl-C
+        with netcdf:
+            status, failures = ensemble.publish()
     warn_of(status, failures)
     return Result.load(folder)
 

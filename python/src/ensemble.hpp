@@ -1,12 +1,16 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bumpfoil/io/ensemble_layout.hpp"
+#include "bumpfoil/io/ensemble_log.hpp"
+#include "bumpfoil/io/ensemble_yield.hpp"
+#include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/io/result_netcdf.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -23,17 +27,29 @@ struct EnsembleRequest {
   bool force{};
 };
 
-/// How it went.
-struct EnsembleOutcome {
-  RunStatus status{};
-  std::vector<std::string> failures;  ///< a line each
-};
+/// The ensemble of a case on its way to a folder.
+class FolderEnsemble {
+ public:
+  /// Claims the folder. @throws Error
+  FolderEnsemble(const Case& input, const EnsembleRequest& request, Provenance provenance);
 
-/// Runs the ensemble of a case and writes it to its folder; one that is stopped, too.
-/// @param unlocked  does what it is given while other threads may go on
-/// @throws Error
-EnsembleOutcome run_ensemble_to(const Case& input, const EnsembleRequest& request, const Provenance& provenance,
-                                const std::function<void(const std::function<void()>&)>& unlocked,
-                                const std::function<bool(double)>& progress);
+  /// Runs the samples that are not there yet. @param progress  as that of EnsembleRun, with the part that is done
+  void run(const std::function<bool(double)>& progress);
+
+  /// Writes what there is, which may be part of it. netCDF is not thread-safe: to be called by one thread at a time.
+  /// @return how it ended, and a line for each failure
+  std::pair<RunStatus, std::vector<std::string>> publish();
+
+ private:
+  Case input_;
+  EnsembleRequest request_;
+  Provenance provenance_;
+  bool resumes_;
+  ResultFolder folder_;
+  EnsembleLayout layout_;
+  std::vector<EnsembleLimit> limits_;
+  EnsembleLog log_;
+  bool finished_{};
+};
 
 }  // namespace bumpfoil

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -83,19 +84,22 @@ Run sweep(const CaseSource& source, const std::string& command, const std::vecto
   return result;
 }
 
-std::pair<std::string, std::vector<std::string>> montecarlo(const CaseSource& source, const EnsembleRequest& request,
-                                                            const py::object& progress) {
+std::unique_ptr<FolderEnsemble> open_ensemble(const CaseSource& source, std::filesystem::path folder,
+                                              std::optional<unsigned> threads, std::optional<double> target_error,
+                                              std::vector<std::string> limits, bool resumes, bool force) {
   const Case input = read_source(source, {"montecarlo", "cycle"});
+  return std::make_unique<FolderEnsemble>(
+      input, EnsembleRequest{std::move(folder), threads, target_error, std::move(limits), resumes, force},
+      provenance_of("montecarlo", kept_text(source, input)));
+}
+
+void run_samples(FolderEnsemble& ensemble, const py::object& progress) {
   Watch watch(progress);
-  EnsembleOutcome outcome = run_ensemble_to(
-      input, request, provenance_of("montecarlo", kept_text(source, input)),
-      [](const std::function<void()>& run) {
-        const py::gil_scoped_release unlocked;
-        run();
-      },
-      [&](double fraction) { return watch.go_on(fraction); });
+  {
+    const py::gil_scoped_release unlocked;
+    ensemble.run([&](double fraction) { return watch.go_on(fraction); });
+  }
   watch.rethrow();
-  return {std::string(name_of(outcome.status)), std::move(outcome.failures)};
 }
 
 Files files_of(const Run& run) {
@@ -166,11 +170,13 @@ PYBIND11_MODULE(_native, m) {
   m.def("sweep", sweep);
   m.def("swept_commands",
         [] { return std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()); });
-  m.def("montecarlo", [](const CaseSource& source, std::filesystem::path folder, std::optional<unsigned> threads,
-                         std::optional<double> target_error, std::vector<std::string> limits, bool resumes, bool force,
-                         const py::object& progress) {
-    return montecarlo(source, {std::move(folder), threads, target_error, std::move(limits), resumes, force}, progress);
-  });
+  py::class_<FolderEnsemble>(m, "FolderEnsemble")
+      .def(py::init(&open_ensemble))
+      .def("run", run_samples)
+      .def("publish", [](FolderEnsemble& ensemble) {
+        auto [status, failures] = ensemble.publish();
+        return std::pair(std::string(name_of(status)), std::move(failures));
+      });
   m.def("save", save);
   m.def("published_file", published_file);
   m.def("checksum", [](const py::bytes& bytes) { return xxh3_128(std::string_view(bytes)); });

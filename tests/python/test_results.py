@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pandas
@@ -81,6 +82,18 @@ def test_several_results_in_one_report(result, tmp_path):
     bumpfoil.write_report({"rough": result, "smooth": other}, tmp_path / "both.html")
     page = (tmp_path / "both.html").read_text()
     assert '"rough"' in page and '"smooth"' in page
+
+
+def test_files_of_several_threads(tmp_path):
+    """They are made and read one at a time, as netCDF is not thread-safe."""
+
+    def round_trip(number):
+        result = bumpfoil.run_cycle(GEN1, cycle={"steps": 5}, friction={"coefficient": number / 100})
+        result.save(tmp_path / str(number))
+        assert bumpfoil.load(tmp_path / str(number)).to_xarray().identical(result.to_xarray())
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(round_trip, range(8)))
 
 
 def test_shown_in_a_notebook(result):

@@ -69,3 +69,12 @@ def test_ensemble_goes_on_where_it_was_stopped(tmp_path):
     resumed = bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=40, resume=True, threads=2)
     whole = bumpfoil.run_montecarlo(TOLERANCES, samples=40, threads=1)
     np.testing.assert_array_equal(resumed.to_xarray().max_force, whole.to_xarray().max_force)
+
+
+def test_ctrl_c_keeps_the_samples(tmp_path):
+    def press(fraction):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=10, progress=press)
+    assert bumpfoil.load(tmp_path).status == "interrupted"
