@@ -123,6 +123,8 @@ export async function print(page) {
   await page.emulateMedia({ media: 'print' });
   await page.setViewportSize({ width: Math.round(paper.width), height: 1000 });
   await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  // What they chose is said in words: nobody can choose on paper.
+  assert.equal(await page.locator('select').evaluateAll((all) => all.filter((one) => one.getClientRects().length > 0).length), 0);
 }
 
 /** What axe-core finds of some weight. */
