@@ -260,6 +260,19 @@ test('what is shown is saved as a report', () =>
     await other.close();
   }));
 
+test('charts out of sight are drawn when one comes to them', () =>
+  withPage(async (page) => {
+    await type(page, 'friction.coefficient', '0.2');
+    const plot = page.locator('#view-loads .plot').last();
+    await plot.locator('svg').waitFor({ state: 'attached' });
+    const [drawn, label] = [await plot.innerHTML(), await plot.locator('..').getAttribute('aria-label')];
+    await type(page, 'friction.coefficient', '0.3');
+    assert.equal(await plot.innerHTML(), drawn);
+    assert.notEqual(await plot.locator('..').getAttribute('aria-label'), label);
+    await plot.scrollIntoViewIfNeeded();
+    await page.waitForFunction(([one, before]) => one.innerHTML !== before, [await plot.elementHandle(), drawn]);
+  }));
+
 test('tables of lists are added, changed and taken out one by one', () =>
   withPage(
     async (page) => {

@@ -4,7 +4,7 @@ import * as echarts from 'echarts/core';
 import { SVGRenderer } from 'echarts/renderers';
 import type { EChartsType } from 'echarts/core';
 import { el } from '../ui/dom';
-import { fontFamily, look, onLookChange, type Look } from '../ui/theme';
+import { fontFamily, isPrinting, look, onLookChange, type Look } from '../ui/theme';
 
 echarts.use([BarChart, CustomChart, LineChart, GridComponent, TitleComponent, TooltipComponent, SVGRenderer]);
 
@@ -27,13 +27,19 @@ function drawNext(): void {
   else document.documentElement.dataset['drawn'] = 'true';
 }
 
-/** A chart that follows the width of its place and the colours of the page, with a cursor that costs no redrawing. */
+/**
+ * A chart that follows the width of its place and the colours of the page, with a cursor that costs no redrawing. What has
+ * changed is drawn once it is in sight, on paper or saved.
+ */
 export class Chart {
   readonly root: HTMLElement;
   private readonly place = el('div', { class: 'plot' });
   private readonly cursors: HTMLElement[] = [];
   private instance: EChartsType | undefined;
   private moveCursor: () => void = () => {};
+  private seen = true;
+  /** Whether what is drawn is of before. */
+  private old = false;
 
   /**
    * @param label what the chart shows, for those who cannot see it
@@ -47,13 +53,18 @@ export class Chart {
   ) {
     this.root = el('div', { class: 'chart', role: 'img', 'aria-label': label() }, this.place);
     new ResizeObserver(() => this.fitted()).observe(this.root);
+    const sight = new IntersectionObserver((entries) => {
+      this.seen = entries[entries.length - 1]?.isIntersecting ?? true;
+      if (this.seen && this.old) this.draw();
+    });
+    sight.observe(this.root);
     onLookChange(() => this.fit());
   }
 
   /** Takes its room at once, and is drawn in its turn. */
   private fitted(): void {
     if (this.instance) {
-      this.fit();
+      this.draw();
     } else if (!waiting.includes(this)) {
       this.place.style.height = `${this.height(this.root.clientWidth)}px`;
       waiting.push(this);
@@ -61,17 +72,24 @@ export class Chart {
     }
   }
 
-  /** Draws anew, in the size and the colours of now. */
+  /** To be called when what is shown has changed. */
   fit(): void {
+    this.root.setAttribute('aria-label', this.label());
+    this.old = this.instance !== undefined && !this.seen && !isPrinting();
+    if (!this.old) this.draw();
+  }
+
+  /** Draws anew, in the size and the colours of now. */
+  private draw(): void {
     const width = this.root.clientWidth;
     if (width === 0) return;
+    this.old = false;
     const height = this.height(width);
     this.place.style.height = `${height}px`;
     if (!this.instance) {
       this.instance = echarts.init(this.place, null, { renderer: 'svg', width, height });
       this.ready(this.instance);
     }
-    this.root.setAttribute('aria-label', this.label());
     const current = look();
     this.instance.setOption(
       {
@@ -86,9 +104,10 @@ export class Chart {
     this.moveCursor();
   }
 
-  /** Changes parts of the option that is there; out of sight nothing, where what is there may be of runs that are gone. */
+  /** Changes parts of the option that is there; what is there out of sight may be of runs that are gone. */
   update(option: Option): void {
-    if (this.root.clientWidth > 0) this.instance?.setOption(option);
+    if (this.seen && !this.old) this.instance?.setOption(option);
+    else this.old = true;
   }
 
   /** Puts marks (elements of class `cursor`) where `position` says, now and whenever the chart changes its size. */
@@ -120,6 +139,7 @@ export class Chart {
   }
 
   get drawing(): SVGSVGElement | null {
+    if (this.old) this.draw();
     return this.place.querySelector('svg');
   }
 
