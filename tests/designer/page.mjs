@@ -1,0 +1,71 @@
+// The page of `bumpfoil designer` in Chromium, for the tests that use it.
+
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { run } from './support.mjs';
+
+export const modules = createRequire(join(process.env.BUMPFOIL_WEB, 'package.json'));
+const { chromium } = modules('playwright-core');
+export let folder;
+export let file;
+let browser;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'bumpfoil-designer-'));
+  file = join(folder, 'designer.html');
+  run('designer', '-o', file);
+  browser = await chromium.launch({ executablePath: process.env.BUMPFOIL_CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+async function answers(page) {
+  return Number(await page.evaluate(() => document.documentElement.dataset.answered ?? 0));
+}
+
+/** Does something to the case, and waits until that is answered. */
+export async function answered(page, act) {
+  const count = await answers(page);
+  await act();
+  await page.waitForFunction((before) => Number(document.documentElement.dataset.answered) > before, count);
+}
+
+/** The page, and everything that goes wrong or out while it is shown. */
+export async function withPage(check, { fragment = '', ...options } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, ...options });
+  const page = await context.newPage();
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(String(error)));
+  page.on('console', (message) => faults.push(message.text()));
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) faults.push(request.url());
+  });
+  await page.goto(pathToFileURL(file).href + fragment);
+  await page.waitForFunction(() => document.documentElement.dataset.answered);
+  await check(page);
+  assert.deepEqual(faults, []);
+  await context.close();
+}
+
+export const field = (page, key) => page.locator(`[data-key="${key}"] input:not([type="range"])`);
+export const slider = (page, key) => page.locator(`[data-key="${key}"] input[type="range"]`);
+export const tile = (page, key) => page.locator(`.tile[data-key="${key}"] strong`).textContent();
+
+export async function type(page, key, text) {
+  await answered(page, async () => {
+    await field(page, key).fill(text);
+    await field(page, key).press('Tab');
+  });
+}
+
+export function textOf(page) {
+  return page.locator('.editor').inputValue();
+}

@@ -1,0 +1,107 @@
+// What the page of `bumpfoil designer` shows and saves beside loops: vibrations, ensembles, reports, charts out of sight.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { answered, folder, slider, textOf, type, withPage } from './page.mjs';
+import { reference, run, withFolder } from './support.mjs';
+
+test('vibrations about a load are those of the program', () =>
+  withPage(async (page) => {
+    await page.getByRole('tab', { name: 'Vibration' }).click();
+    const drawn = async (act) => {
+      const count = Number((await page.locator('.vibration').getAttribute('data-answered')) ?? 0);
+      await act();
+      await page.waitForFunction((before) => Number(document.querySelector('.vibration').dataset.answered ?? 0) > before, count);
+    };
+    await drawn(() => Promise.resolve());
+    const load = page.getByLabel('along Y, N');
+    await drawn(async () => {
+      await load.fill('-80');
+      await load.press('Tab');
+    });
+    assert.match(await page.locator('.vibration > .note').textContent(), /the journal stands at x = .* µm/);
+    for (const [title, columns] of [['Stiffness', ['kxx_N_per_m', 'kyy_N_per_m']], ['Loss factor', ['loss_factor_x', 'loss_factor_y']]]) {
+      const download = page.waitForEvent('download');
+      await page.getByRole('button', { name: `${title}: save the data as CSV` }).click();
+      const [, ...rows] = readFileSync(await (await download).path(), 'utf8').trim().split('\r\n').map((line) => line.split(',').map(Number));
+      assert.equal(rows.length, 8);
+      withFolder((place) => {
+        const amplitudes = [rows[2][0], rows[7][0]];
+        run('vibration', process.env.BUMPFOIL_CASE, '-o', join(place, 'v'), '--set', 'vibration.loads=[["0 N", "-80 N"]]', 'vibration.directions=["+X", "+Y"]', `vibration.amplitudes=[${amplitudes.join(', ')}]`, 'vibration.frequencies=["1 Hz"]', 'vibration.steps=25');
+        const [header, ...expected] = readFileSync(join(place, 'v', 'coefficients.csv'), 'utf8').trim().split('\n').map((line) => line.split(','));
+        [rows[2], rows[7]].forEach((row, i) =>
+          columns.forEach((column, axis) => {
+            const due = Number(expected[i][header.indexOf(column)]);
+            // Files of charts have seven digits.
+            assert.ok(Math.abs(row[1 + axis] - due) <= 1e-6 * due, `${column} at ${row[0]} m: ${row[1 + axis]}, not ${due}`);
+          }),
+        );
+      });
+    }
+    await type(page, 'friction.coefficient', '0.2');
+    await page.waitForFunction(() => document.querySelectorAll('.vibration .legend li').length === 8);
+  }));
+
+test('a hundred bearings are those of the program', () =>
+  withPage(async (page) => {
+    await answered(page, () => slider(page, 'cycle.steps').evaluate((one) => {
+      one.value = '20';
+      one.dispatchEvent(new Event('input', { bubbles: true }));
+    }));
+    await page.getByRole('tab', { name: 'Ensemble' }).click();
+    await answered(page, () => page.getByRole('button', { name: 'Add tolerances' }).click());
+    await page.waitForFunction(() => document.querySelector('.ensemble').dataset.done === '100');
+    const stated = await page.locator('.ensemble .panel', { hasText: 'Maximum force' }).locator('.subject').textContent();
+    const text = await textOf(page);
+    withFolder((place) => {
+      writeFileSync(join(place, 'case.toml'), text);
+      run('montecarlo', join(place, 'case.toml'), '-o', join(place, 'm'), '--samples', '100');
+      const { mean, p5, p95 } = JSON.parse(readFileSync(join(place, 'm', 'summary.json'), 'utf8')).statistics['+X'].max_force_N;
+      const four = (number) => Number(number.toPrecision(4)).toFixed(1);
+      assert.ok(stated.startsWith(`mean ${four(mean)} N ± `), `${stated}; mean ${mean}`);
+      assert.ok(stated.includes(`5 % below ${four(p5)} N, 5 % above ${four(p95)} N`), `${stated}; ${p5} to ${p95}`);
+    });
+    await page.getByRole('group', { name: 'Direction of the bearings' }).getByRole('button', { name: '−Y' }).click();
+    assert.notEqual(await page.locator('.ensemble .panel', { hasText: 'Maximum force' }).locator('.subject').textContent(), stated);
+  }));
+
+test('what is shown is saved as a report', () =>
+  withPage(async (page) => {
+    await answered(page, () => page.locator('.editor').evaluate((one, text) => {
+      one.value = text;
+      one.dispatchEvent(new Event('input', { bubbles: true }));
+    }, reference.replace(/^title = .*/m, 'title = "A </script> in a title"')));
+    await type(page, 'friction.coefficient', '0.2');
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Save report' }).click();
+    const report = join(folder, 'report.html');
+    await (await download).saveAs(report);
+    const other = await page.context().newPage();
+    const faults = [];
+    other.on('pageerror', (error) => faults.push(String(error)));
+    other.on('console', (message) => faults.push(message.text()));
+    await other.goto(pathToFileURL(report).href);
+    await other.waitForFunction(() => document.documentElement.dataset.drawn);
+    assert.match(await other.locator('h1').textContent(), /A <\/script> in a title/);
+    assert.match(await other.locator('.about').first().textContent(), /2 runs compared · solver newton · bumpfoil /);
+    const row = other.locator('tr[data-key="max_force_N"]').first();
+    assert.match(await row.textContent(), /739\.3.*964\.4/);
+    assert.deepEqual(faults, []);
+    await other.close();
+  }));
+
+test('charts out of sight are drawn when one comes to them', () =>
+  withPage(async (page) => {
+    await type(page, 'friction.coefficient', '0.2');
+    const plot = page.locator('#view-loads .plot').last();
+    await plot.locator('svg').waitFor({ state: 'attached' });
+    const [drawn, label] = [await plot.innerHTML(), await plot.locator('..').getAttribute('aria-label')];
+    await type(page, 'friction.coefficient', '0.3');
+    assert.equal(await plot.innerHTML(), drawn);
+    assert.notEqual(await plot.locator('..').getAttribute('aria-label'), label);
+    await plot.scrollIntoViewIfNeeded();
+    await page.waitForFunction(([one, before]) => one.innerHTML !== before, [await plot.elementHandle(), drawn]);
+  }));
