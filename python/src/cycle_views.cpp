@@ -30,7 +30,9 @@ constexpr auto displacements = std::to_array<NamedField>({{"top_displacement", &
                                                           {"crest_v", &FoilFields::crest_v},
                                                           {"foot_u", &FoilFields::foot_u},
                                                           {"foot_v", &FoilFields::foot_v},
-                                                          {"compression", &FoilFields::compression}});
+                                                          {"compression", &FoilFields::compression},
+                                                          {"pad_force_x", &FoilFields::pad_force_x},
+                                                          {"pad_force_y", &FoilFields::pad_force_y}});
 
 struct NamedInterface {
   const char* name;
@@ -62,13 +64,14 @@ py::array view(const Number* numbers, const std::vector<py::ssize_t>& shape, con
 /// Which axes views have beside that of bumps or feet.
 enum class Rows { all, single };
 
-/// Leaves out what a model does not know, which has no columns. The weld is a single place: its axis falls away.
+/// Leaves out what a model does not know, which has no columns. The weld is a single place, but for
+/// several pads: its axis falls away.
 template <typename Matrix>
 void add_view(py::dict& fields, const std::string& name, const Matrix& matrix, Rows rows, const py::object& owner) {
   if (matrix.cols() == 0) return;
   std::vector<py::ssize_t> shape;
   if (rows == Rows::all) shape.push_back(matrix.rows());
-  if (!name.ends_with("_weld")) shape.push_back(matrix.cols());
+  if (!name.ends_with("_weld") || matrix.cols() > 1) shape.push_back(matrix.cols());
   using Number = std::conditional_t<std::is_enum_v<typename Matrix::Scalar>, std::uint8_t, double>;
   static_assert(sizeof(Number) == sizeof(typename Matrix::Scalar));
   fields[name.c_str()] = view(reinterpret_cast<const Number*>(matrix.data()), shape, owner);

@@ -49,6 +49,11 @@ class CycleRecorder {
     response.journal_loads = loads(Interface::journal_top);
     response.bump_loads = loads(Interface::top_bump);
     response.foot_loads = loads(Interface::bump_sleeve);
+    if (foils().pads() > 1) {
+      const Eigen::Matrix2Xd forces = pad_forces(foils(), state.contacts.normal_force);
+      response.pad_forces_x = forces.row(0);
+      response.pad_forces_y = forces.row(1);
+    }
     quantities_.turn(std::move(response));
   }
 

@@ -79,8 +79,10 @@ class PathWalker {
     const Foils& foils = *result_.foils;
     const FoilFilm& film = result_.bearing->foil;
     const double moment = film.stiffness * film.pitch * result_.bearing->scales.thickness;
-    found.top_foil_stress = moment * state_->foil.moment.cwiseAbs().maxCoeff() / foils.stress.top_section_modulus;
-    const FoilStress stress = foil_stress(foils.stress, foil_state(foils, *result_.bearing, *state_).contacts.x);
+    found.top_foil_stress =
+        moment * state_->foil.moment.cwiseAbs().maxCoeff() / foils.stress.front().top_section_modulus;
+    const FoilStress stress =
+        foil_stress(foils.stress.front(), foil_state(foils, *result_.bearing, *state_).contacts.x);
     if (stress.bump_largest.size() > 0) {
       found.bump_foil_stress = std::max(stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0));
     }

@@ -76,30 +76,43 @@ void record_interface(const Foils& foils, const FoilState& state, Interface inte
 }
 
 void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
-  const FoilStress stress = foil_stress(foils.stress, x);
-  const auto put = [&](FieldMatrix& field, const Vector& values) {
+  const auto put = [&](FieldMatrix& field, Eigen::Index column, const Vector& values) {
     if (values.size() == 0) return;
-    field.row(increment) = values.unaryExpr([&](double s) { return cleared(s, foils.roundings.stress); }).transpose();
+    field.row(increment).segment(column, values.size()) =
+        values.unaryExpr([&](double s) { return cleared(s, foils.roundings.stress); }).transpose();
   };
-  const auto put_one = [&](FieldMatrix& field, const std::optional<double>& value) {
-    if (value) put(field, Vector::Constant(1, *value));
+  const auto put_one = [&](FieldMatrix& field, Eigen::Index column, const std::optional<double>& value) {
+    if (value) put(field, column, Vector::Constant(1, *value));
   };
-  put_one(fields.top_weld, stress.top_weld);
-  put_one(fields.bump_weld, stress.bump_weld);
-  put(fields.top_crest, stress.top_crest);
-  put(fields.bump_crest, stress.bump_crest);
-  put(fields.bump_foot, stress.bump_foot);
-  put(fields.bump_largest, stress.bump_largest);
+  const Eigen::Index size = foils.structure.dofs.size;
+  for (int pad = 0; pad < foils.pads(); ++pad) {
+    const auto [first, count] = foils.structure.blocks_of(pad);
+    const FoilStress stress =
+        foil_stress(foils.stress[static_cast<std::size_t>(pad)], x.segment(first * size, count * size));
+    put_one(fields.top_weld, pad, stress.top_weld);
+    put_one(fields.bump_weld, pad, stress.bump_weld);
+    put(fields.top_crest, first, stress.top_crest);
+    put(fields.bump_crest, first, stress.bump_crest);
+    put(fields.bump_foot, Eigen::Index{first} * foils.feet_per_block(), stress.bump_foot);
+    put(fields.bump_largest, first, stress.bump_largest);
+  }
 }
 
 StressFields make_stress_fields(const Foils& foils, int increments) {
-  const FoilStress none = foil_stress(foils.stress, Vector::Zero(foils.problem.K.rows()));
-  return {.top_weld = FieldMatrix(increments, none.top_weld ? 1 : 0),
-          .top_crest = FieldMatrix(increments, none.top_crest.size()),
-          .bump_weld = FieldMatrix(increments, none.bump_weld ? 1 : 0),
-          .bump_crest = FieldMatrix(increments, none.bump_crest.size()),
-          .bump_foot = FieldMatrix(increments, none.bump_foot.size()),
-          .bump_largest = FieldMatrix(increments, none.bump_largest.size())};
+  const Eigen::Index count = foils.structure.blocks_of(0).count;
+  const FoilStress none = foil_stress(foils.stress.front(), Vector::Zero(count * foils.structure.dofs.size));
+  const auto of_welds = [&](const std::optional<double>& one) {
+    return FieldMatrix(increments, one ? foils.pads() : 0);
+  };
+  const auto of_all = [&](const Vector& of_pad) {
+    return FieldMatrix(increments, of_pad.size() * foils.bumps() / (count - foils.structure.first_bump));
+  };
+  return {.top_weld = of_welds(none.top_weld),
+          .top_crest = of_all(none.top_crest),
+          .bump_weld = of_welds(none.bump_weld),
+          .bump_crest = of_all(none.bump_crest),
+          .bump_foot = of_all(none.bump_foot),
+          .bump_largest = of_all(none.bump_largest)};
 }
 
 }  // namespace
@@ -117,9 +130,9 @@ void InterfaceFields::truncate(Eigen::Index increments) {
 }
 
 void FoilFields::truncate(Eigen::Index increments) {
-  for (FieldMatrix* field :
-       {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &stress.top_weld, &stress.top_crest,
-        &stress.bump_weld, &stress.bump_crest, &stress.bump_foot, &stress.bump_largest}) {
+  for (FieldMatrix* field : {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &pad_force_x,
+                             &pad_force_y, &stress.top_weld, &stress.top_crest, &stress.bump_weld, &stress.bump_crest,
+                             &stress.bump_foot, &stress.bump_largest}) {
     field->conservativeResize(increments, Eigen::NoChange);
   }
   for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
@@ -146,6 +159,9 @@ FoilFields make_fields(const Foils& foils, int increments) {
   fields.journal_top.resize(increments, foils.has_top_foil() ? bumps : 0);
   fields.top_bump.resize(increments, bumps);
   fields.bump_sleeve.resize(increments, feet);
+  for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
+    field->resize(increments, foils.pads() > 1 ? foils.pads() : 0);
+  }
   fields.stress = make_stress_fields(foils, increments);
   return fields;
 }
@@ -156,9 +172,12 @@ Vector bump_compression(const FoilStructure& structure, const Vector& x) {
   Vector compression(structure.bumps());
   for (Eigen::Index i = 0; i < compression.size(); ++i) {
     const Eigen::Index block = structure.first_bump + i;
-    const auto foot = [&](Eigen::Index of_block, int v) { return of_block < 0 ? 0.0 : x[of_block * size + v]; };
-    // A block that has one foot shares the other with the block before.
-    const double before = foot(dofs.feet() > 1 ? block : block - 1, dofs.foot_v.front());
+    const auto foot = [&](Eigen::Index of_block, int v) { return x[of_block * size + v]; };
+    // A block that has one foot shares the other with the block before, if its foil has one.
+    const bool shares = dofs.feet() == 1;
+    const bool welded =
+        shares && std::find(structure.pads.begin(), structure.pads.end(), block) != structure.pads.end();
+    const double before = welded ? 0.0 : foot(shares ? block - 1 : block, dofs.foot_v.front());
     compression[i] = x[block * size + dofs.crest_v] - 0.5 * (before + foot(block, dofs.foot_v.back()));
   }
   return compression;
@@ -184,6 +203,12 @@ void record(const Foils& foils, const FoilState& state, Eigen::Index increment, 
   record_interface(foils, state, Interface::journal_top, increment, fields.journal_top);
   record_interface(foils, state, Interface::top_bump, increment, fields.top_bump);
   record_interface(foils, state, Interface::bump_sleeve, increment, fields.bump_sleeve);
+  if (fields.pad_force_x.cols() > 0) {
+    const Eigen::Matrix2Xd forces = pad_forces(foils, state.contacts.normal_force);
+    const auto shown = [&](double force) { return cleared(force, foils.roundings.force); };
+    fields.pad_force_x.row(increment) = forces.row(0).unaryExpr(shown);
+    fields.pad_force_y.row(increment) = forces.row(1).unaryExpr(shown);
+  }
   record_stress(foils, x, increment, fields.stress);
 }
 

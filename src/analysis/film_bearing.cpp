@@ -75,6 +75,11 @@ Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const 
 }
 
 void require_round_sleeve(const Case& input) {
+  if (!input.pads.empty()) {
+    throw Error(
+        ErrorKind::input,
+        {{"", 0, "pad", "", "are parts of the sleeve: the gas film knows one foil all around only", "remove them"}});
+  }
   if (input.bearing.is_round()) return;
   throw Error(ErrorKind::input, {{"", 0, "bearing", "",
                                   "is not round: the gas film knows no waves, profiles and tapers", "remove them"}});

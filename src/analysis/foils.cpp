@@ -8,6 +8,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
 
@@ -18,11 +19,10 @@ namespace {
 Foils make_foils(const Case& input, const FoilDesign& design) {
   Foils foils;
   foils.structure = make_foil_structure(design);
-  foils.stress = make_stress_model(design);
+  foils.stress = {make_stress_model(design)};
 
   const BumpDofs& dofs = foils.structure.dofs;
   foils.problem.K = foils.structure.K;
-  foils.problem.law = elastic_law(foils.structure);
   foils.problem.force_scale = bump_force_scale(design);
   foils.roundings.force = 1e-12 * foils.problem.force_scale;
   foils.rise = std::max_element(design.bumps.begin(), design.bumps.end(), [](const BumpShape& a, const BumpShape& b) {
@@ -81,6 +81,39 @@ void add_profiles(const Case& input, Foils& foils) {
   }
 }
 
+/// The foils of a bearing that has no pads.
+Foils make_whole_foils(const Case& input) {
+  Foils foils = make_foils(input, make_bearing_design(input));
+  foils.clearance = input.bearing.radial_clearance;
+  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
+  if (!input.bearing.is_round()) add_profiles(input, foils);
+  return foils;
+}
+
+Foils make_pad_foils(const PlacedPad& pad) {
+  Foils foils = make_whole_foils(pad.alone);
+  foils.assembled_gap(foils.pressed()) -= journal_gaps(0.0, foils.normals, pad.centre);
+  return foils;
+}
+
+/// Puts the foils of one more pad behind those there are.
+void append(const Foils& pad, Foils& foils) {
+  append(pad.structure, foils.structure);
+  foils.stress.push_back(pad.stress.front());
+  foils.problem.K = foils.structure.K;
+  foils.problem.force_scale = std::max(foils.problem.force_scale, pad.problem.force_scale);
+  foils.rise = std::max(foils.rise, pad.rise);
+  foils.roundings.force = std::max(foils.roundings.force, pad.roundings.force);
+  foils.roundings.energy = std::max(foils.roundings.energy, pad.roundings.energy);
+  foils.roundings.stress = std::max(foils.roundings.stress, pad.roundings.stress);
+  const Eigen::Index bumps = foils.normals.cols();
+  foils.normals.conservativeResize(Eigen::NoChange, bumps + pad.normals.cols());
+  foils.normals.rightCols(pad.normals.cols()) = pad.normals;
+  const Eigen::Index contacts = foils.assembled_gap.size();
+  foils.assembled_gap.conservativeResize(contacts + pad.assembled_gap.size());
+  foils.assembled_gap.tail(pad.assembled_gap.size()) = pad.assembled_gap;
+}
+
 }  // namespace
 
 std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
@@ -93,10 +126,10 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
 
 SharedFoils make_bearing_foils(const Case& input) {
   require_valid(input);
-  Foils foils = make_foils(input, make_bearing_design(input));
-  foils.clearance = input.bearing.radial_clearance;
-  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
-  if (!input.bearing.is_round()) add_profiles(input, foils);
+  const std::vector<PlacedPad> pads = place_pads(input);
+  Foils foils = make_pad_foils(pads.front());
+  for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
+  foils.problem.law = elastic_law(foils.structure);
   return std::make_shared<const Foils>(std::move(foils));
 }
 
@@ -105,6 +138,7 @@ SharedFoils make_strip_foils(const Case& input) {
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
   Foils foils = make_foils(cut_to_strip(input), make_strip_design(input));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));
+  foils.problem.law = elastic_law(foils.structure);
   return std::make_shared<const Foils>(std::move(foils));
 }
 
@@ -131,6 +165,17 @@ Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
 
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
   return journal_force(foils.normals, pressing_loads(foils, normal_force));
+}
+
+Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {
+  const Vector loads = pressing_loads(foils, normal_force);
+  Eigen::Matrix2Xd forces(2, foils.pads());
+  for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+    const PadBlocks blocks = foils.structure.blocks_of(static_cast<int>(k));
+    const auto bumps = Eigen::seqN(blocks.first, blocks.count);
+    forces.col(k) = journal_force(foils.normals(Eigen::all, bumps), loads(bumps));
+  }
+  return forces;
 }
 
 }  // namespace bumpfoil

@@ -48,6 +48,13 @@ void BlockTridiagonal::add(int block_i, int i, int block_j, int j, double value)
   }
 }
 
+void BlockTridiagonal::append(const BlockTridiagonal& other) {
+  BUMPFOIL_ASSERT(is_symmetric() && other.is_symmetric() && block_size() == other.block_size());
+  upper.push_back(Matrix::Zero(block_size(), block_size()));
+  upper.insert(upper.end(), other.upper.begin(), other.upper.end());
+  diagonal.insert(diagonal.end(), other.diagonal.begin(), other.diagonal.end());
+}
+
 Vector BlockTridiagonal::multiply(const Vector& x) const {
   BUMPFOIL_ASSERT(x.size() == rows());
   Vector y(rows());

@@ -87,6 +87,10 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
   keys.value({"taper", defaulted, "Taper",
               "what the radius of the sleeve is more at the free end of the foils than at the weld", "0 um", length},
              &bearing.taper);
+  keys.value(
+      {"pad_gap", optional, "Gap between pads",
+       "free angle after each pad that has no arc of its own; else arcs are as long as their bumps", "5 deg", angle},
+      &bearing.pad_gap);
 }
 
 void describe(CaseVisitor& keys, TrussOverrides& truss) {
@@ -180,6 +184,37 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
              &foil.poisson_ratio);
   keys.value({"yield_stress", optional, "Yield stress", "", "1.1 GPa", pressure, "bump_foil.yield_stress"},
              &foil.yield_stress);
+}
+
+/// A table in which a pad says what its foil has otherwise than that of all.
+template <typename Foil>
+void own_foil(CaseVisitor& keys, const Key& key, const Foil& common, std::optional<Foil>& own) {
+  Foil foil = own.value_or(common);
+  keys.table(key, own.has_value(), [&](CaseVisitor& inner) {
+    describe(inner, foil);
+    own = foil;
+  });
+}
+
+void describe(CaseVisitor& keys, const Case& input, Pad& pad) {
+  keys.value(
+      {"weld_angle", optional, "Weld angle",
+       "from the X axis towards Y; else pads begin at equal angles, the first at bearing.weld_angle", "180 deg", angle},
+      &pad.weld_angle);
+  keys.choice({"weld_edge", defaulted, "Welded at",
+               "the edge that comes first in the sense of bearing.wrap; or \"trailing\": the foils run against it"},
+              pad.weld_edge);
+  keys.value(
+      {"arc", optional, "Arc", "from the weld to the free end; pitches are stretched to fill it", "110 deg", angle},
+      &pad.arc);
+  keys.value(
+      {"lobe", defaulted, "Lobe",
+       "by which its circle is displaced away from its middle: the gap there is smaller by as much", "0 um", length},
+      &pad.lobe);
+  own_foil(keys, {"bump_foil", inherited, "Bump foil of the pad", "any keys of [bump_foil] that differ"},
+           input.bump_foil, pad.bump_foil);
+  own_foil(keys, {"top_foil", inherited, "Top foil of the pad", "any keys of [top_foil] that differ"}, input.top_foil,
+           pad.top_foil);
 }
 
 void describe(CaseVisitor& keys, Friction& friction) {
@@ -465,6 +500,9 @@ void describe(CaseVisitor& keys, Case& input) {
   // The former model has none.
   const Presence top_foil = input.bump_foil.model == BumpFoilModel::former ? optional : required;
   table(keys, {"top_foil", top_foil, "Top foil"}, input.top_foil);
+  list_of_tables(keys,
+                 {"pad", optional, "Pad", "a part of the sleeve with foils of its own, welded and free by themselves"},
+                 input.pads, [&input](CaseVisitor& inner, Pad& pad) { describe(inner, input, pad); });
   table(keys, {"friction", required, "Coefficients of friction", "Coulomb friction of the bump foil; 0 for none"},
         input.friction);
   table(keys, {"solver", defaulted, "Solver"}, input.solver);

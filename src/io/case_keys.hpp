@@ -20,6 +20,7 @@ enum class Presence {
   required,
   optional,   ///< without it there is none
   defaulted,  ///< without it there is the default
+  inherited,  ///< a table that says what differs from another of the same keys, which has the rest
 };
 
 /// What is to be known of a key of the case file, or of a table, beside its value.
@@ -87,7 +88,7 @@ class CaseVisitor {
                     const std::function<void(const std::string& path)>& read) = 0;
 
   /// Any number of tables of one kind, each under its own [[name]]. `describe` visits the keys of the i-th, from 0; the
-  /// case holds `count` yet. Not at the root.
+  /// case holds `count` yet.
   virtual void tables(const Key& key, std::size_t count,
                       const std::function<void(CaseVisitor&, std::size_t i)>& describe) = 0;
 

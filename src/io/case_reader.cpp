@@ -6,6 +6,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "io/case_keys.hpp"
@@ -36,8 +37,12 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     }
   }
   std::vector<Fault> faults = find_faults(input);
-  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame)
-    faults = find_truss_faults(make_bearing_design(input));
+  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) {
+    for (const PlacedPad& pad : place_pads(input)) {
+      faults = find_truss_faults(make_bearing_design(pad.alone));
+      if (!faults.empty()) break;
+    }
+  }
   for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;

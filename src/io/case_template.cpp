@@ -110,9 +110,9 @@ std::string case_reference() {
     const Key& key = listed.key;
     const std::string fallback = default_of(listed, unset[i++]);
     if (listed.is_table()) {
-      out +=
-          fmt::format("\n## `{}`\n\n{}{}{}.{}\n{}", table_header(listed.path), key.title, key.text.empty() ? "" : ": ",
-                      key.text, key.presence == Presence::required ? " Required." : "", header);
+      out += fmt::format("\n## `{}`\n\n{}{}{}.{}\n{}", table_header(listed.path), key.title,
+                         key.text.empty() ? "" : ": ", key.text, key.presence == Presence::required ? " Required." : "",
+                         key.presence == Presence::inherited ? "" : header);
     } else {
       if (listed.table().empty()) out += header;
       out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, listed.kind, fallback,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/number_text.hpp"
 
 namespace bumpfoil {
@@ -64,9 +66,9 @@ std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solve
                     }});
     for (const StressedFoil& foil : stressed_foils()) {
       if (quantity.name != fmt::format("max_stress_{}", foil.name)) continue;
-      rows.push_back({"  at", "", [peak = foil.peak](const Cycle& cycle) {
+      rows.push_back({"  at", "", [peak = foil.peak, &input](const Cycle& cycle) {
                         const std::optional<StressPeak>& highest = cycle.*peak;
-                        return highest && highest->stress > 0.0 ? place_text(*highest) : "-";
+                        return highest && highest->stress > 0.0 ? place_text(input, *highest) : "-";
                       }});
     }
   }
@@ -74,19 +76,35 @@ std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solve
 }
 
 /// The bump with the largest load at full displacement.
-std::vector<Row> rows_of_highest_load() {
+std::vector<Row> rows_of_highest_load(const Case& input) {
   const auto known = [](const Cycle& cycle) {
     return cycle.turning_point && cycle.turning_point->bump_loads.size() > 0;
   };
   const auto load = [known](const Cycle& cycle) {
     return known(cycle) ? number_text(cycle.turning_point->bump_loads.maxCoeff(), 1.0) : "-";
   };
-  const auto bump = [known](const Cycle& cycle) {
+  const auto bump = [known, &input](const Cycle& cycle) {
     Eigen::Index highest = 0;
     const bool any = known(cycle) && cycle.turning_point->bump_loads.maxCoeff(&highest) > 0.0;
-    return any ? std::to_string(highest + 1) : "-";
+    return any ? bump_text(input, static_cast<int>(highest)) : "-";
   };
   return {{"highest bump load", "N", load}, {"on bump", "", bump}};
+}
+
+/// What each of several pads takes of the force at full displacement.
+std::vector<Row> rows_of_pads(const Case& input) {
+  std::vector<Row> rows;
+  if (count_pads(input) == 1) return rows;
+  rows.reserve(count_pads(input));
+  for (std::size_t k = 0; k < count_pads(input); ++k) {
+    rows.push_back(
+        {fmt::format("force of pad {}", k + 1), "N", [pad = static_cast<Eigen::Index>(k)](const Cycle& cycle) {
+           if (!cycle.turning_point) return std::string("-");
+           const TurningPoint& turn = *cycle.turning_point;
+           return number_text(std::hypot(turn.pad_forces_x[pad], turn.pad_forces_y[pad]), 1.0);
+         }});
+  }
+  return rows;
 }
 
 }  // namespace
@@ -96,9 +114,10 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
   std::vector<Row> rows = rows_of(input, result.experiment, false);
   const std::vector<Row> clearances =
       result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<Row>{};
-  const std::vector<Row> highest_load =
-      result.experiment == Experiment::path ? std::vector<Row>{} : rows_of_highest_load();
-  for (const std::vector<Row>& more : {clearances, highest_load, rows_of(input, result.experiment, true)}) {
+  const bool turns = result.experiment != Experiment::path;
+  const std::vector<Row> highest_load = turns ? rows_of_highest_load(input) : std::vector<Row>{};
+  const std::vector<Row> pads = turns ? rows_of_pads(input) : std::vector<Row>{};
+  for (const std::vector<Row>& more : {clearances, pads, highest_load, rows_of(input, result.experiment, true)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::string out;

@@ -23,6 +23,7 @@
 #include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "io/key_list.hpp"
+#include "io/presets.hpp"
 #include "io/shown_run.hpp"
 #include "io/summary_json.hpp"
 #include "io/units.hpp"
@@ -36,7 +37,10 @@ using Json = nlohmann::ordered_json;
 const std::string no_name;
 
 Case read(const Json& request) {
-  return parse_case(request.at("text").get<std::string>(), no_name, {});
+  Case input = parse_case(request.at("text").get<std::string>(), no_name, {});
+  if (input.pads.empty()) return input;
+  throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
+                                  "remove [[pad]], or run `bumpfoil cycle`"}});
 }
 
 // What the page begins with -----------------------------------------------------------------------------------------
@@ -76,6 +80,8 @@ std::string_view presence_text(Presence presence) {
       return "optional";
     case Presence::defaulted:
       return "defaulted";
+    case Presence::inherited:
+      break;  // of pads alone
   }
   return {};
 }
@@ -84,6 +90,7 @@ Json keys_json() {
   Json json = Json::array();
   for (const ListedKey& listed : list_keys(reference_case())) {
     const Key& key = listed.key;
+    if (listed.path.starts_with("pad[") || key.name == "pad_gap") continue;  // which read() refuses
     json.push_back({{"path", listed.path},
                     {"title", key.title},
                     {"text", key.text},
@@ -100,7 +107,9 @@ Json keys_json() {
 
 Json answer_keys() {
   Json presets = Json::object();
-  for (const std::string& name : preset_names()) presets[name] = case_template(name);
+  for (const Preset& preset : bumpfoil::presets()) {
+    if (preset.input.pads.empty()) presets[std::string(preset.name)] = case_template(preset.name);
+  }
   return {{"version", version()},
           {"commit", commit()},
           {"keys", keys_json()},

@@ -108,11 +108,12 @@ class EquilibriumWriter {
       const FieldMatrix values = quantity.values(fields);
       if (values.cols() == 0) continue;
       NewNetcdf::Dims dims{state_};
-      if (quantity.node != Node::foil) dims.push_back(quantity.node == Node::foot ? foot_ : bump_);
+      const bool of_all = quantity.node == Node::foil || quantity.node == Node::weld;
+      if (!of_all) dims.push_back(quantity.node == Node::foot ? foot_ : bump_);
       const NcVar variable = file_.add({std::string(quantity.name), std::string(quantity.unit),
                                         spelled(quantity.long_name, wording_), quantity.form},
                                        dims);
-      if (quantity.node != Node::foil) {
+      if (!of_all) {
         variable.putAtt("coordinates",
                         quantity.node == Node::foot ? layout_.foot_coordinates : layout_.bump_coordinates);
       }

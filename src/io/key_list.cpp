@@ -139,23 +139,26 @@ class KeyLister final : public CaseVisitor {
               const std::function<void(CaseVisitor&, std::size_t)>& describe) override {
     // Where there are none, one shows what they hold.
     for (std::size_t i = 0; i < std::max(count, std::size_t{1}); ++i) {
-      KeyLister inner(tables_);
+      std::vector<ListedKey>& list = path_.empty() ? list_ : tables_;
+      KeyLister inner(list);
       const std::string path = fmt::format("{}[{}]", path_of(key), i + 1);
       inner.path_ = path + '.';
       inner.held_ = held_ && i < count;
       inner.live_ = live_ && i < count;
-      tables_.push_back({path, key, {}, {}, inner.held_, inner.live_, false});
+      list.push_back({path, key, {}, {}, inner.held_, inner.live_, false});
       describe(inner, i);
-      tables_.insert(tables_.end(), inner.tables_.begin(), inner.tables_.end());
+      list.insert(list.end(), inner.tables_.begin(), inner.tables_.end());
     }
   }
 
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override {
     KeyLister inner(list_);
     inner.path_ = path_of(key) + '.';
-    inner.held_ = held_ && (given || key.presence != Presence::optional);
+    const bool inherits = key.presence == Presence::inherited;
+    inner.held_ = held_ && (given || (key.presence != Presence::optional && !inherits));
     inner.live_ = live_ && (given || key.presence == Presence::required);
     list_.push_back({path_of(key), key, {}, {}, inner.held_, inner.live_, false});
+    if (inherits && !given) return;  // its keys are those of the other table
     describe(inner);
     list_.insert(list_.end(), inner.tables_.begin(), inner.tables_.end());
   }

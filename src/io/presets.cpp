@@ -1,9 +1,13 @@
 #include "io/presets.hpp"
 
+#include <numbers>
+
 namespace bumpfoil {
 namespace {
 
 constexpr std::string_view assumed = "assumed";
+constexpr std::string_view as_reference = "assumed, as in gen1";
+constexpr double pi = std::numbers::pi;
 
 constexpr std::string_view rubio_head =
     R"(# Foil bearing of Rubio & San Andres, J. Eng. Gas Turbines Power 128 (2006) 653-660: size, foils and modulus.
@@ -82,11 +86,59 @@ Preset larsen() {
   return preset;
 }
 
+constexpr std::string_view three_pads_head =
+    R"(# Illustration of a third-generation foil bearing: three pads, each with a top foil and a bump foil of its own, welded
+# at one edge and free at the other, and displaced towards the journal. Nobody has published this bearing: its sizes are
+# those of the first-generation reference bearing, and what makes it one of three pads is assumed, as its lines say.
+#
+)";
+
+/// Not of any paper: the reference bearing cut into three.
+Preset three_pads() {
+  Preset preset{.name = "gen3-three-pad",
+                .head = three_pads_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.radius", as_reference},
+                            {"bearing.axial_length", as_reference},
+                            {"bearing.radial_clearance", as_reference},
+                            {"bearing.weld_angle", "assumed; pad 1 begins here"},
+                            {"bearing.wrap", assumed},
+                            {"bearing.pad_gap", assumed},
+                            {"bump_foil.bumps", "assumed; of each pad"},
+                            {"bump_foil.pitch", as_reference},
+                            {"bump_foil.length", as_reference},
+                            {"bump_foil.height", as_reference},
+                            {"bump_foil.thickness", as_reference},
+                            {"bump_foil.youngs_modulus", as_reference},
+                            {"bump_foil.poisson_ratio", as_reference},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.thickness", as_reference},
+                            {"top_foil.youngs_modulus", as_reference},
+                            {"top_foil.poisson_ratio", as_reference},
+                            {"friction.coefficient", assumed},
+                            {"cycle.directions", assumed},
+                            {"cycle.amplitude", assumed}}};
+  Case& input = preset.input;
+  input.title = "Illustration of a third-generation bearing: three pads";
+  input.bearing.pad_gap = pi / 18.0;
+  input.bump_foil.bumps = 8;
+  input.pads.resize(3);
+  for (Pad& pad : input.pads) pad.lobe = 10e-6;
+  input.cycle.amplitude.value = 60e-6;
+  preset.remarks.insert(preset.remarks.end(), {{"pad[1].weld_edge", assumed},
+                                               {"pad[1].lobe", assumed},
+                                               {"pad[2].weld_edge", assumed},
+                                               {"pad[2].lobe", assumed},
+                                               {"pad[3].weld_edge", assumed},
+                                               {"pad[3].lobe", assumed}});
+  return preset;
+}
+
 }  // namespace
 
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all{
-      {.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}}, rubio(), larsen()};
+      {.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}}, rubio(), three_pads(), larsen()};
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -16,25 +17,34 @@ std::vector<double> to_vector(const Vector& numbers) {
   return {numbers.begin(), numbers.end()};
 }
 
-/// What both have.
-ResultLayout layout_of_foil(const Case& input) {
-  const BumpFoil& foil = input.bump_foil;
-  const std::vector<BumpShape> shapes = nominal_bumps(foil);
-  const auto bumps = static_cast<std::size_t>(foil.bumps);
-  const auto one_per_bump = [bumps](std::vector<double> numbers) {
-    numbers.resize(bumps);
-    return numbers;
-  };
+void append(const std::vector<double>& more, std::vector<double>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// What both have. @param foils  one after the other
+ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& foils) {
+  std::vector<BumpShape> shapes;
+  std::vector<double> errors, sleeve_gaps, offsets;
+  for (const BumpFoil& foil : foils) {
+    const std::vector<BumpShape> own = nominal_bumps(foil);
+    shapes.insert(shapes.end(), own.begin(), own.end());
+    const auto append_one_per_bump = [&own](std::vector<double> numbers, std::vector<double>& all) {
+      numbers.resize(own.size());
+      append(numbers, all);
+    };
+    append_one_per_bump(foil.height_errors, errors);
+    append_one_per_bump(foil.sleeve_gaps, sleeve_gaps);
+    append(to_vector(crest_offsets(foil)), offsets);
+  }
+  const std::size_t bumps = shapes.size();
   ResultLayout layout;
   layout.bumps = bumps;
   layout.scalars = {
-      {"axial_length", "m", "axial length of the foils", {input.bearing.axial_length}},
+      {"axial_length", "m", "axial length of the foils", {axial_length}},
   };
-  const std::vector<double> errors = one_per_bump(foil.height_errors);
   layout.at_bumps = {
       {"height_error", "m", "height of the bump over the nominal one", errors},
-      {"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly",
-       one_per_bump(foil.sleeve_gaps)},
+      {"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly", sleeve_gaps},
   };
   // One number where bumps are alike.
   const auto add = [&](std::string name, std::string long_name, double BumpShape::*member) {
@@ -49,7 +59,6 @@ ResultLayout layout_of_foil(const Case& input) {
   add("bump_pitch", "distance from crest to crest along the foil", &BumpShape::pitch);
   add("bump_half_length", "half the chord of the arc of a bump", &BumpShape::half_length);
   add("bump_rise", "rise of the mid-surface of a nominal bump", &BumpShape::rise);
-  const std::vector<double> offsets = to_vector(crest_offsets(foil));
   if (offsets != errors) {
     layout.at_bumps.push_back({"crest_offset", "m",
                                "height of the crest over that of the tallest nominal bump before assembly: nominal, "
@@ -59,22 +68,53 @@ ResultLayout layout_of_foil(const Case& input) {
   return layout;
 }
 
+/// Where several pads are, and whose each bump and foot is.
+void add_pads(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
+  if (pads.size() == 1) return;
+  layout.pads = pads.size();
+  NamedNumbers weld{"pad_weld_angle", "rad", "polar angle of the weld of the pad from X towards Y", {}};
+  NamedNumbers end{"pad_end_angle", "rad", "polar angle of the free end of the pad from X towards Y", {}};
+  NamedNumbers lobe{"pad_lobe", "m", "displacement of the centre of the pad away from its middle", {}};
+  NamedNumbers of_bumps{"bump_pad", "1", "pad that the bump belongs to", {}};
+  NamedNumbers of_feet{"foot_pad", "1", "pad that the foot belongs to", {}};
+  for (const PlacedPad& pad : pads) {
+    const Bearing& bearing = pad.alone.bearing;
+    weld.values.push_back(bearing.weld_angle);
+    end.values.push_back(polar_angles(bearing, Vector::Constant(1, foil_angle(pad.alone)))[0]);
+    lobe.values.push_back(input.pads[lobe.values.size()].lobe);
+    const auto number = static_cast<double>(weld.values.size());
+    of_bumps.values.resize(of_bumps.values.size() + static_cast<std::size_t>(pad.alone.bump_foil.bumps), number);
+    of_feet.values.resize(of_feet.values.size() + static_cast<std::size_t>(foot_angles(pad.alone).size()), number);
+  }
+  layout.at_pads = {std::move(weld), std::move(end), std::move(lobe)};
+  layout.at_bumps.push_back(std::move(of_bumps));
+  layout.at_feet.push_back(std::move(of_feet));
+}
+
 ResultLayout layout_of_bearing(const Case& input) {
-  const Vector theta = crest_angles(input);
-  const Vector foot_theta = foot_angles(input);
-  ResultLayout layout = layout_of_foil(input);
-  layout.feet = static_cast<std::size_t>(foot_theta.size());
+  const std::vector<PlacedPad> pads = place_pads(input);
+  std::vector<BumpFoil> foils;
+  foils.reserve(pads.size());
+  std::vector<double> theta, phi, foot_theta, foot_phi;
+  for (const auto& [alone, centre] : pads) {
+    foils.push_back(alone.bump_foil);
+    append(to_vector(crest_angles(alone)), theta);
+    append(to_vector(polar_angles(alone.bearing, crest_angles(alone))), phi);
+    append(to_vector(foot_angles(alone)), foot_theta);
+    append(to_vector(polar_angles(alone.bearing, foot_angles(alone))), foot_phi);
+  }
+  ResultLayout layout = layout_of_foils(input.bearing.axial_length, foils);
+  layout.feet = foot_theta.size();
   layout.scalars.insert(
       layout.scalars.end(),
       {{"bearing_radius", "m", "radius R of the circle on which the foils lie", {input.bearing.radius}},
        {"radial_clearance", "m", "radial clearance; negative means interference", {input.bearing.radial_clearance}}});
-  layout.at_bumps.insert(
-      layout.at_bumps.end(),
-      {{"theta", "rad", "angle of the crest from the weld along the foil", to_vector(theta)},
-       {"phi", "rad", "polar angle of the crest from X towards Y", to_vector(polar_angles(input.bearing, theta))}});
-  layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", to_vector(foot_theta)},
-                    {"foot_phi", "rad", "polar angle of the foot from X towards Y",
-                     to_vector(polar_angles(input.bearing, foot_theta))}};
+  layout.at_bumps.insert(layout.at_bumps.end(),
+                         {{"theta", "rad", "angle of the crest from the weld along the foil", theta},
+                          {"phi", "rad", "polar angle of the crest from X towards Y", phi}});
+  layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", foot_theta},
+                    {"foot_phi", "rad", "polar angle of the foot from X towards Y", foot_phi}};
+  add_pads(input, pads, layout);
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
   return layout;
@@ -107,7 +147,7 @@ ResultLayout layout_of_strip(const Case& input) {
   const Case cut = cut_to_strip(input);
   const FoilDesign foils = make_strip_design(input);
   const Vector feet = foot_positions(foils);
-  ResultLayout layout = layout_of_foil(cut);
+  ResultLayout layout = layout_of_foils(input.bearing.axial_length, {cut.bump_foil});
   layout.cycles = {"cycle", "1", "cycle of the plate", {}};
   for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.cycles.values.push_back(cycle);
   layout.places.resize(layout.cycles.values.size());

@@ -24,9 +24,11 @@ struct ResultLayout {
   std::size_t increments{};         ///< of a cycle
   std::size_t bumps{};
   std::size_t feet{};
+  std::size_t pads{1};
   std::vector<NamedNumbers> scalars;   ///< geometry
   std::vector<NamedNumbers> at_bumps;  ///< the same, one per bump
   std::vector<NamedNumbers> at_feet;   ///< one per foot
+  std::vector<NamedNumbers> at_pads;   ///< one per pad of several
   std::string bump_coordinates;        ///< those of them that say where a bump is
   std::string foot_coordinates;
 };

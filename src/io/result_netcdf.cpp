@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/io/failures.hpp"
@@ -45,6 +46,7 @@ class ResultWriter {
         foot_(file.add_dim("foot", layout_.feet)) {
     BUMPFOIL_ASSERT(result.cycles.size() <= cycles_);
     if (!layout_.cycles.values.empty()) of_cycles_ = {file.add_dim(layout_.cycles.name, cycles_)};
+    if (layout_.pads > 1) pad_ = file.add_dim("pad", layout_.pads);
   }
 
   void write_coordinates() {
@@ -52,16 +54,20 @@ class ResultWriter {
     if (!of_cycles_.empty()) put(layout_.cycles, of_cycles_);
     file_.put_all({"increment", "1", "increment; 0 is the start of the cycle", whole}, {increment_},
                   numbers_from(0.0, increment_));
-    file_.put_all({"bump", "1", "bump, counted from the weld", whole}, {bump_}, numbers_from(1.0, bump_));
+    file_.put_all(
+        {"bump", "1", pad_ ? "bump, counted from the weld, pad after pad" : "bump, counted from the weld", whole},
+        {bump_}, numbers_from(1.0, bump_));
     file_.put_all(
         {"foot", "1", fmt::format("foot of the bump foil on the {}, counted from the weld", wording_.carrying), whole},
         {foot_}, numbers_from(1.0, foot_));
+    if (pad_) file_.put_all({"pad", "1", "pad, in the order of the case", whole}, {*pad_}, numbers_from(1.0, *pad_));
   }
 
   void write_geometry() {
     for (const NamedNumbers& scalar : layout_.scalars) put(scalar, {});
     for (const NamedNumbers& numbers : layout_.at_bumps) put(numbers, {bump_});
     for (const NamedNumbers& numbers : layout_.at_feet) put(numbers, {foot_});
+    for (const NamedNumbers& numbers : layout_.at_pads) put(numbers, {*pad_});
   }
 
   void write_cycles() {
@@ -81,7 +87,8 @@ class ResultWriter {
     }
     if (result_.experiment == Experiment::path) return;  // which has no full displacement
     for (const LoadQuantity& quantity : load_quantities()) {
-      const NcVar variable = file_.add(meaning(quantity), of_cycles_and({node(quantity.node)}));
+      if (!is_there(quantity.node)) continue;
+      const NcVar variable = file_.add(meaning(quantity), of_cycles_and({*node(quantity.node)}));
       for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
         if (!result_.cycles[i].turning_point) continue;
         const Vector& loads = (*result_.cycles[i].turning_point).*quantity.loads;
@@ -104,11 +111,12 @@ class ResultWriter {
 
   void write_fields() {
     for (const FieldQuantity& quantity : field_quantities()) {
+      if (!is_there(quantity.node)) continue;
       const NcVar variable = add_series(meaning(quantity, quantity.form), quantity.node);
       for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
         const FieldMatrix values = quantity.values(result_.cycles[i].fields);
         std::vector<std::size_t> count{static_cast<std::size_t>(values.rows())};
-        if (quantity.node != Node::foil) count.push_back(static_cast<std::size_t>(values.cols()));
+        if (node(quantity.node)) count.push_back(static_cast<std::size_t>(values.cols()));
         put_rows(variable, i, count, {values.data(), values.data() + values.size()});
       }
     }
@@ -184,7 +192,30 @@ class ResultWriter {
     return dims;
   }
 
-  [[nodiscard]] const NcDim& node(Node node) const { return node == Node::foot ? foot_ : bump_; }
+  /// Whether there are such nodes.
+  [[nodiscard]] bool is_there(Node at) const { return at != Node::pad || pad_; }
+
+  /// Their dimension; none of what is one.
+  [[nodiscard]] std::optional<NcDim> node(Node at) const {
+    switch (at) {
+      case Node::foil:
+        return std::nullopt;
+      case Node::bump:
+        return bump_;
+      case Node::foot:
+        return foot_;
+      case Node::weld:
+      case Node::pad:
+        break;
+    }
+    return pad_;
+  }
+
+  /// Coordinates that say where they are.
+  [[nodiscard]] std::string coordinates(Node at) const {
+    if (at == Node::bump) return layout_.bump_coordinates;
+    return at == Node::foot ? layout_.foot_coordinates : std::string();
+  }
 
   void put(const NamedNumbers& numbers, const NewNetcdf::Dims& dims) {
     file_.put_all({numbers.name, numbers.unit, numbers.long_name}, dims, numbers.values);
@@ -193,14 +224,13 @@ class ResultWriter {
   /// A variable with values for every cycle and increment and, where they are not of the whole foil, for every node.
   NcVar add_series(const VariableMeaning& meaning, Node at) {
     NewNetcdf::Dims dims = of_cycles_and({increment_});
-    if (at != Node::foil) dims.push_back(node(at));
+    const std::optional<NcDim> of_nodes = node(at);
+    if (of_nodes) dims.push_back(*of_nodes);
     const NcVar variable = file_.add(meaning, dims);
-    std::string coordinates = meaning.name == "displacement" ? "" : "displacement";
-    if (at != Node::foil) {
-      coordinates += ' ' + (at == Node::foot ? layout_.foot_coordinates : layout_.bump_coordinates);
-    }
-    if (!coordinates.empty()) variable.putAtt("coordinates", coordinates);
-    const std::size_t width = at != Node::foil ? node(at).getSize() : 1;
+    std::string places = meaning.name == "displacement" ? "" : "displacement";
+    if (!coordinates(at).empty()) places += ' ' + coordinates(at);
+    if (!places.empty()) variable.putAtt("coordinates", places);
+    const std::size_t width = of_nodes ? of_nodes->getSize() : 1;
     // One chunk per cycle, unless it passes a megabyte.
     std::vector<std::size_t> chunk(of_cycles_.size(), 1);
     chunk.insert(chunk.end(), {std::clamp<std::size_t>(131072 / width, 1, increment_.getSize()), width});
@@ -229,6 +259,7 @@ class ResultWriter {
   std::size_t cycles_;         ///< that there are, begun or not
   NewNetcdf::Dims of_cycles_;  ///< none for a path, which is one
   NcDim increment_, bump_, foot_;
+  std::optional<NcDim> pad_{};  ///< of several
 };
 
 /// What keeps a result from being complete.

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 
+#include "bumpfoil/model/pads.hpp"
+
 namespace bumpfoil {
 namespace {
 
@@ -323,10 +325,12 @@ constexpr auto field_table = std::to_array<FieldQuantity>({
      stress<&StressFields::bump_foot>},
     {"stress_bump_foil", "Pa", "largest bending stress along the arc of the bump; frame only", Node::bump,
      stress<&StressFields::bump_largest>},
-    {"stress_top_foil_weld", "Pa", "bending stress of the top foil where it is clamped", Node::foil,
+    {"stress_top_foil_weld", "Pa", "bending stress of the top foil where it is clamped", Node::weld,
      stress<&StressFields::top_weld>},
-    {"stress_bump_foil_weld", "Pa", "bending stress of the bump foil where it is clamped; frame only", Node::foil,
+    {"stress_bump_foil_weld", "Pa", "bending stress of the bump foil where it is clamped; frame only", Node::weld,
      stress<&StressFields::bump_weld>},
+    {"pad_force_x", "N", "part of force_x that the pad takes", Node::pad, field<&FoilFields::pad_force_x>},
+    {"pad_force_y", "N", "part of force_y that the pad takes", Node::pad, field<&FoilFields::pad_force_y>},
 });
 
 constexpr auto load_table = std::to_array<LoadQuantity>({
@@ -336,6 +340,10 @@ constexpr auto load_table = std::to_array<LoadQuantity>({
      &TurningPoint::foot_loads},
     {"journal_loads", "N", "compression between {pressing} and top foil at full displacement", Node::bump,
      &TurningPoint::journal_loads},
+    {"pad_forces_x", "N", "part of the force along X that the pad takes at full displacement", Node::pad,
+     &TurningPoint::pad_forces_x},
+    {"pad_forces_y", "N", "part of the force along Y that the pad takes at full displacement", Node::pad,
+     &TurningPoint::pad_forces_y},
 });
 
 constexpr auto event_table = std::to_array<EventQuantity>({
@@ -436,8 +444,15 @@ std::span<const StressedFoil> stressed_foils() {
   return foil_table;
 }
 
-std::string place_text(const StressPeak& peak) {
-  return peak.bump < 0 ? std::string(name_of(peak.place)) : fmt::format("{} {}", name_of(peak.place), peak.bump + 1);
+std::string bump_text(const Case& input, int bump) {
+  const PadBump found = find_bump(input, bump);
+  const std::string number = std::to_string(found.bump + 1);
+  return count_pads(input) == 1 ? number : fmt::format("{} of pad {}", number, found.pad + 1);
+}
+
+std::string place_text(const Case& input, const StressPeak& peak) {
+  const std::string_view place = name_of(peak.place);
+  return peak.bump < 0 ? std::string(place) : fmt::format("{} {}", place, bump_text(input, peak.bump));
 }
 
 double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input) {

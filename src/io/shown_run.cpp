@@ -41,12 +41,12 @@ bool is_left_out(std::string_view name) {
 }
 
 void add_field(Json& json, const FieldQuantity& quantity, const FoilFields& fields, Eigen::Index reached) {
-  if (is_left_out(quantity.name)) return;
+  if (is_left_out(quantity.name) || quantity.node == Node::pad) return;
   const FieldMatrix values = quantity.values(fields);
   const bool reduced = is_reduced(quantity.name);
   if (values.cols() == 0 && reduced) return;
   const std::string name(quantity.name);
-  if (reduced || quantity.node == Node::foil) {
+  if (reduced) {
     const Vector most = values.topRows(reached).rowwise().maxCoeff();
     json["series"][name] = encoded(quantity.form, {most.begin(), most.end()});
     return;

@@ -13,6 +13,7 @@
 #include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/case_json.hpp"
 #include "io/summary_json.hpp"
 
@@ -31,8 +32,9 @@ Json peak_json(const std::optional<StressPeak>& peak) {
 }
 
 /// Loads at full displacement.
-void add_loads(Json& json, const Cycle& cycle) {
+void add_loads(Json& json, const Case& input, const Cycle& cycle) {
   for (const LoadQuantity& quantity : load_quantities()) {
+    if (quantity.node == Node::pad && count_pads(input) == 1) continue;
     Json& values = json[key_of(quantity.name, quantity.unit)];
     if (!cycle.turning_point) continue;
     for (const double load : (*cycle.turning_point).*quantity.loads) values.push_back(value_json(load));
@@ -144,7 +146,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {
     json["cycles"].push_back(cycle_json(input, result, i));
     // A path has no full displacement.
-    if (result.experiment != Experiment::path) add_loads(json["cycles"].back(), result.cycles[i]);
+    if (result.experiment != Experiment::path) add_loads(json["cycles"].back(), input, result.cycles[i]);
   }
   return sealed_summary(json);
 }

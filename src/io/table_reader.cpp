@@ -271,6 +271,7 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
     log_.met(path, *node);
     return {node, path};
   }
+  if (inherits_) return {nullptr, path};
   if (!key.otherwise.empty()) {
     log_.taken_from(path, std::string(key.otherwise));
     return {root_.at_path(key.otherwise).node(), std::string(key.otherwise)};
@@ -472,7 +473,7 @@ void TableReader::table(const Key& key, bool /*given*/, const std::function<void
   if (inner == nullptr) {
     return log_.fault(path, is_where(*node, "a table"), fmt::format("write [{}] on a line of its own", path));
   }
-  TableReader reader(*this, *inner, path);
+  TableReader reader(*this, *inner, path, key.presence == Presence::inherited);
   describe(reader);
   reader.finish();
 }

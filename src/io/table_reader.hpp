@@ -36,8 +36,8 @@ class TableReader final : public CaseVisitor {
   void finish();
 
  private:
-  TableReader(const TableReader& outer, const toml::table& table, std::string path)
-      : log_(outer.log_), root_(outer.root_), table_(table), path_(std::move(path)) {}
+  TableReader(const TableReader& outer, const toml::table& table, std::string path, bool inherits = false)
+      : log_(outer.log_), root_(outer.root_), table_(table), path_(std::move(path)), inherits_(inherits) {}
 
   bool second_counts(const Key& first, const Key& second);
   void graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension);
@@ -49,6 +49,7 @@ class TableReader final : public CaseVisitor {
   const toml::table& root_;
   const toml::table& table_;
   std::string path_{};
+  bool inherits_{};  ///< what is not given has its value already
   std::vector<std::string> known_{};
 };
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -21,14 +23,19 @@ constexpr double softening = 0.4;
 /// A truss is made for rows longer than this.
 constexpr int shortest_row = 4;
 
+double rise_of(const Case& input, int bump) {
+  const PadBump found = find_bump(input, bump);
+  return nominal_bump(bump_foil_of(input, found.pad), static_cast<std::size_t>(found.bump)).rise;
+}
+
 std::optional<std::string> compression_warning(const Case& input, const Cycle& cycle) {
   if (!cycle.compression) return std::nullopt;
   const CompressionPeak& peak = *cycle.compression;
-  const double part = peak.compression / nominal_bump(input.bump_foil, static_cast<std::size_t>(peak.bump)).rise;
+  const double part = peak.compression / rise_of(input, peak.bump);
   const bool linear = input.bump_foil.geometry == Geometry::linear;
   if (part <= (linear ? linear_limit : checked_limit)) return std::nullopt;
-  std::string text = fmt::format("bump {} is compressed by {:.3g} um, {:.2g} of its rise (increment {})", peak.bump + 1,
-                                 1e6 * peak.compression, part, peak.increment);
+  std::string text = fmt::format("bump {} is compressed by {:.3g} um, {:.2g} of its rise (increment {})",
+                                 bump_text(input, peak.bump), 1e6 * peak.compression, part, peak.increment);
   if (part > checked_limit) return text + ": nothing has been checked past half the rise; push less far";
   return fmt::format(
       "{}: large displacements, which are left out, soften the foils by some {:.0f} %; bump_foil.model = \"frame\" "
@@ -61,7 +68,9 @@ std::optional<std::string> settling_warning(const CycleResult& result, const Cyc
 }
 
 std::optional<std::string> truss_warning(const Case& input, const CycleResult& result) {
-  const int bumps = result.experiment == Experiment::strip ? input.strip->bumps : input.bump_foil.bumps;
+  int bumps = bump_foil_of(input, 0).bumps;
+  for (std::size_t k = 1; k < count_pads(input); ++k) bumps = std::min(bumps, bump_foil_of(input, k).bumps);
+  if (result.experiment == Experiment::strip) bumps = input.strip->bumps;
   if (input.bump_foil.model != BumpFoilModel::truss || bumps >= shortest_row) return std::nullopt;
   return fmt::format(
       "the truss is made for long rows of bumps, and for {} it may be up to 26 % too stiff: bump_foil.model = "
@@ -76,7 +85,7 @@ std::optional<std::string> yield_warning(const Case& input, const Cycle& cycle, 
   return fmt::format(
       "the {} yields: its bending stress reaches {:.4g} MPa ({}, increment {}), its yield stress is {:.4g} MPa; the "
       "foils are computed as elastic all the same",
-      foil.long_name, 1e-6 * peak.stress, place_text(peak), peak.increment, 1e-6 * *foil.yield_stress(input));
+      foil.long_name, 1e-6 * peak.stress, place_text(input, peak), peak.increment, 1e-6 * *foil.yield_stress(input));
 }
 
 }  // namespace

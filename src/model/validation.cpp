@@ -12,10 +12,12 @@
 
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "model/judge.hpp"
 #include "model/judge_bump_foil.hpp"
 #include "model/judge_film.hpp"
 #include "model/judge_montecarlo.hpp"
+#include "model/judge_pads.hpp"
 #include "model/judge_vibration.hpp"
 
 namespace bumpfoil {
@@ -173,7 +175,7 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   }
   if (!bumps || !steps) return;
   const auto increments = std::int64_t{cycle.swings() ? 4 : 2} * cycle.steps * std::ssize(cycle.directions);
-  judge_memory(judge, "cycle.steps", cycle.steps, increments, input.bump_foil.bumps);
+  judge_memory(judge, "cycle.steps", cycle.steps, increments, total_bumps(input));
 }
 
 /// A target of the plate, called by the key that holds it.
@@ -309,6 +311,45 @@ void judge_combination(Judge& judge, const Case& input) {
       "set name = \"newton\" or bump_foil.geometry = \"linear\"");
 }
 
+/// Faults of a pad by itself that others than the bearing's own are.
+std::vector<Fault> find_faults_of_pad(Case alone, std::size_t pad, double lobe, const std::vector<Fault>& known) {
+  // Where the pad has been brought nearer the journal presses its bumps flat earlier.
+  alone.bearing.radial_clearance -= std::max(lobe, 0.0);
+  std::vector<Fault> faults = find_faults(alone);
+  std::erase_if(faults, [&known](const Fault& fault) {
+    return std::any_of(known.begin(), known.end(), [&fault](const Fault& one) { return one.key == fault.key; });
+  });
+  for (Fault& fault : faults) {
+    const bool of_foil = fault.key.starts_with("bump_foil") || fault.key.starts_with("top_foil");
+    if (of_foil) fault.key = fmt::format("pad[{}].{}", pad + 1, fault.key);
+  }
+  return faults;
+}
+
+/// Foils of pads, first as they are given, then stretched to their arcs.
+std::vector<Fault> find_pad_faults(const Case& input, const std::vector<Fault>& known) {
+  std::vector<Fault> faults;
+  const auto add = [&](const Case& alone, std::size_t k) {
+    std::vector<Fault> more = find_faults_of_pad(alone, k, input.pads[k].lobe, known);
+    faults.insert(faults.end(), more.begin(), more.end());
+  };
+  for (std::size_t k = 0; k < input.pads.size(); ++k) {
+    Case alone = input;
+    alone.pads.clear();
+    alone.bearing.pad_gap.reset();
+    alone.bump_foil = bump_foil_of(input, k);
+    alone.top_foil = input.pads[k].top_foil.value_or(input.top_foil);
+    add(alone, k);
+  }
+  if (!faults.empty() || !known.empty()) return faults;
+  const std::vector<PlacedPad> pads = place_pads(input);
+  for (std::size_t k = 0; k < pads.size(); ++k) add(pads[k].alone, k);
+  if (!faults.empty()) return faults;
+  Judge judge;
+  judge_overlaps(judge, input);
+  return judge.take();
+}
+
 }  // namespace
 
 std::vector<Fault> find_faults(const Case& input) {
@@ -333,12 +374,17 @@ std::vector<Fault> find_faults(const Case& input) {
   judge_solver(judge, input.solver.uzawa);
   judge_cycle(judge, input, bumps, rise);
   if (input.strip) judge_strip(judge, *input.strip, foil, rise);
-  if (input.path) judge_path(judge, *input.path, bumps ? foil.bumps : 0, flattening(input.bearing, rise));
+  if (input.path) judge_path(judge, *input.path, bumps ? total_bumps(input) : 0, flattening(input.bearing, rise));
   if (input.vibration) judge_vibration(judge, *input.vibration, flattening(input.bearing, rise));
   judge_film_settings(judge, input, bumps);
   if (input.montecarlo) judge_montecarlo(judge, *input.montecarlo, usable_radius);
   judge_combination(judge, input);
-  return judge.take();
+  const bool placed = judge_pads(judge, input, usable_radius);
+  std::vector<Fault> faults = judge.take();
+  if (!placed) return faults;
+  std::vector<Fault> more = find_pad_faults(input, faults);
+  faults.insert(faults.end(), more.begin(), more.end());
+  return faults;
 }
 
 void require_valid(const Case& input) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
@@ -139,7 +140,7 @@ FoilStructure make_foil_structure(const FoilDesign& foils) {
   if (foils.model == BumpFoilModel::frame) {
     const FrameModel frame = make_frame_model(foils);
     if (foils.geometry == Geometry::nonlinear) {
-      structure.large_displacements = {.bump_foil = place_elements(frame, structure.dofs.size), .rest = structure.K};
+      structure.large_displacements = {.bump_foils = {place_elements(frame, structure.dofs.size)}, .rest = structure.K};
       hold_covered_node(frame, structure.large_displacements->rest);
     }
     assemble_frame(frame, structure.K);
@@ -149,24 +150,45 @@ FoilStructure make_foil_structure(const FoilDesign& foils) {
   return structure;
 }
 
+PadBlocks FoilStructure::blocks_of(int pad) const {
+  const auto k = static_cast<std::size_t>(pad);
+  const int end = k + 1 < pads.size() ? pads[k + 1] : K.blocks();
+  return {.first = pads[k], .count = end - pads[k]};
+}
+
+void append(const FoilStructure& pad, FoilStructure& foils) {
+  BUMPFOIL_ASSERT(pad.first_bump == 0 && foils.first_bump == 0 && pad.pads.size() == 1);
+  foils.pads.push_back(foils.K.blocks());
+  if (foils.large_displacements) {
+    ElementChain& chain =
+        foils.large_displacements->bump_foils.emplace_back(pad.large_displacements->bump_foils.front());
+    for (PlacedElement& placed : chain.elements) {
+      if (placed.start >= 0) placed.start += foils.K.rows();
+      placed.end += foils.K.rows();
+    }
+    foils.large_displacements->rest.append(pad.large_displacements->rest);
+  }
+  foils.K.append(pad.K);
+}
+
 Vector internal_forces(const FoilStructure& structure, const Vector& x) {
   if (!structure.large_displacements) return structure.K.multiply(x);
   Vector forces = structure.large_displacements->rest.multiply(x);
-  add_corotational_forces(structure.large_displacements->bump_foil, x, forces);
+  for (const ElementChain& chain : structure.large_displacements->bump_foils) add_corotational_forces(chain, x, forces);
   return forces;
 }
 
 BlockTridiagonal tangent_stiffness(const FoilStructure& structure, const Vector& x) {
   if (!structure.large_displacements) return structure.K;
   BlockTridiagonal K = structure.large_displacements->rest;
-  add_corotational_tangent(structure.large_displacements->bump_foil, x, K);
+  for (const ElementChain& chain : structure.large_displacements->bump_foils) add_corotational_tangent(chain, x, K);
   return K;
 }
 
 BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const Vector& x) {
   if (!structure.large_displacements) return structure.K;
   BlockTridiagonal K = structure.large_displacements->rest;
-  add_stable_tangent(structure.large_displacements->bump_foil, x, K);
+  for (const ElementChain& chain : structure.large_displacements->bump_foils) add_stable_tangent(chain, x, K);
   return K;
 }
 
@@ -174,7 +196,9 @@ ElasticResponse elastic_response(const FoilStructure& structure, const Vector& x
   ElasticResponse response{.forces = linear_forces(structure, x), .energy = 0.0};
   response.energy = 0.5 * x.dot(response.forces);
   if (structure.large_displacements) {
-    response.energy += add_corotational_forces(structure.large_displacements->bump_foil, x, response.forces);
+    for (const ElementChain& chain : structure.large_displacements->bump_foils) {
+      response.energy += add_corotational_forces(chain, x, response.forces);
+    }
   }
   return response;
 }

@@ -160,7 +160,8 @@ TEST_F(Program, InitPrintsOrWrites) {
 }
 
 TEST_F(Program, RunsItsPresets) {
-  for (const auto& [preset, command] : {std::pair{"gen1-rubio", "cycle"}, {"larsen-strip", "strip"}}) {
+  for (const auto& [preset, command] :
+       {std::pair{"gen1-rubio", "cycle"}, {"gen3-three-pad", "cycle"}, {"larsen-strip", "strip"}}) {
     const std::string path = (folder_.path() / preset).string();
     EXPECT_EQ(run({"init", "--preset", preset, "-o", path}).exit_code, 0) << preset;
     const Outcome done = run({command, path, "-o", results_, "--force", "--set", std::string(command) + ".steps=4"});

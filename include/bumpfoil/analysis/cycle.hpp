@@ -30,6 +30,8 @@ struct TurningPoint {
   Vector journal_loads;  ///< N, per bump; empty where there is no top foil
   Vector bump_loads;     ///< on the crests, N, per bump
   Vector foot_loads;     ///< N, per foot
+  Vector pad_forces_x;   ///< N, per pad of several: what each takes of the force on the journal
+  Vector pad_forces_y;   ///< N
 };
 
 /// Where a foil is bent most.

@@ -26,9 +26,9 @@ struct InterfaceFields {
 
 /// Bending stress, Pa; without columns where a model knows none, see FoilStress.
 struct StressFields {
-  FieldMatrix top_weld;   ///< one column
+  FieldMatrix top_weld;   ///< per pad
   FieldMatrix top_crest;  ///< per bump
-  FieldMatrix bump_weld;  ///< one column
+  FieldMatrix bump_weld;  ///< per pad
   FieldMatrix bump_crest;
   FieldMatrix bump_foot;  ///< per foot
   FieldMatrix bump_largest;
@@ -36,13 +36,14 @@ struct StressFields {
 
 /// Everything known of the foils at every increment that was recorded.
 struct FoilFields {
-  FieldMatrix top_displacement;  ///< u_t, m, per bump; without columns where there is no top foil
-  FieldMatrix crest_u, crest_v;  ///< m, per bump
-  FieldMatrix foot_u, foot_v;    ///< m, per foot
-  FieldMatrix compression;       ///< m, per bump: how far its crest came nearer to its feet
-  InterfaceFields journal_top;   ///< per bump
-  InterfaceFields top_bump;      ///< per bump
-  InterfaceFields bump_sleeve;   ///< per foot
+  FieldMatrix top_displacement;          ///< u_t, m, per bump; without columns where there is no top foil
+  FieldMatrix crest_u, crest_v;          ///< m, per bump
+  FieldMatrix foot_u, foot_v;            ///< m, per foot
+  FieldMatrix compression;               ///< m, per bump: how far its crest came nearer to its feet
+  FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
+  InterfaceFields journal_top;           ///< per bump
+  InterfaceFields top_bump;              ///< per bump
+  InterfaceFields bump_sleeve;           ///< per foot
   StressFields stress;
 
   [[nodiscard]] Eigen::Index increments() const { return crest_u.rows(); }

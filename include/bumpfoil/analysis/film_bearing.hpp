@@ -13,7 +13,7 @@ namespace bumpfoil {
 /// The gas of a case.
 Gas gas_of(const GasSettings& settings);
 
-/// The film knows no waves of the sleeve. @throws Error (input) if a case has some
+/// The film knows one foil all around a round sleeve. @throws Error (input) if a case has others
 void require_round_sleeve(const Case& input);
 
 /// c of a bearing, m: the size of its clearance, or 10 um where it has none.

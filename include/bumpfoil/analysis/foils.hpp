@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -31,11 +32,13 @@ inline double cleared(double value, double rounding) {
 /// The pressing body stands at a position in the X-Y plane: a displacement d moves it by d.n towards the foils over a
 /// bump with the normal n. The plate of a strip moves along X, and all its normals are (1, 0).
 ///
+/// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
+///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
 /// Without a top foil the first is missing, and the second is that of the plate with the crest.
 struct Foils {
   FoilStructure structure;
-  StressModel stress;
+  std::vector<StressModel> stress;  ///< of each pad
   ContactProblem problem;
   double rise{};             ///< of the mid-surface of the tallest bump, m
   double clearance{};        ///< gap between the pressing body, at the origin, and the undeformed foils, m
@@ -50,6 +53,7 @@ struct Foils {
   [[nodiscard]] int first_foot() const { return top_bump() + 1; }
   [[nodiscard]] int contacts_per_block() const { return static_cast<int>(problem.pairs.size()); }
   [[nodiscard]] int bumps() const { return structure.bumps(); }
+  [[nodiscard]] int pads() const { return static_cast<int>(structure.pads.size()); }
   [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }
   /// Contacts of the pressing body, the first of each bump: entries of a vector of all contacts.
   [[nodiscard]] auto pressed() const {
@@ -102,5 +106,8 @@ Vector pressing_loads(const Foils& foils, const Vector& normal_force);
 
 /// Force that holds the pressing body, N.
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
+
+/// The part of it that each pad takes, one column per pad, N.
+Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force);
 
 }  // namespace bumpfoil

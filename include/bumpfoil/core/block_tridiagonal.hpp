@@ -31,6 +31,9 @@ struct BlockTridiagonal {
   /// place. The blocks must be the same or neighbours.
   void add(int block_i, int i, int block_j, int j, double value);
 
+  /// Puts the blocks of another symmetric matrix behind those of this one, coupled to nothing here.
+  void append(const BlockTridiagonal& other);
+
   /// K x in O(blocks). `x` has rows() entries.
   [[nodiscard]] Vector multiply(const Vector& x) const;
 

@@ -86,7 +86,13 @@ struct CycleQuantity {
 };
 
 /// What the columns of a field stand for.
-enum class Node { foil, bump, foot };
+enum class Node {
+  foil,  ///< all of them
+  bump,
+  foot,
+  weld,  ///< of each pad; the one of a foil that goes all around is no list
+  pad,   ///< of several; a foil that goes all around has none
+};
 
 /// Of the foils at one increment: a matrix of increments and nodes, see FoilFields. No columns where it is not known.
 struct FieldQuantity {
@@ -131,8 +137,11 @@ struct StressedFoil {
 };
 std::span<const StressedFoil> stressed_foils();
 
+/// A bump (from 0) as people count: "3", or of several pads "3 of pad 2".
+std::string bump_text(const Case& input, int bump);
+
 /// "crest 3", "weld".
-std::string place_text(const StressPeak& peak);
+std::string place_text(const Case& input, const StressPeak& peak);
 
 /// Whether the stress of a foil exceeds its yield stress in a cycle: 0 or 1, not a number where one of them is not
 /// known.

@@ -52,8 +52,9 @@ struct Bearing {
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
   Wrap wrap{Wrap::clockwise};
   RadiusProfile sleeve{};
-  RadiusProfile journal{};  ///< in the angles of the bearing: the journal does not turn
-  double taper{};           ///< what the radius of the sleeve is more at the free end than at the weld, m
+  RadiusProfile journal{};          ///< in the angles of the bearing: the journal does not turn
+  double taper{};                   ///< what the radius of the sleeve is more at the free end than at the weld, m
+  std::optional<double> pad_gap{};  ///< free angle after each pad that has no arc of its own, rad
 
   /// Whether sleeve and journal are circles.
   [[nodiscard]] bool is_round() const {
@@ -93,6 +94,25 @@ struct TopFoil {
   std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
 
   bool operator==(const TopFoil&) const = default;
+};
+
+/// The edge of a pad that its foils are welded at; the leading one comes first in the sense of `Bearing::wrap`.
+enum class WeldEdge {
+  leading,   ///< the foils run from the weld in that sense
+  trailing,  ///< and against it
+};
+
+/// A part of the sleeve with foils of its own. What is absent is that of the common tables or follows from all pads,
+/// see place_pads().
+struct Pad {
+  std::optional<double> weld_angle{};  ///< polar angle of the weld, rad
+  WeldEdge weld_edge{WeldEdge::leading};
+  std::optional<double> arc{};  ///< angle from the weld to the free end, which pitches are stretched to fill, rad
+  double lobe{};                ///< by which the centre of its circle is displaced away from its middle, m
+  std::optional<BumpFoil> bump_foil{};
+  std::optional<TopFoil> top_foil{};
+
+  bool operator==(const Pad&) const = default;
 };
 
 /// Coulomb friction coefficients; the journal is frictionless.
@@ -289,6 +309,7 @@ struct Case {
   Bearing bearing;
   BumpFoil bump_foil;
   TopFoil top_foil;
+  std::vector<Pad> pads{};  ///< none: the foils of the bearing go round in one
   Friction friction;
   SolverSettings solver;
   CycleSettings cycle;

@@ -28,8 +28,14 @@ BumpDofs make_bump_dofs(const FoilDesign& foils);
 
 /// Foils whose displacements are large: the elements of the bump foil are carried along, the rest stays linear.
 struct LargeDisplacements {
-  ElementChain bump_foil;
-  BlockTridiagonal rest;  ///< K of the foils without these elements
+  std::vector<ElementChain> bump_foils;  ///< of each pad
+  BlockTridiagonal rest;                 ///< K of the foils without these elements
+};
+
+/// Blocks of a pad in K.
+struct PadBlocks {
+  int first{};
+  int count{};
 };
 
 /// Elastic foils without contact: what the contact problem is built from. A plain value.
@@ -50,9 +56,12 @@ struct FoilStructure {
   BlockTridiagonal K;
   BumpDofs dofs;
   int first_bump{};  ///< block of bump 1; a block before it stands for the foot where a truss without a weld begins
+  std::vector<int> pads{0};  ///< block that each pad begins with, coupled to none before
   std::optional<LargeDisplacements> large_displacements{};
 
   [[nodiscard]] int bumps() const { return K.blocks() - first_bump; }
+  /// @param pad  from 0
+  [[nodiscard]] PadBlocks blocks_of(int pad) const;
 };
 
 /// The truss or the frame model of the bump foil, and the top foil over it.
@@ -66,6 +75,9 @@ struct FoilStructure {
 /// every crest: what nothing else decides stays where it was.
 /// @throws Error (input) if the constants of the truss cannot be identified.
 FoilStructure make_foil_structure(const FoilDesign& foils);
+
+/// Puts the foils of one more pad behind those there are: of the same model, and welded as they are.
+void append(const FoilStructure& pad, FoilStructure& foils);
 
 /// Block of bump 1, see FoilStructure.
 int block_of_bump_1(const FoilDesign& foils);

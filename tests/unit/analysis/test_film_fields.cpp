@@ -31,7 +31,7 @@ TEST(FilmFields, AreThoseOfFoilsUnderTheirLoads) {
       // The moment over a crest, of the film and of the stress.
       const double moment =
           bearing.foil.stiffness * bearing.foil.pitch * bearing.scales.thickness * std::abs(state.foil.moment[crest]);
-      EXPECT_NEAR(fields.stress.top_crest(0, b), moment / foils->stress.top_section_modulus,
+      EXPECT_NEAR(fields.stress.top_crest(0, b), moment / foils->stress.front().top_section_modulus,
                   1e-9 * fields.stress.top_crest.maxCoeff());
     }
     // What the bumps take from above they hand to the sleeve, but for what friction carries.

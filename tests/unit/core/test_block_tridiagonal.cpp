@@ -46,6 +46,19 @@ TEST(BlockTridiagonal, MayBeUnsymmetric) {
   }
 }
 
+TEST(BlockTridiagonal, TakesTheBlocksOfAnother) {
+  BlockTridiagonal first(2, 2);
+  first.add(0, 0, 1, 1, 3.0);
+  first.add(1, 0, 1, 0, 5.0);
+  BlockTridiagonal second(1, 2);
+  second.add(0, 0, 0, 1, 7.0);
+  Matrix expected = Matrix::Zero(6, 6);
+  expected.topLeftCorner(4, 4) = first.dense();
+  expected.bottomRightCorner(2, 2) = second.dense();
+  first.append(second);
+  EXPECT_EQ(first.dense(), expected);
+}
+
 TEST(BlockTridiagonal, SingleBlockAndEmpty) {
   EXPECT_EQ(BlockTridiagonal(1, 3).rows(), 3);
   EXPECT_EQ(BlockTridiagonal().rows(), 0);

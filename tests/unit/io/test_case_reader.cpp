@@ -447,6 +447,32 @@ thickness = "25 um"
   EXPECT_EQ(parts.bump_foil.shims, (std::vector<Shim>{{20, 22, 25e-6}}));
 }
 
+TEST(ParseCase, ReadsPads) {
+  const Case input = with({"pad=[{lobe=\"5 um\"}, {weld_edge=\"trailing\", arc=\"100 deg\"}, {weld_angle=\"-50 deg\"}]",
+                           "pad[3].bump_foil.height=\"0.5 mm\"", "pad[3].top_foil.thickness=\"0.15 mm\"",
+                           "bump_foil.bumps=7", "bearing.pad_gap=\"20 deg\""});
+  ASSERT_EQ(input.pads.size(), 3U);
+  EXPECT_EQ(input.pads[0], (Pad{.lobe = 5e-6}));
+  EXPECT_EQ(input.pads[1].weld_edge, WeldEdge::trailing);
+  EXPECT_DOUBLE_EQ(input.pads[1].arc.value(), 100.0 / 180.0 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(input.pads[2].weld_angle.value(), -50.0 / 180.0 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(input.bearing.pad_gap.value(), std::numbers::pi / 9.0);
+  // The rest of their foils is that of all.
+  BumpFoil expected = input.bump_foil;
+  expected.height = 0.5e-3;
+  EXPECT_EQ(input.pads[2].bump_foil, expected);
+  TopFoil top = input.top_foil;
+  top.thickness = 0.15e-3;
+  EXPECT_EQ(input.pads[2].top_foil, top);
+  EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
+}
+
+TEST(ParseCase, SaysWhatIsWrongWithPads) {
+  expect_in(refusal({"pad=[{lob=1e-6}]"}), "did you mean \"lobe\"?");
+  expect_in(refusal({"pad=[{}, {}]"}), "pad[2]: overlaps pad 1 by 177.5");
+  expect_in(refusal({"bump_foil.bumps=7", "pad=[{}, {bump_foil={height=\"0.1 mm\"}}]"}), "pad[2].bump_foil.height");
+}
+
 TEST(Overrides, CountTablesOfAList) {
   const std::vector<std::string> shim{"bump_foil.shim[1].from=1", "bump_foil.shim.to=2",
                                       "bump_foil.shim[1].thickness=5 um"};

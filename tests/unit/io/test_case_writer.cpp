@@ -200,13 +200,15 @@ TEST(CaseTemplate, RemarksAreOnKeysThatThePresetHolds) {
 
 TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   std::string text = case_template("gen1");
-  // All comments that are assignments or tables, but those that contradict others.
+  // All comments that are assignments or tables, but those that contradict others, as pads do.
+  bool in_pad = false;
   for (std::size_t at = text.find("\n# "); at != std::string::npos; at = text.find("\n# ", at + 1)) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
-    const bool contradicts = line.starts_with("height_errors") || line.find("_profile_file") < line.find(' ') ||
-                             line.starts_with("sleeve_gaps") || line.starts_with("top_bump") ||
-                             line.starts_with("bump_sleeve") || line.starts_with("load ") ||
-                             line.starts_with("diameter ");
+    if (line.starts_with('[')) in_pad = line.starts_with("[[pad") || line.starts_with("[pad");
+    const bool contradicts = in_pad || line.starts_with("pad_gap") || line.starts_with("height_errors") ||
+                             line.find("_profile_file") < line.find(' ') || line.starts_with("sleeve_gaps") ||
+                             line.starts_with("top_bump") || line.starts_with("bump_sleeve") ||
+                             line.starts_with("load ") || line.starts_with("diameter ");
     const bool assigns = line.starts_with('[') || line.find(" = ") < line.find('#');
     if (assigns && !contradicts) text.erase(at + 1, 2);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/strip.hpp"
+#include "io/number_text.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -86,6 +88,25 @@ TEST(CycleTable, ShowsNumbersInTheUnitsItNames) {
   EXPECT_EQ(last_cell(text, "highest bump load"), "138.62");
   EXPECT_EQ(last_cell(text, "on bump"), "13");
   EXPECT_EQ(last_cell(text, "converged"), "yes");
+}
+
+TEST(CycleTable, TellsPadsApart) {
+  Case input = reference_case();
+  input.bump_foil.bumps = 7;
+  input.bearing.radial_clearance = -2e-6;
+  input.cycle.steps = 2;
+  input.cycle.amplitude.value = 30e-6;
+  input.cycle.directions = {0.0};
+  input.bearing.weld_angle = -0.5 * std::numbers::pi;
+  input.pads.resize(2);  // about -X and about X
+  const CycleResult result = run_cycles(input);
+  const std::string text = cycle_table(input, result);
+  const TurningPoint& turn = result.cycles[0].turning_point.value();
+  EXPECT_EQ(last_cell(text, "force of pad 2"),
+            number_text(std::hypot(turn.pad_forces_x[1], turn.pad_forces_y[1]), 1.0));
+  EXPECT_NE(text.find("of pad 2"), std::string::npos);
+  EXPECT_EQ(last_cell(text, "on bump"), "2");
+  EXPECT_EQ(cycle_table(reference_case(), short_run(1)).find("pad"), std::string::npos);
 }
 
 TEST(CycleTable, NamesThePlaceOfTheHighestStress) {

@@ -218,6 +218,41 @@ TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
   EXPECT_NEAR(values("crest_offset")[1], 1e-6, 1e-18);
 }
 
+TEST(ResultNetcdf, HasADimensionForSeveralPads) {
+  Case input = short_case();
+  input.bump_foil.height_errors.clear();
+  input.bump_foil.bumps = 7;
+  input.bearing.radial_clearance = -2e-6;
+  input.pads.resize(2);
+  input.pads[1].weld_edge = WeldEdge::trailing;
+  input.pads[1].lobe = 4e-6;
+  const CycleResult result = run_cycles(input);
+  const OpenedResult file(result, input);
+  EXPECT_EQ(file.file().getDim("pad").getSize(), 2U);
+  EXPECT_EQ(file.file().getDim("bump").getSize(), 14U);
+  EXPECT_EQ(file.at("bump_pad", {6}), 1.0);
+  EXPECT_EQ(file.at("bump_pad", {7}), 2.0);
+  EXPECT_EQ(file.at("foot_pad", {7}), 2.0);
+  EXPECT_EQ(file.at("pad_lobe", {1}), 4e-6);
+  const double arc = 7 * 4.572e-3 / 19.05e-3;
+  EXPECT_NEAR(file.at("pad_end_angle", {0}), input.bearing.weld_angle - arc, 1e-14);
+  EXPECT_NEAR(file.at("pad_end_angle", {1}) - file.at("pad_weld_angle", {1}), arc, 1e-14);
+  EXPECT_NEAR(file.at("phi", {7}) - file.at("pad_weld_angle", {1}), 0.5 * arc / 7, 1e-14);
+  // Parts of the force add up to it; increment 5 is the turning point.
+  const double whole = file.at("force_y", {1, 5});
+  EXPECT_NEAR(file.at("pad_force_y", {1, 5, 0}) + file.at("pad_force_y", {1, 5, 1}), whole, 1e-12 * std::abs(whole));
+  EXPECT_EQ(file.at("pad_forces_y", {1, 1}), file.at("pad_force_y", {1, 5, 1}));
+  EXPECT_GT(file.at("stress_top_foil_weld", {1, 5, 0}), 0.0);
+  EXPECT_EQ(file.at("stress_top_foil_weld", {1, 5, 1}), 0.0);  // the journal has left it
+
+  const OpenedResult one(run_cycles(short_case()));
+  EXPECT_TRUE(one.file().getDim("pad").isNull());
+  for (const char* name : {"pad", "bump_pad", "foot_pad", "pad_lobe", "pad_force_x", "pad_forces_x"}) {
+    EXPECT_TRUE(one.file().getVar(name).isNull()) << name;
+  }
+  EXPECT_EQ(one.variable("stress_top_foil_weld").getDimCount(), 2);
+}
+
 TEST(ResultNetcdf, SaysWhereItComesFrom) {
   const Case input = short_case();
   const OpenedResult file(run_cycles(input), input, RunStatus::complete,

@@ -108,6 +108,71 @@ TEST(FindFaults, JudgesProfilesAndTapers) {
   EXPECT_EQ(faulty([](Bearing& bearing) { bearing.taper = 3e-3; }), Keys{"bearing.taper"});
 }
 
+TEST(FindFaults, JudgesPads) {
+  const auto pads = [](const std::function<void(Case&)>& change) {
+    return faulty_keys([&](Case& input) {
+      input.bump_foil.bumps = 7;
+      input.pads.resize(3);
+      change(input);
+    });
+  };
+  EXPECT_EQ(pads([](Case&) {}), Keys{});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.bearing.pad_gap = 0.1; }), Keys{"bearing.pad_gap"});
+  EXPECT_EQ(pads([](Case& input) { input.bearing.pad_gap = 2.1; }), Keys{"bearing.pad_gap"});
+  EXPECT_EQ(pads([](Case& input) { input.bearing.pad_gap = -0.1; }), Keys{"bearing.pad_gap"});
+  EXPECT_EQ(pads([](Case& input) { input.bearing.pad_gap = 0.1; }), Keys{});
+  EXPECT_EQ(pads([](Case& input) { input.pads[1].weld_angle = nan; }), Keys{"pad[2].weld_angle"});
+  EXPECT_EQ(pads([](Case& input) { input.pads[1].arc = 0.0; }), Keys{"pad[2].arc"});
+  EXPECT_EQ(pads([](Case& input) { input.pads[0].lobe = 5e-3; }), Keys{"pad[1].lobe"});
+  // Foils of their own, by themselves and stretched to their arcs.
+  EXPECT_EQ(pads([](Case& input) {
+              input.pads[2].bump_foil = input.bump_foil;
+              input.pads[2].bump_foil->thickness = -1.0;
+            }),
+            Keys{"pad[3].bump_foil.thickness"});
+  EXPECT_EQ(pads([](Case& input) { input.pads[0].arc = 0.5; }), Keys{"pad[1].bump_foil.length"});
+  for (const auto& change :
+       std::vector<std::function<void(BumpFoil&)>>{[](BumpFoil& foil) { foil.model = BumpFoilModel::frame; },
+                                                   [](BumpFoil& foil) { foil.yield_stress = 1e9; }}) {
+    EXPECT_EQ(pads([&](Case& input) {
+                input.pads[0].bump_foil = input.bump_foil;
+                change(*input.pads[0].bump_foil);
+              }).size(),
+              1U);
+  }
+  // Each as long as a third of the circumference would be seven pitches and a bit; eight pads of these overlap.
+  EXPECT_EQ(pads([](Case& input) { input.pads[2].weld_angle = input.bearing.weld_angle - 2.2; }), Keys{"pad[3]"});
+  EXPECT_EQ(pads([](Case& input) { input.pads[1].arc = 2.2; }), Keys{"pad[3]"});
+  // A journal that comes as far as the rise over a pad that was brought nearer.
+  EXPECT_EQ(pads([](Case& input) { input.cycle.amplitude.value = 435e-6; }), Keys{});
+  EXPECT_EQ(pads([](Case& input) {
+              input.cycle.amplitude.value = 435e-6;
+              input.pads[0].lobe = 10e-6;
+            }),
+            Keys{"cycle.amplitude"});
+}
+
+TEST(FindFaults, KnowsPadsInFewCommands) {
+  const auto pads = [](const std::function<void(Case&)>& change) {
+    return faulty_keys([&](Case& input) {
+      input.bump_foil.bumps = 7;
+      input.pads.resize(2);
+      change(input);
+    });
+  };
+  EXPECT_EQ(pads([](Case& input) { input.bump_foil.model = BumpFoilModel::former; }), Keys{"bump_foil.model"});
+  EXPECT_EQ(pads([](Case& input) { input.strip = StripSettings{.bumps = 7, .amplitude = {.value = 1e-6}}; }),
+            Keys{"strip"});
+  EXPECT_EQ(pads([](Case& input) {
+              input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
+            }),
+            Keys{"montecarlo"});
+  EXPECT_EQ(pads([](Case& input) {
+              input.equilibrium = EquilibriumSettings{.speeds = {100.0}, .loads = {{50.0, 0.0}}};
+            }),
+            Keys{"equilibrium"});
+}
+
 TEST(FindFaults, JudgesStrips) {
   const auto strip = [](const std::function<void(StripSettings&)>& change) {
     return faulty_keys([&](Case& input) {

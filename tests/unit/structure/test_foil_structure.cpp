@@ -231,6 +231,39 @@ TEST(LargeDisplacements, OfDifferentBumpsAreSmallNearTheUndeformedFoils) {
   EXPECT_LT((elastic_response(large, x).forces - forces).norm(), 1e-4 * forces.norm());  // second order, as above
 }
 
+TEST(FoilStructure, TakesTheFoilsOfFurtherPads) {
+  for (const Geometry geometry : {Geometry::linear, Geometry::nonlinear}) {
+    FoilDesign design = make_bearing_design(reference_case());
+    design.model = BumpFoilModel::frame;
+    design.geometry = geometry;
+    design.bumps.resize(3);
+    const FoilStructure first = make_foil_structure(design);
+    design.bumps.resize(2);
+    design.bumps[0].pitch = design.bumps[1].pitch = 5e-3;
+    const FoilStructure second = make_foil_structure(design);
+    FoilStructure both = first;
+    append(second, both);
+    EXPECT_EQ(both.pads, (std::vector<int>{0, 3}));
+    EXPECT_EQ(both.bumps(), 5);
+    EXPECT_EQ(both.blocks_of(0).count, 3);
+    EXPECT_EQ(both.blocks_of(1).first, 3);
+    EXPECT_EQ(both.blocks_of(1).count, 2);
+    const Vector a = any_displacements(first);
+    const Vector b = any_displacements(second);
+    Vector x(a.size() + b.size());
+    x << a, b;
+    Vector forces(x.size());
+    forces << internal_forces(first, a), internal_forces(second, b);
+    EXPECT_LT((internal_forces(both, x) - forces).norm(), 1e-14 * forces.norm());
+    EXPECT_NEAR(elastic_response(both, x).energy,
+                elastic_response(first, a).energy + elastic_response(second, b).energy,
+                1e-13 * elastic_response(both, x).energy);
+    BlockTridiagonal tangent = tangent_stiffness(first, a);
+    tangent.append(tangent_stiffness(second, b));
+    EXPECT_LT((tangent_stiffness(both, x).dense() - tangent.dense()).norm(), 1e-14 * tangent.dense().norm());
+  }
+}
+
 TEST(FoilStructure, FormerModelHasNoTopFoil) {
   Case input = given_constants(3);
   input.bump_foil.model = BumpFoilModel::former;

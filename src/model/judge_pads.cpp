@@ -1,0 +1,114 @@
+#include "model/judge_pads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
+
+namespace bumpfoil {
+namespace {
+
+std::string degrees(double angle) {
+  return fmt::format("{:.6g} deg", 360.0 / turn * angle);
+}
+
+/// What the foils of all pads have in common, as one contact problem and one result hold them all.
+void judge_common(Judge& judge, const std::string& table, const Case& input, const Pad& pad) {
+  const auto require_same = [&](bool same, std::string_view key, std::string_view common) {
+    judge.require(same, fmt::format("{}.{}", table, key), "", "is not that of the other pads",
+                  fmt::format("leave it out here, and give {}", common));
+  };
+  if (pad.bump_foil) {
+    require_same(pad.bump_foil->model == input.bump_foil.model, "bump_foil.model", "bump_foil.model for all");
+    require_same(pad.bump_foil->geometry == input.bump_foil.geometry, "bump_foil.geometry",
+                 "bump_foil.geometry for all");
+    require_same(pad.bump_foil->yield_stress == input.bump_foil.yield_stress, "bump_foil.yield_stress",
+                 "bump_foil.yield_stress for all");
+  }
+  if (pad.top_foil) {
+    require_same(pad.top_foil->yield_stress == input.top_foil.yield_stress, "top_foil.yield_stress",
+                 "top_foil.yield_stress for all");
+  }
+}
+
+/// What knows one foil all around only.
+void judge_use(Judge& judge, const Case& input) {
+  const auto refuse = [&](bool used, const std::string& key, std::string what, std::string advice) {
+    judge.require(!used, key, "", std::move(what), std::move(advice));
+  };
+  refuse(input.bump_foil.model == BumpFoilModel::former, "bump_foil.model", "knows one foil all around, no pads",
+         "set model = \"truss\" or \"frame\", or remove [[pad]]");
+  refuse(input.strip.has_value(), "strip", "lies flat, cut from one foil, and the bearing has pads",
+         "remove [strip] or [[pad]]");
+  refuse(input.equilibrium.has_value(), "equilibrium", "has a film over one foil all around, and the bearing has pads",
+         "remove [equilibrium] or [[pad]]");
+  refuse(input.montecarlo.has_value(), "montecarlo", "draws bearings of one foil all around, and the bearing has pads",
+         "remove [montecarlo] or [[pad]]");
+}
+
+}  // namespace
+
+bool judge_pads(Judge& judge, const Case& input, double radius) {
+  const auto& gap = input.bearing.pad_gap;
+  if (input.pads.empty()) {
+    judge.require(!gap, "bearing.pad_gap", "", "lies between pads, and there are none", "remove it, or add [[pad]]");
+    return false;
+  }
+  judge_use(judge, input);
+  const double share = turn / static_cast<double>(input.pads.size());
+  bool placed = !gap || (judge.finite("bearing.pad_gap", *gap, "rad") &&
+                         judge.require(*gap >= 0.0 && *gap < share, "bearing.pad_gap", degrees(*gap),
+                                       fmt::format("leaves nothing of the share of a pad, {}", degrees(share)),
+                                       "give a smaller gap, which is not negative"));
+  for (std::size_t k = 0; k < input.pads.size(); ++k) {
+    const Pad& pad = input.pads[k];
+    const std::string table = fmt::format("pad[{}]", k + 1);
+    if (pad.weld_angle) placed = judge.angle(table + ".weld_angle", *pad.weld_angle) && placed;
+    if (pad.arc) {
+      placed = judge.angle(table + ".arc", *pad.arc) &&
+               judge.require(*pad.arc > 0.0, table + ".arc", degrees(*pad.arc), "must be positive",
+                             "give the angle from the weld to the free end") &&
+               placed;
+    }
+    placed = judge.finite(table + ".lobe", pad.lobe, "m") &&
+             (radius <= 0.0 ||
+              judge.require(std::abs(pad.lobe) <= thin * radius, table + ".lobe", quantity(pad.lobe, "m"),
+                            "is too large for this radius",
+                            fmt::format("give at most {:.6g} m either way; is the unit right?", thin * radius))) &&
+             placed;
+    judge_common(judge, table, input, pad);
+  }
+  return placed;
+}
+
+void judge_overlaps(Judge& judge, const Case& input) {
+  struct Cover {
+    std::size_t pad;
+    double from, arc;  // in the sense of the winding of the bearing
+  };
+  const double sense = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  std::vector<Cover> covers;
+  covers.reserve(input.pads.size());
+  for (const PlacedPad& placed : place_pads(input)) {
+    const Bearing& bearing = placed.alone.bearing;
+    const double arc = foil_angle(placed.alone);
+    const double from = sense * bearing.weld_angle - (bearing.wrap == input.bearing.wrap ? 0.0 : arc);
+    covers.push_back({covers.size(), from - turn * std::floor(from / turn), arc});
+  }
+  std::sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.from < b.from; });
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    const bool last = i + 1 == covers.size();
+    const Cover& next = covers[last ? 0 : i + 1];
+    const double over = covers[i].from + covers[i].arc - next.from - (last ? turn : 0.0);
+    judge.require(over <= turn * rounding, fmt::format("pad[{}]", std::max(covers[i].pad, next.pad) + 1), "",
+                  fmt::format("overlaps pad {} by {}", std::min(covers[i].pad, next.pad) + 1, degrees(over)),
+                  "give fewer bumps, smaller arcs, or other weld angles");
+  }
+}
+
+}  // namespace bumpfoil
