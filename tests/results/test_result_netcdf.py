@@ -261,27 +261,33 @@ class Partial(unittest.TestCase):
             self.assertIn(f"bumpfoil: {sentence}; the results in {folder} are partial, and flagged so", done.stderr)
 
 
+def documented_variables(text):
+    """Dimensions, unit and meaning of the variables in the tables of a text."""
+    rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \| (.*) \|$", text, re.MULTILINE)
+    return {name: (dims.strip(), unit, meaning) for name, dims, unit, meaning in rows}
+
+
+def written_variables(result):
+    return {
+        str(name): (", ".join(variable.dims), variable.attrs.get("units", "flag"), variable.attrs["long_name"])
+        for name, variable in result.variables.items()
+    }
+
+
 class Documentation(unittest.TestCase):
     TEXT = (ROOT / "docs/results.md").read_text(encoding="utf-8")
+    PADS = re.search(r"^### Several pads$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
+    VARIABLES = documented_variables(TEXT.replace(PADS, ""))
 
     def test_every_variable_is_documented_with_dimensions_units_and_meaning(self):
-        rows = re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \| (.*) \|$", self.TEXT, re.MULTILINE)
-        documented = {name: (dims.strip(), unit, meaning) for name, dims, unit, meaning in rows}
         with tempfile.TemporaryDirectory() as directory:
             run_cycle(Path(directory) / "results", "--solver", "events")
             with xarray.open_dataset(Path(directory) / "results/result.nc") as result:
-                written = {
-                    str(name): (
-                        ", ".join(variable.dims),
-                        variable.attrs.get("units", "flag"),
-                        variable.attrs["long_name"],
-                    )
-                    for name, variable in result.variables.items()
-                }
+                written = written_variables(result)
                 attributes = set(result.attrs)
             keys = json.loads((Path(directory) / "results/summary.json").read_text(encoding="utf-8"))["cycles"][0]
             columns = (Path(directory) / "results/cycle.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
-        self.assertEqual(documented, written)
+        self.assertEqual(self.VARIABLES, written)
         # Keys and columns mean what the variables mean.
         sections = re.split(r"^## ", self.TEXT, flags=re.MULTILINE)
         of_cycles = "".join(one for one in sections if one.startswith(("summary.json", "cycle.csv", "result.nc")))
@@ -295,12 +301,26 @@ class Documentation(unittest.TestCase):
         for name in attributes | {"status_message"}:
             self.assertIn(f"`{name}`", self.TEXT)
 
+    def test_bearings_of_pads_have_what_is_documented_besides(self):
+        of_pads = documented_variables(self.PADS)
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            command = [PROGRAM, "cycle", ROOT / "examples/three_pads.toml", "-o", folder, "--quiet", "--solver", "events"]
+            subprocess.run([*command, "--set", "cycle.steps=4"], check=True)
+            with xarray.open_dataset(folder / "result.nc") as result:
+                written = written_variables(result)
+        self.assertGreater(len(of_pads), 5)
+        self.assertEqual(of_pads, {name: written.get(name) for name in of_pads})
+        self.assertEqual(set(written), set(of_pads) | set(self.VARIABLES))
+        at_welds = {name for name, (dims, _, _) in written.items() if "pad" in dims.split(", ")} - set(of_pads)
+        self.assertTrue(at_welds and all("weld" in name for name in at_welds), at_welds)
+
     def test_a_strip_differs_as_documented(self):
         def named(start):
             line = re.search(rf"^\* {start}: (.*)$", self.TEXT, re.MULTILINE).group(1)
             return set(re.findall(r"`(\w+)`", line))
 
-        documented = {name for name, _, _ in re.findall(r"^\| `(\w+)` \| ([\w, ]*)\| (\S+) \|", self.TEXT, re.MULTILINE)}
+        documented = set(self.VARIABLES)
         with tempfile.TemporaryDirectory() as directory:
             folder = Path(directory) / "results"
             command = [PROGRAM, "strip", ROOT / "examples/strip.toml", "-o", folder, "--quiet", "--solver", "events"]
