@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <set>
 #include <string>
 
@@ -23,13 +22,19 @@ std::string text_of(const std::filesystem::path& path) {
 /// Every text in quotes that begins with a number, in documents and examples: what follows the number.
 std::set<std::string> units_of_the_repository() {
   std::set<std::string> units;
-  const std::regex quantity("\"[-+]?[0-9][0-9.eE+-]*\\s*([^\"0-9][^\"\\n]{0,30})\"");
+  constexpr std::size_t longest = 40;
   for (const char* folder : {"../docs", "../examples", "../studies", ".."}) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() != ".md" && entry.path().extension() != ".toml") continue;
       const std::string text = text_of(entry.path());
-      for (std::sregex_iterator it(text.begin(), text.end(), quantity); it != std::sregex_iterator(); ++it)
-        units.insert((*it)[1]);
+      for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 1)) {
+        const std::size_t end = text.find_first_of("\"\n", at + 1);
+        if (end == std::string::npos || text[end] != '"' || end - at > longest) continue;
+        const std::string quoted = text.substr(at + 1, end - at - 1);
+        if (quoted.empty() || quoted.find_first_of("0123456789") > 1) continue;
+        const std::size_t unit = quoted.find_first_not_of("+-.0123456789eE ");
+        if (unit != std::string::npos) units.insert(quoted.substr(unit));
+      }
     }
   }
   return units;
