@@ -98,6 +98,16 @@ export async function saved(page, panelName, button) {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
+/** Plots within a place, once they show what is chosen now: a chart out of sight is drawn when one comes to it. */
+export async function plotsIn(place) {
+  const charts = place.locator('.chart');
+  for (const chart of await charts.all()) {
+    await chart.scrollIntoViewIfNeeded();
+    await chart.and(chart.page().locator(':not([aria-busy])')).waitFor();
+  }
+  return charts.locator('.plot');
+}
+
 /** What is drawn of the foils, and where the bar says that it is. */
 export async function state(page) {
   return {

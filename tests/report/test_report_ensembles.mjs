@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, print, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
 
 const samples = 60;
 const settings = ['montecarlo.bump_height.distribution="normal"', 'montecarlo.bump_height.std="10 um"', 'montecarlo.friction_top_bump.distribution="uniform"', 'montecarlo.friction_top_bump.lower=-0.05', 'montecarlo.friction_top_bump.upper=0.05', 'cycle.directions=["+X", "+Y"]', 'cycle.steps=20'];
@@ -100,7 +100,7 @@ test('a click on a histogram or a loop shows the bearing, which is that of cycle
     }
     // Of the fan only this one is thick.
     const panel = panelOf(page, 'Loops, +X');
-    const widths = await panel.locator('.plot path[fill=none]').evaluateAll((paths) => paths.map((path) => Number(path.getAttribute('stroke-width'))));
+    const widths = await (await plotsIn(panel)).locator('path[fill=none]').evaluateAll((paths) => paths.map((path) => Number(path.getAttribute('stroke-width'))));
     assert.equal(widths.filter((width) => width === 1.1).length, 19);
     // Its number stands in the histogram, at which a click looks at it again.
     const histogram = panelOf(page, 'Maximum force');

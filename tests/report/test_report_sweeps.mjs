@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, print, quantity, report, rowsOf, run, saved, stripFile, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, saved, stripFile, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> & <b>bold</b>';
 /** In the order of sweep.nc. */
@@ -96,7 +96,7 @@ test('a click on a point looks at it, and its loop is the thick one', () =>
     const tip = await panel.locator('.tip').textContent();
     const row = rowsIn('grid').find((one) => one.direction_deg === '0' && Math.abs(one.cycle_amplitude_m - 7e-5) < 1e-9 && Number(one.friction_coefficient) > 0.25);
     near(quantity(tip.split('Loaded stiffness').pop(), 'N/m'), Number(row.loaded_stiffness_N_per_m), 1e-3, tip);
-    const widths = await loops.locator('.plot path[fill=none]').evaluateAll((paths) => paths.map((path) => Number(path.getAttribute('stroke-width'))));
+    const widths = await (await plotsIn(loops)).locator('path[fill=none]').evaluateAll((paths) => paths.map((path) => Number(path.getAttribute('stroke-width'))));
     assert.equal(widths.filter((width) => width === 3).length, 1);
     assert.equal(widths.filter((width) => width === 1.3).length, 3);
   }));

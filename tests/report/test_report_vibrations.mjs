@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, print, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
 
 const axes = ['xx', 'xy', 'yx', 'yy'];
 const omega = 2 * Math.PI * 200;
@@ -51,7 +51,7 @@ test('stiffness and damping are drawn over the amplitude at the load chosen', ()
     assert.deepEqual(await legendOf(page, 'Stiffness'), ['(0, −50) N', '(50, 0) N']);
     await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Static load');
     assert.deepEqual(await legendOf(page, 'Stiffness'), ['Amplitude 1 µm', 'Amplitude 2 µm', 'Amplitude 5 µm']);
-    assert.deepEqual((await page.getByRole('region', { name: 'Stiffness' }).locator('.plot text').allTextContents()).filter((text) => text.endsWith(' N')), ['(0, −50) N', '(50, 0) N']);
+    assert.deepEqual((await (await plotsIn(page.getByRole('region', { name: 'Stiffness' }))).locator('text').allTextContents()).filter((text) => text.endsWith(' N')), ['(0, −50) N', '(50, 0) N']);
   }));
 
 test('the loss factor is that of each load and direction', () =>

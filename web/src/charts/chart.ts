@@ -38,8 +38,6 @@ export class Chart {
   private instance: EChartsType | undefined;
   private moveCursor: () => void = () => {};
   private seen = true;
-  /** Whether what is drawn is of before. */
-  private old = false;
 
   /**
    * @param label what the chart shows, for those who cannot see it
@@ -70,6 +68,16 @@ export class Chart {
       waiting.push(this);
       if (waiting.length === 1) requestAnimationFrame(() => setTimeout(drawNext));
     }
+  }
+
+  /** Whether what is drawn is of before. */
+  private get old(): boolean {
+    return this.root.hasAttribute('aria-busy');
+  }
+
+  private set old(old: boolean) {
+    if (old) this.root.setAttribute('aria-busy', 'true');
+    else this.root.removeAttribute('aria-busy');
   }
 
   /** To be called when what is shown has changed. */
