@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "cli/running_program.hpp"
@@ -26,6 +27,16 @@ json timeless(json cycles) {
   return cycles;
 }
 
+/// Without what a sweep leaves out: that of every bump, foot and pad.
+json swept_part(json cycles) {
+  for (json& cycle : cycles) {
+    for (const char* each : {"bump_loads_N", "foot_loads_N", "journal_loads_N", "pad_forces_x_N", "pad_forces_y_N"}) {
+      cycle.erase(each);
+    }
+  }
+  return timeless(std::move(cycles));
+}
+
 TEST_F(SweepProgram, GivesWhatCycleGivesAtEveryPoint) {
   const Outcome sweep = run(sweep_over("friction.coefficient=0:0.5:0.05"));
   EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
@@ -41,12 +52,9 @@ TEST_F(SweepProgram, GivesWhatCycleGivesAtEveryPoint) {
   ASSERT_EQ(
       run({"cycle", case_path_, "-o", alone, "--set", "cycle.steps=4", "--set", "friction.coefficient=0.15"}).exit_code,
       0);
-  json cycles = json::parse(folder_.read("alone/summary.json")).at("cycles");
-  for (json& cycle : cycles) {
-    for (const char* loads : {"bump_loads_N", "foot_loads_N", "journal_loads_N"}) cycle.erase(loads);
-  }
+  const json cycles = json::parse(folder_.read("alone/summary.json")).at("cycles");
   // All digits: numbers in JSON read back to the last bit.
-  EXPECT_EQ(timeless(swept.at("points").at(3).at("cycles")), timeless(cycles));
+  EXPECT_EQ(timeless(swept.at("points").at(3).at("cycles")), swept_part(cycles));
 }
 
 TEST_F(SweepProgram, ThreadsMakeNoDifference) {
@@ -128,6 +136,35 @@ TEST_F(SweepProgram, VibratesAtEveryPoint) {
     EXPECT_EQ(swept.at("points").at(1).at(list), summary_alone.at(list));
   }
   EXPECT_EQ(timeless(swept.at("points").at(1).at("vibrations")), timeless(summary_alone.at("vibrations")));
+}
+
+TEST_F(SweepProgram, GivesOfPadsWhatEveryCommandGivesAlone) {
+  ASSERT_EQ(run({"init", "--preset", "gen3-three-pad", "-o", case_path_, "--force"}).exit_code, 0);
+  const std::string alone = (folder_.path() / "alone").string();
+  for (const std::string command : {"cycle", "vibration"}) {
+    std::vector<std::string> settings{"--set", "cycle.directions=[\"+Y\"]"};
+    if (command == "vibration") {
+      settings = {"--set", "vibration.loads=[[\"0 N\", \"-50 N\"]]",
+                  "--set", "vibration.directions=[\"+X\", \"+Y\"]",
+                  "--set", "vibration.amplitudes=[\"1 um\"]",
+                  "--set", "vibration.frequencies=[\"100 Hz\"]",
+                  "--set", "vibration.steps=5"};
+    }
+    const Outcome sweep = run(sweep_over("pad[2].lobe=0 um:20 um:10 um") +
+                              std::vector<std::string>{"--command", command, "--force"} + settings);
+    ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
+    const Outcome single = run(std::vector<std::string>{command, case_path_, "-o", alone, "--force", "--set",
+                                                        "pad[2].lobe=20 um", "--set", "cycle.steps=4"} +
+                               settings);
+    ASSERT_EQ(single.exit_code, 0) << single.errors;
+    const json swept = summary().at("points");
+    const json summary_alone = json::parse(folder_.read("alone/summary.json"));
+    const std::string list = command == "cycle" ? "cycles" : "vibrations";
+    const json expected = swept_part(summary_alone.at(list));
+    ASSERT_EQ(swept.size(), 3U);
+    EXPECT_EQ(timeless(swept.at(2).at(list)), expected);
+    EXPECT_NE(timeless(swept.at(0).at(list)), expected);
+  }
 }
 
 TEST_F(SweepProgram, FindsRunningBearingsAtEveryPoint) {

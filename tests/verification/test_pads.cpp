@@ -1,12 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/analysis/path.hpp"
+#include "bumpfoil/analysis/vibration.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "support/bearing_cases.hpp"
 
@@ -148,6 +153,126 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnTheForceWithTheLoad) {
                   1e-9 * first.turning_point->max_force);
     }
   }
+}
+
+/// How vectors turn by an angle, and matrices between them: T v and T K T^T.
+Eigen::Matrix2d turning(double angle) {
+  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
+
+/// Of the largest entry of `expected`.
+void expect_near(const Eigen::Matrix2d& matrix, const Eigen::Matrix2d& expected, double part) {
+  EXPECT_LT((matrix - expected).cwiseAbs().maxCoeff(), part * expected.cwiseAbs().maxCoeff()) << matrix << "\nis not\n"
+                                                                                              << expected;
+}
+
+/// Three equal pads that a journal goes round in, about `centre` (m).
+Case orbited_pads(const Eigen::Vector2d& centre) {
+  Case input = pressed_pads(3);
+  for (Pad& pad : input.pads) pad.lobe = 5e-6;
+  PathSettings& path = input.path.emplace();
+  path.centre.value = centre;
+  path.semi_axes.value = {8e-6, 4e-6};
+  path.tilt = 0.3;
+  path.orbits = 1;
+  path.steps = 12;
+  return input;
+}
+
+TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
+  const Case input = orbited_pads({9e-6, -5e-6});
+  Case turned = input;
+  turned.path->centre.value = turning(third) * input.path->centre.value;
+  turned.path->tilt += third;
+  const Cycle one = run_path(input).cycles.front();
+  const Cycle other = run_path(turned).cycles.front();
+  ASSERT_TRUE(one.converged() && other.converged());
+  double largest = 0.0;
+  for (const Increment& increment : one.increments) {
+    largest = std::max(largest, std::hypot(increment.force_x, increment.force_y));
+  }
+  ASSERT_GT(largest, 10.0);
+  ASSERT_EQ(other.increments.size(), one.increments.size());
+  for (std::size_t k = 0; k < one.increments.size(); ++k) {
+    const Increment& a = one.increments[k];
+    const Increment& b = other.increments[k];
+    const Eigen::Vector2d expected = turning(third) * Eigen::Vector2d(a.force_x, a.force_y);
+    EXPECT_NEAR(b.force_x, expected.x(), 1e-9 * largest) << k;
+    EXPECT_NEAR(b.force_y, expected.y(), 1e-9 * largest) << k;
+    EXPECT_NEAR(b.dissipated_energy, a.dissipated_energy, 1e-9 * one.increments.back().dissipated_energy) << k;
+    ASSERT_TRUE(a.tangents.unloading && b.tangents.unloading);
+    expect_near(*b.tangents.unloading, turning(third) * *a.tangents.unloading * turning(-third), 1e-7);
+    // Pads follow each other clockwise: what pad 2 took, pad 1 takes now.
+    for (Eigen::Index pad = 0; pad < 3; ++pad) {
+      const auto i = static_cast<Eigen::Index>(k);
+      const Eigen::Index was = (pad + 1) % 3;
+      const Eigen::Vector2d taken{one.fields.pad_force_x(i, was), one.fields.pad_force_y(i, was)};
+      EXPECT_NEAR(other.fields.pad_force_x(i, pad), (turning(third) * taken).x(), 1e-9 * largest) << k;
+      EXPECT_NEAR(other.fields.pad_force_y(i, pad), (turning(third) * taken).y(), 1e-9 * largest) << k;
+    }
+  }
+}
+
+/// A matrix that a third of a turn leaves as it is, is the same in all directions.
+TEST(Pads, EqualOnesAtEqualAnglesAreAsStiffInAllDirectionsAboutTheCentre) {
+  Case input = pressed_pads(3);
+  input.path.emplace().points.values = {{0.0, 0.0}, {1e-6, 0.0}};
+  const Cycle path = run_path(input).cycles.front();
+  ASSERT_TRUE(path.converged() && path.increments.front().tangents.unloading);
+  const Eigen::Matrix2d stiffness = *path.increments.front().tangents.unloading;
+  ASSERT_GT(stiffness(0, 0), 1e6);
+  expect_near(stiffness, turning(third) * stiffness * turning(-third), 1e-9);
+  EXPECT_NEAR(stiffness(0, 0), stiffness(1, 1), 1e-9 * stiffness(0, 0));
+  EXPECT_NEAR(path.increments.front().force_x, 0.0, 1e-8);
+  EXPECT_NEAR(path.increments.front().force_y, 0.0, 1e-8);
+}
+
+LinearFoils vibrating(const Case& input) {
+  const VibrationResult result = run_vibration(input);
+  EXPECT_TRUE(result.converged());
+  return linear_foils(*input.vibration, result).front();
+}
+
+/// Pads under a load that vibrate along two directions.
+Case vibrating_pads() {
+  Case input = pressed_pads(3);
+  input.vibration = VibrationSettings{.loads = {50.0 * unit_vector(0.4)},
+                                      .directions = {0.2, 0.2 + 0.5 * pi},
+                                      .amplitudes = {1e-6},
+                                      .frequencies = {2.0 * pi * 200.0},
+                                      .steps = 12};
+  return input;
+}
+
+TEST(Pads, EqualOnesAtEqualAnglesTurnTheirCoefficientsWithTheLoad) {
+  const Case input = vibrating_pads();
+  const LinearFoils one = vibrating(input);
+  ASSERT_GT(one.loss.norm(), 0.01 * one.stiffness.norm());
+  Case turned = input;
+  turned.vibration->loads.front() = turning(third) * input.vibration->loads.front();
+  for (double& direction : turned.vibration->directions) direction += third;
+  const LinearFoils other = vibrating(turned);
+  // Loads are met to 1e-9 of them, loops settle to 1e-6 of their energy.
+  expect_near(other.stiffness, turning(third) * one.stiffness * turning(-third), 1e-5);
+  expect_near(other.loss, turning(third) * one.loss * turning(-third), 1e-5);
+}
+
+TEST(Pads, OfTheMirrorImageHaveMirroredCoefficients) {
+  Case input = vibrating_pads();
+  input.pads[0].lobe = 4e-6;
+  input.pads[1].weld_edge = WeldEdge::trailing;
+  input.pads[2].bump_foil = input.bump_foil;
+  input.pads[2].bump_foil->thickness = 0.12e-3;
+  const LinearFoils one = vibrating(input);
+  // Clockwise from a weld on the X axis and counterclockwise from there mirror each other about it.
+  Case mirrored = input;
+  mirrored.bearing.wrap = Wrap::counterclockwise;
+  mirrored.vibration->loads.front().y() *= -1.0;
+  for (double& direction : mirrored.vibration->directions) direction *= -1.0;
+  const LinearFoils other = vibrating(mirrored);
+  const Eigen::Matrix2d mirror = Eigen::Vector2d(1.0, -1.0).asDiagonal();
+  expect_near(other.stiffness, mirror * one.stiffness * mirror, 1e-5);
+  expect_near(other.loss, mirror * one.loss * mirror, 1e-5);
 }
 
 TEST(Pads, AreNearerByTheirLobe) {
