@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -41,6 +41,14 @@ python: ## the Python package, from Debian's packages alone
 	PYTHONPATH=build/release/python /usr/bin/python3 -B -c 'import bumpfoil; print("Built: bumpfoil", bumpfoil.__version__)'
 	echo "To import it:  export PYTHONPATH=$(CURDIR)/build/release/python"
 
+docs: ## the documentation as a site that opens without a network
+	@scripts/require_packages.sh build python docs
+	cmake --log-level=WARNING --preset release -DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 > /dev/null
+	cmake --build --preset release --parallel $(JOBS)
+	echo
+	/usr/bin/python3 -B docs/site/build.py build/release/python build/docs
+	echo "Documentation: $(CURDIR)/build/docs/html/docs/index.html (open it in a browser)"
+
 paper: ## reproduce the studies of the source paper, and further ones, with pictures
 	@scripts/require_packages.sh build plot
 	$(call BUILD,release)
@@ -55,7 +63,7 @@ tolerances: ## scatter of heights, thicknesses, clearance, friction: data and pa
 	/usr/bin/python3 -B studies/tolerances/ensembles.py build/release/bumpfoil results/tolerances $(TOLERANCES)
 
 test: ## install what is missing, build with assertions armed, run every test
-	@scripts/require_packages.sh build plot designer python test
+	@scripts/require_packages.sh build plot designer python docs test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
 

@@ -60,15 +60,15 @@ def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
 class Case:
     """A bearing and what is to be computed of it, as a case file says it: checked, and never changed.
 
+    Numbers are in SI; strings carry their unit, ``"31.8 um"``; quantities of pint theirs. Arrays are lists. The keys are
+    those of docs/case_file.md.
+
     Parameters
     ----------
     source : path, str, mapping or Case, optional
         A case file; its text, if a string of several lines; or its tables as a nested dictionary.
     **tables : mapping
         Keys that are added or changed: ``friction={"coefficient": 0.2}``.
-
-    Numbers are in SI; strings carry their unit, ``"31.8 um"``; quantities of pint theirs. Arrays are lists. The keys are
-    those of docs/case_file.md.
 
     Raises
     ------
@@ -116,7 +116,7 @@ class Case:
 
     @property
     def toml(self) -> str:
-        """The case as understood, as a case file: SI, defaults filled in. What ``bumpfoil check`` prints."""
+        """The case as understood, as a case file in SI with defaults filled in; what ``bumpfoil check`` prints."""
         return self._toml
 
     def to_dict(self) -> dict[str, Any]:

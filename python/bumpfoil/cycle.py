@@ -61,7 +61,7 @@ class Cycle:
 
     @property
     def name(self) -> str:
-        """What tells it from the others of its result: "+X", "37.5 deg", "cycle 2", "path"."""
+        """What tells it from the others of its result, such as "+X", "37.5 deg", "cycle 2", "path"."""
         if "direction" in self.quantities:
             degrees = self.quantities["direction"]
             return {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}.get(degrees, f"{degrees:g} deg")

@@ -26,13 +26,23 @@ def readme_block(language):
     return re.search(rf"```{language}\n(.*?)```", README, re.DOTALL).group(1)
 
 
+def anchors(document):
+    """Of the headings of a document, as they are made of their words: small letters, no marks, hyphens for blanks."""
+    headings = re.findall(r"^#+ (.+)$", document.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 class Documents(unittest.TestCase):
     def test_links_lead_somewhere(self):
         for document in documents():
             text = document.read_text(encoding="utf-8")
-            for target in re.findall(r"""(?:\]\(|src=")([^)#\s"]+)""", text):
-                if not target.startswith("http"):
-                    self.assertTrue((document.parent / target).exists(), f"{document}: {target}")
+            for target, anchor in re.findall(r"""(?:\]\(|src=")([^)#\s"]*)#?([^)\s"]*)""", text):
+                if target.startswith("http"):
+                    continue
+                linked = document.parent / target if target else document
+                self.assertTrue(linked.exists(), f"{document}: {target}")
+                if anchor:
+                    self.assertIn(anchor, anchors(linked), f"{document}: {target}#{anchor}")
 
     def test_sources_are_named_in_the_bibliography(self):
         known = set(re.findall(r"@\w+\{(\w+),", (ROOT / "docs/references.bib").read_text(encoding="utf-8")))

@@ -50,7 +50,7 @@ struct Study {
 /// Names of the studies in the program, figures first.
 std::vector<std::string> study_names();
 
-/// A study of the program: studies/<name>.toml and studies/<name>.gp in the sources. Keys of the description:
+/// A study of the program: studies/NAME.toml and studies/NAME.gp in the sources. Keys of the description:
 ///
 /// | key | meaning |
 /// |---|---|
@@ -62,7 +62,7 @@ std::vector<std::string> study_names();
 /// | `runs_of`, `only` | runs of other studies come first: all, or those named by `only`; each name once |
 /// | `[[variant]]` | these are run once for each variant: `name` is added to theirs, `set` to their overrides |
 /// | `script_of` | the study whose script draws this one too |
-/// | `data` | tables from elsewhere, studies/<name>.csv |
+/// | `data` | tables from elsewhere, studies/NAME.csv |
 /// | `increments` | those that the table `foils` shows |
 ///
 /// @throws Error (input) if there is none of this name, or its description is wrong

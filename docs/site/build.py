@@ -1,0 +1,51 @@
+"""Builds the documentation: lays its pages out and runs Sphinx and, for the headers, Doxygen, whose warnings are errors.
+
+Usage: build.py PACKAGE OUTPUT    PACKAGE is the folder of the built Python package
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+def lay_out(pages):
+    """The documents as they lie in the repository, so that their links lead where they do there."""
+    shutil.rmtree(pages, ignore_errors=True)
+    shutil.copytree(ROOT / "docs", pages / "docs", ignore=shutil.ignore_patterns("site"))
+    others = ("CHANGELOG.md", "CONTRIBUTING.md", ".pre-commit-config.yaml", "packages.txt", "examples", "include", "tests")
+    for name in others:
+        (pages / name).symlink_to(ROOT / name)
+
+
+def describe(pages):
+    """Pages that only the site has: what Sphinx reads from the Python package, and the way to what Doxygen makes."""
+    folder = pages / "docs/reference"
+    folder.mkdir()
+    python = ["Python reference", "================", "", ".. automodule:: bumpfoil", "   :members:", "   :imported-members:"]
+    (folder / "python.rst").write_text("\n".join(python), encoding="utf-8")
+    shutil.copy(HERE / "cpp.rst", folder)
+
+
+def main():
+    package, output = (Path(argument).resolve() for argument in sys.argv[1:])
+    output.mkdir(parents=True, exist_ok=True)
+    pages = output / "pages"
+    shutil.rmtree(output / "html", ignore_errors=True)
+    lay_out(pages)
+    describe(pages)
+    sphinx = ["sphinx-build", "-W", "--keep-going", "-q", "-c", HERE, "-d", output / "doctrees", pages, output / "html"]
+    subprocess.run(sphinx, env=dict(os.environ, PYTHONPATH=str(package)), check=True)
+    settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + f"HTML_OUTPUT = {output}/html/cpp\n"
+    subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT, check=True)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as failure:
+        sys.exit(failure.returncode)
