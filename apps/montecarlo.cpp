@@ -10,11 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_reader.hpp"
+#include "bumpfoil/io/ensemble_checkpoint.hpp"
 #include "bumpfoil/io/ensemble_files.hpp"
-#include "bumpfoil/io/ensemble_identity.hpp"
 #include "bumpfoil/io/ensemble_log.hpp"
 #include "bumpfoil/io/ensemble_table.hpp"
 #include "bumpfoil/studies/ensemble_run.hpp"
@@ -41,15 +40,6 @@ struct MonteCarloOptions {
   bool force{};
   bool resume{};
 };
-
-constexpr const char* checkpoint_name = "ensemble.checkpoint";
-
-/// The log of a run that begins, or that goes on.
-EnsembleLog open_log(const std::filesystem::path& path, bool resumes, const Case& input, std::size_t width) {
-  if (!resumes) return {path, ensemble_identity(input), width};
-  require_same_ensemble(*EnsembleLog::identity_of(path), input, path.string());
-  return EnsembleLog::open(path, width);
-}
 
 /// Samples that a run has done, for the terminal.
 class Rate {
@@ -86,14 +76,13 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   const bool resumes = options.resume && EnsembleLog::identity_of(checkpoint).has_value();
   const Existing existing = options.force || resumes ? Existing::replace : Existing::refuse;
   ResultFolder folder(options.folder, existing, ensemble_file_names());
-  if (existing == Existing::refuse && !options.resume && std::filesystem::exists(checkpoint)) {
-    throw Error(ErrorKind::file, {{checkpoint.string(), 0, "", "", "is of a run that was not finished",
-                                   "go on with it by --resume, begin anew by --force, or give another folder"}});
+  if (!options.force && !options.resume) {
+    require_no_checkpoint(checkpoint, "go on with it by --resume, begin anew by --force, or give another folder");
   }
 
   const EnsembleLayout layout = make_ensemble_layout(input);
   const std::vector<EnsembleLimit> limits = parse_limits(options.limits, layout);
-  EnsembleLog log = open_log(checkpoint, resumes, input, layout.width());
+  EnsembleLog log = open_ensemble_log(checkpoint, resumes, input, layout.width());
   bool finished = false;
   const std::size_t before = log.samples();
   std::vector<std::size_t> shares;  // by rank

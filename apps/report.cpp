@@ -1,5 +1,4 @@
 #include "bumpfoil/io/report.hpp"
-#include "bumpfoil/core/printable.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
+#include "bumpfoil/io/ensemble_checkpoint.hpp"
 #include "bumpfoil/io/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
@@ -38,9 +38,9 @@ void check_output(const std::filesystem::path& path, const ReportOptions& option
                                    "give the page another name, such as report.html"}});
   }
   for (const std::filesystem::path& folder : options.folders) {
-    for (const char* name : {"summary.json", "result.nc", "cycle.csv", "strip.csv", "path.csv", "equilibrium.csv",
-                             "film.csv", "sweep.nc", "sweep.csv", "ensemble.nc", "ensemble.checkpoint", "vibration.csv",
-                             "coefficients.csv", "coefficients.toml"}) {
+    for (const char* name :
+         {"summary.json", "result.nc", "cycle.csv", "strip.csv", "path.csv", "equilibrium.csv", "film.csv", "sweep.nc",
+          "sweep.csv", "ensemble.nc", checkpoint_name, "vibration.csv", "coefficients.csv", "coefficients.toml"}) {
       if (!std::filesystem::equivalent(path, folder / name, code)) continue;
       throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that the report is of",
                                      "give the page another name, such as report.html"}});

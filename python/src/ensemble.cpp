@@ -1,8 +1,7 @@
 #include "ensemble.hpp"
 
-#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/io/ensemble_checkpoint.hpp"
 #include "bumpfoil/io/ensemble_files.hpp"
-#include "bumpfoil/io/ensemble_identity.hpp"
 #include "bumpfoil/io/ensemble_table.hpp"
 #include "bumpfoil/studies/ensemble_run.hpp"
 #include "bumpfoil/studies/parallel_runs.hpp"
@@ -11,24 +10,15 @@ namespace bumpfoil {
 namespace {
 
 std::filesystem::path checkpoint_of(const EnsembleRequest& request) {
-  return request.folder / "ensemble.checkpoint";
+  return request.folder / checkpoint_name;
 }
 
-/// What a run that was not finished left is neither replaced nor gone on with unasked.
-void require_no_checkpoint(const EnsembleRequest& request) {
-  const std::filesystem::path checkpoint = checkpoint_of(request);
-  if (request.force || request.resumes || !std::filesystem::exists(checkpoint)) return;
-  throw Error(ErrorKind::file, {{checkpoint.string(), 0, "", "", "is of a run that was not finished",
-                                 "go on with it by resume, begin anew by force, or give another folder"}});
-}
-
-/// The log of a run that begins, or that goes on.
 EnsembleLog open_log(const EnsembleRequest& request, bool resumes, const Case& input, std::size_t width) {
-  require_no_checkpoint(request);
-  const std::filesystem::path path = checkpoint_of(request);
-  if (!resumes) return {path, ensemble_identity(input), width};
-  require_same_ensemble(*EnsembleLog::identity_of(path), input, path.string());
-  return EnsembleLog::open(path, width);
+  const std::filesystem::path checkpoint = checkpoint_of(request);
+  if (!request.force && !request.resumes) {
+    require_no_checkpoint(checkpoint, "go on with it by resume, begin anew by force, or give another folder");
+  }
+  return open_ensemble_log(checkpoint, resumes, input, width);
 }
 
 }  // namespace

@@ -12,26 +12,20 @@ constexpr double tolerance = 1e-10;
 /// Directions of a space that is given up. Some 30 suffice at frequencies about that of the rotation.
 constexpr int most_directions = 300;
 
-/// C in a basis of its Krylov space: C V = V H + h v_next e_last^T.
-struct KrylovSpace {
-  double start{};           ///< norm of the right-hand side, which is the first direction
-  Matrix H;                 ///< of all directions
-  double next{};            ///< h
-  Eigen::Matrix2Xd forces;  ///< that go with the directions
-};
-
 /// Coordinates of what is stored, and the residual of that.
 struct Coordinates {
   Eigen::VectorXcd w;
   double residual{};
 };
 
-Coordinates solve(const KrylovSpace& space, std::complex<double> excess) {
-  const Eigen::Index m = space.H.cols();
-  const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(m, m) - excess * space.H.cast<std::complex<double>>();
+/// In the Krylov basis of C, in which C V = V H + next v_next e_last^T.
+/// @param start  norm of the right-hand side, which is the first direction
+Coordinates solve(const Eigen::Ref<const Matrix>& H, double start, double next, std::complex<double> excess) {
+  const Eigen::Index m = H.cols();
+  const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(m, m) - excess * H.cast<std::complex<double>>();
   Coordinates found;
-  found.w = system.partialPivLu().solve(Eigen::VectorXcd::Unit(m, 0) * space.start);
-  found.residual = std::abs(excess * found.w[m - 1]) * space.next;
+  found.w = system.partialPivLu().solve(Eigen::VectorXcd::Unit(m, 0) * start);
+  found.residual = std::abs(excess * found.w[m - 1]) * next;
   return found;
 }
 
@@ -56,13 +50,12 @@ std::optional<std::vector<Eigen::Vector2cd>> film_forces(const FilmAnswer& moved
       H.col(m - 1).head(m) += parts;
     }
     const double next = answer.content.norm();
-    const KrylovSpace space{start, H.topLeftCorner(m, m), next, forces.leftCols(m)};
     std::vector<Eigen::Vector2cd> found;
     found.reserve(excess.size());
     for (const std::complex<double> e : excess) {
-      const Coordinates coordinates = solve(space, e);
+      const Coordinates coordinates = solve(H.topLeftCorner(m, m), start, next, e);
       if (!(coordinates.residual <= tolerance * start)) break;
-      found.emplace_back(moved.force + e * (space.forces * coordinates.w));
+      found.emplace_back(moved.force + e * (forces.leftCols(m) * coordinates.w));
     }
     if (found.size() == excess.size()) return found;
     if (m == most || !(next > 0.0)) break;

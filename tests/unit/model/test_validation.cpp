@@ -643,6 +643,13 @@ TEST(FindFaults, JudgesStatesOfARunningBearing) {
   EXPECT_EQ(equilibrium([&](Case&, E& e) { by_position(e, 25.0, FilmPath::cold_start); }),
             Keys{"equilibrium.positions[1][1]"});
   EXPECT_EQ(equilibrium([](Case&, E& e) { e.steps = 0; }), Keys{"equilibrium.steps"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.frequencies = {1000.0, 2000.0}; }), Keys{});
+  for (const double frequency : {0.0, -1000.0, 1e9, nan}) {
+    EXPECT_EQ(equilibrium([&](Case&, E& e) {
+                e.frequencies = {1000.0, frequency};
+              }),
+              Keys{"equilibrium.frequencies[2]"});
+  }
   EXPECT_EQ(equilibrium([](Case& input, E&) { input.bump_foil.model = BumpFoilModel::former; }),
             Keys{"bump_foil.model"});
   const auto large = [](Case& input, E&) {
