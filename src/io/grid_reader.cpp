@@ -23,8 +23,7 @@ double size_of(const StoredVariable& variable) {
 }
 
 bool is_of_nodes(const StoredVariable& variable) {
-  return std::any_of(variable.dims.begin(), variable.dims.end(),
-                     [](const std::string& dim) { return dim == "bump" || dim == "foot"; });
+  return std::any_of(variable.dims.begin(), variable.dims.end(), is_node);
 }
 
 /// As few of the largest as it takes are left out, and with them those of the same size: one coordinate of a loop says
@@ -54,6 +53,10 @@ Json variable_json(const NetcdfImage& file, const StoredVariable& variable) {
 }
 
 }  // namespace
+
+bool is_node(std::string_view dimension) {
+  return std::find(node_dimensions.begin(), node_dimensions.end(), dimension) != node_dimensions.end();
+}
 
 Json read_grid(const NetcdfImage& file, std::size_t most_values, Nodes nodes) {
   std::vector<const StoredVariable*> shown;

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "io/netcdf_image.hpp"
 
 namespace bumpfoil {
 
-/// Whether what single bumps and feet do is read.
+/// Dimensions of what single bumps, feet and pads do.
+inline constexpr std::array<std::string_view, 3> node_dimensions{"bump", "foot", "pad"};
+
+bool is_node(std::string_view dimension);
+
+/// Whether that is read.
 enum class Nodes { left_out, read };
 
 /// What a report shows of results that are numbers over some dimensions, such as those of a sweep over its keys:

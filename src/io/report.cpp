@@ -191,11 +191,6 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
     if (!is_sealed(summary_text, summary.xxh3_128)) refuse_damaged(summary_path, "it has not the checksum in it");
     require_intact(result_path, bytes, summary);
   }
-  if (summary.json.contains("case") && summary.json["case"].contains("pad")) {
-    throw Error(ErrorKind::input,
-                {{folder.string(), 0, "", "", "is of a bearing of pads, which reports cannot draw yet",
-                  "use result.nc, summary.json and the columns of cycle.csv"}});
-  }
   Json result = read_result(std::move(bytes), result_path.string(), most_values);
   match_runs(summary, result, summary_path.string(), result_name);
   Json& attributes = result["attributes"];

@@ -45,7 +45,9 @@ std::string cycle_dimension(std::string_view kind) {
 }
 
 bool is_field(const StoredVariable& variable, std::string_view cycle) {
-  return variable.has_dims({cycle, "increment", "bump"}) || variable.has_dims({cycle, "increment", "foot"});
+  return std::any_of(node_dimensions.begin(), node_dimensions.end(), [&](std::string_view node) {
+    return variable.has_dims({cycle, "increment", node});
+  });
 }
 
 /// Reads one cycle after the other.
@@ -177,7 +179,7 @@ Json geometry_of(const NetcdfImage& file) {
   for (const auto& [name, variable] : file.variables()) {
     if (variable.dims.empty()) {
       geometry[name] = file.numbers(variable).front();
-    } else if (variable.has_dims({"bump"}) || variable.has_dims({"foot"})) {
+    } else if (variable.dims.size() == 1 && is_node(variable.dims.front())) {
       geometry[name] = file.numbers(variable);
     }
   }
@@ -215,7 +217,10 @@ std::string kind_of(const NetcdfImage& file) {
 Json read_cycles(const NetcdfImage& file, const std::string& kind, std::size_t most_values) {
   const CycleReader reader(file, cycle_dimension(kind), most_values);
   Json nodes = Json::object();
-  for (const char* node : {"bump", "foot"}) nodes[node] = file.size_of(node);
+  for (const std::string_view node : node_dimensions) {
+    // Bearings of one pad have no dimension of pads.
+    if (node != "pad" || file.variables().contains("pad")) nodes[node] = file.size_of(std::string(node));
+  }
   Json cycles = Json::array();
   for (std::size_t i = 0; i < reader.size(); ++i) cycles.push_back(reader.read(i));
   return {{"meanings", meanings_of(file, cycle_dimension(kind))},

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { BearingGeometry, shapeAt, undeformedGap } from '../src/bearing/shape';
+import { BearingGeometry } from '../src/bearing/geometry';
+import { shapeAt, undeformedGap } from '../src/bearing/shape';
 import type { CycleData, RunData } from '../src/data/format';
 import { Run } from '../src/data/run';
 
@@ -74,8 +75,8 @@ describe('shape', () => {
   });
 
   it('passes through feet and crests of a truss, from the weld to half a flat after the last bump', () => {
-    const { bumpFoil } = shapeOf(2);
-    expect(bumpFoil[0]).toEqual({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
+    const { bumpFoil } = shapeOf(2).pads[0]!;
+    expect(bumpFoil[0]).toMatchObject({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
     const crest = bumpFoil.find((point) => Math.abs(point.along - 2e-3) < 1e-9)!;
     expect(crest.height).toBeCloseTo(0.4e-3, 10);
     expect(crest.moveIn).toBeCloseTo(-20e-6, 10);
@@ -83,7 +84,7 @@ describe('shape', () => {
   });
 
   it('ends with the arc of the last bump in a frame', () => {
-    const { bumpFoil } = shapeOf(4);
+    const { bumpFoil } = shapeOf(4).pads[0]!;
     expect(bumpFoil[bumpFoil.length - 1]!.along).toBeCloseTo(7.5e-3, 8);
     expect(bumpFoil[bumpFoil.length - 1]!.moveAlong).toBeCloseTo(3e-6, 10);
   });
@@ -91,9 +92,10 @@ describe('shape', () => {
   it('has the bumps where their pitches and heights put them', () => {
     const one = run(2, { theta: [0.15, 0.55], bump_pitch: [3e-3, 5e-3], bump_half_length: [1e-3, 2e-3], bump_rise: [0.4e-3, 0.38e-3], crest_offset: [0, -20e-6] });
     const geometry = new BearingGeometry(one);
-    expect(geometry.borders).toEqual([0, 3e-3, 8e-3]);
-    expect([0, 2.9e-3, 3.1e-3, 8e-3].map((along) => geometry.bumpAt(along))).toEqual([0, 0, 1, 2]);
-    const { bumpFoil, crests } = shapeAt(geometry, one.cycles[0]!, 0);
+    expect(geometry.pads[0]!.borders).toEqual([0, 3e-3, 8e-3]);
+    expect([0, 2.9e-3, 3.1e-3, 8e-3].map((along) => geometry.bumpAt(along))).toEqual([0, 0, 1, 1]);
+    const { pads, crests } = shapeAt(geometry, one.cycles[0]!, 0);
+    const { bumpFoil } = pads[0]!;
     expect(bumpFoil[1]!.along).toBeCloseTo(0.5e-3, 10);
     expect(bumpFoil[bumpFoil.length - 2]!.along).toBeCloseTo(7.5e-3, 10);
     // Lower than the first by its design, whatever its height error.
@@ -105,7 +107,40 @@ describe('shape', () => {
     const one = run(2);
     const geometry = new BearingGeometry(one);
     // With the defaults C_r + x cos(theta) - y sin(theta).
-    expect(undeformedGap(geometry, 2e-3, one.cycles[0]!, 0)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
-    expect(shapeOf(2).mover[0]!.moveIn).toBeCloseTo(30e-6, 10);
+    expect(undeformedGap(geometry, geometry.pads[0]!, 2e-3, one.cycles[0]!, 0)).toBeCloseTo(30e-6 + 50e-6 * Math.sin(0.2), 10);
+    expect(shapeOf(2).pads[0]!.mover[0]!.moveIn).toBeCloseTo(30e-6, 10);
+  });
+
+  /** Of one bump each: the second is welded at its far edge, runs against the first, and has a lobe. */
+  it('has each pad from its own weld, with its lobe', () => {
+    const one = run(2, {
+      theta: [0.2, 0.2],
+      foot_theta: [0.4, 0.4],
+      bump_pad: [1, 2],
+      foot_pad: [1, 2],
+      pad_weld_angle: [Math.PI, -0.4],
+      pad_lobe: [0, 10e-6],
+    });
+    const data = { ...one.data, nodes: { ...one.data.nodes, pad: 2 } };
+    data.summary.case['pad'] = [{ weld_edge: 'leading' }, { weld_edge: 'trailing' }];
+    const geometry = new BearingGeometry(new Run(data));
+    const [first, second] = [geometry.pads[0]!, geometry.pads[1]!];
+    expect([first.length, second.length]).toEqual([4e-3, 4e-3]);
+    expect(geometry.polarAngle(first, 2e-3)).toBeCloseTo(Math.PI - 0.2, 10);
+    expect(geometry.polarAngle(second, 2e-3)).toBeCloseTo(-0.2, 10);
+    // Laid flat, they do not touch.
+    expect(second.begin).toBeGreaterThan(4e-3);
+    expect([0, 3.9e-3, second.begin, second.begin + 9e-3].map((flat) => geometry.bumpAt(flat))).toEqual([0, 0, 1, 1]);
+    expect(geometry.feetOf(1)).toEqual([undefined, 1]);
+    const shape = shapeAt(geometry, one.cycles[0]!, 0);
+    expect(shape.pads[1]!.bumpFoil[0]).toMatchObject({ pad: second, along: 0, moveIn: 0 });
+    expect(shape.crests.map(({ pad }) => pad.name)).toEqual(['pad 1', 'pad 2']);
+    // Nearer by the lobe in its middle, and by less at its ends.
+    const gap = (along: number): number => undeformedGap(geometry, second, along, one.cycles[0]!, 0);
+    expect(gap(2e-3)).toBeCloseTo(30e-6 - 10e-6 + 50e-6 * Math.sin(-0.2), 12);
+    expect(gap(0)).toBeCloseTo(30e-6 - 10e-6 * Math.cos(0.2) + 50e-6 * Math.sin(-0.4), 12);
+    expect(new Run(data).numberOf('bump', 1)).toBe('1 of pad 2');
+    expect(new Run(data).tickOf('foot', 1)).toBe('2.1');
+    expect(run(2).numberOf('bump', 1)).toBe('2');
   });
 });

@@ -37,14 +37,14 @@ struct ReadingOptions {
 /// of little-endian binary32, flags of signed bytes; NaN and -127 stand for what is absent. The rest is one of three:
 ///
 /// Cycles (`cycle`, `strip`): `summary` is summary.json as it is; `meanings` (`unit` and `text` of the variables of
-/// cycles and increments, as result.nc says them), `geometry` (variables without increments: a number, or one per bump
-/// or foot), `nodes` (sizes of the dimensions of nodes), `last_increment` (that was asked for), and `cycles`, one for
-/// each direction of a bearing. A cycle has `at` (the direction in degrees, or the number of the cycle), `increments`
-/// (numbers of those that are kept: all, or every n-th one of each branch, always with its ends), `series` (variables
-/// per increment) and `fields` (per increment and node: `{"at": "bump" | "foot", "values"}`). Left out are gaps, which
-/// the displacements give, and the friction at the journal, which is zero. Of stresses per node `series` has the
-/// largest at every increment. Measured loops have `measured`: true, series of displacement, force and work, and no
-/// fields.
+/// cycles and increments, as result.nc says them), `geometry` (variables without increments: a number, or one per bump,
+/// foot or pad), `nodes` (sizes of the dimensions of nodes), `last_increment` (that was asked for), and `cycles`, one
+/// for each direction of a bearing. A cycle has `at` (the direction in degrees, or the number of the cycle),
+/// `increments` (numbers of those that are kept: all, or every n-th one of each branch, always with its ends), `series`
+/// (variables per increment) and `fields` (per increment and node: `{"at": "bump" | "foot" | "pad", "values"}`). Left
+/// out are gaps, which the displacements give, and the friction at the journal, which is zero. Of stresses per node
+/// `series` has the largest at every increment. Measured loops have `measured`: true, series of displacement, force and
+/// work, and no fields.
 ///
 /// Grids (`equilibrium`, `film`, `path`, `sweep`, `vibration`): `summary` is what summary.json begins with, up to the
 /// status, and its `limits`; `dimensions`

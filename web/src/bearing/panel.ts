@@ -8,8 +8,9 @@ import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
 import { look, onLookChange } from '../ui/theme';
 import { arrowPath } from './drawing';
+import { BearingGeometry } from './geometry';
 import { drawRound } from './round';
-import { BearingGeometry, fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
+import { fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
 import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from './unwrapped';
 
 /** The deformed bearing at the chosen increment, round and laid flat, with the values of one bump in words. */
@@ -119,7 +120,7 @@ export class BearingPanels {
       bump: this.bump,
     };
     // Bumps narrower than some pixels are no use: small screens scroll.
-    this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.flatPlace.clientWidth, 24 * run.bumps + 28));
+    this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.flatPlace.clientWidth, 24 * (run.bumps + run.pads - 1) + 28));
     this.flatDrawing.style.width = `${this.layout.width}px`;
     if (!run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, scene, current);
     this.describe();
@@ -154,10 +155,10 @@ export class BearingPanels {
     const feet = this.geometry.feetOf(bump).filter((foot): foot is number => foot !== undefined);
     const own = this.geometry.twoFeet ? feet : [bump];
     return [
-      `Bump ${bump + 1}: load ${force('normal_force_top_bump', bump)}, friction ${force('friction_force_top_bump', bump)}, ${state('top_bump', bump)}`,
+      `Bump ${run.numberOf('bump', bump)}: load ${force('normal_force_top_bump', bump)}, friction ${force('friction_force_top_bump', bump)}, ${state('top_bump', bump)}`,
       ...(this.geometry.topFoil ? [`${run.kind.mover} ${force('normal_force_journal_top', bump)}`] : []),
       `crest ${length('crest_v')} outwards, ${length('crest_u')} along`,
-      ...own.map((foot) => `foot ${foot + 1} ${force('normal_force_bump_sleeve', foot)}, ${state('bump_sleeve', foot)}`),
+      ...own.map((foot) => `foot ${run.numberOf('foot', foot)} ${force('normal_force_bump_sleeve', foot)}, ${state('bump_sleeve', foot)}`),
     ].join(' · ');
   }
 

@@ -2,8 +2,9 @@ import { at } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import type { Pad } from './geometry';
 import { partNames, type PartName } from './parts';
-import type { ShapePoint } from './shape';
+import { onGround, type ShapePoint } from './shape';
 import type { Scene } from './unwrapped';
 
 const size = 480;
@@ -13,6 +14,8 @@ const sleeveRadius = 192;
 const bumpHeight = 30;
 const foilGap = 2.2;
 const longestArrow = 30;
+/** Between the loads on the journal and its middle. */
+const padNameRadius = 92;
 
 /** The bearing as it stands, seen along its axis: X to the right, Y up. */
 class RoundLayout {
@@ -21,8 +24,9 @@ class RoundLayout {
   constructor(private readonly scene: Scene) {
     const { geometry, inwards } = scene;
     // However much displacements are magnified, all of the foils stays on the drawing and leaves its middle free.
-    const above = geometry.rise + inwards * geometry.reach.inwards;
-    const below = Math.max(0, -inwards * geometry.reach.outwards - geometry.rise);
+    const lobes = [0, ...geometry.pads.map(({ lobe }) => lobe)];
+    const above = geometry.rise + inwards * (geometry.reach.inwards + Math.max(...lobes));
+    const below = Math.max(0, -inwards * (geometry.reach.outwards + Math.min(...lobes)) - geometry.rise);
     this.perHeight = Math.min(bumpHeight / geometry.rise, (0.6 * sleeveRadius) / above, (0.8 * (centre - sleeveRadius)) / below);
   }
 
@@ -34,8 +38,9 @@ class RoundLayout {
   /** Polar angle and radius on the drawing. */
   polar(point: ShapePoint, lift: number): [number, number] {
     const { geometry, inwards, along } = this.scene;
-    const radius = sleeveRadius - (point.height + inwards * point.moveIn) * this.perHeight - lift;
-    return [geometry.polarAngle(point.along + along * point.moveAlong), radius];
+    const moveIn = point.moveIn + geometry.lobeAt(point.pad, point.along);
+    const radius = sleeveRadius - (point.height + inwards * moveIn) * this.perHeight - lift;
+    return [geometry.polarAngle(point.pad, point.along + along * point.moveAlong), radius];
   }
 
   place(point: ShapePoint, lift = 0): Place {
@@ -45,7 +50,7 @@ class RoundLayout {
   /** Unit vector of increasing place along the foil. */
   forward(point: ShapePoint): Place {
     const [angle] = this.polar(point, 0);
-    const { sense } = this.scene.geometry;
+    const { sense } = point.pad;
     return { x: -sense * Math.sin(angle), y: -sense * Math.cos(angle) };
   }
 }
@@ -58,56 +63,89 @@ function onCircle(angle: number, radius: number): Place {
 export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): number {
   const { geometry, shape, cycle, index } = scene;
   const layout = new RoundLayout(scene);
-  const line = (points: ShapePoint[], lift: number): string => pathOf(points.map((point) => layout.place(point, lift)));
+  const lines = (part: 'bumpFoil' | 'topFoil', lift: number): string =>
+    shape.pads.map((pad) => pathOf(pad[part].map((point) => layout.place(point, lift)))).join('');
   const scale = scene.inwards * layout.perHeight;
   const journal = {
     x: centre + scale * cycle.value('x', index),
     y: centre - scale * cycle.value('y', index),
   };
   const journalRadius = sleeveRadius - bumpHeight - scale * geometry.clearance - 2 * foilGap;
-  const weld = [onCircle(geometry.weldAngle, sleeveRadius + 5), layout.place(at(shape.topFoil, 0), foilGap)];
+  const welds = shape.pads.map(({ topFoil }) => {
+    const top = at(topFoil, 0);
+    return pathOf([layout.place(onGround(top.pad, 0), -5), layout.place(top, foilGap)]);
+  });
   root.setAttribute('viewBox', `0 0 ${size} ${size}`);
   root.replaceChildren(
     svg('circle', { cx: centre, cy: centre, r: sleeveRadius + 13, fill: current.grid }),
-    svg('circle', { cx: centre, cy: centre, r: sleeveRadius + foilGap / 2, fill: current.background, stroke: current.sleeve, 'stroke-width': 1.4 }),
+    svg('path', { d: sleeve(scene, layout), fill: current.background, stroke: current.sleeve, 'stroke-width': 1.4 }),
     svg('circle', { cx: journal.x, cy: journal.y, r: Math.max(0, journalRadius), fill: current.journal, stroke: current.line, 'stroke-width': 1.2 }),
     ...axes(current),
-    svg('path', { d: pathOf(weld), stroke: current.topFoil, 'stroke-width': 3.4 }),
-    svg('path', { d: line(shape.bumpFoil, 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
-    svg('path', { d: line(shape.topFoil, foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
+    svg('path', { d: welds.join(''), stroke: current.topFoil, 'stroke-width': 3.4 }),
+    svg('path', { d: lines('bumpFoil', 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
+    svg('path', { d: lines('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
     ...shape.feet.map((foot, i) => stateMark(layout.place(foot), cycle, 'bump_sleeve', index, i, current, layout.forward(foot))),
-    ...numbers(scene, layout, current),
+    ...numbers(scene, current),
     ...partNames(names(scene, layout, journal), current),
   );
   return layout.stretch;
 }
 
-/** In the corners beside what they name; the weld has the one that is next to it. */
+/** How far two angles are apart. */
+function between(a: number, b: number): number {
+  return Math.abs(Math.atan2(Math.sin(a - b), Math.cos(a - b)));
+}
+
+/** Its inner side: under pads where these have it, and round between them. */
+function sleeve({ geometry }: Scene, layout: RoundLayout): string {
+  const under = (pad: Pad): Place[] => {
+    const pieces = Math.ceil(90 * (pad.length / geometry.radius / Math.PI)) + 1;
+    const places = Array.from({ length: pieces + 1 }, (_, i) => layout.place(onGround(pad, (pad.length * i) / pieces), -foilGap / 2));
+    return pad.sense > 0 ? places : places.reverse();
+  };
+  const turn = 2 * Math.PI;
+  const first = (pad: Pad): number => geometry.polarAngle(pad, pad.sense > 0 ? 0 : pad.length);
+  const order = [...geometry.pads].sort((a, b) => ((first(a) % turn) + turn) % turn - ((first(b) % turn) + turn) % turn);
+  return pathOf(
+    order.flatMap((pad, i) => {
+      const end = first(pad) + pad.length / geometry.radius;
+      const free = (((first(at(order, (i + 1) % order.length)) - end) % turn) + turn) % turn;
+      const pieces = Math.ceil((90 * free) / Math.PI);
+      return [...under(pad), ...Array.from({ length: pieces + 1 }, (_, k) => onCircle(end + (free * k) / Math.max(1, pieces), sleeveRadius + foilGap / 2))];
+    }),
+    true,
+  );
+}
+
+/** In the corners beside what they name, the weld in the one that is next to it; pads by their middles. */
 function names({ geometry, shape }: Scene, layout: RoundLayout, journal: Place): PartName[] {
-  const alongAt = (angle: number): number =>
-    (((angle - geometry.weldAngle) * geometry.sense + 4 * Math.PI) % (2 * Math.PI)) * geometry.radius;
-  const point = (along: number, height: number): ShapePoint => ({ along, height, moveAlong: 0, moveIn: 0 });
-  const nearest = (points: ShapePoint[], along: number): ShapePoint =>
-    points.reduce((best, one) => (Math.abs(one.along - along) < Math.abs(best.along - along) ? one : best), points[0] ?? point(along, 0));
+  const nearest = (points: ShapePoint[], angle: number, lift: number): Place => {
+    const apart = (point: ShapePoint): number => between(layout.polar(point, 0)[0], angle);
+    return layout.place(points.reduce((best, one) => (apart(one) < apart(best) ? one : best)), lift);
+  };
   const corner = (right: boolean, low: boolean): Pick<PartName, 'at' | 'anchor'> => ({
     at: { x: right ? size - 6 : 6, y: low ? size - 8 : 18 },
     anchor: right ? 'end' : 'start',
   });
   const corners = [0.25, 0.75, 1.25, 1.75].map((turns) => turns * Math.PI);
-  const gap = (angle: number): number => Math.abs(Math.atan2(Math.sin(angle - geometry.weldAngle), Math.cos(angle - geometry.weldAngle)));
-  const order = [...corners].sort((a, b) => gap(a) - gap(b));
-  const parts: [string, (along: number) => Place][] = [
-    ['weld', () => onCircle(geometry.weldAngle, sleeveRadius + 4)],
-    ['sleeve', (along) => onCircle(geometry.polarAngle(along), sleeveRadius + 8)],
-    ['bump foil', (along) => layout.place(nearest(shape.crests, along))],
-    ['top foil', (along) => layout.place(nearest(shape.topFoil, along), foilGap)],
+  const { weldAngle } = at(geometry.pads, 0);
+  const order = [...corners].sort((a, b) => between(a, weldAngle) - between(b, weldAngle));
+  const parts: [string, (angle: number) => Place][] = [
+    ['weld', () => onCircle(weldAngle, sleeveRadius + 4)],
+    ['sleeve', (angle) => onCircle(angle, sleeveRadius + 8)],
+    ['bump foil', (angle) => nearest(shape.crests, angle, 0)],
+    ['top foil', (angle) => nearest(shape.pads.flatMap(({ topFoil }) => topFoil), angle, foilGap)],
   ];
   return [
     { content: 'journal', at: { x: journal.x, y: journal.y + 0.32 * sleeveRadius }, anchor: 'middle' },
     ...parts.map(([content, place], i): PartName => {
       const angle = order[i] ?? 0;
-      return { content, ...corner(Math.cos(angle) > 0, Math.sin(angle) < 0), to: place(alongAt(angle)) };
+      return { content, ...corner(Math.cos(angle) > 0, Math.sin(angle) < 0), to: place(angle) };
+    }),
+    ...geometry.pads.filter(({ name }) => name !== '').map((pad): PartName => {
+      const middle = onCircle(geometry.polarAngle(pad, 0.5 * pad.length), padNameRadius);
+      return { content: pad.name, at: { x: middle.x, y: middle.y + 4 }, anchor: 'middle' };
     }),
   ];
 }
@@ -147,13 +185,14 @@ function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current:
   ];
 }
 
-function numbers({ geometry, bump }: Scene, layout: RoundLayout, current: Look): SVGElement[] {
+function numbers({ geometry, bump }: Scene, current: Look): SVGElement[] {
   const step = [1, 2, 5, 10, 20, 50, 100].find((every) => 40 * every >= geometry.crestPlaces.length) ?? 200;
   return geometry.crestPlaces.flatMap((along, i) => {
-    if (i !== bump && i !== 0 && (i + 1) % step !== 0) return [];
-    const [angle] = layout.polar({ along, height: 0, moveAlong: 0, moveIn: 0 }, 0);
-    const { x, y } = onCircle(angle, sleeveRadius + 26);
+    const pad = geometry.padOfBump(i);
+    const number = i - pad.firstBump + 1;
+    if (i !== bump && number !== 1 && number % step !== 0) return [];
+    const { x, y } = onCircle(geometry.polarAngle(pad, along), sleeveRadius + 26);
     const chosen = i === bump ? { fill: current.accent, 'font-weight': 'bold' } : {};
-    return [text({ x, y: y + 4 }, String(i + 1), current, { 'text-anchor': 'middle', 'font-size': 11, ...chosen })];
+    return [text({ x, y: y + 4 }, String(number), current, { 'text-anchor': 'middle', 'font-size': 11, ...chosen })];
   });
 }

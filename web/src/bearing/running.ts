@@ -10,9 +10,10 @@ import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { look, onLookChange, type Look } from '../ui/theme';
 import { arrowPath, pathOf, text, type Place } from './drawing';
+import { BearingGeometry } from './geometry';
 import { marks } from './panel';
 import { drawRound } from './round';
-import { BearingGeometry, fittingAlong, fittingInwards, shapeAt } from './shape';
+import { fittingAlong, fittingInwards, shapeAt } from './shape';
 
 /** A drawing of the state that the reader looks at, redrawn with it. */
 function drawnPanel(

@@ -1,110 +1,42 @@
 /** Shapes of the parts of a deformed bearing. Nothing is drawn here: the two views lay these points out. */
-import { at, largest, type Cycle, type Run } from '../data/run';
+import { at, largest, type Cycle } from '../data/run';
+import type { BearingGeometry, Pad } from './geometry';
 
 /**
- * A point of a part: place along the foil from the weld and height over the sleeve (m, as designed), and what is to be
- * magnified: displacement away from the weld and inwards, gaps and errors of height (m).
+ * A point of a part: place along the foil of its pad from the weld and height over the sleeve (m, as designed), and what
+ * is to be magnified: displacement away from the weld and inwards, gaps and errors of height (m).
  */
 export interface ShapePoint {
+  pad: Pad;
   along: number;
   height: number;
   moveAlong: number;
   moveIn: number;
 }
 
-export interface Shape {
+/** On the sleeve as it is without shims. */
+export function onGround(pad: Pad, along: number): ShapePoint {
+  return { pad, along, height: 0, moveAlong: 0, moveIn: 0 };
+}
+
+/** The parts of one pad. */
+export interface PadShape {
   bumpFoil: ShapePoint[];
-  /** Empty where there is none, and so is `topNodes`. */
+  /** Empty where there is none. */
   topFoil: ShapePoint[];
   /** Of the journal, or of the plate. */
   mover: ShapePoint[];
   /** Of the sleeve, or of the base. */
   ground: ShapePoint[];
-  /** One per bump. */
-  crests: ShapePoint[];
-  /** One per bump, of the top foil over it. */
-  topNodes: ShapePoint[];
-  feet: ShapePoint[];
 }
 
-/** What does not change while the journal moves. */
-export class BearingGeometry {
-  readonly radius: number;
-  /** Where the pitch of each bump begins along the foil, and where the last one ends. */
-  readonly borders: number[];
-  readonly halfLengths: number[];
-  /** Of the tallest bump: there the top foil lies, and all arcs are drawn as high. */
-  readonly rise: number;
-  readonly clearance: number;
-  readonly weldAngle: number;
-  /** +1 counterclockwise, -1 clockwise. */
-  readonly sense: number;
-  readonly crestPlaces: number[];
-  readonly footPlaces: number[];
-  readonly crestOffsets: number[];
-  readonly sleeveGaps: number[];
-  readonly twoFeet: boolean;
-  readonly topFoil: boolean;
-  /** A strip may be free at both ends. */
-  readonly welded: boolean;
-  private farthest: Reach | undefined;
-
-  constructor(readonly run: Run) {
-    const bearing = (run.data.summary.case['bearing'] ?? {}) as { weld_angle?: number; wrap?: string };
-    this.radius = run.scalar('bearing_radius');
-    const ofBumps = (name: string): number[] => {
-      const each = run.perNode(name);
-      return each.length > 0 ? each : Array.from({ length: run.bumps }, () => run.scalar(name));
-    };
-    this.borders = ofBumps('bump_pitch').reduce((places, pitch) => [...places, at(places, places.length - 1) + pitch], [0]);
-    this.halfLengths = ofBumps('bump_half_length');
-    this.rise = Math.max(...ofBumps('bump_rise'));
-    this.clearance = run.scalar('radial_clearance');
-    this.weldAngle = bearing.weld_angle ?? Math.PI;
-    this.sense = bearing.wrap === 'counterclockwise' ? 1 : -1;
-    const places = (flat: string, round: string): number[] =>
-      run.kind.flat ? run.perNode(flat) : run.perNode(round).map((angle) => angle * this.radius);
-    this.crestPlaces = places('crest_position', 'theta');
-    this.footPlaces = places('foot_position', 'foot_theta');
-    const offsets = run.perNode('crest_offset');
-    this.crestOffsets = offsets.length > 0 ? offsets : run.perNode('height_error');
-    this.sleeveGaps = run.perNode('sleeve_gap');
-    this.twoFeet = run.feet === 2 * run.bumps;
-    this.topFoil = run.interfaces.some(({ name }) => name === 'journal_top');
-    this.welded = (run.data.summary.case['strip'] as { weld?: string } | undefined)?.weld !== 'none';
-  }
-
-  get length(): number {
-    return at(this.borders, this.run.bumps);
-  }
-
-  /** How far the foils of the run move at most. */
-  get reach(): Reach {
-    this.farthest ??= reachOf(this);
-    return this.farthest;
-  }
-
-  polarAngle(along: number): number {
-    return this.weldAngle + (this.sense * along) / this.radius;
-  }
-
-  /** Height of the arc of a bump at a distance from its crest. */
-  arc(bump: number, distance: number): number {
-    const radius = (at(this.halfLengths, bump) ** 2 + this.rise ** 2) / (2 * this.rise);
-    return Math.sqrt(radius ** 2 - distance ** 2) - (radius - this.rise);
-  }
-
-  /** The bump whose pitch a place along the foil lies in, or one beyond the ends. */
-  bumpAt(along: number): number {
-    return this.borders.filter((border) => border <= along).length - 1;
-  }
-
-  /** Feet at the start and the end of a bump's arc; none at the start of the first one of a truss that is welded there. */
-  feetOf(bump: number): [number | undefined, number] {
-    if (this.twoFeet) return [2 * bump, 2 * bump + 1];
-    if (this.run.feet > this.run.bumps) return [bump, bump + 1];
-    return [bump > 0 ? bump - 1 : undefined, bump];
-  }
+export interface Shape {
+  pads: PadShape[];
+  /** One per bump. */
+  crests: ShapePoint[];
+  /** One per bump, of the top foil over it; none without it. */
+  topNodes: ShapePoint[];
+  feet: ShapePoint[];
 }
 
 const halfArcPoints = 9;
@@ -114,19 +46,21 @@ interface Move {
   inwards: number;
 }
 
-function bumpFoil(geometry: BearingGeometry, cycle: Cycle, index: number): ShapePoint[] {
+function bumpFoil(geometry: BearingGeometry, pad: Pad, cycle: Cycle, index: number): ShapePoint[] {
   const [crestU, crestV] = [cycle.field('crest_u'), cycle.field('crest_v')];
   const [footU, footV] = [cycle.field('foot_u'), cycle.field('foot_v')];
   const footMove = (foot: number | undefined): Move =>
     foot === undefined ? { along: 0, inwards: 0 } : { along: footU.at(index, foot), inwards: -footV.at(index, foot) };
   const atFoot = (foot: number): ShapePoint => {
     const move = footMove(foot);
-    return { along: at(geometry.footPlaces, foot), height: 0, moveAlong: move.along, moveIn: move.inwards };
+    return { pad, along: at(geometry.footPlaces, foot), height: 0, moveAlong: move.along, moveIn: move.inwards };
   };
   const points: ShapePoint[] = [];
-  if (geometry.welded) points.push({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
-  else if (!geometry.twoFeet) points.push(atFoot(0));
-  geometry.crestPlaces.forEach((place, bump) => {
+  if (geometry.welded) points.push(onGround(pad, 0));
+  else if (!geometry.twoFeet) points.push(atFoot(pad.firstFoot));
+  pad.borders.slice(1).forEach((_, i) => {
+    const bump = pad.firstBump + i;
+    const place = at(geometry.crestPlaces, bump);
     const [start, end] = geometry.feetOf(bump);
     const crest: Move = {
       along: crestU.at(index, bump),
@@ -138,6 +72,7 @@ function bumpFoil(geometry: BearingGeometry, cycle: Cycle, index: number): Shape
       // Between foot and crest nothing is known: the arc is drawn as one, flatter or higher.
       const weight = geometry.arc(bump, distance) / geometry.rise;
       points.push({
+        pad,
         along: place + distance,
         height: geometry.arc(bump, distance),
         moveAlong: foot.along + weight * (crest.along - foot.along),
@@ -146,14 +81,13 @@ function bumpFoil(geometry: BearingGeometry, cycle: Cycle, index: number): Shape
     }
   });
   // After the last bump of a truss there is half a flat; a frame ends with its arc.
-  const last = geometry.footPlaces.length - 1;
-  if (!geometry.twoFeet && last >= 0) points.push(atFoot(last));
+  if (!geometry.twoFeet && pad.feet > 0) points.push(atFoot(pad.firstFoot + pad.feet - 1));
   return points;
 }
 
 /** A smooth curve through what is known at the weld and over the crests. */
-function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
-  const first: ShapePoint = { along: 0, height: geometry.rise, moveAlong: 0, moveIn: geometry.welded ? 0 : at(nodes, 0).moveIn };
+function topFoil(geometry: BearingGeometry, pad: Pad, nodes: ShapePoint[]): ShapePoint[] {
+  const first: ShapePoint = { pad, along: 0, height: geometry.rise, moveAlong: 0, moveIn: geometry.welded ? 0 : at(nodes, 0).moveIn };
   const known = [first, ...nodes];
   const slope = (i: number): number => {
     // Clamped at the weld; free at the other end.
@@ -172,6 +106,7 @@ function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
       const bend =
         t * (1 - t) * ((1 - t) * (slope(i - 1) * span - (b.moveIn - a.moveIn)) - t * (slope(i) * span - (b.moveIn - a.moveIn)));
       points.push({
+        pad,
         along: a.along + t * span,
         height: geometry.rise,
         moveAlong: 0,
@@ -181,36 +116,32 @@ function topFoil(geometry: BearingGeometry, nodes: ShapePoint[]): ShapePoint[] {
   }
   const last = known.length - 1;
   const end = at(known, last);
-  const rest = geometry.length - end.along;
-  points.push({ along: geometry.length, height: geometry.rise, moveAlong: 0, moveIn: end.moveIn + slope(last) * rest });
+  const rest = pad.length - end.along;
+  points.push({ pad, along: pad.length, height: geometry.rise, moveAlong: 0, moveIn: end.moveIn + slope(last) * rest });
   return points;
 }
 
 /** Gap between the undeformed top foil (or the crests) and the journal or the plate. */
-export function undeformedGap(geometry: BearingGeometry, along: number, cycle: Cycle, index: number): number {
+export function undeformedGap(geometry: BearingGeometry, pad: Pad, along: number, cycle: Cycle, index: number): number {
   if (geometry.run.kind.flat) return -cycle.value('displacement', index);
-  const phi = geometry.polarAngle(along);
-  return geometry.clearance - (cycle.value('x', index) * Math.cos(phi) + cycle.value('y', index) * Math.sin(phi));
+  const phi = geometry.polarAngle(pad, along);
+  return geometry.clearance - geometry.lobeAt(pad, along) - (cycle.value('x', index) * Math.cos(phi) + cycle.value('y', index) * Math.sin(phi));
 }
 
-function mover(geometry: BearingGeometry, cycle: Cycle, index: number): ShapePoint[] {
+function mover(geometry: BearingGeometry, pad: Pad, cycle: Cycle, index: number): ShapePoint[] {
   const pieces = 120;
   return Array.from({ length: pieces + 1 }, (_, i) => {
-    const along = (geometry.length * i) / pieces;
-    return { along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, along, cycle, index) };
+    const along = (pad.length * i) / pieces;
+    return { pad, along, height: geometry.rise, moveAlong: 0, moveIn: undeformedGap(geometry, pad, along, cycle, index) };
   });
 }
 
-function ground(geometry: BearingGeometry): ShapePoint[] {
-  const surface = geometry.footPlaces.map((along, foot) => {
-    const bump = geometry.twoFeet ? Math.floor(foot / 2) : Math.min(foot, geometry.run.bumps - 1);
-    return { along, height: 0, moveAlong: 0, moveIn: -(geometry.sleeveGaps[bump] ?? 0) };
+function ground(geometry: BearingGeometry, pad: Pad): ShapePoint[] {
+  const surface = geometry.footPlaces.slice(pad.firstFoot, pad.firstFoot + pad.feet).map((along, i) => {
+    const bump = pad.firstBump + (geometry.twoFeet ? Math.floor(i / 2) : Math.min(i, pad.borders.length - 2));
+    return { ...onGround(pad, along), moveIn: -(geometry.sleeveGaps[bump] ?? 0) };
   });
-  return [
-    { along: 0, height: 0, moveAlong: 0, moveIn: 0 },
-    ...surface,
-    { along: geometry.length, height: 0, moveAlong: 0, moveIn: surface[surface.length - 1]?.moveIn ?? 0 },
-  ];
+  return [onGround(pad, 0), ...surface, { ...onGround(pad, pad.length), moveIn: surface[surface.length - 1]?.moveIn ?? 0 }];
 }
 
 /** The bearing at an increment. */
@@ -220,66 +151,34 @@ export function shapeAt(geometry: BearingGeometry, cycle: Cycle, index: number):
   const top = cycle.field('top_displacement');
   const places = geometry.topFoil ? geometry.crestPlaces : [];
   const topNodes = places.map((along, bump) => ({
+    pad: geometry.padOfBump(bump),
     along,
     height: geometry.rise,
     moveAlong: 0,
     moveIn: -top.at(index, bump),
   }));
   return {
-    bumpFoil: bumpFoil(geometry, cycle, index),
-    topFoil: geometry.topFoil ? topFoil(geometry, topNodes) : [],
-    mover: mover(geometry, cycle, index),
-    ground: ground(geometry),
+    pads: geometry.pads.map((pad) => ({
+      bumpFoil: bumpFoil(geometry, pad, cycle, index),
+      topFoil: geometry.topFoil ? topFoil(geometry, pad, topNodes.filter((node) => node.pad === pad)) : [],
+      mover: mover(geometry, pad, cycle, index),
+      ground: ground(geometry, pad),
+    })),
     topNodes,
     crests: geometry.crestPlaces.map((along, bump) => ({
+      pad: geometry.padOfBump(bump),
       along,
       height: geometry.rise,
       moveAlong: crestU.at(index, bump),
       moveIn: (geometry.crestOffsets[bump] ?? 0) - crestV.at(index, bump),
     })),
     feet: geometry.footPlaces.map((along, foot) => ({
+      pad: geometry.padOfFoot(foot),
       along,
       height: 0,
       moveAlong: footU.at(index, foot),
       moveIn: -footV.at(index, foot),
     })),
-  };
-}
-
-/** How far a run moves at most, whatever the increment (m). */
-export interface Reach {
-  /** Along the foil, either way. */
-  along: number;
-  /** Of the parts of the foils and, in a flat one, of the plate: most inwards, and most outwards (negative). */
-  inwards: number;
-  outwards: number;
-}
-
-function reachOf(geometry: BearingGeometry): Reach {
-  const { cycles, kind } = geometry.run;
-  const extremes = (name: string, sign: number): [number, number] => {
-    let [least, most] = [0, 0];
-    for (const cycle of cycles) {
-      for (const value of cycle.field(name).values) {
-        if (sign * value > most) most = sign * value;
-        if (sign * value < least) least = sign * value;
-      }
-    }
-    return [least, most];
-  };
-  const error = [Math.min(0, ...geometry.crestOffsets), Math.max(0, ...geometry.crestOffsets)] as const;
-  const crest = extremes('crest_v', -1);
-  const ranges: (readonly [number, number])[] = [
-    [crest[0] + error[0], crest[1] + error[1]],
-    extremes('foot_v', -1),
-    extremes('top_displacement', -1),
-    [-Math.max(0, ...geometry.sleeveGaps), 0],
-    ...(kind.flat ? cycles.map((cycle): [number, number] => [-Math.max(0, ...cycle.values('displacement')), -Math.min(0, ...cycle.values('displacement'))]) : []),
-  ];
-  return {
-    along: largest(...cycles.flatMap((cycle) => ['crest_u', 'foot_u'].map((name) => cycle.field(name).values))),
-    inwards: Math.max(...ranges.map(([, most]) => most)),
-    outwards: Math.min(...ranges.map(([least]) => least)),
   };
 }
 
@@ -293,8 +192,10 @@ function largestFactor(most: number): number {
 
 /** The largest factor with which no bump of a run is drawn pressed by more than half its height. */
 export function fittingInwards(geometry: BearingGeometry): number {
+  const lobes = geometry.pads.map(({ lobe }) => lobe);
   const pressed = Math.max(
-    largest(...geometry.run.cycles.map((cycle) => cycle.values('displacement'))) - geometry.clearance,
+    largest(...geometry.run.cycles.map((cycle) => cycle.values('displacement'))) - geometry.clearance + Math.max(...lobes),
+    largest(lobes),
     Math.abs(geometry.clearance),
     largest(geometry.crestOffsets),
   );
@@ -306,6 +207,6 @@ export function fittingAlong(geometry: BearingGeometry): number {
   const fields = geometry.run.cycles.flatMap((cycle) =>
     ['crest_u', 'foot_u'].map((name) => cycle.field(name).values),
   );
-  const pitch = Math.min(...geometry.borders.slice(1).map((border, bump) => border - at(geometry.borders, bump)));
+  const pitch = Math.min(...geometry.pads.flatMap(({ borders }) => borders.slice(1).map((border, i) => border - at(borders, i))));
   return Math.min(100, largestFactor((0.4 * pitch) / largest(...fields)));
 }

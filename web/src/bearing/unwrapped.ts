@@ -2,8 +2,9 @@ import { at, type Cycle } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import type { BearingGeometry } from './geometry';
 import { partNames, type PartName } from './parts';
-import type { BearingGeometry, Shape, ShapePoint } from './shape';
+import { onGround, type PadShape, type Shape, type ShapePoint } from './shape';
 
 export interface Scene {
   geometry: BearingGeometry;
@@ -37,7 +38,7 @@ const longestArrow = 44;
 /** Friction is a small part of the normal force. */
 export const frictionFactor = 4;
 
-/** The bearing cut open at the weld and laid flat: sleeve below, journal above. */
+/** The bearing cut open at the welds and laid flat, pad after pad: sleeve below, journal above. */
 export class UnwrappedLayout {
   /** Ends of the sleeve on the drawing. */
   readonly left: number;
@@ -64,7 +65,7 @@ export class UnwrappedLayout {
 
   place(point: ShapePoint, lift = 0): Place {
     return {
-      x: this.left + (point.along + this.scene.along * point.moveAlong) * this.perLength,
+      x: this.left + (point.pad.begin + point.along + this.scene.along * point.moveAlong) * this.perLength,
       y: this.sleeveLevel - (point.height + this.scene.inwards * point.moveIn) * this.perHeight - lift,
     };
   }
@@ -76,30 +77,30 @@ export class UnwrappedLayout {
 
   /** Bump at a place on the drawing. */
   bumpAt(x: number): number {
-    const { geometry } = this.scene;
-    const bump = geometry.bumpAt((x - this.left) / this.perLength);
-    return Math.min(Math.max(0, bump), geometry.run.bumps - 1);
+    return this.scene.geometry.bumpAt((x - this.left) / this.perLength);
   }
 }
 
 export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, width: number): UnwrappedLayout {
   const { shape } = scene;
   const layout = new UnwrappedLayout(scene, width);
-  const line = (points: ShapePoint[], lift: number): Place[] => points.map((point) => layout.place(point, lift));
-  const journal = line(shape.mover, 2 * foilGap);
-  const sleeve = line(shape.ground, -foilGap / 2);
-  const journalBody = [{ x: layout.left, y: 0 }, ...journal, { x: layout.right, y: 0 }];
-  const sleeveBody = [...sleeve, { x: layout.right, y: height - 22 }, { x: layout.left, y: height - 22 }];
+  const line = (part: keyof PadShape, lift: number): Place[][] => shape.pads.map((pad) => pad[part].map((point) => layout.place(point, lift)));
+  const stroke = (part: keyof PadShape, lift: number): string => line(part, lift).map((places) => pathOf(places)).join('');
+  /** From the line to a level, as far as each pad goes. */
+  const body = (part: keyof PadShape, lift: number, level: number): string =>
+    line(part, lift)
+      .map((places) => pathOf([{ x: at(places, 0).x, y: level }, ...places, { x: at(places, places.length - 1).x, y: level }], true))
+      .join('');
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(
     ...highlight(scene, layout, current),
-    svg('path', { d: pathOf(journalBody, true), fill: current.journal }),
-    svg('path', { d: pathOf(journal), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
-    svg('path', { d: pathOf(sleeveBody, true), fill: current.grid }),
-    svg('path', { d: pathOf(sleeve), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
-    ...weld(scene, layout, current),
-    svg('path', { d: pathOf(line(shape.bumpFoil, 0)), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
-    svg('path', { d: pathOf(line(shape.topFoil, foilGap)), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
+    svg('path', { d: body('mover', 2 * foilGap, 0), fill: current.journal }),
+    svg('path', { d: stroke('mover', 2 * foilGap), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
+    svg('path', { d: body('ground', -foilGap / 2, height - 22), fill: current.grid }),
+    svg('path', { d: stroke('ground', -foilGap / 2), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
+    ...welds(scene, layout, current),
+    svg('path', { d: stroke('bumpFoil', 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
+    svg('path', { d: stroke('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, current) : []),
     ...marks(scene, layout, current),
     ...numbers(scene, layout, current),
@@ -112,37 +113,42 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
 function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] {
   const { mover, ground } = geometry.run.kind;
   const aside = layout.width - room + 8;
-  const bump = layout.place(lastOf(shape.bumpFoil));
-  const top = layout.place(lastOf(shape.topFoil.length > 0 ? shape.topFoil : shape.mover), foilGap);
+  const last = at(shape.pads, shape.pads.length - 1);
+  const bump = layout.place(lastOf(last.bumpFoil));
+  const top = layout.place(lastOf(geometry.topFoil ? last.topFoil : last.mover), foilGap);
   const topName = Math.min(Math.max(top.y - 14, 30), bump.y - 26);
   return [
     { content: mover, at: { x: layout.left + 10, y: 18 } },
     { content: ground, at: { x: layout.right - 10, y: height - 28 }, anchor: 'end' },
     { content: 'bump foil', at: { x: aside, y: bump.y - 6 }, to: bump },
-    ...(shape.topFoil.length > 0 ? [{ content: 'top foil', at: { x: aside, y: topName }, to: top }] : []),
-    ...(geometry.welded ? [{ content: 'weld', at: { x: layout.left + 10, y: height - 28 }, to: layout.place({ along: 0, height: 0, moveAlong: 0, moveIn: 0 }) }] : []),
+    ...(geometry.topFoil ? [{ content: 'top foil', at: { x: aside, y: topName }, to: top }] : []),
+    ...(geometry.welded ? geometry.pads : []).map((pad): PartName => {
+      const to = layout.place(onGround(pad, 0));
+      return { content: pad.name === '' ? 'weld' : `weld of ${pad.name}`, at: { x: to.x + 10, y: height - 28 }, to };
+    }),
   ];
 }
 
 function lastOf(points: ShapePoint[]): ShapePoint {
-  return points[points.length - 1] ?? { along: 0, height: 0, moveAlong: 0, moveIn: 0 };
+  return at(points, points.length - 1);
 }
 
-/** Line to which the foils are welded. */
-function weld({ geometry, shape }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+/** Lines to which the foils are welded. */
+function welds({ geometry, shape }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
   if (!geometry.welded) return [];
-  const foot = layout.place({ along: 0, height: 0, moveAlong: 0, moveIn: 0 });
-  const top = layout.place(shape.topFoil[0] ?? { along: 0, height: 0.12 * geometry.rise, moveAlong: 0, moveIn: 0 }, foilGap);
-  return [
-    svg('path', { d: pathOf([foot, top]), stroke: current.topFoil, 'stroke-width': 3.4 }),
-  ];
+  const lines = geometry.pads.map((pad, i) => {
+    const top = at(shape.pads, i).topFoil[0] ?? { ...onGround(pad, 0), height: 0.12 * geometry.rise };
+    return pathOf([layout.place(onGround(pad, 0)), layout.place(top, foilGap)]);
+  });
+  return [svg('path', { d: lines.join(''), stroke: current.topFoil, 'stroke-width': 3.4 })];
 }
 
 function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
   if (bump === undefined) return [];
-  const edge = (along: number): number => layout.place({ along, height: 0, moveAlong: 0, moveIn: 0 }).x;
-  const left = edge(at(geometry.borders, bump));
-  return [svg('rect', { x: left, y: 0, width: edge(at(geometry.borders, bump + 1)) - left, height: height - 18, fill: current.accent, opacity: 0.12 })];
+  const pad = geometry.padOfBump(bump);
+  const edge = (number: number): number => layout.place(onGround(pad, at(pad.borders, number))).x;
+  const left = edge(bump - pad.firstBump);
+  return [svg('rect', { x: left, y: 0, width: edge(bump - pad.firstBump + 1) - left, height: height - 18, fill: current.accent, opacity: 0.12 })];
 }
 
 function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
@@ -162,7 +168,7 @@ function forceArrows(scene: Scene, layout: UnwrappedLayout, current: Look): SVGE
     const tail = layout.place(crest, -4);
     const load = normal('top_bump', bump);
     // Where nothing lies between, it is the mover that presses.
-    if (shape.topFoil.length === 0) normals += arrowPath({ x: tip.x, y: tip.y - load }, tip);
+    if (shape.topNodes.length === 0) normals += arrowPath({ x: tip.x, y: tip.y - load }, tip);
     else normals += arrowPath(tail, { x: tail.x, y: tail.y + load });
     frictions += arrowPath(tail, { x: tail.x + along('top_bump', bump), y: tail.y });
   });
@@ -186,8 +192,10 @@ function numbers({ geometry }: Scene, layout: UnwrappedLayout, current: Look): S
   const spacing = (layout.right - layout.left) / geometry.crestPlaces.length;
   const step = [1, 2, 5, 10, 20, 50, 100].find((every) => every * spacing >= 24) ?? 200;
   return geometry.crestPlaces.flatMap((along, bump) => {
-    if (bump !== 0 && (bump + 1) % step !== 0) return [];
-    const { x } = layout.place({ along, height: 0, moveAlong: 0, moveIn: 0 });
-    return [text({ x, y: height - 6 }, String(bump + 1), current, { 'text-anchor': 'middle', 'font-size': 11 })];
+    const pad = geometry.padOfBump(bump);
+    const number = bump - pad.firstBump + 1;
+    if (number !== 1 && number % step !== 0) return [];
+    const { x } = layout.place(onGround(pad, along));
+    return [text({ x, y: height - 6 }, String(number), current, { 'text-anchor': 'middle', 'font-size': 11 })];
   });
 }

@@ -19,7 +19,9 @@ export interface PathQuantity {
   /** Number of its colour. */
   style: number;
   marker: 'circle' | 'rect' | 'triangle' | 'diamond';
+  /** What is drawn, and what the table has. */
   value: (cycle: Cycle, index: number) => number;
+  stored: (cycle: Cycle, index: number) => number;
 }
 
 export interface PathSection {
@@ -185,7 +187,7 @@ class PathPanel {
           cycle.key,
           increment,
           cycle.value('displacement', index),
-          ...quantities.map(({ name }) => cycle.value(name, index)),
+          ...quantities.map(({ stored }) => stored(cycle, index)),
         ]),
       ),
     );
@@ -208,6 +210,7 @@ const energy = (name: string, text: string, style: number, marker: PathQuantity[
   marker,
   // Since the start of the path, as work and dissipation are.
   value: (cycle, index) => cycle.value(name, index) - (name === 'elastic_energy' ? cycle.value(name, 0) : 0),
+  stored: (cycle, index) => cycle.value(name, index),
 });
 
 /** Where the work goes. */
@@ -229,6 +232,7 @@ const stress = (name: string, text: string, style: number, marker: PathQuantity[
   style,
   marker,
   value: (cycle, index) => cycle.value(name, index),
+  stored: (cycle, index) => cycle.value(name, index),
 });
 
 const stressQuantities = [
@@ -247,5 +251,21 @@ export function stresses(cycles: Cycle[]): PathSection {
     unit: 'Pa',
     quantities: stressQuantities.filter(({ name }) => known(name)),
     file: 'stress',
+  };
+}
+
+const markers = ['circle', 'rect', 'triangle', 'diamond'] as const;
+
+/** What each of several pads takes of the force. */
+export function padForces(pads: number): PathSection {
+  return {
+    title: 'Forces of the pads',
+    axis: 'Force',
+    unit: 'N',
+    quantities: Array.from({ length: pads }, (_, pad) => {
+      const size = (cycle: Cycle, index: number): number => Math.hypot(cycle.field('pad_force_x').at(index, pad), cycle.field('pad_force_y').at(index, pad));
+      return { name: `pad_force_${pad + 1}`, text: `pad ${pad + 1}`, style: pad % 8, marker: at(markers, pad % 4), value: size, stored: size };
+    }),
+    file: 'pad-forces',
   };
 }

@@ -1,4 +1,4 @@
-import { at, largest, type Interface, type Cycle } from '../data/run';
+import { at, capital, largest, type Cycle, type Interface, type Run } from '../data/run';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import type { Comparison } from '../ui/comparison';
@@ -77,27 +77,32 @@ class LoadPanel {
   }
 
   private description(): string {
-    const peaks = this.curves.map(({ cycle, label }) => {
+    const peaks = this.curves.map(({ run, cycle, label }) => {
       const loads = loadsAt(cycle, this.kind, cycle.turning);
       const most = largest(loads);
-      return `${label} ${most > 0 ? `${formatQuantity(most, 'N')} on ${this.node} ${loads.indexOf(most) + 1}` : 'none'}`;
+      return `${label} ${most > 0 ? `${formatQuantity(most, 'N')} on ${this.node} ${run.numberOf(this.node, loads.indexOf(most))}` : 'none'}`;
     });
     return `${this.kind.title}, loads at full displacement, ${this.name}: at most ${peaks.join(', ')}`;
   }
 
-  private get node(): string {
+  private get node(): Interface['node'] {
     return this.kind.node;
+  }
+
+  /** Of the runs in focus the one that has most bumps or feet, and how many. */
+  private get widest(): { nodes: number; run: Run } {
+    const each = this.curves.map(({ run, cycle }) => ({ nodes: cycle.field(`normal_force_${this.kind.name}`).width, run }));
+    return each.reduce((best, one) => (one.nodes > best.nodes ? one : best), { nodes: 1, run: at(this.comparison.runs, 0) });
   }
 
   private option(current: Look, width: number): Option {
     const { curves, scale } = this;
-    const nodes = Math.max(1, ...curves.map((curve) => curve.cycle.field(`normal_force_${this.kind.name}`).width));
-    const node = this.node === 'foot' ? 'Foot' : 'Bump';
+    const { nodes, run } = this.widest;
     return {
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
-      xAxis: axis(current, `${node}, counted from the weld`, {
+      xAxis: axis(current, `${run.countOf(this.node)}, counted from ${run.pads > 1 ? 'its' : 'the'} weld`, {
         type: 'category',
-        data: Array.from({ length: nodes }, (_, i) => String(i + 1)),
+        data: Array.from({ length: nodes }, (_, i) => run.tickOf(this.node, i)),
         axisLabel: { color: current.muted, fontSize: 12 },
         nameGap: 26,
         splitLine: { show: false },
@@ -107,7 +112,7 @@ class LoadPanel {
       tooltip: tooltip(current, {
         trigger: 'axis',
         axisPointer: { type: 'shadow', shadowStyle: { color: current.grid, opacity: 0.5 } },
-        formatter: (items: { dataIndex: number }[]) => this.tip(node, items[0]?.dataIndex ?? 0),
+        formatter: (items: { dataIndex: number }[]) => this.tip(items[0]?.dataIndex ?? 0),
       }),
       series: [
         ...curves.map((curve, i) => ({
@@ -141,7 +146,7 @@ class LoadPanel {
     return this.scaled(cycle, this.comparison.selection.indexIn(cycle)).filter(([, load]) => load > 0);
   }
 
-  private tip(node: string, index: number): HTMLElement {
+  private tip(index: number): HTMLElement {
     const rows = this.curves.flatMap(({ label, cycle }): [string, string][] => {
       const now = this.comparison.selection.indexIn(cycle);
       return [
@@ -149,7 +154,7 @@ class LoadPanel {
         [`${label}, increment ${at(cycle.increments, now)}`, formatQuantity(loadsAt(cycle, this.kind, now)[index], 'N')],
       ];
     });
-    return tooltipBox(`${node} ${index + 1}`, rows);
+    return tooltipBox(`${capital(this.node)} ${this.widest.run.numberOf(this.node, index)}`, rows);
   }
 
   private csv(): string {

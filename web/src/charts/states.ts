@@ -1,4 +1,4 @@
-import { at, contactStates, type ContactState, type Interface, type Cycle } from '../data/run';
+import { at, capital, contactStates, type ContactState, type Interface, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
@@ -128,13 +128,13 @@ export class StatePanel {
         gridIndex,
       })),
       yAxis: interfaces.map(({ node }, gridIndex) => ({
-        ...axis(current, node === 'foot' ? 'Foot' : 'Bump', {
+        ...axis(current, this.selection.run.countOf(node), {
           min: 0.5,
           max: this.nodes(gridIndex) + 0.5,
           interval: 1e9,
           splitLine: { show: false },
           nameGap: 32,
-          axisLabel: { color: current.muted, fontSize: 11, customValues: nodeTicks(this.nodes(gridIndex)) },
+          axisLabel: { color: current.muted, fontSize: 11, customValues: nodeTicks(this.nodes(gridIndex), (index) => this.selection.run.countedFromWeld(node, index).number), formatter: (value: number) => this.selection.run.tickOf(node, value - 1) },
           axisTick: { show: false },
         }),
         gridIndex,
@@ -172,7 +172,7 @@ export class StatePanel {
     const stretch = at(at(this.stretches, interfaceIndex), dataIndex);
     const where = (index: number): string =>
       `${formatQuantity(this.cycle.value('displacement', index), 'm')}, ${this.cycle.isLoading(index) ? 'loading' : 'unloading'}`;
-    return tooltipBox(`${node === 'foot' ? 'Foot' : 'Bump'} ${stretch.node + 1}: ${stretch.state}`, [
+    return tooltipBox(`${capital(node)} ${this.selection.run.numberOf(node, stretch.node)}: ${stretch.state}`, [
       ['Interface', title],
       ['From', where(stretch.first)],
       ['To', where(stretch.last)],
@@ -213,11 +213,10 @@ function renderStretch({ state }: Stretch, current: Look, api: RenderApi): objec
   };
 }
 
-function nodeTicks(nodes: number): number[] {
+/** Rows that are named: of each pad its first, and some of the others. */
+function nodeTicks(nodes: number, numberOf: (index: number) => number): number[] {
   const step = nodes <= 12 ? 1 : nodes <= 60 ? 5 : 10 ** Math.ceil(Math.log10(nodes / 20));
-  const ticks = [1];
-  for (let node = step === 1 ? 2 : step; node <= nodes; node += step) ticks.push(node);
-  return ticks;
+  return Array.from({ length: nodes }, (_, index) => index + 1).filter((row) => numberOf(row - 1) === 1 || numberOf(row - 1) % step === 0);
 }
 
 /** A piece of a map as the legend shows it. */

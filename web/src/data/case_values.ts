@@ -29,7 +29,9 @@ export function flatten(value: CaseValue, path = ''): Map<string, CaseValue> {
 
 /** What is said of a key or a table; of a list of tables, of the first. */
 export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefined {
-  return keys[path.replace(/\[\d+\]/g, '[1]')];
+  const first = path.replace(/\[\d+\]/g, '[1]');
+  // Foils of pads have the keys of the common ones.
+  return keys[first] ?? keys[first.replace(/^pad\[1\]\./, '')];
 }
 
 /** The title of a table, counted where there may be several. */

@@ -31,7 +31,8 @@ export interface RunData extends ResultData {
   /** What the variables of cycles and increments are, in the words of result.nc. */
   meanings: Record<string, Meaning>;
   geometry: Record<string, number | null | (number | null)[]>;
-  nodes: { bump: number; foot: number };
+  /** Numbers of them; of pads where there are several. */
+  nodes: { bump: number; foot: number; pad?: number };
   last_increment: number;
   cycles: CycleData[];
 }
@@ -114,7 +115,7 @@ export interface CycleData {
   at: number;
   increments: number[];
   series: Record<string, string>;
-  fields: Record<string, { at: 'bump' | 'foot'; values: string }>;
+  fields: Record<string, { at: 'bump' | 'foot' | 'pad'; values: string }>;
 }
 
 export type CaseValue = string | number | boolean | null | CaseValue[] | { [key: string]: CaseValue };

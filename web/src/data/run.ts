@@ -1,4 +1,5 @@
 import { quantitiesOf, withClearances } from './clearances';
+import { padQuantitiesOf, withPadForces } from './pad_forces';
 import { kinds, type Kind } from './kinds';
 import { decodeFlags, decodeNumbers } from './decode';
 import type { CycleSummary, CycleData, Quantity, RunData } from './format';
@@ -126,7 +127,7 @@ export class Cycle {
     let field = this.numbers.get(name);
     if (!field) {
       const data = this.data.fields[name];
-      field = new Field(data ? decodeNumbers(data.values) : new Float32Array(0), data ? this.nodes[data.at] : 0);
+      field = new Field(data ? decodeNumbers(data.values) : new Float32Array(0), data ? (this.nodes[data.at] ?? 0) : 0);
       this.numbers.set(name, field);
     }
     return field;
@@ -145,7 +146,7 @@ export class Cycle {
     let field = this.flags.get(interfaceName);
     if (!field) {
       const data = this.data.fields[`state_${interfaceName}`];
-      field = new Field(data ? decodeFlags(data.values) : new Int8Array(0), data ? this.nodes[data.at] : 0);
+      field = new Field(data ? decodeFlags(data.values) : new Int8Array(0), data ? (this.nodes[data.at] ?? 0) : 0);
       this.flags.set(interfaceName, field);
     }
     return field;
@@ -170,11 +171,11 @@ export class Run extends Result<RunData> {
     const kind = kinds[data.kind];
     if (!kind) throw new Error(`results of the kind ${data.kind} cannot be shown`);
     this.kind = kind;
-    this.quantities = quantitiesOf(data);
+    this.quantities = [...quantitiesOf(data), ...padQuantitiesOf(data)];
     const settings = data.summary.case[data.kind] as { amplitude?: number; steps?: number } | undefined;
     this.cycles = data.cycles.map((cycle, i) => {
       const cycleSummary = data.summary.cycles[i];
-      const summary = cycleSummary && withClearances(cycleSummary);
+      const summary = cycleSummary && withPadForces(withClearances(cycleSummary));
       const steps = summary?.steps ?? settings?.steps ?? 0;
       return new Cycle(cycle, data.nodes, data.last_increment, kind.cycles.name(cycle.at), summary, steps, summary?.amplitude_m ?? settings?.amplitude ?? 0);
     });
@@ -206,13 +207,41 @@ export class Run extends Result<RunData> {
     return this.data.nodes.foot;
   }
 
+  get pads(): number {
+    return this.data.nodes.pad ?? 1;
+  }
+
+  /** A bump or foot (from 0) by its number from the weld: "3", of several pads "3 of pad 2". */
+  numberOf(node: Interface['node'], index: number): string {
+    const { pad, number } = this.countedFromWeld(node, index);
+    return pad === undefined ? String(number) : `${number} of pad ${pad}`;
+  }
+
+  /** The same on an axis: "3", of several pads "2.3". */
+  tickOf(node: Interface['node'], index: number): string {
+    const { pad, number } = this.countedFromWeld(node, index);
+    return pad === undefined ? String(number) : `${pad}.${number}`;
+  }
+
+  /** What is counted on such an axis. */
+  countOf(node: Interface['node']): string {
+    return this.pads > 1 ? `Pad.${node}` : capital(node);
+  }
+
+  /** Number of a bump or foot from the weld, and its pad where there are several. */
+  countedFromWeld(node: Interface['node'], index: number): { pad?: number; number: number } {
+    const pads = this.perNode(`${node}_pad`);
+    const pad = pads[index];
+    return pad === undefined ? { number: index + 1 } : { pad, number: index - pads.indexOf(pad) + 1 };
+  }
+
   /** A number of the geometry; 0 where it is not known. */
   scalar(name: string): number {
     const value = this.data.geometry[name];
     return typeof value === 'number' ? value : 0;
   }
 
-  /** One number of the geometry per bump or foot. */
+  /** One number of the geometry per bump, foot or pad. */
   perNode(name: string): number[] {
     const value = this.data.geometry[name];
     return Array.isArray(value) ? value.map((number) => number ?? 0) : [];

@@ -57,8 +57,8 @@ function placeOf(column: Column, { name }: Quantity): StressPlace | undefined {
 }
 
 /** "crest of bump 14, increment 100, 79.5 µm" */
-export function placeText({ place, bump, increment, displacement_m: displacement }: StressPlace): string {
-  const where = bump === null ? place : `${place} of bump ${bump}`;
+export function placeText({ place, bump, increment, displacement_m: displacement }: StressPlace, run: Run): string {
+  const where = bump === null ? place : `${place} of bump ${run.numberOf('bump', bump - 1)}`;
   return `${where}, increment ${increment}, ${formatQuantity(displacement, 'm', 3)}`;
 }
 
@@ -78,7 +78,7 @@ function bodyRow(quantity: Quantity, columns: Column[], reference: Run | undefin
   const compared = first.run === reference ? numberOf(valueOf(first, quantity)) : null;
   const cells = columns.flatMap((column, i) => {
     const place = placeOf(column, quantity);
-    const value = el('td', {}, text(valueOf(column, quantity), quantity, scale), ...(place ? [el('small', { class: 'place' }, placeText(place))] : []));
+    const value = el('td', {}, text(valueOf(column, quantity), quantity, scale), ...(place ? [el('small', { class: 'place' }, placeText(place, column.run))] : []));
     if (!reference || i === 0) return [value];
     return [value, ...differences(at(numbers, i), compared, scale).map((difference) => el('td', { class: 'difference' }, difference))];
   });

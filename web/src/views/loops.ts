@@ -1,6 +1,6 @@
 import { BearingPanels } from '../bearing/panel';
 import { player } from '../bearing/player';
-import { energies, pathSection, stresses } from '../charts/along_path';
+import { energies, padForces, pathSection, stresses } from '../charts/along_path';
 import { curvesOf, curvesOfRun } from '../charts/curves';
 import { loadSection } from '../charts/loads';
 import { LoopPanel } from '../charts/loops';
@@ -92,6 +92,7 @@ function sectionsOf(runs: Run[], measured: Run[], caseKeys: CaseKeys, alone: boo
   const cycles = loopPanels(comparison, begun);
   const bearing = new BearingPanels(selection);
   const stress = stresses(comparison.shownLoops);
+  const pads = Math.max(...runs.map((run) => run.pads));
   const sameAxes = comparison.several
     ? []
     : [el('div', { class: 'tools' }, tickBox('Same axes in compared charts', true, (same) => comparison.set({ ownAxes: !same })))];
@@ -111,6 +112,7 @@ function sectionsOf(runs: Run[], measured: Run[], caseKeys: CaseKeys, alone: boo
       ...(kind.flat ? [] : [bearing.unwrapped]),
     ),
     part('loads', 'Bump loads', ...sameAxes, loadSection(named, comparison)),
+    ...(pads > 1 ? [part('pads', 'Forces of the pads along the path', pathSection(padForces(pads), named, comparison))] : []),
     part('contacts', 'Contacts', new StatePanel(selection).root),
     part('energies', 'Energies along the path', pathSection(energies, named, comparison)),
     ...(stress.quantities.length > 0 ? [part('stresses', 'Stress along the path', pathSection(stress, named, comparison))] : []),

@@ -1,0 +1,121 @@
+// Bearings of several pads: each is drawn where it is, and its bumps and forces are told by its name.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { assertFits, axeFindings, folder, moveTo, near, padsFile, plotsIn, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+
+const steps = 20;
+const pads = [1, 2, 3];
+
+before(() => {
+  const set = (...pairs) => pairs.flatMap((pair) => ['--set', pair]);
+  const command = (name, ...rest) => run([name, padsFile, '-o', join(folder, name), ...rest, ...set(`cycle.steps=${steps}`)]);
+  command('cycle');
+  command('path', ...set('path.centre=["0 um", "-40 um"]', 'path.semi_axes=["10 um", "5 um"]', 'path.orbits=2', 'path.steps=12'));
+  command(
+    'vibration',
+    ...set('vibration.loads=[["0 N", "-50 N"]]', 'vibration.directions=["+X", "+Y"]', 'vibration.amplitudes=["1 um"]', 'vibration.frequencies=["200 Hz"]', 'vibration.steps=6'),
+  );
+  command('sweep', '--over', 'pad[2].lobe=0 um:20 um:10 um');
+  report('pads.html', 'cycle');
+  report('others.html', 'path', 'vibration', 'sweep');
+});
+
+/** Points of each piece of a path on a drawing. */
+async function piecesOf(path) {
+  const data = await path.getAttribute('d');
+  return data.split('M').slice(1).map((piece) => piece.replace('Z', '').split('L').map((point) => point.split(' ').map(Number)));
+}
+
+test('each pad is drawn round where it is, from its weld', () =>
+  withReport('pads.html', async (page) => {
+    const centre = 240;
+    const welds = await piecesOf(page.locator('.round path[stroke-width="3.4"]'));
+    const angles = welds.map(([[x, y]]) => (Math.atan2(centre - y, x - centre) * 180) / Math.PI);
+    // Clockwise from 180 degrees in thirds of a turn; that of pad 2 is at the other end of its 110 degrees.
+    [180, 60 - 110, -60].forEach((angle, pad) => assert.ok(Math.abs(Math.cos(((angles[pad] - angle) * Math.PI) / 180) - 1) < 1e-5, `weld of pad ${pad + 1} at ${angles[pad]}`));
+    for (const pad of pads) assert.equal(await page.locator('.round .part-name', { hasText: `pad ${pad}` }).count(), 1);
+    // Along +X the journal touches pad 2, and no other: from its surface to the foils it is the thickness of lines.
+    const journal = page.locator('.round circle').nth(1);
+    const [x, y, radius] = await Promise.all(['cx', 'cy', 'r'].map(async (name) => Number(await journal.getAttribute(name))));
+    const foils = await piecesOf(page.locator('.round path[stroke-width="1.7"]').nth(1));
+    assert.equal(foils.length, pads.length);
+    // Six pieces lead to each crest; before the first one nothing bears.
+    const apart = foils.map((points) => Math.min(...points.slice(6).map(([px, py]) => Math.hypot(px - x, py - y) - radius)));
+    assert.ok(Math.abs(apart[1] - 2.2) < 2, `pad 2 is ${apart[1]} away`);
+    assert.ok(apart[0] > 3.5 && apart[2] > 3.5, `${apart}`);
+  }));
+
+test('pads are laid flat one after the other, and bumps are told by them', () =>
+  withReport('pads.html', async (page) => {
+    const flat = page.locator('.unwrapped');
+    for (const pad of pads) assert.equal(await flat.locator('.part-name', { hasText: `weld of pad ${pad}` }).count(), 1);
+    assert.equal((await flat.locator('text', { hasText: /^1$/ }).count()), pads.length);
+    const foils = await piecesOf(flat.locator('path[stroke-width="2"]').first());
+    const [ends, begins] = [foils.map((points) => points.at(-1)[0]), foils.map((points) => points[0][0])];
+    assert.ok(ends[0] < begins[1] && ends[1] < begins[2], `${begins} ${ends}`);
+    await flat.focus();
+    for (let bump = 0; bump < 8 + 3; bump += 1) await page.keyboard.press('ArrowRight');
+    const words = await page.locator('.bump-values').textContent();
+    assert.match(words, /^Bump 3 of pad 2: load .* foot 3 of pad 2 /);
+    near(quantity(words.split('load ')[1].split(',')[0], 'N'), summaryOf('cycle').cycles[0].bump_loads_N[8 + 2], 6e-3, words);
+    // By the pointer, too.
+    await flat.evaluate((svg, x) => {
+      const { left, width } = svg.getBoundingClientRect();
+      svg.dispatchEvent(new PointerEvent('pointermove', { clientX: left + (x * width) / svg.viewBox.baseVal.width }));
+    }, begins[2] + 3);
+    assert.match(await page.locator('.bump-values').textContent(), /^Bump 1 of pad 3: /);
+  }));
+
+test('loads and forces of pads are those of the results', () =>
+  withReport('pads.html', async (page) => {
+    const { cycles } = summaryOf('cycle');
+    for (const pad of pads) {
+      const [unit, ...cells] = await page.locator(`.results tr[data-key=pad_force_${pad}_N] td`).allTextContents();
+      cells.forEach((cell, i) => {
+        const expected = Math.hypot(cycles[i].pad_forces_x_N[pad - 1], cycles[i].pad_forces_y_N[pad - 1]);
+        near(quantity(`${cell} ${unit}`, 'N'), expected, 1e-3, `pad ${pad}, cycle ${i + 1}`);
+      });
+      assert.equal(cells.length, cycles.length);
+    }
+    // Pad 2 takes all of +X, at every increment.
+    const drawn = rowsOf((await saved(page, 'Forces of the pads, +X', 'CSV')).bytes.toString());
+    const rows = rowsOf(readFileSync(join(folder, 'cycle', 'cycle.csv'), 'utf8')).filter((row) => Number(row.direction_deg) === 0);
+    assert.equal(drawn.length, 2 * steps + 1);
+    assert.ok(Number(drawn[steps].pad_force_2_N) > 100);
+    drawn.forEach((row, i) => {
+      assert.deepEqual([Number(row.pad_force_1_N), Number(row.pad_force_3_N)], [0, 0]);
+      near(Number(row.pad_force_2_N), Math.hypot(rows[i].force_x_N, rows[i].force_y_N), 1e-6, `increment ${i}`);
+    });
+    const loads = page.getByRole('region', { name: 'Bump loads, +X', exact: true });
+    const most = cycles[0].bump_loads_N.indexOf(Math.max(...cycles[0].bump_loads_N));
+    assert.match(await loads.locator('.chart').getAttribute('aria-label'), new RegExp(` N on bump ${(most % 8) + 1} of pad 2$`));
+    await (await plotsIn(loads)).locator('text', { hasText: '2.1' }).first().waitFor();
+    const contacts = page.getByRole('region', { name: 'Contact states along the path', exact: true });
+    await (await plotsIn(contacts)).locator('text', { hasText: '3.5' }).first().waitFor();
+  }));
+
+test('the case says what each pad has', () =>
+  withReport('pads.html', async (page) => {
+    const words = await page.locator('#cycle-case .case').allTextContents();
+    assert.equal(words.filter((table) => /^Pad [123]/.test(table)).length, pads.length);
+    assert.ok(words.some((table) => /^Pad 2Welded attrailing/.test(table)), String(words));
+    assert.ok(words.some((table) => /^Bump foil of the pad.*Thickness127 µm/.test(table)), String(words));
+  }));
+
+test('the page fits, moves, and is accessible', () =>
+  withReport('pads.html', async (page) => {
+    const before = await page.locator('.round').innerHTML();
+    await moveTo(page, 5);
+    assert.notEqual(await page.locator('.round').innerHTML(), before);
+    assert.doesNotMatch(await page.locator('.round, .unwrapped').evaluateAll((all) => all.map((one) => one.innerHTML).join('')), /NaN|undefined/);
+    assert.deepEqual(await axeFindings(page), []);
+    await assertFits(page);
+  }));
+
+test('paths, vibrations and sweeps of pads are shown', () =>
+  withReport('others.html', async (page) => {
+    for (const kind of ['path', 'vibration', 'sweep']) assert.ok((await page.locator(`[id^=${kind}-] .chart`).count()) > 0, kind);
+  }));
