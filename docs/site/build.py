@@ -1,4 +1,5 @@
-"""Builds the documentation: lays its pages out and runs Sphinx and, for the headers, Doxygen, whose warnings are errors.
+"""Builds the documentation: lays its pages out, runs the examples for the gallery, and has Sphinx and, for the headers,
+Doxygen make the site, whose warnings are errors.
 
 Usage: build.py PACKAGE OUTPUT    PACKAGE is the folder of the built Python package
 """
@@ -31,15 +32,25 @@ def describe(pages):
     shutil.copy(HERE / "cpp.rst", folder)
 
 
+def run_examples(folder, environment):
+    """Their pictures and what they print."""
+    folder.mkdir()
+    for example in sorted((ROOT / "examples").glob("*.py")):
+        with open(folder / f"{example.stem}.txt", "w", encoding="utf-8") as lines:
+            subprocess.run([sys.executable, "-B", example], stdout=lines, cwd=folder, env=environment, check=True)
+
+
 def main():
     package, output = (Path(argument).resolve() for argument in sys.argv[1:])
+    environment = dict(os.environ, PYTHONPATH=str(package), MPLBACKEND="agg")
     output.mkdir(parents=True, exist_ok=True)
     pages = output / "pages"
     shutil.rmtree(output / "html", ignore_errors=True)
     lay_out(pages)
     describe(pages)
+    run_examples(pages / "docs/gallery", environment)
     sphinx = ["sphinx-build", "-W", "--keep-going", "-q", "-c", HERE, "-d", output / "doctrees", pages, output / "html"]
-    subprocess.run(sphinx, env=dict(os.environ, PYTHONPATH=str(package)), check=True)
+    subprocess.run(sphinx, env=environment, check=True)
     settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + f"HTML_OUTPUT = {output}/html/cpp\n"
     subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT, check=True)
 

@@ -12,7 +12,7 @@ author = "The Bumpfoil authors"
 project_copyright = author
 release = re.search(r"VERSION (\d+\.\d+\.\d+)", (HERE.parents[1] / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "formulas", "navigation"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "formulas", "composed"]
 root_doc = "docs/index"
 exclude_patterns = ["examples", "include", "tests"]  # there for the links to their files
 nitpicky = True

@@ -1,0 +1,15 @@
+// What friction does: push tests with coefficients from 0 to 0.5. `bumpfoil sweep` does the same on all cores.
+#include <fmt/format.h>
+#include <bumpfoil/analysis/cycle.hpp>
+
+int main() {
+  bumpfoil::Case bearing = bumpfoil::reference_case();
+  bearing.cycle.directions = {0.0};
+  bearing.cycle.steps = 50;
+  for (const double coefficient : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
+    bearing.friction = {.top_bump = coefficient, .bump_sleeve = coefficient};
+    const bumpfoil::Cycle push = bumpfoil::run_cycles(bearing).cycles.front();
+    if (!push.converged()) return 3;
+    fmt::print("{:g}: {:.4g} MN/m, loss factor {:.4g}\n", coefficient, *push.loaded_stiffness / 1e6, *push.loss_factor);
+  }
+}
