@@ -32,6 +32,11 @@ def describe(pages):
     shutil.copy(HERE / "cpp.rst", folder)
 
 
+def list_variables(page, environment):
+    with open(page, "w", encoding="utf-8") as lines:
+        subprocess.run([sys.executable, "-B", HERE / "variables.py"], stdout=lines, env=environment, check=True)
+
+
 def run_examples(folder, environment):
     """Their pictures and what they print."""
     folder.mkdir()
@@ -48,6 +53,7 @@ def main():
     shutil.rmtree(output / "html", ignore_errors=True)
     lay_out(pages)
     describe(pages)
+    list_variables(pages / "docs/reference/variables.md", environment)
     run_examples(pages / "docs/gallery", environment)
     sphinx = ["sphinx-build", "-W", "--keep-going", "-q", "-c", HERE, "-d", output / "doctrees", pages, output / "html"]
     subprocess.run(sphinx, env=environment, check=True)

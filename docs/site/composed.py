@@ -5,7 +5,7 @@ import posixpath
 import re
 from pathlib import Path
 
-MADE = {"Reference": ["/docs/reference/python", "/docs/reference/cpp"]}  # pages that only the site has
+MADE = {"Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")]}  # pages that only the site has
 
 
 def contents(text):

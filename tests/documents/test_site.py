@@ -74,6 +74,11 @@ class Site(unittest.TestCase):
         self.assertTrue(index.startswith("Search.setIndex("))  # a script, which pages from a disk may load
         self.assertTrue('"hysteresi": [' in index)
 
+    def test_lists_variables_of_every_command(self):
+        page = (self.html / "docs/reference/variables.html").read_text(encoding="utf-8")
+        for name in ("loss_factor", "pad_force_x", "orbit_energy", "kxy_whirl_stuck", "bump_height_deviation", "load_x_N"):
+            self.assertTrue(f">{name}<" in page, name)
+
     def test_formulas_are_set(self):
         page = (self.html / "docs/theory/gas_film.html").read_text(encoding="utf-8")
         self.assertGreater(page.count('<span class="katex">'), 20)
