@@ -1,11 +1,13 @@
 #include "bumpfoil/ensemble/sample.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -18,23 +20,39 @@ double correlation(const std::vector<BumpShape>& bumps, std::size_t bump, double
   return std::exp(-0.5 * (bumps[bump - 1].pitch + bumps[bump].pitch) / correlation_length);
 }
 
-std::vector<double> draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace place) {
+/// Puts the heights of a foil behind those of the pads before it, which they do not correlate with.
+void draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace place,
+                  std::vector<double>& deviations) {
   const bool correlated = heights.correlation_length > 0.0;
   const std::vector<BumpShape> shapes = correlated ? nominal_bumps(foil) : std::vector<BumpShape>{};
-  std::vector<double> deviations(static_cast<std::size_t>(foil.bumps));
+  const auto bumps = static_cast<std::size_t>(foil.bumps);
+  deviations.reserve(deviations.size() + bumps);
   double score = 0.0;
-  for (double& deviation : deviations) {
+  for (std::size_t bump = 0; bump < bumps; ++bump) {
+    place.element = static_cast<std::uint32_t>(deviations.size());
     double probability = uniform_draw(place);
     if (correlated) {
       const double fresh = normal_quantile(probability);
-      const double rho = place.element == 0 ? 0.0 : correlation(shapes, place.element, heights.correlation_length);
+      const double rho = bump == 0 ? 0.0 : correlation(shapes, bump, heights.correlation_length);
       score = rho * score + std::sqrt(1.0 - rho * rho) * fresh;
       probability = normal_probability(score);
     }
-    deviation = quantile(heights.distribution, probability);
-    ++place.element;
+    deviations.push_back(quantile(heights.distribution, probability));
   }
-  return deviations;
+}
+
+/// Adds what was drawn to the heights of all bumps: each pad has a bump foil of its own then.
+void raise_bumps(Case& sampled, const std::vector<double>& deviations) {
+  auto next = deviations.begin();
+  const auto raise = [&next](BumpFoil& foil) {
+    foil.height_errors.resize(static_cast<std::size_t>(foil.bumps));
+    for (double& error : foil.height_errors) error += *next++;
+  };
+  if (sampled.pads.empty()) raise(sampled.bump_foil);
+  for (Pad& pad : sampled.pads) {
+    if (!pad.bump_foil) pad.bump_foil = sampled.bump_foil;
+    raise(*pad.bump_foil);
+  }
 }
 
 /// What is told of a bearing that cannot be built.
@@ -56,7 +74,11 @@ Sample draw_sample(const Case& input, std::uint64_t number) {
   DrawPlace place{
       .seed = static_cast<std::uint64_t>(ensemble.seed), .sample = number, .variable = height, .element = 0};
   Sample sample;
-  if (ensemble.bump_height) sample.height_deviations = draw_heights(*ensemble.bump_height, input.bump_foil, place);
+  if (ensemble.bump_height) {
+    for (const PlacedPad& pad : place_pads(input)) {
+      draw_heights(*ensemble.bump_height, pad.alone.bump_foil, place, sample.height_deviations);
+    }
+  }
   place.variable = waviness;
   if (ensemble.sleeve_waviness) sample.waviness_phase = 2.0 * std::numbers::pi * uniform_draw(place);
   place.variable = first_number;
@@ -83,9 +105,7 @@ std::vector<double> factors_of(const Case& input, const Sample& sample) {
 Case sampled_case(const Case& input, const Sample& sample) {
   Case sampled = input;
   sampled.montecarlo.reset();
-  std::vector<double>& heights = sampled.bump_foil.height_errors;
-  if (!sample.height_deviations.empty()) heights.resize(sample.height_deviations.size());
-  for (std::size_t i = 0; i < sample.height_deviations.size(); ++i) heights[i] += sample.height_deviations[i];
+  if (!sample.height_deviations.empty()) raise_bumps(sampled, sample.height_deviations);
   for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
     scattered_numbers()[i].add(sampled, sample.deviations[i]);
   }

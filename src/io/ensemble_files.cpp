@@ -4,12 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/ensemble_table.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/binary_file.hpp"
 #include "io/case_difference.hpp"
 #include "io/ensemble_netcdf.hpp"
@@ -46,7 +49,7 @@ Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& sto
   const MonteCarloSettings& ensemble = *stored.montecarlo;
   Sample sample;
   if (ensemble.bump_height) {
-    const auto bumps = static_cast<std::size_t>(stored.bump_foil.bumps);
+    const auto bumps = static_cast<std::size_t>(total_bumps(stored));
     const StoredVariable& heights = image.variable("bump_height_deviation", {"sample", "bump"});
     if (image.size_of("bump") != bumps) image.refuse("bump", "has not the size of the foil");
     sample.height_deviations = image.numbers(heights, {number, 0}, {1, bumps});
@@ -59,12 +62,15 @@ Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& sto
   return sample;
 }
 
+constexpr std::array<std::string_view, 5> bearing_tables{"bearing", "bump_foil", "top_foil", "pad", "friction"};
+
 /// The bearing, its foils and their friction must be those that the deviations are from.
 void require_same_bearing(const Case& stored, const Case& input, const std::string& file) {
   std::vector<Fault> faults;
   for (const CaseDifference& difference : case_differences(stored, input)) {
-    const std::string table = difference.key.substr(0, difference.key.find('.'));
-    if (table != "bearing" && table != "bump_foil" && table != "top_foil" && table != "friction") continue;
+    // Those of a list are numbered: pad[2].
+    const std::string table = difference.key.substr(0, difference.key.find_first_of(".["));
+    if (std::find(bearing_tables.begin(), bearing_tables.end(), table) == bearing_tables.end()) continue;
     faults.push_back({file, 0, difference.key, difference.theirs, fmt::format("is {} in this case", difference.ours),
                       "give the case of the ensemble"});
   }

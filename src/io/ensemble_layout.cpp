@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/model/pads.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -62,7 +63,7 @@ EnsembleColumn largest_load_column() {
 
 EnsembleLayout make_ensemble_layout(const Case& input) {
   EnsembleLayout layout{
-      .directions = input.cycle.directions, .columns = {}, .bumps = static_cast<std::size_t>(input.bump_foil.bumps)};
+      .directions = input.cycle.directions, .columns = {}, .bumps = static_cast<std::size_t>(total_bumps(input))};
   const Wording wording = wording_of(input, Experiment::cycle);
   const std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::cycle);
   for (const std::string_view name : kept) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/netcdf_provenance.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/result_layout.hpp"
@@ -44,7 +45,12 @@ class EnsembleWriter {
     file_.put_all({"direction", "degree", "direction of the push, from X towards Y"}, {direction_}, degrees);
     std::vector<double> bumps(layout_.bumps);
     std::iota(bumps.begin(), bumps.end(), 1.0);
-    file_.put_all({"bump", "1", "number of the bump from the weld on", {Form::whole}}, {bump_}, bumps);
+    file_.put_all({"bump",
+                   "1",
+                   count_pads(input_) > 1 ? "number of the bump from the weld on, pad after pad"
+                                          : "number of the bump from the weld on",
+                   {Form::whole}},
+                  {bump_}, bumps);
     for (const NamedNumbers& geometry : make_result_layout(input_, Experiment::cycle).at_bumps) {
       file_.put_all({geometry.name, geometry.unit, geometry.long_name}, {bump_}, geometry.values);
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/summary_json.hpp"
 
 namespace bumpfoil {
@@ -49,7 +50,7 @@ Json sensitivities_json(const Case& input, const std::vector<double>& found) {
   std::size_t next = 0;
   if (input.montecarlo->bump_height) {
     json["bump_height"] = Json::array();
-    for (; next < static_cast<std::size_t>(input.bump_foil.bumps); ++next) {
+    for (; next < static_cast<std::size_t>(total_bumps(input)); ++next) {
       json["bump_height"].push_back(value_json(found[next]));
     }
   }

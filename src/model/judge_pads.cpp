@@ -47,8 +47,6 @@ void judge_use(Judge& judge, const Case& input) {
          "remove [strip] or [[pad]]");
   refuse(input.equilibrium.has_value(), "equilibrium", "has a film over one foil all around, and the bearing has pads",
          "remove [equilibrium] or [[pad]]");
-  refuse(input.montecarlo.has_value(), "montecarlo", "draws bearings of one foil all around, and the bearing has pads",
-         "remove [montecarlo] or [[pad]]");
 }
 
 }  // namespace

@@ -43,16 +43,27 @@ void shift(BumpFoil& foil, PerBump BumpFoil::*dimension, std::optional<double> B
   }
 }
 
+/// Of all pads alike.
+void shift(Case& input, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
+  shift(input.bump_foil, dimension, own, deviation);
+  for (Pad& pad : input.pads) {
+    if (pad.bump_foil) shift(*pad.bump_foil, dimension, own, deviation);
+  }
+}
+
 constexpr auto numbers = std::to_array<ScatteredNumber>({
     {"bump_foil_thickness", "m", "deviation of the thickness of the bump foil",
      &MonteCarloSettings::bump_foil_thickness,
-     [](Case& input, double deviation) {
-       shift(input.bump_foil, &BumpFoil::thickness, &BumpSection::thickness, deviation);
-     }},
+     [](Case& input, double deviation) { shift(input, &BumpFoil::thickness, &BumpSection::thickness, deviation); }},
     {"top_foil_thickness", "m", "deviation of the thickness of the top foil", &MonteCarloSettings::top_foil_thickness,
-     [](Case& input, double deviation) { input.top_foil.thickness += deviation; }},
+     [](Case& input, double deviation) {
+       input.top_foil.thickness += deviation;
+       for (Pad& pad : input.pads) {
+         if (pad.top_foil) pad.top_foil->thickness += deviation;
+       }
+     }},
     {"bump_length", "m", "deviation of the chord of all bumps", &MonteCarloSettings::bump_length,
-     [](Case& input, double deviation) { shift(input.bump_foil, &BumpFoil::length, &BumpSection::length, deviation); }},
+     [](Case& input, double deviation) { shift(input, &BumpFoil::length, &BumpSection::length, deviation); }},
     {"friction_top_bump", "1", "deviation of the friction coefficient between top foil and bumps",
      &MonteCarloSettings::friction_top_bump,
      [](Case& input, double deviation) { input.friction.top_bump += deviation; }},

@@ -50,6 +50,30 @@ TEST_F(MonteCarloProgram, SamplesOfCycleAreWhatTheySay) {
   EXPECT_EQ(refusal(results_ + "/none.nc:1").exit_code, 4);
 }
 
+TEST_F(MonteCarloProgram, ScattersEveryBumpOfEveryPad) {
+  ASSERT_EQ(run({"init", "--preset", "gen3-three-pad", "-o", case_path_, "--force"}).exit_code, 0);
+  const std::vector<std::string> scatter{"--set", "montecarlo.top_foil_thickness.std=1 um"};
+  const Outcome ensemble = run(montecarlo("results", 40) + scatter);
+  ASSERT_EQ(ensemble.exit_code, 0) << ensemble.errors;
+  const json found = summary();
+  EXPECT_EQ(found.at("bump_loads").at("+X").at("mean_N").size(), 24U);
+  // Pad 2 carries +X: heights of its bumps matter, those of pads 1 and 3 by chance at most.
+  const auto heights = found.at("sensitivities").at("+X").at("max_force").at("bump_height").get<std::vector<double>>();
+  ASSERT_EQ(heights.size(), 24U);
+  EXPECT_EQ((std::max_element(heights.begin(), heights.end()) - heights.begin()) / 8, 1);
+  const std::string alone = (folder_.path() / "alone").string();
+  const Outcome single = run({"cycle", case_path_, "-o", alone, "--sample", results_ + "/ensemble.nc:17", "--set",
+                              "cycle.steps=4", "--set", "cycle.directions=[\"+X\", \"-X\"]"});
+  ASSERT_EQ(single.exit_code, 0) << single.errors;
+  const json pads = json::parse(folder_.read("alone/summary.json")).at("case").at("pad");
+  EXPECT_NE(pads.at(0).at("bump_foil").at("height_errors"), pads.at(1).at("bump_foil").at("height_errors"));
+  EXPECT_NE(pads.at(0).at("bump_foil").at("thickness"), 0.102e-3);
+  const Outcome other = run({"cycle", case_path_, "-o", alone, "--force", "--sample", results_ + "/ensemble.nc:17",
+                             "--set", "pad[2].lobe=0 um"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.errors.find("pad[2].lobe"), std::string::npos) << other.errors;
+}
+
 TEST_F(MonteCarloProgram, KeepsSamplesThatFail) {
   const Outcome failing =
       run(montecarlo("results", 30) + std::vector<std::string>{"--set", "montecarlo.friction_top_bump.std=0.2"});

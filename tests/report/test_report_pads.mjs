@@ -19,6 +19,8 @@ before(() => {
     ...set('vibration.loads=[["0 N", "-50 N"]]', 'vibration.directions=["+X", "+Y"]', 'vibration.amplitudes=["1 um"]', 'vibration.frequencies=["200 Hz"]', 'vibration.steps=6'),
   );
   command('sweep', '--over', 'pad[2].lobe=0 um:20 um:10 um');
+  command('montecarlo', ...set('montecarlo.samples=40', 'montecarlo.bump_height.std=10 um', 'montecarlo.friction_top_bump.std=0.01', 'cycle.directions=["+X"]'));
+  report('ensemble.html', 'montecarlo');
   report('pads.html', 'cycle');
   report('others.html', 'path', 'vibration', 'sweep');
 });
@@ -118,4 +120,19 @@ test('the page fits, moves, and is accessible', () =>
 test('paths, vibrations and sweeps of pads are shown', () =>
   withReport('others.html', async (page) => {
     for (const kind of ['path', 'vibration', 'sweep']) assert.ok((await page.locator(`[id^=${kind}-] .chart`).count()) > 0, kind);
+  }));
+
+test('of an ensemble, bumps are told by their pads', () =>
+  withReport('ensemble.html', async (page) => {
+    const spread = page.getByRole('region', { name: 'Bump loads', exact: true });
+    const { mean_N: mean } = summaryOf('montecarlo').bump_loads['+X'];
+    const most = mean.indexOf(Math.max(...mean));
+    assert.match(await spread.locator('.chart').getAttribute('aria-label'), new RegExp(`most on bump ${(most % 8) + 1} of pad ${Math.floor(most / 8) + 1}, `));
+    const heights = page.getByRole('region', { name: 'Sensitivity to bump heights', exact: true });
+    assert.match(await heights.locator('.chart').getAttribute('aria-label'), /most on 2\.\d /);
+    const rows = rowsOf((await saved(page, 'Sensitivity to bump heights', 'CSV')).bytes.toString());
+    const expected = summaryOf('montecarlo').sensitivities['+X'].max_force.bump_height;
+    assert.deepEqual(rows.map(({ factor }) => factor), expected.map((_, bump) => `${Math.floor(bump / 8) + 1}.${(bump % 8) + 1}`));
+    rows.forEach((row, bump) => near(Number(row.max_force), expected[bump], 1e-6, row.factor));
+    assert.equal(await page.locator('.round .part-name', { hasText: 'pad 3' }).count(), 1);
   }));

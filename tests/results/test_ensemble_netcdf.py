@@ -17,6 +17,7 @@ import xarray
 ROOT = Path(sys.argv[1]).resolve()
 PROGRAM = Path(sys.argv[2]).resolve()
 CASE = ROOT / "examples/tolerances.toml"
+PADS = ROOT / "examples/three_pads.toml"
 SAMPLES = 100
 SET = [
     "--set", "cycle.steps=4",
@@ -29,6 +30,26 @@ SET = [
 
 def run(*words):
     subprocess.run([PROGRAM, *words, "--quiet"], check=True)
+
+
+def assert_samples_are_those_of_cycle(case, folder, result):
+    """All of them, each of their quantities within 1e-9 of what it is; returns how many quantities there are."""
+    compared = set()
+    for sample in result.sample.values:
+        ensemble = f"{folder}/ensemble/ensemble.nc:{sample}"
+        run("cycle", case, "-o", folder / "alone", "--force", "--sample", ensemble, *SET[:4])
+        with xarray.open_dataset(folder / "alone/result.nc") as cycle:
+            # What a cycle has of every bump at full displacement is called loads there.
+            alone = cycle.rename(bump_loads="bump_load")
+            for name in set(result.data_vars) & set(alone.data_vars):
+                if "sample" not in result[name].dims or name in ("status", "max_residual"):
+                    continue
+                expected = alone[name].sel(direction=result.direction)
+                drawn = result[name].sel(sample=sample)
+                scale = float(abs(result[name]).max())
+                np.testing.assert_allclose(drawn, expected, rtol=1e-9, atol=1e-12 * scale, err_msg=f"{sample} {name}")
+                compared.add(name)
+    return len(compared)
 
 
 class Ensemble(unittest.TestCase):
@@ -62,19 +83,7 @@ class Ensemble(unittest.TestCase):
         self.assertNotIn("radial_clearance_deviation", self.result)
 
     def test_samples_are_those_of_cycle(self):
-        """All hundred, each of its quantities within 1e-9 of what it is."""
-        for sample in range(SAMPLES):
-            folder = self.folder / "alone"
-            ensemble = f"{self.folder}/ensemble/ensemble.nc:{sample}"
-            run("cycle", CASE, "-o", folder, "--force", "--sample", ensemble, *SET[:4])
-            with xarray.open_dataset(folder / "result.nc") as cycle:
-                for name in set(self.result.data_vars) & set(cycle.data_vars):
-                    if "sample" not in self.result[name].dims or name in ("status", "max_residual"):
-                        continue
-                    alone = cycle[name].sel(direction=self.result.direction)
-                    drawn = self.result[name].sel(sample=sample)
-                    scale = float(abs(self.result[name]).max())
-                    np.testing.assert_allclose(drawn, alone, rtol=1e-9, atol=1e-12 * scale, err_msg=f"{sample} {name}")
+        self.assertGreater(assert_samples_are_those_of_cycle(CASE, self.folder, self.result), 10)
 
     def test_statistics_are_those_of_numpy(self):
         for direction, name in enumerate(["+X", "-Y"]):
@@ -94,6 +103,53 @@ class Ensemble(unittest.TestCase):
         with xarray.open_dataset(self.folder / "one/ensemble.nc") as one:
             for name, variable in self.result.variables.items():
                 self.assertEqual(one[name].values.tobytes(), variable.values.tobytes(), name)
+
+
+class EnsembleOfPads(unittest.TestCase):
+    """Three pads of eight bumps, the foils of the last a case of their own."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.directory = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.directory.name)
+        heights = ["--set", 'montecarlo.bump_height={std="5 um", correlation_length="10 mm"}']
+        foils = ["--set", "montecarlo.top_foil_thickness.std=1 um"]
+        run("montecarlo", PADS, "-o", cls.folder / "ensemble", *SET[:6], *heights, *foils, "--samples", "40")
+        cls.result = xarray.open_dataset(cls.folder / "ensemble/ensemble.nc")
+        cls.summary = json.loads((cls.folder / "ensemble/summary.json").read_text(encoding="utf-8"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.result.close()
+        cls.directory.cleanup()
+
+    def test_bumps_tell_their_pads(self):
+        self.assertEqual(dict(self.result.sizes), {"sample": 40, "direction": 2, "bump": 24})
+        np.testing.assert_array_equal(self.result.bump_pad, np.repeat([1, 2, 3], 8))
+
+    def test_samples_are_those_of_cycle(self):
+        first = self.result.isel(sample=slice(5))
+        self.assertGreater(assert_samples_are_those_of_cycle(PADS, self.folder, first), 10)
+
+    def test_heights_correlate_within_pads_alone(self):
+        scores = self.result.bump_height_deviation.values
+        neighbours = [np.corrcoef(scores[:, bump], scores[:, bump + 1])[0, 1] for bump in range(23)]
+        within = [rho for bump, rho in enumerate(neighbours) if bump not in (7, 15)]
+        # Pitches are stretched to 110 degrees in eight; forty samples tell it to 0.16, and 21 pairs to less.
+        expected = np.exp(-19.05e-3 * np.radians(110 / 8) / 10e-3)
+        self.assertAlmostEqual(np.mean(within), expected, delta=0.12)
+        for bump in (7, 15):
+            self.assertLess(abs(neighbours[bump]), 3 * 0.16)
+
+    def test_statistics_are_of_every_bump(self):
+        for direction, name in enumerate(["+X", "-Y"]):
+            loads = self.result.bump_load.values[:, direction]
+            np.testing.assert_allclose(self.summary["bump_loads"][name]["mean_N"], loads.mean(axis=0), rtol=1e-12)
+            np.testing.assert_allclose(self.summary["bump_loads"][name]["std_N"], loads.std(axis=0, ddof=1), rtol=1e-9)
+        heights = np.array(self.summary["sensitivities"]["+X"]["max_force"]["bump_height"], dtype=float)
+        self.assertEqual(len(heights), 24)
+        # Along +X the journal is pressed into pad 2.
+        self.assertEqual(np.argmax(abs(heights)) // 8, 1)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { BearingGeometry } from '../src/bearing/geometry';
 import { shapeAt, undeformedGap } from '../src/bearing/shape';
+import { tickText } from '../src/data/counted';
 import type { CycleData, RunData } from '../src/data/format';
 import { Run } from '../src/data/run';
 
@@ -140,7 +141,7 @@ describe('shape', () => {
     expect(gap(2e-3)).toBeCloseTo(30e-6 - 10e-6 + 50e-6 * Math.sin(-0.2), 12);
     expect(gap(0)).toBeCloseTo(30e-6 - 10e-6 * Math.cos(0.2) + 50e-6 * Math.sin(-0.4), 12);
     expect(new Run(data).numberOf('bump', 1)).toBe('1 of pad 2');
-    expect(new Run(data).tickOf('foot', 1)).toBe('2.1');
+    expect(tickText(new Run(data).counted('foot', 1))).toBe('2.1');
     expect(run(2).numberOf('bump', 1)).toBe('2');
   });
 });

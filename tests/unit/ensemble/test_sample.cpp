@@ -38,6 +38,46 @@ TEST(Sample, DependsOnSeedAndNumberAlone) {
   EXPECT_NE(seventh.height_deviations, draw_sample(other, 7).height_deviations);
 }
 
+TEST(Sample, DrawsEveryBumpOfEveryPad) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres},
+                              .bump_foil_thickness = Distribution{.sigma = 1e-6},
+                              .top_foil_thickness = Distribution{.sigma = 1e-6}});
+  input.bump_foil.bumps = 7;
+  input.bump_foil.height_errors.assign(7, 1e-6);
+  input.pads.resize(2);
+  input.pads[1].bump_foil = input.bump_foil;
+  input.pads[1].bump_foil->bumps = 5;
+  input.pads[1].bump_foil->height_errors.clear();
+  input.pads[1].bump_foil->thickness = 0.12e-3;
+  input.pads[1].top_foil = TopFoil{.thickness = 0.2e-3, .youngs_modulus = 214e9, .poisson_ratio = 0.29};
+  const Sample sample = draw_sample(input, 3);
+  ASSERT_EQ(sample.height_deviations.size(), 12U);
+  const Case drawn = sampled_case(input, sample);
+  ASSERT_TRUE(drawn.pads[0].bump_foil && drawn.pads[1].bump_foil);
+  for (std::size_t bump = 0; bump < 7; ++bump) {
+    EXPECT_EQ(drawn.pads[0].bump_foil->height_errors[bump], 1e-6 + sample.height_deviations[bump]);
+  }
+  for (std::size_t bump = 0; bump < 5; ++bump) {
+    EXPECT_EQ(drawn.pads[1].bump_foil->height_errors[bump], sample.height_deviations[7 + bump]);
+  }
+  // Sheets of both foils are thicker by one number each.
+  const double thicker = sample.deviations[0];
+  EXPECT_EQ(drawn.pads[0].bump_foil->thickness.at(0, 7), 0.102e-3 + thicker);
+  EXPECT_EQ(drawn.pads[1].bump_foil->thickness.at(0, 5), 0.12e-3 + thicker);
+  EXPECT_EQ(drawn.pads[1].top_foil->thickness, 0.2e-3 + sample.deviations[1]);
+  // With a common foil alone, and heights that do not scatter, that is changed.
+  input.montecarlo->bump_height.reset();
+  const Case common = sampled_case(input, draw_sample(input, 3));
+  EXPECT_FALSE(common.pads[0].bump_foil);
+  EXPECT_EQ(common.bump_foil.thickness.at(0, 7), 0.102e-3 + thicker);
+  // Heights correlate along a pad and not across: the first of each is drawn as it would be alone.
+  input.montecarlo->bump_height = HeightScatter{ten_micrometres, 20e-3};
+  const std::vector<double> correlated = draw_sample(input, 3).height_deviations;
+  EXPECT_NEAR(correlated[0], sample.height_deviations[0], 1e-15);
+  EXPECT_NE(correlated[1], sample.height_deviations[1]);
+  EXPECT_NEAR(correlated[7], sample.height_deviations[7], 1e-15);
+}
+
 TEST(Sample, HeightsHaveTheMomentsOfTheirDistribution) {
   const Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
   constexpr int samples = 2000;

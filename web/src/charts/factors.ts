@@ -108,7 +108,7 @@ export class FactorPanel {
   private tip(index: number): HTMLElement | string {
     const factor = this.factors[index];
     if (!factor) return '';
-    return tooltipBox(`${this.along.startsWith('Bump') ? 'Height of bump ' : ''}${factor.text}`, [['Correlation', formatNumber(this.values[index], 3)]]);
+    return tooltipBox(factor.title, [['Correlation', formatNumber(this.values[index], 3)]]);
   }
 
   private csv(): string {

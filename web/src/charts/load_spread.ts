@@ -1,3 +1,4 @@
+import { axisText, numberText, tickText } from '../data/counted';
 import { toCsv } from '../data/csv';
 import type { Ensemble } from '../data/ensemble';
 import { at, largest } from '../data/run';
@@ -28,9 +29,9 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
     const rows = mean.map((load, i) => [i, load * scale.factor, at(deviation, i) * scale.factor]);
     return {
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
-      xAxis: axis(current, 'Bump, counted from the weld', {
+      xAxis: axis(current, axisText('bump', ensemble.hasPads), {
         type: 'category',
-        data: mean.map((_, i) => String(i + 1)),
+        data: mean.map((_, i) => tickText(ensemble.counted(i))),
         nameGap: 26,
         axisLabel: { color: current.muted, fontSize: 12 },
         splitLine: { show: false },
@@ -42,7 +43,7 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
         axisPointer: { type: 'shadow', shadowStyle: { color: current.grid, opacity: 0.5 } },
         formatter: (items: { dataIndex: number }[]) => {
           const bump = items[0]?.dataIndex ?? 0;
-          return tooltipBox(`Bump ${bump + 1}`, [['Mean ± standard deviation', words(bump)]]);
+          return tooltipBox(`Bump ${numberText(ensemble.counted(bump))}`, [['Mean ± standard deviation', words(bump)]]);
         },
       }),
       series: [
@@ -69,7 +70,7 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
       ),
     description: () => {
       const bump = heaviest();
-      return `Loads of the bumps at full displacement, ${direction()}: ${bump < 0 ? 'not known' : `on average most on bump ${bump + 1}, ${words(bump)}`}`;
+      return `Loads of the bumps at full displacement, ${direction()}: ${bump < 0 ? 'not known' : `on average most on bump ${numberText(ensemble.counted(bump))}, ${words(bump)}`}`;
     },
     option,
   });

@@ -1,4 +1,5 @@
 import { at, capital, largest, type Cycle, type Interface, type Run } from '../data/run';
+import { axisText, tickText } from '../data/counted';
 import { toCsv } from '../data/csv';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import type { Comparison } from '../ui/comparison';
@@ -100,9 +101,9 @@ class LoadPanel {
     const { nodes, run } = this.widest;
     return {
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
-      xAxis: axis(current, `${run.countOf(this.node)}, counted from ${run.pads > 1 ? 'its' : 'the'} weld`, {
+      xAxis: axis(current, axisText(this.node, run.pads > 1), {
         type: 'category',
-        data: Array.from({ length: nodes }, (_, i) => run.tickOf(this.node, i)),
+        data: Array.from({ length: nodes }, (_, i) => tickText(run.counted(this.node, i))),
         axisLabel: { color: current.muted, fontSize: 12 },
         nameGap: 26,
         splitLine: { show: false },

@@ -1,4 +1,5 @@
 import { at, capital, contactStates, type ContactState, type Interface, type Cycle } from '../data/run';
+import { tickText } from '../data/counted';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
@@ -128,13 +129,13 @@ export class StatePanel {
         gridIndex,
       })),
       yAxis: interfaces.map(({ node }, gridIndex) => ({
-        ...axis(current, this.selection.run.countOf(node), {
+        ...axis(current, this.selection.run.pads > 1 ? `Pad.${node}` : capital(node), {
           min: 0.5,
           max: this.nodes(gridIndex) + 0.5,
           interval: 1e9,
           splitLine: { show: false },
           nameGap: 32,
-          axisLabel: { color: current.muted, fontSize: 11, customValues: nodeTicks(this.nodes(gridIndex), (index) => this.selection.run.countedFromWeld(node, index).number), formatter: (value: number) => this.selection.run.tickOf(node, value - 1) },
+          axisLabel: { color: current.muted, fontSize: 11, customValues: nodeTicks(this.nodes(gridIndex), (index) => this.selection.run.counted(node, index).number), formatter: (value: number) => tickText(this.selection.run.counted(node, value - 1)) },
           axisTick: { show: false },
         }),
         gridIndex,

@@ -1,3 +1,4 @@
+import { countedFromWeld, numberText, tickText, type Counted } from './counted';
 import type { CaseKeys, DistributionData, EnsembleData, Quantity, StatisticsData } from './format';
 import { directionName } from './kinds';
 import { Result } from './result';
@@ -8,7 +9,9 @@ export const percentiles = [1, 5, 25, 50, 75, 95, 99] as const;
 
 /** Something that scatters, and how much quantities depend on it. */
 export interface Factor {
+  /** On the axis, and by itself. */
   text: string;
+  title: string;
   /** Partial rank correlation with a quantity in a direction, -1 to 1; NaN where too few samples tell. */
   correlation: (quantity: string, direction: number) => number;
 }
@@ -49,12 +52,29 @@ export class Ensemble extends Result<EnsembleData> {
     return { mean: numbersOf(loads?.mean_N), deviation: numbersOf(loads?.std_N) };
   }
 
+  /** Whether the bearings have several pads. */
+  get hasPads(): boolean {
+    return this.bumpPads.length > 0;
+  }
+
+  /** Where a bump (from 0) is. */
+  counted(bump: number): Counted {
+    return countedFromWeld(this.bumpPads, bump);
+  }
+
+  private get bumpPads(): number[] {
+    const { bump_foil: common, pad: pads = [] } = this.data.summary.case as { bump_foil?: { bumps?: number }; pad?: { bump_foil?: { bumps?: number } }[] };
+    if (pads.length < 2) return [];
+    return pads.flatMap((pad, i) => Array.from({ length: pad.bump_foil?.bumps ?? common?.bumps ?? 0 }, () => i + 1));
+  }
+
   /** Of the heights of the bumps one each, from the weld on; none where they do not scatter. */
   get heightFactors(): Factor[] {
     const heights = (quantity: string, direction: number): number[] => numbersOf(this.sensitivity(quantity, direction)['bump_height']);
     const count = Math.max(0, ...this.quantities.map(({ name }) => heights(name, 0).length));
     return Array.from({ length: count }, (_, bump) => ({
-      text: String(bump + 1),
+      text: tickText(this.counted(bump)),
+      title: `Height of bump ${numberText(this.counted(bump))}`,
       correlation: (quantity, direction) => heights(quantity, direction)[bump] ?? NaN,
     }));
   }
@@ -65,6 +85,7 @@ export class Ensemble extends Result<EnsembleData> {
     names.delete('bump_height');
     return [...names].map((name) => ({
       text: titleOf(name, keys),
+      title: titleOf(name, keys),
       correlation: (quantity, direction) => numbersOf([this.sensitivity(quantity, direction)[name]])[0] ?? NaN,
     }));
   }

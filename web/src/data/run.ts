@@ -1,6 +1,7 @@
 import { quantitiesOf, withClearances } from './clearances';
 import { padQuantitiesOf, withPadForces } from './pad_forces';
 import { kinds, type Kind } from './kinds';
+import { countedFromWeld, numberText, type Counted } from './counted';
 import { decodeFlags, decodeNumbers } from './decode';
 import type { CycleSummary, CycleData, Quantity, RunData } from './format';
 import { Result } from './result';
@@ -211,28 +212,14 @@ export class Run extends Result<RunData> {
     return this.data.nodes.pad ?? 1;
   }
 
-  /** A bump or foot (from 0) by its number from the weld: "3", of several pads "3 of pad 2". */
+  /** Where a bump or foot (from 0) is. */
+  counted(node: Interface['node'], index: number): Counted {
+    return countedFromWeld(this.perNode(`${node}_pad`), index);
+  }
+
+  /** "3", of several pads "3 of pad 2". */
   numberOf(node: Interface['node'], index: number): string {
-    const { pad, number } = this.countedFromWeld(node, index);
-    return pad === undefined ? String(number) : `${number} of pad ${pad}`;
-  }
-
-  /** The same on an axis: "3", of several pads "2.3". */
-  tickOf(node: Interface['node'], index: number): string {
-    const { pad, number } = this.countedFromWeld(node, index);
-    return pad === undefined ? String(number) : `${pad}.${number}`;
-  }
-
-  /** What is counted on such an axis. */
-  countOf(node: Interface['node']): string {
-    return this.pads > 1 ? `Pad.${node}` : capital(node);
-  }
-
-  /** Number of a bump or foot from the weld, and its pad where there are several. */
-  countedFromWeld(node: Interface['node'], index: number): { pad?: number; number: number } {
-    const pads = this.perNode(`${node}_pad`);
-    const pad = pads[index];
-    return pad === undefined ? { number: index + 1 } : { pad, number: index - pads.indexOf(pad) + 1 };
+    return numberText(this.counted(node, index));
   }
 
   /** A number of the geometry; 0 where it is not known. */

@@ -5,6 +5,7 @@ import { FactorPanel } from '../charts/factors';
 import { HistogramPanel } from '../charts/histogram';
 import { loadSpread } from '../charts/load_spread';
 import { LoopPanel } from '../charts/loops';
+import { axisText } from '../data/counted';
 import { Ensemble } from '../data/ensemble';
 import type { CaseKeys, EnsembleData, ResultData } from '../data/format';
 import { partialWarning } from '../data/outcome';
@@ -86,7 +87,7 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
     return distribution ? [new HistogramPanel(ensemble, quantity, distribution, looked).root] : [];
   });
   const factors = [
-    { name: 'Sensitivity to bump heights', along: 'Bump, counted from the weld', of: ensemble.heightFactors },
+    { name: 'Sensitivity to bump heights', along: axisText('bump', ensemble.hasPads), of: ensemble.heightFactors },
     { name: 'Sensitivity to what is common to a bearing', along: 'What scatters', of: ensemble.commonFactors(caseKeys) },
   ].flatMap(({ name, along, of }) => (of.length > 0 ? [new FactorPanel(name, of, along, ensemble, looked).root] : []));
   const compared = { several: false, focus: [ensemble], shown: [ensemble], names: label, onChange: () => undefined };
