@@ -17,21 +17,12 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/core/version.hpp"
 #include "commands.hpp"
 #include "ensemble_ranks.hpp"
 #include "output.hpp"
 #include "ranks.hpp"
 
 namespace bumpfoil {
-
-void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-  command
-      .add_option("--set", overrides, "Change a key of the case: friction.coefficient=0.2, bump_foil.height=\"0.5 mm\"")
-      ->type_name("KEY=VALUE ...")
-      ->allow_extra_args(false)
-      ->take_all();
-}
 
 namespace {
 
@@ -89,47 +80,13 @@ std::string command_line(int argc, char** argv) {
   return out;
 }
 
-/// An option without a value would be taken for one that was not given.
-void refuse_empty_values(CLI::App& command) {
-  const CLI::Validator given([](const std::string& value) { return value.empty() ? "is empty" : ""; }, "");
-  for (CLI::Option* option : command.get_options()) {
-    if (option->get_items_expected_max() > 0) option->check(given);
-  }
-}
-
 /// The only command that several ranks have work for.
 constexpr const char* command_for_ranks = "montecarlo";
 
 ExitCode run(int argc, char** argv, const Ranks& ranks) {
   Session session{.ranks = ranks, .command_line = command_line(argc, argv)};
-  CLI::App program{"Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.",
-                   "bumpfoil"};
-  program.set_version_flag("-V,--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");
-  program.add_flag("--quiet", session.quiet, "Print nothing but errors");
-  program.require_subcommand(1);
-  program.fallthrough();
-  program.footer(
-      "Start with:\n"
-      "  bumpfoil init -o case.toml\n"
-      "  bumpfoil cycle case.toml -o results\n"
-      "  bumpfoil report results\n"
-      "'bumpfoil help COMMAND' tells what a command takes. A CASE of - is the standard input.\n"
-      "Exit codes: 0 done, 2 wrong input, 3 numerical failure, 4 files cannot be read or written, 130 interrupted.");
-  add_init_command(program, session);
-  add_check_command(program, session);
-  add_properties_command(program, session);
-  add_cycle_command(program, session);
-  add_strip_command(program, session);
-  add_montecarlo_command(program, session);
-  add_path_command(program, session);
-  add_sweep_command(program, session);
-  add_vibration_command(program, session);
-  add_equilibrium_command(program, session);
-  add_film_command(program, session);
-  add_reproduce_command(program, session);
-  add_report_command(program, session);
-  add_designer_command(program, session);
-  for (CLI::App* command : program.get_subcommands({})) refuse_empty_values(*command);
+  CLI::App program;
+  describe_program(program, session);
   program.parse_complete_callback([&] {
     if (ranks.size() == 1 || program.got_subcommand(command_for_ranks)) return;
     throw Error(ErrorKind::input, {{"", 0, "mpirun -n", std::to_string(ranks.size()),

@@ -24,6 +24,9 @@ struct Session {
   ExitCode exit_code{ExitCode::done};
 };
 
+/// All that the program takes: commands, options, help. The program parses by it, its manual is made from it.
+void describe_program(CLI::App& program, Session& session);
+
 // Each adds its command with options and help to the program; the command runs when it was parsed.
 void add_init_command(CLI::App& program, Session& session);
 void add_check_command(CLI::App& program, Session& session);

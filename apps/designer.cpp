@@ -44,8 +44,7 @@ void add_designer_command(CLI::App& program, Session& session) {
       "Example:\n"
       "  bumpfoil designer\n"
       "Open the file in a browser of 2022 or later. It needs no network and nothing beside it, and computes in the "
-      "browser\n"
-      "what `bumpfoil cycle` computes.");
+      "browser what `bumpfoil cycle` computes.");
   command->callback([options, &session] { run_designer(*options, session); });
 }
 

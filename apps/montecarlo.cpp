@@ -144,14 +144,14 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
   command->add_option("--samples", options->samples, "The same as --set montecarlo.samples=N")->type_name("N");
   command->add_option("--seed", options->seed, "The same as --set montecarlo.seed=S")->type_name("S");
   command->add_option("--threads", options->threads, "Samples that are run at a time; results do not depend on it")
-      ->check(CLI::Range(1U, 1024U))
+      ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
   add_overrides(*command, options->overrides);
   command
       ->add_option("--target-error", options->target_error,
                    "Stop when the standard error of the mean of the maximum force is below this part of it in every "
                    "direction; asked after every 1000 samples")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::PositiveNumber.description("positive"))
       ->type_name("E");
   command
       ->add_option("--limit", options->limits,

@@ -104,7 +104,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
       ->check(CLI::IsMember(std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end())))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Points that are run at a time; results do not depend on it")
-      ->check(CLI::Range(1U, 1024U))
+      ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
   add_overrides(*command, options->overrides);
   command->add_flag("--force", options->force, "Replace results that the folder holds");

@@ -13,3 +13,6 @@ install(FILES ${PROJECT_BINARY_DIR}/bumpfoilConfig.cmake ${PROJECT_BINARY_DIR}/b
               cmake/FindNetCDFCxx4.cmake cmake/FindUDUNITS2.cmake
         DESTINATION ${package_dir})
 install(FILES LICENSE README.md CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_BINARY_DIR}/apps/bumpfoil.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/apps/bumpfoil.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME bumpfoil)

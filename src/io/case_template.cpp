@@ -122,6 +122,14 @@ std::string case_reference() {
   return out;
 }
 
+std::vector<std::string> case_key_names() {
+  std::vector<std::string> names;
+  for (const ListedKey& listed : list_keys(reference_case())) {
+    if (!listed.is_table() && without_counts(listed.path) == listed.path) names.push_back(listed.path);
+  }
+  return names;
+}
+
 nlohmann::ordered_json case_labels() {
   nlohmann::ordered_json labels;
   for (const ListedKey& listed : list_keys(reference_case())) {

@@ -37,6 +37,13 @@ foreach(name summary.json cycle.csv result.nc)
   endif()
 endforeach()
 
+# Manual and completions are where they are looked for.
+foreach(name man/man1/bumpfoil.1 bash-completion/completions/bumpfoil)
+  if(NOT EXISTS "${prefix}/share/${name}")
+    message(FATAL_ERROR "No share/${name} was installed.")
+  endif()
+endforeach()
+
 # What the studies need moves with it.
 run("${prefix}/bin/bumpfoil" reproduce --figure 16 -o ${WORK_DIR}/paper)
 

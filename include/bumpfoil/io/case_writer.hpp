@@ -26,4 +26,8 @@ std::string case_template(std::string_view name);
 /// All keys of the case file with what they hold, mean and default to, in Markdown: docs/case_file.md.
 std::string case_reference();
 
+/// The same by their names alone, as --set takes them: "bump_foil.height". Keys of lists of tables, which go by the
+/// number of the table, are left out.
+std::vector<std::string> case_key_names();
+
 }  // namespace bumpfoil

@@ -166,6 +166,28 @@ TEST(CaseTemplate, IsTheReferenceCase) {
   EXPECT_EQ(parse_case(case_template("gen1"), "template"), reference_case());
 }
 
+TEST(CaseKeyNames, AreThoseThatChangesGoBy) {
+  const std::vector<std::string> names = case_key_names();
+  const auto has = [&](const std::string& name) { return std::count(names.begin(), names.end(), name) == 1; };
+  for (const char* name : {"title", "bearing.radius", "bearing.diameter", "bump_foil.truss.k1", "friction.top_bump"}) {
+    EXPECT_TRUE(has(name)) << name;
+  }
+  EXPECT_FALSE(has("bump_foil.truss"));
+  EXPECT_FALSE(has("bump_foil.shim.thickness"));  // of which shim?
+  const auto reaches = [](const std::string& name) {
+    // Whatever is wrong with the value: of a key that is not there the message says that it is not known.
+    try {
+      static_cast<void>(
+          parse_case(case_template("gen1"), "case.toml", {.overrides = {name + "=?"}, .required_tables = {}}));
+    } catch (const Error& error) {
+      return std::string(error.what()).find("no known key") == std::string::npos;
+    }
+    return true;
+  };
+  EXPECT_FALSE(reaches("bearing.radios"));
+  for (const std::string& name : names) EXPECT_TRUE(reaches(name)) << name;
+}
+
 TEST(CaseTemplate, IsThePresetOfItsName) {
   for (const Preset& preset : presets()) {
     // To the last bit: numbers are written as people do.

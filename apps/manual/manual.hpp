@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace bumpfoil {
+
+/// What is written behind an option, or in the place of a positional.
+struct OptionValue {
+  std::string name;                  ///< "DIR"; empty: it takes none
+  std::string rule{};                ///< what it must be, in the parser's words
+  std::vector<std::string> words{};  ///< those that it is one of
+};
+
+OptionValue value_of(CLI::Option& option);
+
+/// "-o" and "--output"; empty for a positional.
+std::vector<std::string> spellings_of(const CLI::Option& option);
+
+/// The page for man(1), in roff with the macros of man(7). @param program  as describe_program leaves it
+std::string man_page(CLI::App& program);
+
+/// The script that completes command lines in bash: commands, options, their values, and keys of the case file.
+std::string bash_completion(CLI::App& program);
+
+}  // namespace bumpfoil
