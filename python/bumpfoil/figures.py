@@ -1,0 +1,248 @@
+"""Figures fit for a journal: one or two columns wide, to be saved as PDF and SVG.
+
+>>> from bumpfoil import figures
+>>> figures.save(figures.loops(bumpfoil.run_cycle("case.toml"), width="double"), "loops")
+
+Each function gives a matplotlib figure of its final size, in which everything can still be changed.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .figure_sheet import Sheet, save, styled
+from .paper_figures import paper
+from .plots import _style, _words
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
+
+    from .cycle import Cycle
+    from .result import Result
+
+__all__ = ["bump_loads", "coefficients", "contacts", "ensemble", "foils", "loops", "paper", "save"]
+
+_STATES = ("open", "stick", "slip to the free end", "slip to the weld")
+_STATE_COLOURS = ("#FFFFFF", "#CCCCCC", "#E69F00", "#004B87")  # in grey print 1, 0.8, 0.66 and 0.26
+_INTERFACES = {"journal_top": "journal on top foil", "top_bump": "top foil on bump", "bump_sleeve": "bump on sleeve"}
+
+
+def _arranged(width: str, panels: int) -> tuple[int, int]:
+    """Columns and rows."""
+    columns = min(panels, 2 if width == "double" else 1)
+    return columns, -(-panels // columns)
+
+
+@styled
+def loops(result: Result, *, width: str = "single") -> Figure:
+    """Direct force over displacement: of all cycles in one panel, or, in two columns, of each in its own.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``cycle``, ``strip`` or ``path``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    apart = width == "double" and len(result.cycles) > 1
+    least, most = (extreme(float(extreme(cycle.force_direct)) for cycle in result.cycles) for extreme in (min, max))
+    sheet = Sheet(width, *_arranged(width, len(result.cycles) if apart else 1), panel_height=50)
+    for number, cycle in enumerate(result.cycles):
+        ax = sheet.panels[number if apart else 0]
+        ax.plot(1e6 * cycle.displacement, cycle.force_direct, label=_words(cycle), **_style(0 if apart else number))
+        ax.set_xlabel("displacement (µm)")
+        ax.set_ylabel("force (N)")
+        ax.set_ylim(least - 0.05 * (most - least), most + 0.05 * (most - least))
+    sheet.entitle([_words(cycle) for cycle in result.cycles] if apart else [""])
+    return sheet.finish([] if apart else None)
+
+
+@styled
+def bump_loads(result: Result, *, width: str = "single") -> Figure:
+    """Loads of the bumps at full displacement, a panel for each cycle, all to one scale.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``cycle``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    shown = [cycle for cycle in result.cycles if "bump_loads" in cycle.quantities]
+    sheet = Sheet(width, *_arranged(width, len(shown)), panel_height=35)
+    most = max(float(np.max(cycle.bump_loads)) for cycle in shown)
+    for ax, cycle in zip(sheet.panels, shown):
+        bumps = np.arange(1, len(cycle.bump_loads) + 1)
+        ax.bar(bumps, cycle.bump_loads, width=0.8, color="#8FB8DE", edgecolor="black", linewidth=0.5)
+        ax.set(xlim=(0.3, len(bumps) + 0.7), ylim=(0, 1.05 * most))
+        ax.set_xlabel("bump, counted from the weld")
+        ax.set_ylabel("bump load (N)")
+    sheet.entitle([_words(cycle) for cycle in shown])
+    return sheet.finish([])
+
+
+@styled
+def foils(cycle: Cycle, increments: Sequence[int] | None = None, *, width: str = "double") -> Figure:
+    """Deformed foils, unwrapped: crests, top foil and journal over the undeformed top foil.
+
+    Parameters
+    ----------
+    cycle : Cycle
+        Of ``cycle`` or ``path``.
+    increments : sequence of int, optional
+        A panel for each; without, the start, the middle and the end of the way to the largest displacement.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    turning = int(np.argmax(cycle.displacement))
+    shown = [0, turning // 2, turning] if increments is None else list(increments)
+    columns = min(len(shown), 3 if width == "double" else 1)
+    sheet = Sheet(width, columns, -(-len(shown) // columns), panel_height=40)
+    top = -1e6 * cycle.fields["top_displacement"][shown]
+    journal = top + 1e6 * cycle.fields["gap_journal_top"][shown]
+    crests = top - 1e6 * cycle.fields["gap_top_bump"][shown]
+    lowest, highest = min(crests.min(), top.min()), max(journal.max(), top.max())
+    room = 0.08 * (highest - lowest)
+    bumps = np.arange(1, top.shape[1] + 1)
+    for panel, ax in enumerate(sheet.panels[: len(shown)]):
+        base = lowest - room
+        ax.bar(bumps, crests[panel] - base, bottom=base, width=0.8, color="#D4D4D4", edgecolor="black", linewidth=0.5,
+               label="crests")
+        ax.plot(bumps, top[panel], label="top foil", **_style(0, marked=True))
+        ax.plot(bumps, journal[panel], label="journal", **_style(1))
+        ax.set(xlim=(0.3, len(bumps) + 0.7), ylim=(base, highest + room))
+        ax.set_xlabel("bump, counted from the weld")
+        ax.set_ylabel("height (µm)")
+    sheet.entitle([f"{_words(cycle)}, {1e6 * cycle.displacement[k]:.3g} µm" for k in shown])
+    return sheet.finish()
+
+
+@styled
+def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
+    """Contact map: which contacts are open, stick or slip at every increment, a panel for each interface.
+
+    Parameters
+    ----------
+    cycle : Cycle
+        Of ``cycle`` or ``path``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+    columns = 3 if width == "double" else 1
+    sheet = Sheet(width, columns, 3 // columns, panel_height=45 if columns == 3 else 35)
+    for ax, interface in zip(sheet.panels, _INTERFACES):
+        states = cycle.fields[f"state_{interface}"]
+        increments, places = states.shape
+        ax.pcolormesh(
+            np.arange(places + 1) + 0.5,
+            np.arange(increments + 1) - 0.5,
+            states,
+            cmap=ListedColormap(_STATE_COLOURS),
+            vmin=-0.5,
+            vmax=3.5,
+            rasterized=True,
+        )
+        feet = interface == "bump_sleeve" and places > cycle.fields["crest_v"].shape[1]
+        ax.set_xlabel(f"{'foot' if feet else 'bump'}, counted from the weld")
+        ax.set_ylabel("increment")
+    sheet.entitle(list(_INTERFACES.values()))
+    return sheet.finish(
+        [
+            Patch(facecolor=colour, edgecolor="black", linewidth=0.5, label=state)
+            for colour, state in zip(_STATE_COLOURS, _STATES)
+        ]
+    )
+
+
+@styled
+def ensemble(result: Result, *, width: str = "double") -> Figure:
+    """Distributions of maximum force, loaded stiffness, loss factor and estimated clearance, by direction.
+
+    Ticks on the axis are means.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``montecarlo``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    data = result.to_xarray()
+    quantities: list[tuple[str, str, float]] = [
+        ("max_force", "maximum force (N)", 1),
+        ("loaded_stiffness", "loaded stiffness (MN/m)", 1e6),
+        ("loss_factor", "loss factor", 1),
+        ("clearance_5N", "clearance at 5 N (µm)", 1e-6),
+    ]
+    shown = [entry for entry in quantities if entry[0] in data]
+    sheet = Sheet(width, *_arranged(width, len(shown)), panel_height=38)
+    for ax, (name, words, size) in zip(sheet.panels, shown):
+        values = {float(one.direction): one.values[np.isfinite(one.values)] / size
+                  for one in data[name].transpose("direction", "sample")}
+        together = np.concatenate(list(values.values()))
+        edges = np.histogram_bin_edges(together, min(40, int(np.sqrt(len(together))) + 1))
+        for number, (direction, samples) in enumerate(values.items()):
+            label = {0.0: "+X", 90.0: "+Y", 180.0: "−X", 270.0: "−Y"}.get(direction, f"{direction:g}°")
+            style = _style(number)
+            ax.hist(samples, edges, histtype="step", linewidth=1.2, label=label, color=style["color"],
+                    linestyle=style["linestyle"])
+            ax.axvline(samples.mean(), 0, 0.06, linewidth=2, color=style["color"])
+        ax.set_xlabel(words)
+        ax.set_ylabel("bearings")
+        ax.yaxis.get_major_locator().set_params(integer=True)
+        ax.margins(y=0.08)
+    sheet.entitle([""] * len(shown))
+    return sheet.finish(_lines(sheet, data.sizes["direction"]))
+
+
+def _lines(sheet: Sheet, count: int) -> list[Any]:
+    """Lines in place of the frames that stand for histograms."""
+    from matplotlib.lines import Line2D
+
+    labels = sheet.panels[0].get_legend_handles_labels()[1]
+    return [Line2D([], [], label=label, **_style(number)) for number, label in enumerate(labels[:count])]
+
+
+@styled
+def coefficients(result: Result, *, width: str = "double") -> Figure:
+    """Direct stiffness, cross stiffness, loss stiffness and loss factor of vibrations over their amplitude.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``vibration``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    table = result.to_dataframe("coefficients")
+    # Stiffness and frequency times damping are those of every frequency: friction knows no rates.
+    table = table.drop_duplicates(["load_x_N", "load_y_N", "amplitude_m"])
+    loads = list(table.groupby(["load_x_N", "load_y_N"], sort=False))
+    turn = table.frequency_rad_per_s
+    panels: list[tuple[str, str, list[tuple[str, Any]]]] = [
+        ("direct stiffness", "K (MN/m)", [(f"k{a}", 1e-6 * table[f"k{a}_N_per_m"]) for a in ("xx", "yy")]),
+        ("cross stiffness", "K (MN/m)", [(f"k{a}", 1e-6 * table[f"k{a}_N_per_m"]) for a in ("xy", "yx")]),
+        ("direct damping times frequency", "ωC (MN/m)", [(f"c{a}", 1e-6 * turn * table[f"c{a}_N_s_per_m"]) for a in ("xx", "yy")]),
+        ("loss factor", "loss factor", [(a, table[f"loss_factor_{a[0]}"]) for a in ("xx", "yy")]),
+    ]
+    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40)
+    for ax, (_, words, columns) in zip(sheet.panels, panels):
+        for component, (_, values) in enumerate(columns):
+            for number, ((load_x, load_y), rows) in enumerate(loads):
+                style = _style(number, marked=True)
+                style["linestyle"] = ("-", "--")[component]
+                style["markerfacecolor"] = (style["color"], "white")[component]
+                label = f"{'xx, xy' if component == 0 else 'yy, yx'}"
+                behind = f", load ({load_x:g}, {load_y:g}) N".replace("-", "−") if len(loads) > 1 else ""
+                ax.plot(1e6 * rows.amplitude_m, values[rows.index], label=label + behind, **style)
+        ax.set_xlabel("amplitude (µm)")
+        ax.set_ylabel(words)
+    sheet.entitle([title for title, *_ in panels])
+    return sheet.finish()

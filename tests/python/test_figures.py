@@ -1,0 +1,143 @@
+"""Figures for print: what a reviewer would send back is not there."""
+
+import itertools
+import subprocess
+
+import matplotlib
+import numpy as np
+import pytest
+
+matplotlib.use("agg")
+
+import bumpfoil  # noqa: E402
+from bumpfoil import figures  # noqa: E402
+from conftest import EXAMPLES, PROGRAM  # noqa: E402
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
+from matplotlib.text import Text  # noqa: E402
+
+MM = 1 / 25.4
+
+
+def texts(figure):
+    return [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip()]
+
+
+def shown(figure, text):
+    """Whether a text is drawn: labels of ticks beyond the limits of an axis are not."""
+    for ax in figure.axes:
+        for axis in (ax.xaxis, ax.yaxis):
+            if text in axis.get_ticklabels():
+                low, high = sorted(axis.get_view_interval())
+                place = text.get_position()[0 if axis is ax.xaxis else 1]
+                return low - 1e-9 <= place <= high + 1e-9
+    return True
+
+
+def inspect(figure, *, width, panels):
+    """Size, type, letters, and that nothing lies on or outside of anything else."""
+    FigureCanvasAgg(figure).draw()
+    assert figure.get_size_inches()[0] == pytest.approx(width * MM)
+    assert figure.get_size_inches()[1] <= 260 * MM  # a page
+    assert len(figure.axes) == panels
+    drawn = [text for text in texts(figure) if shown(figure, text)]
+    assert min(text.get_fontsize() for text in drawn) >= 7
+    page = figure.bbox.padded(0.5)
+    for text in drawn:
+        box = text.get_window_extent()
+        assert page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1, text
+        assert "-" not in text.get_text().replace("mid-surface", "")  # a minus is one
+    if panels > 1:
+        letters = [text.get_text() for text in drawn if text.get_text().startswith("(") and len(text.get_text()) == 3]
+        assert letters == [f"({chr(ord('a') + i)})" for i in range(panels)]
+    # Of a panel all that belongs to it: labels, ticks, titles.
+    boxes = [ax.get_tightbbox(figure.canvas.get_renderer()) for ax in figure.axes]
+    boxes += [legend.get_window_extent() for legend in figure.legends]
+    for one, other in itertools.combinations(boxes, 2):
+        overlap = min(one.x1, other.x1) - max(one.x0, other.x0), min(one.y1, other.y1) - max(one.y0, other.y0)
+        assert min(overlap) < 1, (one, other)
+    for ax in figure.axes:
+        assert ax.get_xlabel() and ax.get_ylabel()
+        assert ax.get_legend() is None
+    assert len(figure.legends) <= 1
+
+
+def grey(colour):
+    return np.dot(matplotlib.colors.to_rgb(colour), (0.299, 0.587, 0.114))
+
+
+@pytest.fixture(scope="module")
+def result():
+    return bumpfoil.run_cycle(EXAMPLES / "measured.toml", cycle={"steps": 20, "directions": ["+X", "-X", "+Y", "-Y"]})
+
+
+@pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
+def test_results_of_cycles(result, width, size):
+    inspect(figures.loops(result, width=width), width=size, panels=1 if width == "single" else 4)
+    inspect(figures.bump_loads(result, width=width), width=size, panels=4)
+    inspect(figures.foils(result.cycles[0], width=width), width=size, panels=3)
+    inspect(figures.contacts(result.cycles[0], width=width), width=size, panels=3)
+
+
+def test_show_what_results_hold(result):
+    cycle = result.cycles[2]
+    (line,) = [line for line in figures.loops(result).axes[0].lines if line.get_label() == "+Y"]
+    np.testing.assert_array_equal(line.get_xydata(), np.column_stack([1e6 * cycle.displacement, cycle.force_direct]))
+    ax = figures.foils(cycle, [20]).axes[0]
+    journal = {line.get_label(): line.get_ydata() for line in ax.lines}["journal"]
+    clearance = bumpfoil.check(EXAMPLES / "measured.toml").to_dict()["bearing"]["radial_clearance"]
+    # Pushed to +Y the journal comes nearest where the foils look at it, as far as it was moved.
+    np.testing.assert_allclose(journal.min(), 1e6 * (clearance - cycle.displacement[20]), atol=1.0)
+    bars = [patch.get_y() + patch.get_height() for patch in ax.patches]
+    np.testing.assert_allclose(np.subtract(journal, bars), 1e6 * (cycle.gap_journal_top + cycle.gap_top_bump)[20], atol=1e-9)
+
+
+def test_read_in_grey(result):
+    states = [grey(patch.get_facecolor()[:3]) for patch in figures.contacts(result.cycles[0]).legends[0].get_patches()]
+    assert min(abs(one - other) for one, other in itertools.combinations(states, 2)) > 0.1
+    lines = figures.loops(result).axes[0].lines
+    assert len({str(line._dash_pattern) for line in lines}) == len(lines) == 4
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+@pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
+def test_ensembles_and_coefficients(width, size):
+    ensemble = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", montecarlo={"samples": 8}, cycle={"steps": 10})
+    figure = figures.ensemble(ensemble, width=width)
+    inspect(figure, width=size, panels=4)
+    assert sum(patch.get_path().vertices.size > 0 for ax in figure.axes for patch in ax.patches) == 4
+    vibration = bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]})
+    inspect(figures.coefficients(vibration, width=width), width=size, panels=4)
+
+
+@pytest.fixture(scope="module")
+def paper(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("paper")
+    subprocess.run([PROGRAM, "reproduce", "-o", folder, "--quiet"], check=True)
+    return folder
+
+
+@pytest.mark.parametrize("number, panels", [(10, 4), (11, 8), (12, 8), (13, 12), (14, 12), (15, 2), (16, 10)])
+def test_paper(paper, number, panels):
+    inspect(figures.paper(paper / f"figure{number}"), width=190, panels=panels)
+
+
+def test_paper_shows_its_tables(paper):
+    ax = figures.paper(paper / "figure11").axes[0]
+    table = np.genfromtxt(paper / "figure11/loads.csv", delimiter=",", names=True, dtype=None, encoding=None)
+    rows = table[(table["run"] == "present-friction") & (table["direction_deg"] == 0)]
+    np.testing.assert_allclose(ax.lines[0].get_xydata(), np.column_stack([rows["bump"], rows["bump_load_N"]]))
+    with pytest.raises(bumpfoil.FileError, match="holds no figure"):
+        figures.paper(paper)
+
+
+def test_saved_twice_are_the_same_bytes(result, tmp_path):
+    first = figures.save(figures.loops(result), tmp_path / "first.of.many")
+    second = figures.save(figures.loops(result), tmp_path / "second")
+    assert [path.name for path in first] == ["first.of.many.pdf", "first.of.many.svg"]
+    assert [path.read_bytes() for path in first] == [path.read_bytes() for path in second]
+    assert b"/FontFile2" in first[0].read_bytes() or b"/Type3" not in first[0].read_bytes()
+
+
+def test_refuse_other_widths(result):
+    with pytest.raises(ValueError, match="single, double"):
+        figures.loops(result, width="wide")
