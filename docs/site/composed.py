@@ -5,7 +5,11 @@ import posixpath
 import re
 from pathlib import Path
 
-MADE = {"Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")]}  # pages that only the site has
+# Pages that only the site has.
+MADE = {
+    "Begin here": [f"/docs/notebooks/{page}" for page in ("first_steps", "rotor_in_time")],
+    "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")],
+}
 
 
 def contents(text):

@@ -79,6 +79,11 @@ class Site(unittest.TestCase):
         for name in ("loss_factor", "pad_force_x", "orbit_energy", "kxy_whirl_stuck", "bump_height_deviation", "load_x_N"):
             self.assertTrue(f">{name}<" in page, name)
 
+    def test_shows_what_notebooks_give(self):
+        for notebook in (ROOT / "examples").glob("*.ipynb"):
+            page = (self.html / f"docs/notebooks/{notebook.stem}.html").read_text(encoding="utf-8")
+            self.assertIn(f"{notebook.stem}_", "".join(re.findall(r'<img[^>]* src="([^"]*\.png)"', page)))
+
     def test_formulas_are_set(self):
         page = (self.html / "docs/theory/gas_film.html").read_text(encoding="utf-8")
         self.assertGreater(page.count('<span class="katex">'), 20)
