@@ -1,5 +1,5 @@
 
-eval panels(2, 2)
+eval panels(2, 2, 1)
 set xrange [-11:51]
 set xtics 10
 set xlabel "radial clearance (µm)"
@@ -11,9 +11,10 @@ array scales[4] = [1, 1, 1000, 1e-6]
 
 do for [j = 1:4] {
   set yrange [0:*]
+  set title panel("")
   set ylabel labels[j]
-  if (j == 4) { set key bottom left } else { set key top right }
   plot for [i = 1:4] quantities using "radial_clearance_um":(at(direction_degrees[i], scales[j], columns[j])) with linespoints \
     ls 100 + i title direction_names[i]
+  unset key
 }
 unset multiplot

@@ -1,11 +1,10 @@
 
-eval panels(2, 2)
+eval panels(2, 2, 1)
 set xrange [-80:80]
 set yrange [-900:900]
 set xtics 20
 set ytics 300
 set xzeroaxis lw 0.8 lc rgb black dt 1
-set key top left
 
 # One axis for both senses of a direction: to the left the push towards minus.
 minus(degrees) = degrees >= 180 ? -1 : 1
@@ -20,7 +19,7 @@ do for [axis in "X Y"] {
     direction[2] = direction[1] + 180
     present = "present-" . friction
     former = "former-" . friction
-    set title axis . (friction eq "friction" ? ", friction 0.1" : ", no friction")
+    set title panel(axis . (friction eq "friction" ? ", friction 0.1" : ", no friction"))
     set xlabel "displacement of the journal along " . axis . " (µm)"
     set ylabel "direct force (N)"
     plot for [i = 1:2] loops using (displacement(direction[i])):(force(present, direction[i], "loading")) \
@@ -28,7 +27,8 @@ do for [axis in "X Y"] {
          for [i = 1:2] loops using (displacement(direction[i])):(force(present, direction[i], "unloading")) \
            with lines lw 2 dt (8, 4) lc rgb blue title i == 1 ? "present model, unloading" : "", \
          for [i = 1:2] loops using (displacement(direction[i])):(force(former, direction[i], "loading")) \
-           every 4 with points pt 7 ps 0.4 lc rgb red title i == 1 ? "former model" : ""
+           every 4 with points pt 7 ps 0.4 lc rgb red title i == 1 ? "former model, loading" : ""
+    unset key
   }
 }
 unset multiplot

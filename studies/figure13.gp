@@ -1,5 +1,5 @@
 
-eval panels(3, 4)
+eval panels(3, 4, 2)
 
 # Six bearings: force against displacement, and below it the heights of the bumps and of the journal's surface.
 bearing(i) = sprintf("bearing%d", i)
@@ -14,16 +14,20 @@ do for [row = 0:1] {
   set ytics 200
   set xlabel "displacement of the journal to +X (µm)"
   set ylabel "direct force (N)"
-  set key top left
   do for [i = 3 * row + 1:3 * row + 3] {
-    set title sprintf("bearing %d", i)
+    set title panel(sprintf("bearing %d", i))
     plot loops using (um * column("displacement_m")):(force("perfect", "loading")) with lines lw 1.2 dt 1 lc rgb grey \
-           title i == 1 ? "no height errors" : "", \
+           title "no height errors", \
          loops using (um * column("displacement_m")):(force("perfect", "unloading")) with lines lw 1.2 dt (6, 4) lc rgb grey notitle, \
          loops using (um * column("displacement_m")):(force(bearing(i), "loading")) with lines lw 2 dt 1 lc rgb blue \
-           title i == 1 ? "loading" : "", \
+           title "loading", \
          loops using (um * column("displacement_m")):(force(bearing(i), "unloading")) with lines lw 2 dt (8, 4) lc rgb blue \
-           title i == 1 ? "unloading" : ""
+           title "unloading", \
+         keyentry with boxes fs solid 1 border lc rgb black fc rgb "#d4d4d4" title "bumps", \
+         keyentry with lines lw 1.5 dt (6, 4) lc rgb black title "design", \
+         keyentry with lines lw 1.5 dt (2, 3) lc rgb red title "journal centred", \
+         keyentry with lines lw 2 dt 1 lc rgb red title "journal pushed"
+    unset key
   }
   set xrange [0:27]
   set yrange [440:680]
@@ -32,17 +36,16 @@ do for [row = 0:1] {
   set ytics 40
   set xlabel "bump, counted from the weld"
   set ylabel "height over the sleeve (µm)"
-  set key top center horizontal maxcols 2 opaque
   do for [i = 3 * row + 1:3 * row + 3] {
-    set title sprintf("bearing %d", i)
+    set title panel(sprintf("bearing %d", i))
     plot heights using "bump":(height(bearing(i), "height_m")) with boxes fs solid 1 border lc rgb black fc rgb "#d4d4d4" \
-           title i == 1 ? "bumps" : "", \
+           notitle, \
          heights using "bump":(height("perfect", "height_m")) with lines lw 1.5 dt (6, 4) lc rgb black \
-           title i == 1 ? "design" : "", \
+           notitle, \
          heights using "bump":(height(bearing(i), "journal_centred_m")) with lines lw 1.5 dt (2, 3) lc rgb red \
-           title i == 1 ? "journal centred" : "", \
+           notitle, \
          heights using "bump":(height(bearing(i), "journal_pushed_m")) with lines lw 2 dt 1 lc rgb red \
-           title i == 1 ? "journal pushed" : ""
+           notitle
   }
 }
 unset multiplot

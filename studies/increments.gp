@@ -1,10 +1,9 @@
 
 # Deviations from what following events gives.
-eval panels(2, 1)
+eval panels(2, 1, 1)
 set xlabel "increments each way"
 set ylabel "deviation from the limit (%)"
-set key bottom left
-set format y "10^{%L}"
+set format y "%g"
 array columns[2] = ["max_force_N", "loop_energy_J"]
 array labels[2] = ["force at full displacement", "loop energy"]
 array limit[4]
@@ -19,7 +18,8 @@ do for [j = 1:2] {
   set logscale xy
   set xrange [4:1200]
   set yrange [1e-4:100]
-  set title labels[j]
+  set title panel(labels[j])
   plot for [i = 1:4] quantities using "steps":(deviation(i, columns[j])) with linespoints ls 100 + i title direction_names[i]
+  unset key
 }
 unset multiplot

@@ -1,9 +1,8 @@
 
-eval panels(2, 2)
+eval panels(2, 2, 1)
 set xrange [0.5:6.5]
 set xtics 1
 set xlabel "bearing"
-set key top right
 number(run) = strstrt(run, "perfect") == 1 ? NaN : substr(run, strstrt(run, "bearing") + 7, strstrt(run, "bearing") + 7) + 0
 of(scatter, model, scale, name) = strstrt(strcol("run"), scatter) == 1 && strstrt(strcol("run"), model) > 0 ? \
   scale * column(name) : NaN
@@ -20,7 +19,7 @@ do for [j = 1:2] {
 do for [j = 1:2] {
   do for [scatter in "10 20"] {
     family = "scatter" . scatter
-    set title "bump heights scattered by " . scatter . " µm"
+    set title panel("bump heights scattered by " . scatter . " µm")
     set ylabel labels[j]
     set xrange [0.5:6.5]
     set yrange [0:(j == 1 ? 1500 : 18)]
@@ -29,6 +28,7 @@ do for [j = 1:2] {
            title "truss", \
          quantities using (number(strcol("run"))):(of(family, "frame", scales[j], columns[j])) with points ls 102 ps 1.3 \
            title "frame"
+    unset key
   }
 }
 unset multiplot

@@ -12,25 +12,34 @@ set datafile separator comma
 set datafile columnheaders
 set datafile missing NaN  # rows that a curve does not want: it goes on at the next
 set encoding utf8
+set minussign
 set border 3 lw 0.8
 set tics nomirror out scale 0.6
 set grid lw 0.5 lc rgb "#d9d9d9" dt 1
-set key samplen 2.5 spacing 1.1 Left reverse
+set key spacing 1.1 Left reverse
 
 # Colours differ in grey as well; dashes and points tell them apart where there is no colour.
 black = "#000000"; blue = "#0b4f9c"; red = "#b8420f"; green = "#2f8f4e"; grey = "#8c8c8c"
 
 um = 1e6
 
-# Opens a picture of panels of the same size in every study: eval panels(columns, rows).
-panel_width = 430.0
+# Opens a picture of panels, with one legend of so many rows above them: eval panels(columns, rows, legend). In print,
+# 190 mm wide, its type has 7.4 pt. The first panel has the legend; after it: unset key.
+picture_width = 875.0
 panel_height = 300.0
-panels(columns, rows) = sprintf("set terminal svg size %d, %d font 'DejaVu Sans,12' background 'white' enhanced; ", \
-                                columns * panel_width + 15, rows * panel_height) . \
+picture_height(rows, legend) = rows * panel_height + 24 * legend
+panels(columns, rows, legend) = sprintf("set terminal svg size %d, %d font 'DejaVu Sans,12' background 'white' enhanced; ", \
+                                        picture_width, picture_height(rows, legend)) . \
   sprintf("set output picture; set multiplot layout %d, %d margins screen %g, %g, %g, %g ", rows, columns, \
-          70.0 / (columns * panel_width + 15), 1 - 15.0 / (columns * panel_width + 15), \
-          55.0 / (rows * panel_height), 1 - 28.0 / (rows * panel_height)) . \
-  sprintf("spacing screen %g, %g", 75.0 / (columns * panel_width + 15), 88.0 / (rows * panel_height))
+          70.0 / picture_width, 1 - 15.0 / picture_width, \
+          55.0 / picture_height(rows, legend), 1 - (28.0 + 24 * legend) / picture_height(rows, legend)) . \
+  sprintf("spacing screen %g, %g; ", 75.0 / picture_width, 88.0 / picture_height(rows, legend)) . \
+  sprintf("set key at screen 0.5, %g center top vertical maxrows %d samplen 2.5", 1 - 6.0 / picture_height(rows, legend), legend)
+
+# The title of a panel, behind its letter: set title panel("+X").
+panel_number = 0
+panel(text) = (panel_number = panel_number + 1, \
+               sprintf("{/:Bold (%s)} %s", "abcdefghijklmnopqrstuvwxyz"[panel_number:panel_number], text))
 set title offset 0, -0.7
 set xlabel offset 0, 0.5
 set ylabel offset 1.2, 0
