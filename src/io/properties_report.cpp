@@ -54,7 +54,7 @@ std::string_view origin(const std::optional<double>& given) {
 Entry spring(std::string_view key, std::string_view name, const std::optional<double>& given, double identified) {
   const bool none = !given && identified < 0.0;
   return stiffness(key, name, given.value_or(identified),
-                   none ? "identified; no spring is negative: the frame alone has this shape" : origin(given));
+                   none ? "identified; no spring is negative: use the frame" : origin(given));
 }
 
 Group range_group(std::string_view key, std::string_view name, const std::optional<StiffnessRange>& range) {

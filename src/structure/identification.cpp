@@ -136,6 +136,12 @@ std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussCon
                              uniform ? std::string("this shape of bump")
                                      : fmt::format("the shape of bump {}", worst - constants.begin() + 1));
     fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
+    // The sum makes a bump as stiff as it is: a larger k2 alone would make it stiffer.
+    const double sum = (*worst).k2 + (*worst).k3;
+    if (value == &TrussConstants::k2 && !foils.truss.k3 && sum > 0.0) {
+      fault.advice =
+          fmt::format("set bump_foil.model = \"frame\", or give k2, k3 and k4, with k2 + k3 = {:.4g} N/m", sum);
+    }
     faults.push_back(fault);
   };
   judge("k1", &TrussConstants::k1, constants.size());

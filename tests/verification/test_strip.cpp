@@ -134,5 +134,59 @@ TEST(StripOfTrusses, IsAsFarFromTheContinuumAsDocumented) {
   }
 }
 
+/// The strip of [Larsen2014], as the preset larsen-strip has it.
+Case shallow_strip() {
+  Case input = reference_case();
+  input.bearing.radius = 33.5e-3;
+  input.bearing.axial_length = 53e-3;
+  BumpFoil& foil = input.bump_foil;
+  foil.model = BumpFoilModel::frame;
+  foil.bumps = 10;
+  foil.pitch = 7e-3;
+  foil.length = 6.6e-3;
+  foil.height = 0.9e-3;
+  foil.thickness = 0.127e-3;
+  foil.height_reference = HeightReference::midsurface;
+  foil.youngs_modulus = 207e9;
+  foil.poisson_ratio = 0.3;
+  input.top_foil = {.thickness = 0.254e-3, .youngs_modulus = 207e9, .poisson_ratio = 0.3};
+  input.strip = StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2};
+  return input;
+}
+
+/// Of docs/theory/frame_and_identification.md: force, loop energy and load on the first bump, in per cent.
+TEST(Strip, OfShallowBumpsIsNearTheFrameWhereSpringsAddUpToTheSameSum) {
+  struct Difference {
+    double friction;
+    StripWeld weld;
+    double force, loop_energy, first_bump;
+  };
+  const std::vector<Difference> table{{0.1, StripWeld::one_end, 2.0, -0.2, 12.0},
+                                      {0.0, StripWeld::one_end, 3.4, 0.0, 35.0},
+                                      {0.1, StripWeld::none, 0.5, 0.6, 3.0}};
+  for (const Difference& expected : table) {
+    Case frame = shallow_strip();
+    frame.friction = {.top_bump = expected.friction, .bump_sleeve = expected.friction};
+    frame.strip->weld = expected.weld;
+    Case truss = frame;
+    truss.bump_foil.model = BumpFoilModel::truss;
+    truss.bump_foil.truss.k2 = 0.8e6;
+    truss.bump_foil.truss.k3 = 2.387e6;
+    truss.bump_foil.truss.k4 = 11.13e6;
+    const Cycle a = run_strip(frame).cycles.back();
+    const Cycle b = run_strip(truss).cycles.back();
+    ASSERT_TRUE(a.converged() && b.converged());
+    const auto percent = [](double of_truss, double of_frame) { return 100.0 * (of_truss / of_frame - 1.0); };
+    EXPECT_NEAR(percent(b.turning_point->max_force, a.turning_point->max_force), expected.force, 0.06);
+    if (expected.friction > 0.0) {
+      EXPECT_NEAR(percent(*b.loop_energy, *a.loop_energy), expected.loop_energy, 0.06);
+    }
+    EXPECT_NEAR(percent(b.turning_point->bump_loads[0], a.turning_point->bump_loads[0]), expected.first_bump, 0.6);
+    for (Eigen::Index bump = 1; bump < 9; ++bump) {
+      EXPECT_NEAR(percent(b.turning_point->bump_loads[bump], a.turning_point->bump_loads[bump]), 0.0, 0.35) << bump;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bumpfoil
