@@ -27,6 +27,7 @@ def describe(pages):
     folder = pages / "docs/reference"
     folder.mkdir()
     python = ["Python reference", "================", "", ".. automodule:: bumpfoil", "   :members:", "   :imported-members:"]
+    python += ["", ".. automodule:: bumpfoil.figures", "   :members:", "   :imported-members:"]
     (folder / "python.rst").write_text("\n".join(python), encoding="utf-8")
     shutil.copy(HERE / "cpp.rst", folder)
 
