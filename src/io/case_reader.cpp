@@ -32,8 +32,14 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});
   }
   for (const std::string& table : request.required_tables) {
-    if (!document.contains(table)) {
+    if (document.contains(table)) continue;
+    // To add what is refused beside pads would lead nowhere.
+    const bool knows_pads = table != "strip" && table != "equilibrium";
+    if (knows_pads || input.pads.empty()) {
       log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
+    } else {
+      log.fault("pad", "is not known to this command, which takes one foil all around",
+                fmt::format("remove [[pad]], and add [{}]", table));
     }
   }
   std::vector<Fault> faults = find_faults(input);

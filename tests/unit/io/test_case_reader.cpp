@@ -317,6 +317,19 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
   }
 }
 
+TEST(ParseCase, TablesThatPadsCannotHaveAreNotAskedFor) {
+  for (const std::string table : {"strip", "equilibrium"}) {
+    const CaseRequest request{.overrides = {"pad=[{}, {}]", "bump_foil.bumps=7"}, .required_tables = {table}};
+    try {
+      parse_case(whole_case(), "case.toml", request);
+      ADD_FAILURE() << "pads went unnoticed";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("pad: is not known to this command"), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find("is missing"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(ParseCase, CyclesGoInFourDirectionsUnlessToldOtherwise) {
   const std::string line = "directions = [\"+X\", \"37.5 deg\"]\n";
   EXPECT_EQ(parse_case(cut(whole_case(), line), "case.toml").cycle.directions,
