@@ -3,11 +3,11 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
-cmake --log-level=WARNING --preset $(1) > /dev/null
+cmake --log-level=WARNING --preset $(1) $(2) > /dev/null
 cmake --build --preset $(1) --parallel $(JOBS)
 endef
 
@@ -35,19 +35,36 @@ designer: ## the program as one HTML page: change the bearing, see it answer
 
 python: ## the Python package, from Debian's packages alone
 	@scripts/require_packages.sh build python
-	cmake --log-level=WARNING --preset release -DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 > /dev/null
-	cmake --build --preset release --parallel $(JOBS)
+	$(call BUILD,release,-DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
 	echo
 	PYTHONPATH=build/release/python /usr/bin/python3 -B -c 'import bumpfoil; print("Built: bumpfoil", bumpfoil.__version__)'
 	echo "To import it:  export PYTHONPATH=$(CURDIR)/build/release/python"
 
 docs: ## the documentation as a site that opens without a network
 	@scripts/require_packages.sh build python docs
-	cmake --log-level=WARNING --preset release -DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 > /dev/null
-	cmake --build --preset release --parallel $(JOBS)
+	$(call BUILD,release,-DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
 	echo
 	/usr/bin/python3 -B docs/site/build.py build/release/python build/docs
 	echo "Documentation: $(CURDIR)/build/docs/html/docs/index.html (open it in a browser)"
+
+deb: ## a Debian package: program, library, headers, Python package, documentation, examples
+	@scripts/require_packages.sh build designer python package
+	$(call BUILD,release,-DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
+	echo
+	cpack --config build/release/CPackConfig.cmake -B build/release > /dev/null
+	rm -rf build/release/_CPack_Packages
+	echo "Package: $$(ls -t build/release/bumpfoil_*.deb | head -1) (install it: apt-get install ./FILE)"
+
+test-deb: deb ## as root: install that package, use it, remove it; lintian judges it
+	@scripts/require_packages.sh package test
+	scripts/check_deb.sh "$$(ls -t build/release/bumpfoil_*.deb | head -1)"
+
+dist: ## the sources of the last commit as a tarball, which builds and is tested without git
+	@version="$$(sed -nE 's/^project\(bumpfoil VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)"
+	mkdir -p build
+	git archive --prefix="bumpfoil-$$version/" --output="build/bumpfoil-$$version.tar.gz" HEAD
+	if [[ -n "$$(git status --porcelain)" ]]; then echo "warning: changes that are not committed are not in it" >&2; fi
+	echo "Sources: $(CURDIR)/build/bumpfoil-$$version.tar.gz"
 
 paper: ## reproduce the studies of the source paper, and further ones, with pictures
 	@scripts/require_packages.sh build plot

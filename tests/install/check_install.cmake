@@ -37,8 +37,9 @@ foreach(name summary.json cycle.csv result.nc)
   endif()
 endforeach()
 
-# Manual and completions are where they are looked for.
-foreach(name man/man1/bumpfoil.1 bash-completion/completions/bumpfoil)
+# Manual and completions are where they are looked for, and what the README links to is beside it.
+foreach(name man/man1/bumpfoil.1 bash-completion/completions/bumpfoil doc/bumpfoil/README.md doc/bumpfoil/docs/index.md
+        doc/bumpfoil/examples/gen1.toml doc/bumpfoil/include/bumpfoil/analysis/cycle.hpp)
   if(NOT EXISTS "${prefix}/share/${name}")
     message(FATAL_ERROR "No share/${name} was installed.")
   endif()
