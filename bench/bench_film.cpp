@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "alternating.hpp"
 #include "bumpfoil/analysis/film_bearing_solver.hpp"
 
 namespace bumpfoil {
@@ -74,6 +75,49 @@ void warm_step(benchmark::State& bench) {
   bench.counters["iterations"] = iterations;
 }
 BENCHMARK(warm_step)->Apply(meshes);
+
+/// The same on 6 x 16 with film and foils in turn, the foils' answer relaxed to a part of range(0) thousandths, from
+/// the state at range(1) hundredths of the clearance to one that is range(2) thousandths further.
+void film_and_foils_in_turn(benchmark::State& bench) {
+  Case input = reference_case();
+  input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
+  const FilmBearing bearing = make_film_bearing(input, air, {.columns_per_pitch = 6, .rows = 16});
+  const double begin = 1e-2 * static_cast<double>(bench.range(1));
+  const double end = begin + 1e-3 * static_cast<double>(bench.range(2));
+  const FilmBearingState start = cold_state(bearing, begin, bench);
+  AlternatingReport report;
+  for (auto _ : bench) {
+    FilmBearingState state = start;
+    report = alternate(bearing, {end * bearing.clearance, 0.0}, speed,
+                       {.relaxation = 1e-3 * static_cast<double>(bench.range(0)), .most = 1000}, state);
+  }
+  bench.counters["iterations"] = report.iterations;
+  bench.counters["change"] = report.change;
+  switch (report.end) {
+    case AlternatingReport::End::converged:
+      return bench.SetLabel("converged");
+    case AlternatingReport::End::no_room:
+      return bench.SetLabel("the foil is thrown onto the journal");
+    case AlternatingReport::End::no_film:
+      return bench.SetLabel("no film over the foils' answer");
+    case AlternatingReport::End::no_contact:
+      return bench.SetLabel("no foils under the film's pressure");
+    case AlternatingReport::End::spent:
+      return bench.SetLabel("not at rest after 1000 iterations");
+  }
+}
+BENCHMARK(film_and_foils_in_turn)
+    ->Args({1000, 50, 0})  // a state: nothing to do
+    ->Args({1000, 10, 1})
+    ->Args({100, 10, 1})
+    ->Args({10, 10, 1})
+    ->Args({100, 50, 1})
+    ->Args({10, 50, 1})
+    ->Args({1, 50, 1})
+    ->Args({10, 50, 50})
+    ->Args({1, 50, 50})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 void cold_start(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);

@@ -1,0 +1,171 @@
+#include "alternating.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <vector>
+
+#include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/film/film_solver.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Places = std::vector<Eigen::Index>;
+
+/// Top foil and bump foil under given loads. Contacts see the bump foil and the columns over its crests; the rest of
+/// the top foil is eliminated.
+class PressedFoils {
+ public:
+  explicit PressedFoils(const FilmBearing& bearing);
+
+  [[nodiscard]] const ContactProblem& problem() const { return problem_; }
+
+  /// Loads (N) on the columns behind the weld, as contacts see them.
+  [[nodiscard]] Vector condensed(const Vector& loads) const {
+    const Vector all = padded(loads);
+    return all(kept_) - coupling_.transpose() * hidden_lu_.solve(all(hidden_));
+  }
+
+  /// Displacements (m) of the columns under these loads, with those of what contacts see.
+  [[nodiscard]] Vector displacements(const Vector& loads, const Vector& seen) const {
+    Vector x = padded(loads);
+    x(hidden_) = hidden_lu_.solve(x(hidden_) - coupling_ * seen).eval();
+    x(kept_) = seen;
+    return x.head(columns_);
+  }
+
+ private:
+  [[nodiscard]] Vector padded(const Vector& loads) const {
+    Vector all = Vector::Zero(size_);
+    all.head(columns_) = loads;
+    return all;
+  }
+  [[nodiscard]] Matrix whole_matrix(const FilmBearing& bearing);
+
+  Eigen::Index columns_;  ///< behind the weld
+  Eigen::Index size_{};   ///< of displacements and moments of the top foil by columns, and the bump foil
+  Places kept_, hidden_;  ///< among them
+  Matrix coupling_;       ///< of the hidden to the kept
+  Eigen::PartialPivLU<Matrix> hidden_lu_;
+  ContactProblem problem_;
+};
+
+/// Of displacements u and moments M: D M are loads, D' u - T M = 0. Moments in units that make them lengths.
+void add_top_foil(const FilmBearing& bearing, Eigen::Index columns, Matrix& K) {
+  const TopFoilMoments& form = bearing.foil.top_foil;
+  const double unit = bearing.foil.stiffness * bearing.foil.pitch;  // N
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    const Vector loads = unit * loads_of_moments(form, Vector::Unit(columns, k));
+    K.block(0, columns + k, columns, 1) = loads;
+    K.block(columns + k, 0, 1, columns) = loads.transpose();
+    K(columns + k, columns + k) = -unit * unit * form.compliance_diagonal[k];
+    if (k + 1 == columns) continue;
+    const double off = -unit * unit * form.compliance_off[k];
+    K(columns + k, columns + k + 1) = K(columns + k + 1, columns + k) = off;
+  }
+}
+
+PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.foil.top_foil.size()) {
+  const Matrix K = whole_matrix(bearing);
+  coupling_ = K(hidden_, kept_);
+  hidden_lu_.compute(K(hidden_, hidden_));
+  problem_.K = BlockTridiagonal(1, static_cast<int>(kept_.size()));
+  problem_.K.diagonal.front() = K(kept_, kept_) - coupling_.transpose() * hidden_lu_.solve(coupling_);
+  problem_.force_scale = bearing.problem.force_scale;
+  const auto seen_at = [&](Eigen::Index place) {
+    return static_cast<int>(std::find(kept_.begin(), kept_.end(), place) - kept_.begin());
+  };
+  const int size = bearing.problem.K.block_size();
+  for (std::size_t b = 0; b < bearing.foil.supports.size(); ++b) {
+    const auto moved = [&](int place) {
+      if (place < 0) return -1;
+      if (place == bearing.dofs.top_u) return seen_at(bearing.foil.supports[b] - 1);
+      return seen_at(2 * columns_ + static_cast<Eigen::Index>(b) * size + place);
+    };
+    for (const ContactPair& pair : bearing.problem.pairs) {
+      problem_.pairs.push_back({.plus = moved(pair.plus),
+                                .minus = moved(pair.minus),
+                                .tangential = moved(pair.tangential),
+                                .friction_coefficient = pair.friction_coefficient});
+    }
+  }
+}
+
+/// Sorts the unknowns, too. Behind the top foil come the blocks of the bump foil as they are; what means nothing in
+/// them is neither kept nor hidden, and stays zero.
+Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
+  const BumpDofs& dofs = bearing.dofs;
+  const Matrix foil = bearing.problem.K.dense();
+  const Eigen::Index first = 2 * columns_;
+  size_ = first + foil.rows();
+  Matrix K = Matrix::Zero(size_, size_);
+  add_top_foil(bearing, columns_, K);
+  K.bottomRightCorner(foil.rows(), foil.rows()) = foil;
+  const std::vector<int>& supports = bearing.foil.supports;
+  for (Eigen::Index i = 0; i < first; ++i) {
+    const bool crest = std::find(supports.begin(), supports.end(), i + 1) != supports.end();
+    (crest ? kept_ : hidden_).push_back(i);
+  }
+  for (std::size_t b = 0; b < supports.size(); ++b) {
+    for (int i = 0; i < dofs.size; ++i) {
+      if (i == dofs.top_u || i == dofs.top_moment) continue;
+      kept_.push_back(first + static_cast<Eigen::Index>(b) * bearing.problem.K.block_size() + i);
+    }
+  }
+  return K;
+}
+
+/// Outward loads on the columns behind the weld, N.
+Vector loads_of(const FilmBearing& bearing, const Matrix& pressure) {
+  const FilmMesh& mesh = bearing.foil.mesh;
+  Vector loads(mesh.columns);
+  for (int k = 1; k <= mesh.columns; ++k) {
+    double excess = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, k) - 1.0);
+    loads[k - 1] = 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * mesh.column_weight(k) * excess;
+  }
+  return loads;
+}
+
+}  // namespace
+
+AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
+                            const AlternatingOptions& options, FilmBearingState& state) {
+  using End = AlternatingReport::End;
+  const PressedFoils foils(bearing);
+  const ContactProblem& problem = foils.problem();
+  NewtonSolver contacts(problem);
+  FilmSolver films(bearing.foil.mesh, {});
+  const ReynoldsEquation equation = film_equation(bearing, speed);
+  const Matrix undeformed = bearing.undeformed_thickness(position);
+  ContactLoading loading{.initial_gap = bearing.initial_gap.head(problem.contacts()), .load = {}};
+  const ContactState unstressed = ContactState::unstressed(problem);
+  ContactState pressed = unstressed;
+  Matrix H = undeformed;
+  H.rowwise() += state.foil.lift.transpose();
+  AlternatingReport report;
+  while (report.end == End::spent && report.iterations < options.most) {
+    ++report.iterations;
+    const FilmStatus film = films.solve(equation, H, state.foil.film).status;
+    if (film != FilmStatus::converged) {
+      report.end = film == FilmStatus::no_room ? End::no_room : End::no_film;
+      break;
+    }
+    const Vector loads = loads_of(bearing, state.foil.film.pressure);
+    loading.load = foils.condensed(loads);
+    if (!contacts.solve(loading, unstressed, pressed).converged()) {
+      report.end = End::no_contact;
+      break;
+    }
+    Vector step = -state.foil.lift;
+    step.tail(loads.size()) += foils.displacements(loads, pressed.x) / bearing.scales.thickness;
+    report.change = step.cwiseAbs().maxCoeff();
+    state.foil.lift += options.relaxation * step;
+    H = undeformed;
+    H.rowwise() += state.foil.lift.transpose();
+    if (report.change < options.tolerance) report.end = End::converged;
+  }
+  return report;
+}
+
+}  // namespace bumpfoil
