@@ -70,23 +70,24 @@ double film_thickness_scale(double clearance) {
 
 Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const {
   Matrix H = foil.mesh.field(clearance / scales.thickness);
-  H.rowwise() -= (position / scales.thickness).transpose() * normals;
+  H.rowwise() += (sleeve.transpose() - position.transpose() * normals) / scales.thickness;
   return H;
 }
 
-void require_round_sleeve(const Case& input) {
+void require_film_geometry(const Case& input) {
   if (!input.pads.empty()) {
     throw Error(
         ErrorKind::input,
         {{"", 0, "pad", "", "are parts of the sleeve: the gas film knows one foil all around only", "remove them"}});
   }
-  if (input.bearing.is_round()) return;
-  throw Error(ErrorKind::input, {{"", 0, "bearing", "",
-                                  "is not round: the gas film knows no waves, profiles and tapers", "remove them"}});
+  if (input.bearing.journal == RadiusProfile{}) return;
+  throw Error(ErrorKind::input,
+              {{"", 0, "bearing", "", "has a journal that is not round, under which no film is steady once it turns",
+                "remove journal_waviness and journal_profile"}});
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  require_round_sleeve(input);
+  require_film_geometry(input);
   const SharedFoils shared = make_bearing_foils(input);
   const Foils& foils = *shared;
   FilmBearing bearing;
@@ -108,7 +109,9 @@ FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResol
   bearing.clearance = clearance;
   bearing.weld_angle = input.bearing.weld_angle;
   bearing.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
-  bearing.normals = outward_normals(polar_angles(input.bearing, bearing.foil.mesh.angles()));
+  const Vector angles = bearing.foil.mesh.angles();
+  bearing.normals = outward_normals(polar_angles(input.bearing, angles));
+  bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
 }
 
@@ -145,14 +148,14 @@ Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
 
 namespace {
 
-/// Integral of (P - 1) dU/dtheta over the whole width, U what the wall has yielded.
-double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix& yield) {
+/// Integral of (P - 1) dU/dtheta over the whole width, U how far the wall stands back from a circle.
+double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix& wall) {
   double sum = 0.0;
   for (int k = 0; k < mesh.columns; ++k) {
     const int next = mesh.next(k);
     for (int j = 0; j < mesh.rows; ++j) {
       const double excess = 0.5 * (pressure(j, k) + pressure(j, next)) - 1.0;
-      sum += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (yield(j, next) - yield(j, k));
+      sum += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (wall(j, next) - wall(j, k));
     }
   }
   return sum;
@@ -173,9 +176,11 @@ void find_drag(const FilmBearing& bearing, const FilmBearingState& state, const 
   outcome.couette_dissipation = outcome.couette_torque * state.speed;
   outcome.dissipation = outcome.couette_dissipation + scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
   const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
-  const double slope = scales.force() * scales.thickness *
-                       pressing_slope(bearing.foil.mesh, state.foil.film.pressure,
-                                      state.foil.film.thickness - bearing.undeformed_thickness(state.position));
+  // What the sleeve is wider, too.
+  Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position);
+  wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
+  const double slope =
+      scales.force() * scales.thickness * pressing_slope(bearing.foil.mesh, state.foil.film.pressure, wall);
   outcome.torque_of_moments = outcome.couette_torque - 0.5 * (lever + bearing.wrap_sign * slope);
 }
 

@@ -62,21 +62,16 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
 /// its bump, so that from the journal to the sleeve under a foot all gaps together grow by what the sleeve is wider
 /// there.
 void add_profiles(const Case& input, Foils& foils) {
-  const Bearing& bearing = input.bearing;
-  const auto sleeve = [&](double theta, double phi) {
-    return deviation_at(bearing.sleeve, phi) + bearing.taper * theta / foil_angle(input);
-  };
   const Vector crests = crest_angles(input);
-  const Vector feet = foot_angles(input);
-  const Vector crest_phi = polar_angles(bearing, crests);
-  const Vector foot_phi = polar_angles(bearing, feet);
+  const Vector crest_phi = polar_angles(input.bearing, crests);
+  const Vector under_crests = sleeve_deviations(input, crests);
+  const Vector under_feet = sleeve_deviations(input, foot_angles(input));
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * foils.contacts_per_block();
-    const double under_crest = sleeve(crests[bump], crest_phi[bump]);
-    foils.assembled_gap[first] += under_crest - deviation_at(bearing.journal, crest_phi[bump]);
+    foils.assembled_gap[first] += under_crests[bump] - deviation_at(input.bearing.journal, crest_phi[bump]);
     for (Eigen::Index k = 0; k < foils.feet_per_block(); ++k) {
-      const Eigen::Index foot = bump * foils.feet_per_block() + k;
-      foils.assembled_gap[first + foils.first_foot() + k] += sleeve(feet[foot], foot_phi[foot]) - under_crest;
+      const double under_foot = under_feet[bump * foils.feet_per_block() + k];
+      foils.assembled_gap[first + foils.first_foot() + k] += under_foot - under_crests[bump];
     }
   }
 }

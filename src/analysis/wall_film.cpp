@@ -44,7 +44,11 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 
 FilmBearing make_wall_bearing(const Case& input) {
   require_valid(input);
-  require_round_sleeve(input);
+  require_film_geometry(input);
+  if (input.film.closed && input.bearing.taper != 0.0) {
+    throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a wall without a slot",
+                                    "remove it, or set film.closed = false"}});
+  }
   const double R = input.bearing.radius;
   const double half_width = 0.5 * input.bearing.axial_length / R;
   const double foil_angle = input.bump_foil.bumps * nominal_bump(input.bump_foil).pitch / R;
@@ -56,7 +60,9 @@ FilmBearing make_wall_bearing(const Case& input) {
   bearing.clearance = input.bearing.radial_clearance;
   bearing.weld_angle = input.bearing.weld_angle;
   bearing.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
-  bearing.normals = outward_normals(polar_angles(input.bearing, bearing.foil.mesh.angles()));
+  const Vector angles = bearing.foil.mesh.angles();
+  bearing.normals = outward_normals(polar_angles(input.bearing, angles));
+  bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
 }
 

@@ -125,6 +125,13 @@ double foil_angle(const Case& input) {
   return length / input.bearing.radius;
 }
 
+Vector sleeve_deviations(const Case& input, const Vector& theta) {
+  const Bearing& bearing = input.bearing;
+  Vector deviations =
+      polar_angles(bearing, theta).unaryExpr([&](double phi) { return deviation_at(bearing.sleeve, phi); });
+  return deviations + bearing.taper / foil_angle(input) * theta;
+}
+
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {
   const double sigma = bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   return bearing.weld_angle + sigma * theta.array();

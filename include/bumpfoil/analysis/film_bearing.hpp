@@ -13,8 +13,9 @@ namespace bumpfoil {
 /// The gas of a case.
 Gas gas_of(const GasSettings& settings);
 
-/// The film knows one foil all around a round sleeve. @throws Error (input) if a case has others
-void require_round_sleeve(const Case& input);
+/// The film knows one foil all around, and a journal that looks the same however it has turned.
+/// @throws Error (input) if a case has others
+void require_film_geometry(const Case& input);
 
 /// c of a bearing, m: the size of its clearance, or 10 um where it has none.
 double film_thickness_scale(double clearance);
@@ -42,6 +43,7 @@ struct FilmBearing {
   double weld_angle{};       ///< rad
   double wrap_sign{};        ///< sigma: +1 where theta runs from X to Y
   Eigen::Matrix2Xd normals;  ///< outward at all columns
+  Vector sleeve;             ///< how much larger than nominal its radius is at all columns, m
 
   /// sigma Omega R, m/s: speed of the surface of the journal along theta; `speed` (rad/s) turns X to Y.
   [[nodiscard]] double surface_speed(double speed) const { return wrap_sign * speed * scales.radius; }

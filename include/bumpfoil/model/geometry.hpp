@@ -45,6 +45,9 @@ Vector foot_angles(const Case& input);
 /// Angle of the ends of the foils from the weld, all pitches over R, rad.
 double foil_angle(const Case& input);
 
+/// How much larger than nominal the radius of the sleeve is at `theta` from the weld along the foil, taper included, m.
+Vector sleeve_deviations(const Case& input, const Vector& theta);
+
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bumpfoil/core/error.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -44,6 +45,11 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   EXPECT_NEAR(H(0, 0), 1.5, 1e-12);
   EXPECT_NEAR(H.minCoeff(), 0.5, 1e-3);
   EXPECT_NEAR(bearing.undeformed_thickness({0.0, 0.5 * bearing.clearance}).col(26).minCoeff(), 0.5, 1e-3);
+  Case tapered = film_reference_case(coarse);
+  tapered.bearing.taper = 3.18e-6;  // a tenth of the clearance
+  const Matrix wider = make_film_bearing(tapered).undeformed_thickness({0.5 * bearing.clearance, 0.0});
+  EXPECT_NEAR(wider(0, 0), 1.5, 1e-12);
+  EXPECT_NEAR(wider(2, 104) - H(2, 104), 0.1, 1e-12);
   EXPECT_LT(bearing.surface_speed(100.0), 0.0);
   EXPECT_NEAR(film_equation(bearing, speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
 }
@@ -75,6 +81,15 @@ TEST(FilmBearing, DragsByCouetteFlowAlone) {
     // Half of what the surface moves past: U c L / 2, along theta where U is positive.
     EXPECT_NEAR(outcome.flows.end, -0.5 * speed * 19.05e-3 * 31.8e-6 * 38.1e-3, 1e-12 * std::abs(speed));
   }
+}
+
+TEST(FilmBearing, HasARoundJournalAndOneFoil) {
+  Case input = film_reference_case(coarse);
+  input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 1e-6, .phase = 0.0}};
+  EXPECT_THROW(make_film_bearing(input), Error);
+  input = film_reference_case(coarse);
+  input.pads.resize(3);
+  EXPECT_THROW(make_film_bearing(input), Error);
 }
 
 }  // namespace

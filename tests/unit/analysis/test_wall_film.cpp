@@ -73,10 +73,15 @@ TEST(WallFilm, SpringsYield) {
   }
 }
 
-TEST(WallFilm, KnowsNoWavesOfTheSleeve) {
-  Case input = wall_case();
-  input.bearing.sleeve.waves = {{3, 5e-6, 0.0}};
-  EXPECT_THROW(run_wall_films(input), Error);
+TEST(WallFilm, KnowsNoWavesOfTheJournalAndNoStepInAClosedWall) {
+  Case wavy = wall_case();
+  wavy.bearing.journal.waves = {{3, 5e-6, 0.0}};
+  EXPECT_THROW(run_wall_films(wavy), Error);
+  Case tapered = wall_case();
+  tapered.bearing.taper = 2e-6;
+  EXPECT_NO_THROW(run_wall_films(tapered));
+  tapered.film.closed = true;
+  EXPECT_THROW(run_wall_films(tapered), Error);
 }
 
 TEST(WallFilm, WantsPositions) {
