@@ -9,7 +9,7 @@ namespace {
 
 /// Residual that is left in the equation of what is stored, as part of its right-hand side.
 constexpr double tolerance = 1e-10;
-/// Directions of a space that is given up. Some 30 suffice at frequencies about that of the rotation.
+/// Directions of a space that is given up: 24 serve 20 frequencies up to twice that of the rotation, on 6 x 16.
 constexpr int most_directions = 300;
 
 /// Coordinates of what is stored, and the residual of that.

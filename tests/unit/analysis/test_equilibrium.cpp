@@ -136,10 +136,10 @@ TEST(Equilibrium, NeedsItsTable) {
   EXPECT_THROW(run_equilibrium(film_reference_case({.columns_per_pitch = 4, .rows = 4})), Error);
 }
 
-TEST(Equilibrium, KnowsNoWavesOfTheSleeve) {
+TEST(Equilibrium, KnowsNoWavesOfTheJournal) {
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
   input.equilibrium = EquilibriumSettings{.speeds = {4000.0}, .loads = {{50.0, 0.0}}};
-  input.bearing.sleeve.waves = {{3, 5e-6, 0.0}};
+  input.bearing.journal.waves = {{3, 5e-6, 0.0}};
   EXPECT_THROW(run_equilibrium(input), Error);
 }
 
