@@ -82,8 +82,8 @@ class Push {
   double start_dissipation_{};  ///< of the assembly
   double largest_work_{};
   double largest_force_{};  ///< of a contact
-  double imbalance_{};  ///< largest
-  double balanced_{};   ///< work that is accounted for
+  double imbalance_{};      ///< largest
+  double balanced_{};       ///< work that is accounted for
 };
 
 void Push::judge_state(const Step& step) {
