@@ -138,7 +138,7 @@ function names({ geometry, shape }: Scene, layout: RoundLayout, journal: Place):
     ['top foil', (angle) => nearest(shape.pads.flatMap(({ topFoil }) => topFoil), angle, foilGap)],
   ];
   return [
-    { content: 'journal', at: { x: journal.x, y: journal.y + 0.32 * sleeveRadius }, anchor: 'middle' },
+    { content: 'journal', at: { x: journal.x, y: journal.y + 0.2 * sleeveRadius }, anchor: 'middle' },
     ...parts.map(([content, place], i): PartName => {
       const angle = order[i] ?? 0;
       return { content, ...corner(Math.cos(angle) > 0, Math.sin(angle) < 0), to: place(angle) };
