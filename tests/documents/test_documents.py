@@ -1,6 +1,6 @@
 """The documents must be true: links lead somewhere, sources are named, the README's numbers and commands work.
 
-Usage: test_documents.py REPOSITORY PROGRAM
+Usage: test_documents.py REPOSITORY PROGRAM [CLASS OF TESTS ...]
 """
 
 import json
@@ -180,4 +180,4 @@ class Readme(InADirectory):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
