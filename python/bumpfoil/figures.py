@@ -14,7 +14,7 @@ import numpy as np
 
 from .figure_sheet import Sheet, save, styled
 from .paper_figures import paper
-from .plots import _style, _words
+from .plots import _style, _words, draw_states
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -132,26 +132,12 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
     width : {"single", "double"}
         90 or 190 mm.
     """
-    from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
     columns = 3 if width == "double" else 1
     sheet = Sheet(width, columns, 3 // columns, panel_height=45 if columns == 3 else 35)
     for ax, interface in zip(sheet.panels, _INTERFACES):
-        states = cycle.fields[f"state_{interface}"]
-        increments, places = states.shape
-        ax.pcolormesh(
-            np.arange(places + 1) + 0.5,
-            np.arange(increments + 1) - 0.5,
-            states,
-            cmap=ListedColormap(_STATE_COLOURS),
-            vmin=-0.5,
-            vmax=3.5,
-            rasterized=True,
-        )
-        feet = interface == "bump_sleeve" and places > cycle.fields["crest_v"].shape[1]
-        ax.set_xlabel(f"{'foot' if feet else 'bump'}, counted from the weld")
-        ax.set_ylabel("increment")
+        draw_states(cycle, interface, _STATE_COLOURS, ax)
     sheet.entitle(list(_INTERFACES.values()))
     return sheet.finish(
         [

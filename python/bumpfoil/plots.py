@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
 
     from .cycle import Cycle
@@ -91,24 +93,31 @@ def coefficients(result: Result, ax: Axes | None) -> Axes:
     return ax
 
 
-def contacts(cycle: Cycle, interface: str, ax: Axes | None) -> Axes:
+def draw_states(cycle: Cycle, interface: str, colours: Sequence[str], ax: Axes) -> None:
+    """A map of the states of contacts along the path."""
     from matplotlib.colors import ListedColormap
-    from matplotlib.patches import Patch
 
-    ax = _axes(ax)
     states = cycle.fields[f"state_{interface}"]
     increments, places = states.shape
     ax.pcolormesh(
         np.arange(places + 1) + 0.5,
         np.arange(increments + 1) - 0.5,
         states,
-        cmap=ListedColormap(_STATE_COLOURS),
+        cmap=ListedColormap(list(colours)),
         vmin=-0.5,
         vmax=3.5,
         rasterized=True,
     )
-    ax.set_xlabel(f"{'foot' if interface == 'bump_sleeve' else 'bump'}, counted from the weld")
+    feet = interface == "bump_sleeve" and places > cycle.fields["crest_v"].shape[1]
+    ax.set_xlabel(f"{'foot' if feet else 'bump'}, counted from the weld")
     ax.set_ylabel("increment")
+
+
+def contacts(cycle: Cycle, interface: str, ax: Axes | None) -> Axes:
+    from matplotlib.patches import Patch
+
+    ax = _axes(ax)
+    draw_states(cycle, interface, _STATE_COLOURS, ax)
     ax.set_title(f"{_words(cycle)}, {interface.replace('_', '–')}", fontsize="medium")
     patches = [Patch(facecolor=colour, edgecolor="black", linewidth=0.5) for colour in _STATE_COLOURS]
     ax.legend(patches, _STATES, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=4, frameon=False)

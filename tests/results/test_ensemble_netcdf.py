@@ -52,12 +52,14 @@ def assert_samples_are_those_of_cycle(case, folder, result):
     return len(compared)
 
 
-class Ensemble(unittest.TestCase):
+class EnsembleCase(unittest.TestCase):
+    """Tests that share an ensemble."""
+
     @classmethod
-    def setUpClass(cls):
+    def run_ensemble(cls, case, *options):
         cls.directory = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.directory.name)
-        run("montecarlo", CASE, "-o", cls.folder / "ensemble", *SET, "--samples", str(SAMPLES), "--threads", "2")
+        run("montecarlo", case, "-o", cls.folder / "ensemble", *options)
         cls.result = xarray.open_dataset(cls.folder / "ensemble/ensemble.nc")
         cls.summary = json.loads((cls.folder / "ensemble/summary.json").read_text(encoding="utf-8"))
 
@@ -65,6 +67,12 @@ class Ensemble(unittest.TestCase):
     def tearDownClass(cls):
         cls.result.close()
         cls.directory.cleanup()
+
+
+class Ensemble(EnsembleCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.run_ensemble(CASE, *SET, "--samples", str(SAMPLES), "--threads", "2")
 
     def test_dimensions(self):
         self.assertEqual(dict(self.result.sizes), {"sample": SAMPLES, "direction": 2, "bump": 26})
@@ -105,23 +113,14 @@ class Ensemble(unittest.TestCase):
                 self.assertEqual(one[name].values.tobytes(), variable.values.tobytes(), name)
 
 
-class EnsembleOfPads(unittest.TestCase):
+class EnsembleOfPads(EnsembleCase):
     """Three pads of eight bumps, the foils of the last a case of their own."""
 
     @classmethod
     def setUpClass(cls):
-        cls.directory = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.directory.name)
         heights = ["--set", 'montecarlo.bump_height={std="5 um", correlation_length="10 mm"}']
         foils = ["--set", "montecarlo.top_foil_thickness.std=1 um"]
-        run("montecarlo", PADS, "-o", cls.folder / "ensemble", *SET[:6], *heights, *foils, "--samples", "40")
-        cls.result = xarray.open_dataset(cls.folder / "ensemble/ensemble.nc")
-        cls.summary = json.loads((cls.folder / "ensemble/summary.json").read_text(encoding="utf-8"))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.result.close()
-        cls.directory.cleanup()
+        cls.run_ensemble(PADS, *SET[:6], *heights, *foils, "--samples", "40")
 
     def test_bumps_tell_their_pads(self):
         self.assertEqual(dict(self.result.sizes), {"sample": 40, "direction": 2, "bump": 24})
