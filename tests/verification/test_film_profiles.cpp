@@ -21,7 +21,7 @@ FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position
   return film_bearing_outcome(bearing, state);
 }
 
-/// Wide for the wave that a sleeve may have without a touch.
+/// A sleeve with waves, a measured profile and a taper.
 Case wavy_case(const FilmResolution& resolution) {
   Case input = film_reference_case(resolution, 0.1);
   input.bearing.sleeve.waves = {{.harmonic = 3, .amplitude = 3e-6, .phase = 0.4}};
