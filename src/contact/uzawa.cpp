@@ -12,12 +12,6 @@
 namespace bumpfoil {
 namespace {
 
-/// Friction of one contact inside the friction loop.
-struct FrictionState {
-  bool sticks{};
-  int changes{};  ///< between stick and slip, for the current multipliers
-};
-
 /// A contact that changed between stick and slip this often is left slipping.
 constexpr int max_changes = 6;
 /// Multiplier updates that each find the sticking contacts anew. Where they go on, stick and slip follow the
@@ -60,6 +54,12 @@ UzawaOptions uzawa_options_for(const ContactProblem& problem) {
 }
 
 struct UzawaSolver::Workspace {
+  /// Friction of one contact inside the friction loop.
+  struct FrictionState {
+    bool sticks{};
+    int changes{};  ///< between stick and slip, for the current multipliers
+  };
+
   Workspace(const ContactProblem& contact_problem, const UzawaOptions& uzawa_options)
       : problem(contact_problem),
         options(uzawa_options),

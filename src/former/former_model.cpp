@@ -14,9 +14,9 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double displacement_tolerance = 1e-13;  // m
-constexpr double force_tolerance = 1e-11;         // of the largest normal force, or of least_reference_force()
-constexpr double balance_tolerance = 1e-6;        // of the same, where forces only lead to modes
+constexpr double least_displacement = 1e-13;  // m
+constexpr double force_tolerance = 1e-11;     // of the largest normal force, or of least_reference_force()
+constexpr double balance_tolerance = 1e-6;    // of the same, where forces only lead to modes
 constexpr int rounds_at_first = 12;
 constexpr int rounds_after_approach = 6;
 constexpr int max_outer_iterations = 200;
@@ -177,7 +177,7 @@ bool FormerSolver::iterate_modes(const ContactLoading& loading, int rounds, Form
         if (std::abs(normal) <= negligible) return;
         if ((normal > 0.0) != (sense[c.index] > 0.0)) {
           sense[c.index] = normal;
-        } else if (std::abs(u) > displacement_tolerance && m != slip_mode(u)) {
+        } else if (std::abs(u) > least_displacement && m != slip_mode(u)) {
           m = ContactMode::stick;
         } else {
           return;

@@ -5,16 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <utility>
 
+#include "io/absent.hpp"
 #include "io/csv_value.hpp"
 #include "io/result_layout.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 /// What tables of sweeps show.
 constexpr std::array<std::string_view, 4> headlines{"max_force", "loaded_stiffness", "loop_energy", "loss_factor"};
 

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/pads.hpp"
+#include "io/absent.hpp"
 
 namespace bumpfoil {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// Quantities of a cycle that ensembles keep: those that need no fields, and do not depend on the machine.
 constexpr auto kept = std::to_array<std::string_view>(

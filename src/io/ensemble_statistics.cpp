@@ -7,6 +7,7 @@
 
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/ensemble/sensitivity.hpp"
+#include "io/absent.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -73,8 +74,7 @@ std::vector<std::vector<double>> sensitivities_of(const Case& input, const Ensem
           std::numeric_limits<double>::infinity());
     }
     const bool defined = std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
-    found[k] =
-        defined ? correlations.of(values) : std::vector(factor_count(input), std::numeric_limits<double>::quiet_NaN());
+    found[k] = defined ? correlations.of(values) : std::vector(factor_count(input), absent);
   }
   return found;
 }

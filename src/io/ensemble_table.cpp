@@ -30,7 +30,7 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
     for (const std::string_view head : {"mean", "+-", "std", "5 %", "50 %", "95 %"}) {
       out += fmt::format("{:>{}}", head, cell_width);
     }
-    out += '\n' + std::string(name_width + unit_width + 6 * cell_width, '-') + '\n';
+    out += fmt::format("\n{:-<{}}\n", "", name_width + unit_width + 6 * cell_width);
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       const EnsembleColumn& column = layout.columns[k];
       if (column.label.empty()) continue;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <string_view>
 #include <utility>
 
 #include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "io/absent.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// What tables of sweeps show.
 constexpr std::array<std::string_view, 4> headlines{"eccentricity_ratio", "attitude_angle", "h_min", "power"};
 /// What was asked for is the same for whole rows and columns: coordinates.
-constexpr std::array<std::string_view, 3> asked{"speed", "load_x", "load_y"};
+constexpr std::array<std::string_view, 3> demands{"speed", "load_x", "load_y"};
 
 bool has(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -56,8 +56,8 @@ ResultGrid equilibrium_grid(const EquilibriumSettings& settings, const Equilibri
                       {{journal + "_x", unit, what + " that was asked for, X"}, {journal}, components(journals, 0)},
                       {{journal + "_y", unit, what + " that was asked for, Y"}, {journal}, components(journals, 1)}};
   for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
-    if (has(asked, quantity.name)) continue;
-    std::vector<double> values(result.states.size(), std::numeric_limits<double>::quiet_NaN());
+    if (has(demands, quantity.name)) continue;
+    std::vector<double> values(result.states.size(), absent);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[place_of(settings, i)] = value_of(quantity, *result.bearing, result.states[i]);
     }

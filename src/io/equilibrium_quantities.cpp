@@ -4,29 +4,14 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "io/absent.hpp"
+#include "io/shown_units.hpp"
 
 namespace bumpfoil {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-constexpr double rpm = std::numbers::pi / 30.0;
-
-constexpr ShownUnit plain{"", 1.0};
-constexpr ShownUnit newtons{"N", 1.0};
-constexpr ShownUnit micrometres{"um", 1e-6};
-constexpr ShownUnit degrees{"deg", 1.0};
-constexpr ShownUnit watts{"W", 1.0};
-constexpr ShownUnit bars{"bar", 1e5};
-constexpr ShownUnit revolutions{"rpm", rpm};
-constexpr ShownUnit newton_millimetres{"N mm", 1e-3};
-constexpr ShownUnit stiffness{"MN/m", 1e6};
-constexpr ShownUnit damping{"N s/m", 1.0};
-constexpr ShownUnit megapascals{"MPa", 1e6};
 
 /// Imbalances are relative to the power, the torque and the largest flow.
 double relative(double part, double whole_of_it) {
@@ -103,7 +88,7 @@ Vector bump_loads(const FilmBearing& bearing, const RunningState& state) {
 }
 
 // What tells some quantities from others.
-constexpr RunningQuantity asked(RunningQuantity quantity) {
+constexpr RunningQuantity as_asked(RunningQuantity quantity) {
   quantity.asked = true;
   return quantity;
 }
@@ -122,32 +107,32 @@ constexpr RunningQuantity csv(RunningQuantity quantity) {
 
 using B = FilmBearing;
 using S = RunningState;
-using Control = OperatingPoint::Control;
+using By = OperatingPoint::Control;
 
 constexpr auto table = std::to_array<RunningQuantity>({
-    csv(asked({"speed", "rad/s", "speed of the journal, positive from X to Y",
-               [](const B&, const S& state) { return state.asked.speed; }, "speed", revolutions})),
-    csv(asked({"load_x", "N", "load on the journal that was asked for, X", asked_journal<Control::load, 0>, "load, X",
-               newtons})),
-    csv(asked({"load_y", "N", "load on the journal that was asked for, Y", asked_journal<Control::load, 1>, "load, Y",
-               newtons})),
-    csv({"x", "m", "journal centre, X", position<0>, "journal, X", micrometres}),
-    csv({"y", "m", "journal centre, Y", position<1>, "journal, Y", micrometres}),
-    csv({"force_x", "N", "force that holds the journal against the film, X", force<0>, "force, X", newtons}),
-    csv({"force_y", "N", "force that holds the journal against the film, Y", force<1>, "force, Y", newtons}),
+    csv(as_asked({"speed", "rad/s", "speed of the journal, positive from X to Y",
+                  [](const B&, const S& state) { return state.asked.speed; }, "speed", shown::revolutions})),
+    csv(as_asked({"load_x", "N", "load on the journal that was asked for, X", asked_journal<By::load, 0>, "load, X",
+                  shown::newtons})),
+    csv(as_asked({"load_y", "N", "load on the journal that was asked for, Y", asked_journal<By::load, 1>, "load, Y",
+                  shown::newtons})),
+    csv({"x", "m", "journal centre, X", position<0>, "journal, X", shown::micrometres}),
+    csv({"y", "m", "journal centre, Y", position<1>, "journal, Y", shown::micrometres}),
+    csv({"force_x", "N", "force that holds the journal against the film, X", force<0>, "force, X", shown::newtons}),
+    csv({"force_y", "N", "force that holds the journal against the film, Y", force<1>, "force, Y", shown::newtons}),
     csv({"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
-         of<&FilmBearingOutcome::eccentricity>, "eccentricity", plain}),
+         of<&FilmBearingOutcome::eccentricity>, "eccentricity", shown::unitless}),
     csv({"attitude_angle", "degree",
          "angle from the force to the displacement of the journal, positive in the sense of rotation",
          [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, "attitude angle",
-         degrees}),
+         shown::degrees}),
     csv({"h_min", "m", "least film thickness of all nodes",
          [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
-         "least film thickness", micrometres}),
+         "least film thickness", shown::micrometres}),
     csv({"h_min_theta", "degree", "where that is, from the weld along the foil",
          [](const B& bearing,
             const S& state) { return to_degrees(state.outcome->thinnest.column * bearing.foil.mesh.dtheta); },
-         "  at, from the weld", degrees}),
+         "  at, from the weld", shown::degrees}),
     {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
      [](const B& bearing, const S& state) {
        return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
@@ -155,15 +140,17 @@ constexpr auto table = std::to_array<RunningQuantity>({
     {"h_min_vertex_theta", "degree", "where that is, from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }},
     foils({"h_min_crest", "m", "least film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>}),
-    csv({"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, "highest pressure", bars}),
-    csv({"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, "lowest pressure", bars}),
+    csv({"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, "highest pressure",
+         shown::bars}),
+    csv({"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, "lowest pressure",
+         shown::bars}),
     csv({"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
-         "torque", newton_millimetres}),
+         "torque", shown::newton_millimetres}),
     {"couette_torque", "N m", "part of the torque that the moving surface alone makes",
      of<&FilmBearingOutcome::couette_torque>},
     {"poiseuille_torque", "N m", "part of the torque that the pressure gradient makes",
      [](const B&, const S& state) { return state.outcome->torque - state.outcome->couette_torque; }},
-    csv({"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, "power loss", watts}),
+    csv({"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, "power loss", shown::watts}),
     {"couette_dissipation", "W", "power that the moving surface dissipates",
      of<&FilmBearingOutcome::couette_dissipation>},
     {"poiseuille_dissipation", "W", "power that the pressure flow dissipates",
@@ -186,7 +173,7 @@ constexpr auto table = std::to_array<RunningQuantity>({
      }},
     csv(counted(foils({"loaded_bumps", "1", "bumps that the top foil presses",
                        [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
-                       "loaded bumps", plain}))),
+                       "loaded bumps", shown::unitless}))),
     counted(foils({"first_loaded_bump", "1", "first of them, counted from the weld",
                    bump_number<&FilmBearingOutcome::first_loaded>})),
     counted(foils({"last_loaded_bump", "1", "last of them, counted from the weld",
@@ -196,56 +183,56 @@ constexpr auto table = std::to_array<RunningQuantity>({
          [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); }})),
     foils({"highest_bump_load", "N", "largest compression between top foil and crest",
            [](const B& bearing, const S& state) { return bump_loads(bearing, state).maxCoeff(); }, "highest bump load",
-           newtons}),
+           shown::newtons}),
     counted(foils({"highest_loaded_bump", "1", "bump that bears it, counted from the weld",
                    [](const B& bearing, const S& state) {
                      Eigen::Index bump = 0;
                      return bump_loads(bearing, state).maxCoeff(&bump) > 0.0 ? static_cast<double>(bump + 1) : absent;
                    },
-                   "  on bump", plain})),
+                   "  on bump", shown::unitless})),
     foils({"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
            [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, "highest stress, top foil",
-           megapascals}),
+           shown::megapascals}),
     foils({"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil; frame only",
            [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); },
-           "highest stress, bump foil", megapascals}),
-    csv(asked({"status", "", "how the search for the state ended",
-               [](const B&, const S& state) { return static_cast<double>(state.report.status); }, "status", plain,
-               flags<FilmStatus>})),
-    csv(asked({"path", "", "path that leads to the state",
-               [](const B&, const S& state) { return static_cast<double>(state.path); }, "path", plain,
-               flags<FilmPath>})),
+           "highest stress, bump foil", shown::megapascals}),
+    csv(as_asked({"status", "", "how the search for the state ended",
+                  [](const B&, const S& state) { return static_cast<double>(state.report.status); }, "status",
+                  shown::unitless, flags<FilmStatus>})),
+    csv(as_asked({"path", "", "path that leads to the state",
+                  [](const B&, const S& state) { return static_cast<double>(state.path); }, "path", shown::unitless,
+                  flags<FilmPath>})),
     csv(foils({"kxx", "N/m", "dF_x/dx, contacts going on in their modes", entry<&S::stiffness, 0, 0>, "stiffness, xx",
-               stiffness})),
+               shown::stiffness})),
     csv(foils({"kxy", "N/m", "dF_x/dy, contacts going on in their modes", entry<&S::stiffness, 0, 1>, "stiffness, xy",
-               stiffness})),
+               shown::stiffness})),
     csv(foils({"kyx", "N/m", "dF_y/dx, contacts going on in their modes", entry<&S::stiffness, 1, 0>, "stiffness, yx",
-               stiffness})),
+               shown::stiffness})),
     csv(foils({"kyy", "N/m", "dF_y/dy, contacts going on in their modes", entry<&S::stiffness, 1, 1>, "stiffness, yy",
-               stiffness})),
+               shown::stiffness})),
     csv(foils({"kxx_stuck", "N/m", "dF_x/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 0>})),
     csv(foils({"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>})),
     csv(foils({"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>})),
     csv(foils({"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>})),
     foils({"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
            [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; },
-           "whirl frequency", revolutions}),
+           "whirl frequency", shown::revolutions}),
     foils({"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 0, 0>, "whirl stiffness, xx", stiffness}),
+           whirl_stiffness<&FilmWhirl::impedance, 0, 0>, "whirl stiffness, xx", shown::stiffness}),
     foils({"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 0, 1>, "whirl stiffness, xy", stiffness}),
+           whirl_stiffness<&FilmWhirl::impedance, 0, 1>, "whirl stiffness, xy", shown::stiffness}),
     foils({"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 1, 0>, "whirl stiffness, yx", stiffness}),
+           whirl_stiffness<&FilmWhirl::impedance, 1, 0>, "whirl stiffness, yx", shown::stiffness}),
     foils({"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 1, 1>, "whirl stiffness, yy", stiffness}),
+           whirl_stiffness<&FilmWhirl::impedance, 1, 1>, "whirl stiffness, yy", shown::stiffness}),
     foils({"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 0, 0>, "whirl damping, xx", damping}),
+           whirl_damping<&FilmWhirl::impedance, 0, 0>, "whirl damping, xx", shown::damping}),
     foils({"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 0, 1>, "whirl damping, xy", damping}),
+           whirl_damping<&FilmWhirl::impedance, 0, 1>, "whirl damping, xy", shown::damping}),
     foils({"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 1, 0>, "whirl damping, yx", damping}),
+           whirl_damping<&FilmWhirl::impedance, 1, 0>, "whirl damping, yx", shown::damping}),
     foils({"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 1, 1>, "whirl damping, yy", damping}),
+           whirl_damping<&FilmWhirl::impedance, 1, 1>, "whirl damping, yy", shown::damping}),
     foils({"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, all closed contacts sticking",
            whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 0>}),
     foils({"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, all closed contacts sticking",
@@ -262,14 +249,14 @@ constexpr auto table = std::to_array<RunningQuantity>({
            whirl_damping<&FilmWhirl::stuck_impedance, 1, 0>}),
     foils({"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, all closed contacts sticking",
            whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>}),
-    asked(counted(foils({"jumps", "1", "folds on the way to the state, over which the film was marched in time",
-                         cost<&FilmReport::jumps>}))),
-    asked(counted({"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>})),
-    asked(counted(foils({"factorisations", "1", "factorisations of contact systems on the way to the state",
-                         cost<&FilmReport::factorisations>}))),
+    as_asked(counted(foils({"jumps", "1", "folds on the way to the state, over which the film was marched in time",
+                            cost<&FilmReport::jumps>}))),
+    as_asked(counted({"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>})),
+    as_asked(counted(foils({"factorisations", "1", "factorisations of contact systems on the way to the state",
+                            cost<&FilmReport::factorisations>}))),
     {"residual", "1", "norm of all scaled residuals before the last Newton step",
      [](const B&, const S& state) { return state.report.residual; }},
-    asked({"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; }}),
+    as_asked({"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; }}),
 });
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
@@ -322,7 +309,7 @@ std::string name_of_limit(const FilmLimit& limit) {
   return limit.kind == FilmLimitKind::lift_off_speed
              ? fmt::format("lift-off speed under the load ({:.6g}, {:.6g}) N", limit.thick.journal.x(),
                            limit.thick.journal.y())
-             : fmt::format("load capacity at {:.6g} rpm", limit.thick.speed / rpm);
+             : fmt::format("load capacity at {:.6g} rpm", limit.thick.speed / shown::revolutions.size);
 }
 
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing) {
@@ -352,9 +339,9 @@ Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) 
 std::string name_of_state(const RunningState& state) {
   const bool by_load = state.asked.control == OperatingPoint::Control::load;
   const double unit = by_load ? 1.0 : 1e-6;
-  return fmt::format("{}, {:.6g} rpm, {} ({:.6g}, {:.6g}) {}", name_of(state.path), state.asked.speed / rpm,
-                     by_load ? "load" : "position", state.asked.journal.x() / unit, state.asked.journal.y() / unit,
-                     by_load ? "N" : "um");
+  return fmt::format("{}, {:.6g} rpm, {} ({:.6g}, {:.6g}) {}", name_of(state.path),
+                     state.asked.speed / shown::revolutions.size, by_load ? "load" : "position",
+                     state.asked.journal.x() / unit, state.asked.journal.y() / unit, by_load ? "N" : "um");
 }
 
 std::string running_failure(const FilmBearing& bearing, const RunningState& state) {
@@ -364,7 +351,7 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
     text += fmt::format(
         "; the last state that was found: {:.6g} rpm, journal ({:.5g}, {:.5g}) um, force ({:.5g}, "
         "{:.5g}) N, least film thickness {:.4g} um",
-        state.last->speed / rpm, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
+        state.last->speed / shown::revolutions.size, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
         state.outcome->force.x(), state.outcome->force.y(),
         1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
   }

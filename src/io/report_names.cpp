@@ -51,17 +51,17 @@ std::vector<std::string> names_of(const std::vector<fs::path>& folders) {
   return names;
 }
 
-std::string without_machine_paths(std::string_view command_line) {
+std::string without_machine_paths(std::string_view command) {
   std::string out;
   char quote = '\0';
   char before = ' ';
-  for (std::size_t i = 0; i < command_line.size(); ++i) {
-    const char letter = command_line[i];
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    const char letter = command[i];
     const bool begins = before == ' ' || before == '=' || before == '\'' || before == '"';
     if (letter == '/' && begins) {
       const std::string ends{'"', quote == '\0' ? ' ' : quote};
-      const std::size_t end = std::min(command_line.find_first_of(ends, i), command_line.size());
-      i = std::min(command_line.rfind('/', end - 1), end - 1);
+      const std::size_t end = std::min(command.find_first_of(ends, i), command.size());
+      i = std::min(command.rfind('/', end - 1), end - 1);
       before = letter;
       continue;
     }

@@ -22,25 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view staging_prefix = "staged-";
 
-/// A folder that is removed in the end where it was made here and stayed empty.
-class MadeFolder {
- public:
-  explicit MadeFolder(const fs::path& path) : path_(path) {
-    std::error_code code;
-    made_ = fs::create_directories(path_, code);
-    if (code) throw_unwritable(path_, code.value());
-  }
-  ~MadeFolder() {
-    if (made_) ::rmdir(path_.c_str());
-  }
-  MadeFolder(const MadeFolder&) = delete;
-  MadeFolder& operator=(const MadeFolder&) = delete;
-
- private:
-  fs::path path_;
-  bool made_{};
-};
-
 /// Completes what a process left that was killed, and removes what it had not published. Takes the claim.
 void clean_up(const fs::path& folder) {
   complete_publication(folder, [] {});
@@ -53,6 +34,25 @@ void clean_up(const fs::path& folder) {
 }  // namespace
 
 struct ResultFolder::Claimed {
+  /// A folder that is removed in the end where it was made here and stayed empty.
+  class MadeFolder {
+   public:
+    explicit MadeFolder(const fs::path& path) : path_(path) {
+      std::error_code code;
+      made_ = fs::create_directories(path_, code);
+      if (code) throw_unwritable(path_, code.value());
+    }
+    ~MadeFolder() {
+      if (made_) ::rmdir(path_.c_str());
+    }
+    MadeFolder(const MadeFolder&) = delete;
+    MadeFolder& operator=(const MadeFolder&) = delete;
+
+   private:
+    fs::path path_;
+    bool made_{};
+  };
+
   explicit Claimed(const fs::path& path)
       : folder(path), claim(path), staging(work_folder(path) / (std::string(staging_prefix) + random_digits())) {
     clean_up(path);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/warnings.hpp"
+#include "io/absent.hpp"
 #include "io/netcdf_provenance.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/result_layout.hpp"
@@ -22,8 +22,6 @@ namespace {
 
 using netCDF::NcDim;
 using netCDF::NcVar;
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> numbers_from(double first, const NcDim& dim) {
   std::vector<double> numbers(dim.getSize());

@@ -16,22 +16,13 @@
 #include "io/ensemble_reader.hpp"
 #include "io/grid_reader.hpp"
 #include "io/netcdf_image.hpp"
+#include "io/shown_run.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Flag = signed char;
-
-/// Fields that the page does not show.
-bool is_left_out(std::string_view name) {
-  return name.starts_with("gap_") || name == "friction_force_journal_top" || name == "compression";
-}
-
-/// Fields of which the page shows the largest value at every increment, wherever it is: stresses have no sign.
-bool is_reduced(std::string_view name) {
-  return name.starts_with("stress_");
-}
 
 /// NaN where none of them is known.
 double largest(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end) {

@@ -32,14 +32,6 @@ std::string encoded(const Form& form, const std::vector<double>& numbers) {
   return base64_of(flags);
 }
 
-/// Of a stress, which has no sign, its largest at every increment is shown; gaps follow from displacements.
-bool is_reduced(std::string_view name) {
-  return name.starts_with("stress_");
-}
-bool is_left_out(std::string_view name) {
-  return name.starts_with("gap_") || name == "friction_force_journal_top" || name == "compression";
-}
-
 void add_field(Json& json, const FieldQuantity& quantity, const FoilFields& fields, Eigen::Index reached) {
   if (is_left_out(quantity.name) || quantity.node == Node::pad) return;
   const FieldMatrix values = quantity.values(fields);
@@ -92,6 +84,14 @@ Json geometry_of(const ResultLayout& layout) {
 }
 
 }  // namespace
+
+bool is_left_out(std::string_view field) {
+  return field.starts_with("gap_") || field == "friction_force_journal_top" || field == "compression";
+}
+
+bool is_reduced(std::string_view field) {
+  return field.starts_with("stress_");
+}
 
 Json shown_quantity(std::string_view name, std::string_view unit, std::string_view label, std::string_view meaning) {
   return {{"name", name},   {"key", key_of(name, unit)}, {"label", label}, {"unit", unit == "1" ? "" : unit},

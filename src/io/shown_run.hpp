@@ -12,6 +12,12 @@ namespace bumpfoil {
 nlohmann::ordered_json shown_quantity(std::string_view name, std::string_view unit, std::string_view label,
                                       std::string_view meaning);
 
+/// Fields that the page does not show; gaps follow from displacements.
+bool is_left_out(std::string_view field);
+
+/// Fields of which the page shows the largest value at every increment, wherever it is: stresses have no sign.
+bool is_reduced(std::string_view field);
+
 /// Cycles of a bearing as report_json describes them, out of memory: the same as if they had been written and read
 /// back, but for attributes and the order of cycles, which is that of the case.
 /// @param result  with everything recorded

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "bumpfoil/core/status.hpp"
+#include "io/absent.hpp"
 #include "io/number_text.hpp"
 #include "io/sweep_layout.hpp"
 
@@ -17,7 +17,7 @@ namespace bumpfoil {
 namespace {
 
 /// More values than this are not listed.
-constexpr std::size_t most_rows = 50;
+constexpr std::size_t most_listed = 50;
 /// More parts of a result than this are not shown.
 constexpr std::size_t most_parts = 24;
 constexpr std::size_t number_width = 12;
@@ -102,7 +102,7 @@ class Block {
   /// Not a number where the point has not so many.
   [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
     const std::vector<double>& values = points_[point].values[variable];
-    return place_ < values.size() ? values[place_] : std::numeric_limits<double>::quiet_NaN();
+    return place_ < values.size() ? values[place_] : absent;
   }
 
   [[nodiscard]] std::string_view status(std::size_t point) const {
@@ -141,7 +141,7 @@ std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<Sweep
 }  // namespace
 
 std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-  const bool listed = sweep.axes.size() == 1 && points.size() <= most_rows;
+  const bool listed = sweep.axes.size() == 1 && points.size() <= most_listed;
   const SweptResult layout = layout_of(sweep, points);
   std::string out;
   std::size_t shown = 0;

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "bumpfoil/core/error.hpp"
+#include "io/csv_lines.hpp"
 #include "io/number_text.hpp"
 #include "io/unit_system.hpp"
 
@@ -70,12 +71,6 @@ bool has_stray_digits(std::string_view unit) {
     if (before == ' ' || before == '.' || before == ',' || before == '(' || before == '*' || before == '/') return true;
   }
   return false;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 /// Turns, or parts of them, by their name: for UDUNITS-2 a hertz is 1/s.

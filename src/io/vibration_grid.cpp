@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "io/absent.hpp"
 #include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 /// What tables of sweeps show.
 constexpr std::array<std::string_view, 4> headlines{"stiffness_direct", "loss_stiffness_direct", "harmonic_residual",
                                                     "loss_factor"};

@@ -2,20 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "io/absent.hpp"
+#include "io/shown_units.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 double known(const std::optional<double>& number) {
-  return number.value_or(unknown);
+  return number.value_or(absent);
 }
 
 /// Of the first harmonic: outward is in phase with the displacement, ahead a quarter of a turn before it.
@@ -24,7 +22,7 @@ enum class Part { outward, ahead };
 /// Along the direction of the vibration; of an orbit the mean along and across the radius, see orbit_harmonic().
 template <Part part>
 double direct(const Vibration& vibration) {
-  if (!vibration.harmonic) return unknown;
+  if (!vibration.harmonic) return absent;
   const auto& [stiffness, loss, residual] = *vibration.harmonic;
   if (!vibration.sense) return unit_vector(vibration.cycle.direction).dot(part == Part::outward ? stiffness : loss);
   const double s = *vibration.sense == Sense::counterclockwise ? 1.0 : -1.0;
@@ -34,7 +32,7 @@ double direct(const Vibration& vibration) {
 /// And across it, to the left; of an orbit not defined.
 template <Part part>
 double cross(const Vibration& vibration) {
-  if (!vibration.harmonic || vibration.sense) return unknown;
+  if (!vibration.harmonic || vibration.sense) return absent;
   const Eigen::Vector2d n = unit_vector(vibration.cycle.direction);
   return Eigen::Vector2d(-n.y(), n.x())
       .dot(part == Part::outward ? vibration.harmonic->stiffness : vibration.harmonic->loss);
@@ -42,8 +40,6 @@ double cross(const Vibration& vibration) {
 
 constexpr auto truth_words = std::to_array<std::string_view>({"no", "yes"});
 constexpr Form truth{Form::truth, truth_words};
-constexpr ShownUnit plain{"", 1.0};
-constexpr ShownUnit stiffness{"MN/m", 1e6};
 
 constexpr auto vibration_list = std::to_array<VibrationQuantity>({
     {"stiffness_direct",
@@ -53,7 +49,7 @@ constexpr auto vibration_list = std::to_array<VibrationQuantity>({
      direct<Part::outward>,
      {},
      "stiffness",
-     stiffness},
+     shown::stiffness},
     {"stiffness_cross", "N/m", "the same of the force across the direction, turned by +90 degrees",
      cross<Part::outward>},
     {"loss_stiffness_direct",
@@ -63,15 +59,15 @@ constexpr auto vibration_list = std::to_array<VibrationQuantity>({
      direct<Part::ahead>,
      {},
      "loss",
-     stiffness},
+     shown::stiffness},
     {"loss_stiffness_cross", "N/m", "the same of the force across the direction", cross<Part::ahead>},
     {"harmonic_residual",
      "1",
      "norm of the higher harmonics of the force over that of the first",
-     [](const Vibration& v) { return v.harmonic ? v.harmonic->residual : unknown; },
+     [](const Vibration& v) { return v.harmonic ? v.harmonic->residual : absent; },
      {},
      "residual",
-     plain},
+     shown::unitless},
     {"loaded_stiffness", "N/m", "range of the force along the direction over that of the displacement",
      [](const Vibration& v) { return known(v.cycle.loaded_stiffness); }},
     {"loop_energy", "J", "closed integral of force over displacement",
@@ -82,20 +78,20 @@ constexpr auto vibration_list = std::to_array<VibrationQuantity>({
      [](const Vibration& v) { return known(v.cycle.loss_factor); },
      {},
      "loss factor",
-     plain},
+     shown::unitless},
     {"loops",
      "1",
      "loops that were run, the last of which is shown",
      [](const Vibration& v) { return static_cast<double>(v.cycle.loop_energies.size()); },
      {Form::whole},
      "loops",
-     plain},
+     shown::unitless},
     {"settled", "1", "whether the energy of the loop is that of the loop before",
      [](const Vibration& v) { return v.cycle.settled ? 1.0 : 0.0; }, truth},
     {"status", "", "how the vibration ended", [](const Vibration& v) { return static_cast<double>(v.cycle.status); },
-     flags<Status>, "status", plain},
+     flags<Status>, "status", shown::unitless},
     {"max_residual", "1", "largest residual where branches end",
-     [](const Vibration& v) { return v.harmonic ? v.cycle.max_residual : unknown; }},
+     [](const Vibration& v) { return v.harmonic ? v.cycle.max_residual : absent; }},
     {"total_iterations",
      "1",
      "linear solves of all loops",

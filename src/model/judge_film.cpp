@@ -16,7 +16,7 @@ constexpr Range free_path_range{0.0, 1e-4, "m"};
 /// Meshes of films beyond these are slips, and their equations are to fit in memory: some 24 bytes
 /// for each column and pair of rows.
 constexpr int most_columns = 100;
-constexpr int most_rows = 200;
+constexpr int most_film_rows = 200;
 constexpr std::int64_t most_couplings = 50'000'000;
 constexpr double most_speed = 1e6;  // rad/s
 
@@ -39,8 +39,8 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
       "puts no column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
   const bool rows_right =
-      judge.require(film.rows >= 2 && film.rows <= most_rows, "film.rows", std::to_string(film.rows),
-                    "is no possible number of rows", fmt::format("give a whole number from 2 to {}", most_rows));
+      judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
+                    "is no possible number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (runs && columns_right && rows_right) {
     const std::int64_t all_columns = std::int64_t{columns} * bumps;
     judge.require(

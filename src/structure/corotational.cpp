@@ -82,14 +82,14 @@ CorotationalResponse corotational_response(const CorotationalElement& element, c
 
   const Eigen::Vector2d& t = displaced.tangent;
   const ElementVector stretch{{-t.x(), -t.y(), 0.0, t.x(), t.y(), 0.0}};
-  const ElementVector turn = ElementVector{{t.y(), -t.x(), 0.0, -t.y(), t.x(), 0.0}} / displaced.length;
+  const ElementVector rotation = ElementVector{{t.y(), -t.x(), 0.0, -t.y(), t.x(), 0.0}} / displaced.length;
   Eigen::Matrix<double, 3, 6> derivative;
-  derivative << stretch.transpose(), -turn.transpose(), -turn.transpose();
+  derivative << stretch.transpose(), -rotation.transpose(), -rotation.transpose();
   derivative(1, 2) = derivative(2, 5) = 1.0;
 
   const ElementMatrix material = derivative.transpose() * element.stiffness * derivative;
-  const ElementMatrix turning = displaced.length * turn * turn.transpose();
-  const ElementMatrix coupling = stretch * turn.transpose() / displaced.length;
+  const ElementMatrix turning = displaced.length * rotation * rotation.transpose();
+  const ElementMatrix coupling = stretch * rotation.transpose() / displaced.length;
   return {.energy = 0.5 * natural.dot(displaced.deformations),
           .forces = derivative.transpose() * natural,
           .tangent = material + natural[0] * turning + (natural[1] + natural[2]) * (coupling + coupling.transpose()),

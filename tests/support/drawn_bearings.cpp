@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t seed_of_bearings = 1;
 
 /// What the response must balance its energies to, as part of the largest work: sums of thousands of pieces, each with
 /// roundings of 1e-16 of energies that may be larger, as those of foils that are squeezed when the journal is centred.
@@ -26,7 +26,8 @@ constexpr double tolerated_gap = 1e-13;
 /// Numbers drawn for a bearing, one after the other.
 class Draws {
  public:
-  explicit Draws(std::uint64_t bearing) : place_{.seed = seed, .sample = bearing, .variable = 0, .element = 0} {}
+  explicit Draws(std::uint64_t bearing)
+      : place_{.seed = seed_of_bearings, .sample = bearing, .variable = 0, .element = 0} {}
 
   double probability() {
     ++place_.variable;

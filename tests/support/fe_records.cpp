@@ -1,29 +1,22 @@
 #include "support/fe_records.hpp"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <numbers>
+#include "support/json_data.hpp"
 
 namespace bumpfoil {
 namespace {
 
-Vector to_vector(const nlohmann::json& list) {
-  const auto values = list.get<std::vector<double>>();
-  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 nlohmann::json rows_of(const std::string& file) {
-  return nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/fe/" + file)).at("rows");
+  return json_data("fe/" + file).at("rows");
 }
 
-std::vector<FeCycle> read_cycles() {
+std::vector<FeCycle> read_fe_cycles() {
   std::vector<FeCycle> cycles;
   for (const nlohmann::json& row : rows_of("full_bearing.json")) {
     if (!row.at("converged").get<bool>()) continue;
     const int steps = row.at("steps");
     cycles.push_back({.variant = row.at("variant"),
                       .friction_coefficient = row.at("friction"),
-                      .direction = row.at("direction_deg").get<double>() * std::numbers::pi / 180.0,
+                      .direction = row.at("direction_deg").get<double>() * degree,
                       .steps = steps,
                       .max_force = row.at("max_force_N"),
                       .cross_force = row.at("force_cross_N").at(static_cast<std::size_t>(steps)),
@@ -58,7 +51,7 @@ const std::vector<FeStrip>& fe_strips() {
 }
 
 const std::vector<FeCycle>& fe_cycles() {
-  static const std::vector<FeCycle> cycles = read_cycles();
+  static const std::vector<FeCycle> cycles = read_fe_cycles();
   return cycles;
 }
 

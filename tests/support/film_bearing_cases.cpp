@@ -1,9 +1,8 @@
 #include "support/film_bearing_cases.hpp"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "support/json_data.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
@@ -11,8 +10,8 @@ namespace {
 
 constexpr double micrometre = 1e-6;
 
-const nlohmann::json& document() {
-  static const nlohmann::json parsed = nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/film_bearing.json"));
+const nlohmann::json& prototype() {
+  static const nlohmann::json parsed = json_data("film_bearing.json");
   return parsed;
 }
 
@@ -38,7 +37,7 @@ Eigen::Matrix2cd read_impedance(const nlohmann::json& stiffness, const nlohmann:
 
 std::vector<ReferenceRun> read_runs() {
   std::vector<ReferenceRun> runs;
-  for (const nlohmann::json& entry : document().at("frictionless")) {
+  for (const nlohmann::json& entry : prototype().at("frictionless")) {
     const nlohmann::json& position = entry.at("position_Cr");
     ReferenceRun run{.position = {position.at(0).get<double>(), position.at(1).get<double>()},
                      .speed = speed_of_rpm(entry.at("rpm"))};
@@ -61,7 +60,7 @@ std::vector<ReferenceRun> read_runs() {
 
 std::vector<ReferenceEquilibrium> read_equilibria() {
   std::vector<ReferenceEquilibrium> equilibria;
-  for (const nlohmann::json& entry : document().at("load_equilibria")) {
+  for (const nlohmann::json& entry : prototype().at("load_equilibria")) {
     const auto load = entry.at("load_N").get<std::vector<double>>();
     ReferenceEquilibrium equilibrium{
         .resolution = read_resolution(entry), .load = {load[0], load[1]}, .speed = speed_of_rpm(entry.at("rpm"))};
@@ -74,7 +73,7 @@ std::vector<ReferenceEquilibrium> read_equilibria() {
 }
 
 ReferencePath read_path() {
-  const nlohmann::json& entry = document().at("friction_path");
+  const nlohmann::json& entry = prototype().at("friction_path");
   ReferencePath path{.resolution = read_resolution(entry), .speed = speed_of_rpm(entry.at("rpm"))};
   for (const nlohmann::json& row : entry.at("rows")) {
     path.increments.push_back({.eccentricity = row.at("e"),
@@ -91,7 +90,7 @@ ReferencePath read_path() {
 std::vector<ReferenceWhirl> read_whirls() {
   const double speed = read_path().speed;
   std::vector<ReferenceWhirl> whirls;
-  for (const nlohmann::json& entry : document().at("friction_whirl")) {
+  for (const nlohmann::json& entry : prototype().at("friction_whirl")) {
     const double frequency = entry.at("frequency_over_speed").get<double>() * speed;
     whirls.push_back({entry.at("stuck"), frequency, read_impedance(entry.at("K"), entry.at("C"), frequency)});
   }

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include "support/json_data.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 /// Half the axial length over the radius of all films of the file.
 constexpr double half_width = 1.0;
 /// Eccentricity where P = 1 is near enough to the film for Newton's method, whatever the foundation.
@@ -32,7 +31,7 @@ FoundationKind read_kind(const std::string& name) {
 }
 
 std::vector<ReferenceFilm> read_films() {
-  const auto document = nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/film_rigid_and_winkler.json"));
+  const auto document = json_data("film_rigid_and_winkler.json");
   std::vector<ReferenceFilm> films;
   for (const nlohmann::json& entry : document.at("films")) {
     ReferenceFilm film{.bearing_number = entry.at("Lam"),

@@ -1,27 +1,18 @@
 #include "support/reference_cycles.hpp"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <numbers>
+#include "support/json_data.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-Vector to_vector(const nlohmann::json& list) {
-  const auto values = list.get<std::vector<double>>();
-  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-const nlohmann::json& document() {
-  static const nlohmann::json parsed = nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/truss_cycles.json"));
+const nlohmann::json& truss_data() {
+  static const nlohmann::json parsed = json_data("truss_cycles.json");
   return parsed;
 }
 
 std::vector<ReferenceCycle> read_cycles() {
   std::vector<ReferenceCycle> cycles;
-  for (const nlohmann::json& entry : document().at("cycles")) {
+  for (const nlohmann::json& entry : truss_data().at("cycles")) {
     ReferenceCycle cycle;
     cycle.name = entry.at("name");
     cycle.input = case_with_given_constants();
@@ -50,14 +41,14 @@ const std::vector<ReferenceCycle>& reference_cycles() {
 
 Case case_with_given_constants() {
   Case input = reference_case();
-  const nlohmann::json& truss = document().at("truss");
+  const nlohmann::json& truss = truss_data().at("truss");
   input.bump_foil.truss = {.k1 = truss.at("k1_N_per_m").get<double>(),
                            .k2 = truss.at("k2_N_per_m").get<double>(),
                            .k3 = truss.at("k3_N_per_m").get<double>(),
                            .k4 = truss.at("k4_N_per_m").get<double>(),
                            .theta_d = truss.at("theta_d_deg").get<double>() * degree};
-  input.cycle.amplitude.value = document().at("amplitude_m");
-  input.cycle.steps = document().at("steps");
+  input.cycle.amplitude.value = truss_data().at("amplitude_m");
+  input.cycle.steps = truss_data().at("steps");
   return input;
 }
 
