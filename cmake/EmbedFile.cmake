@@ -9,6 +9,8 @@ function(bumpfoil_embed_file target name file)
   set(BUMPFOIL_EMBED_NAME "${name}")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}.cpp")
   configure_file("${BUMPFOIL_EMBED_TEMPLATE}" "${source}" @ONLY)
-  set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES OBJECT_DEPENDS "${BUMPFOIL_EMBED_FILE}")
+  # By itself: as part of a batch it would not be compiled anew with the file.
+  set_source_files_properties("${source}" TARGET_DIRECTORY ${target}
+                              PROPERTIES OBJECT_DEPENDS "${BUMPFOIL_EMBED_FILE}" SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE "${source}")
 endfunction()
