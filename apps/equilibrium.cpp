@@ -43,7 +43,8 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
        .examples = "  bumpfoil equilibrium examples/running.toml -o running\n"
                    "  bumpfoil equilibrium examples/running.toml -o coasting --set equilibrium.path=speed_ramp\n"
                    "Several states may exist at one speed and load, even without friction: the path decides which is "
-                   "found.\n",
+                   "found.\n"
+                   "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
        .files = equilibrium_file_names("equilibrium"),
        .run = [flags](const Case& input, const ProgressCallback& progress) {
          const std::vector<FilmPath> paths =

@@ -10,9 +10,11 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "io/absent.hpp"
 #include "io/csv_value.hpp"
 #include "io/equilibrium_json.hpp"
 #include "io/equilibrium_netcdf.hpp"
+#include "io/film_ross_toml.hpp"
 #include "io/manifest.hpp"
 #include "io/summary_json.hpp"
 #include "io/vibration_quantities.hpp"
@@ -21,8 +23,6 @@ namespace bumpfoil {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
   const FilmBearing& bearing = *result.bearing;
@@ -79,7 +79,7 @@ std::string_view command_of(const EquilibriumResult& result) {
 std::vector<std::string> equilibrium_file_names(std::string_view command) {
   const std::string csv = fmt::format("{}.csv", command);
   if (command == "film") return {"summary.json", csv, "result.nc"};
-  return {"summary.json", csv, "coefficients.csv", "result.nc"};
+  return {"summary.json", csv, "coefficients.csv", "coefficients.toml", "result.nc"};
 }
 
 RunStatus status_of(const EquilibriumResult& result) {
@@ -207,7 +207,10 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
   files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
-  if (result.foils) files.push_back({"coefficients.csv", film_coefficients_csv(result)});
+  if (result.foils) {
+    files.push_back({"coefficients.csv", film_coefficients_csv(result)});
+    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id)});
+  }
   files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
   files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});
   return files;

@@ -1,19 +1,19 @@
 #include "io/ross_toml.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "bumpfoil/core/version.hpp"
+#include "io/ross_element.hpp"
 #include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
 
 constexpr std::size_t fewest_frequencies = 5;
-constexpr int points = 9;
+constexpr int sampled_frequencies = 9;
 /// Frequencies that differ by less, as part of them, are one.
 constexpr double same_frequency = 1e-9;
 
@@ -32,32 +32,12 @@ constexpr std::string_view head =
 # frequencies, c are proportional to 1/frequency.
 )";
 
-/// A TOML float: one that looks like an integer would be read as one.
-std::string number(double value) {
-  std::string text = fmt::format("{:.17g}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string list(const std::vector<double>& values) {
-  std::vector<std::string> texts;
-  texts.reserve(values.size());
-  for (const double value : values) texts.push_back(number(value));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
-}
-
-std::string element(const LinearFoils& foils, const std::vector<double>& frequencies) {
-  std::string out = fmt::format("\n[bearing.element]\nfrequency = {}\n", list(frequencies));
-  for (const auto& [axes, row, column] : matrix_entries) {
-    out += fmt::format("k{} = {}\n", axes, list(std::vector<double>(frequencies.size(), foils.stiffness(row, column))));
-  }
-  for (const auto& [axes, row, column] : matrix_entries) {
-    std::vector<double> damping;
-    damping.reserve(frequencies.size());
-    for (const double frequency : frequencies) damping.push_back(foils.damping(frequency)(row, column));
-    out += fmt::format("c{} = {}\n", axes, list(damping));
-  }
-  return out;
+RossElement element_of(const LinearFoils& foils, const std::vector<double>& frequencies) {
+  RossElement element{.speeds = {}, .frequencies = frequencies, .stiffness = {}, .damping = {}};
+  element.stiffness.assign(frequencies.size(), foils.stiffness);
+  element.damping.reserve(frequencies.size());
+  for (const double frequency : frequencies) element.damping.push_back(foils.damping(frequency));
+  return element;
 }
 
 }  // namespace
@@ -66,8 +46,8 @@ std::vector<double> exported_frequencies(std::vector<double> frequencies) {
   if (frequencies.size() < fewest_frequencies) {
     const auto [lowest, highest] = std::minmax_element(frequencies.begin(), frequencies.end());
     const double first = 0.5 * *lowest;
-    const double ratio = std::pow(2.0 * *highest / first, 1.0 / (points - 1));
-    for (int i = 0; i < points; ++i) frequencies.push_back(first * std::pow(ratio, i));
+    const double ratio = std::pow(2.0 * *highest / first, 1.0 / (sampled_frequencies - 1));
+    for (int i = 0; i < sampled_frequencies; ++i) frequencies.push_back(first * std::pow(ratio, i));
   }
   // Of two that are one, the first is that of the case.
   std::stable_sort(frequencies.begin(), frequencies.end(),
@@ -93,13 +73,13 @@ std::string ross_toml(const VibrationSettings& settings, const std::vector<Linea
                          foils.load.x(), foils.load.y(), foils.amplitude);
       continue;
     }
-    out += fmt::format("\n[[bearing]]\nload_N = {}\namplitude_m = {}\n", list({foils.load.x(), foils.load.y()}),
-                       number(foils.amplitude));
+    out += fmt::format("\n[[bearing]]\nload_N = {}\namplitude_m = {}\n", toml_list({foils.load.x(), foils.load.y()}),
+                       toml_number(foils.amplitude));
     for (const LinearQuantity& quantity : linear_quantities()) {
       const double value = quantity.value(foils);
-      if (std::isfinite(value)) out += fmt::format("{} = {}\n", quantity.name, number(value));
+      if (std::isfinite(value)) out += fmt::format("{} = {}\n", quantity.name, toml_number(value));
     }
-    out += element(foils, frequencies);
+    out += toml_of(element_of(foils, frequencies));
   }
   return out;
 }

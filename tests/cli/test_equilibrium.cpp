@@ -38,10 +38,11 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
   const Outcome done = run(command("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"}));
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("least film thickness"), std::string::npos);
-  EXPECT_NE(done.output.find(results_ + " (summary.json, equilibrium.csv, coefficients.csv, result.nc)"),
-            std::string::npos);
-  EXPECT_EQ(names_in("results"),
-            (std::set<std::string>{"coefficients.csv", "equilibrium.csv", "result.nc", "summary.json"}));
+  EXPECT_NE(
+      done.output.find(results_ + " (summary.json, equilibrium.csv, coefficients.csv, coefficients.toml, result.nc)"),
+      std::string::npos);
+  EXPECT_EQ(names_in("results"), (std::set<std::string>{"coefficients.csv", "coefficients.toml", "equilibrium.csv",
+                                                        "result.nc", "summary.json"}));
   EXPECT_EQ(summary().at("command"), "equilibrium");
   EXPECT_EQ(summary().at("status"), "complete");
   ASSERT_EQ(summary().at("states").size(), 2U);

@@ -18,8 +18,8 @@ std::vector<std::string> equilibrium_file_names(std::string_view command);
 /// How a run ended.
 RunStatus status_of(const EquilibriumResult& result);
 
-/// The files of a run, as docs/results.md describes them: equilibrium.csv with coefficients.csv, or film.csv; result.nc
-/// and summary.json, with the same run id and checksums as those of cycles.
+/// The files of a run, as docs/results.md describes them: equilibrium.csv with coefficients.csv and coefficients.toml,
+/// or film.csv; result.nc and summary.json, with the same run id and checksums as those of cycles.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 /// @throws Error (file) if the memory does not suffice

@@ -49,13 +49,14 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(EquilibriumFiles, AreOneSet) {
   const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
-  ASSERT_EQ(files.size(), 4U);
+  ASSERT_EQ(files.size(), 5U);
   EXPECT_EQ(files[0].name, "equilibrium.csv");
   EXPECT_EQ(files[1].name, "coefficients.csv");
-  const json summary = json::parse(files[3].contents);
+  EXPECT_EQ(files[2].name, "coefficients.toml");
+  const json summary = json::parse(files[4].contents);
   EXPECT_EQ(summary.at("command"), "equilibrium");
-  EXPECT_TRUE(is_sealed(files[3].contents, summary.at("xxh3_128").get<std::string>()));
-  for (const std::size_t i : {0U, 1U, 2U}) {
+  EXPECT_TRUE(is_sealed(files[4].contents, summary.at("xxh3_128").get<std::string>()));
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
     EXPECT_EQ(summary.at("files").at(files[i].name).at("xxh3_128"), xxh3_128(files[i].contents));
   }
   ASSERT_EQ(summary.at("states").size(), 2U);
@@ -95,7 +96,7 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
   EXPECT_TRUE(lines[1].ends_with(fmt::format(",{:.17g}", whirl.stuck_impedance->imag()(1, 1) / whirl.frequency)));
   // At the frequency of the rotation these are quantities of the state, too.
   const json state =
-      json::parse(equilibrium_files(small_case(), example(), RunStatus::complete, {})[3].contents).at("states").at(0);
+      json::parse(equilibrium_files(small_case(), example(), RunStatus::complete, {})[4].contents).at("states").at(0);
   EXPECT_EQ(state.at("whirl_frequency_rad_per_s"), whirl.frequency);
   EXPECT_EQ(state.at("kyx_whirl_N_per_m"), Z(1, 0).real());
   EXPECT_EQ(state.at("cxy_whirl_N_s_per_m"), Z(0, 1).imag() / whirl.frequency);
@@ -104,7 +105,7 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
 
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
   const std::vector<ResultFile> files = equilibrium_files(small_case(), example(true), RunStatus::failed, {});
-  const json failed = json::parse(files[3].contents).at("states").at(1);
+  const json failed = json::parse(files[4].contents).at("states").at(1);
   EXPECT_TRUE(failed.at("x_m").is_null());
   EXPECT_GT(failed.at("last_state").at("x_m"), 0.0);
   EXPECT_NE(failed.at("reason").get<std::string>().find("the branch of states ends"), std::string::npos);
@@ -113,7 +114,7 @@ TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
 TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   const testing::TemporaryFolder folder;
   const std::string path =
-      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[2].contents);
+      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[3].contents);
   const netCDF::NcFile file(path, netCDF::NcFile::read);
   std::string status;
   file.getAtt("status").getValues(status);
@@ -192,7 +193,7 @@ TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
     EXPECT_TRUE(variables.contains(quantity.at("name"))) << quantity;
     EXPECT_NE(quantity.at("label").get<std::string>().front(), ' ') << quantity;
   }
-  json summary = json::parse(files[3].contents);
+  json summary = json::parse(files[4].contents);
   summary["limits"] = {{{"kind", "load_capacity"}, {"status", "converged"}, {"thick", json::object()}}};
   folder.write("summary.json", summary.dump());
   EXPECT_THROW(report_json({folder.path()}, {.checked = false}), Error);
