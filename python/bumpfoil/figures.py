@@ -14,7 +14,7 @@ import numpy as np
 
 from .figure_sheet import Sheet, save, styled
 from .paper_figures import paper
-from .plots import _style, _words, draw_states
+from .plots import _style, _words, draw_states, running_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -196,17 +196,50 @@ def _lines(sheet: Sheet, count: int) -> list[Any]:
     return [Line2D([], [], label=label, **_style(number)) for number, label in enumerate(labels[:count])]
 
 
+def _running_coefficients(result: Result, width: str, contacts: str) -> Figure:
+    words, lines = running_lines(result.to_dataframe("coefficients"))
+    behind = "_stuck" if contacts == "stuck" else ""
+    panels = [
+        (title, f"{symbol} ({unit})", size, [f"{symbol.lower()}{axes}{behind}_{ending}" for axes in pair])
+        for symbol, unit, size, ending, kind in (
+            ("K", "MN/m", 1e-6, "N_per_m", "stiffness"),
+            ("C", "kN s/m", 1e-3, "N_s_per_m", "damping"),
+        )
+        for title, pair in ((f"direct {kind}", ("xx", "yy")), (f"cross {kind}", ("xy", "yx")))
+    ]
+    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40)
+    for ax, (_, ordinate, size, columns) in zip(sheet.panels, panels):
+        for component, column in enumerate(columns):
+            for number, (label, over, rows) in enumerate(lines):
+                style = _style(number, marked=True)
+                style["linestyle"] = ("-", "--")[component]
+                style["markerfacecolor"] = (style["color"], "white")[component]
+                axes = ("xx, xy", "yy, yx")[component]
+                ax.plot(over, size * rows[column], label=f"{axes}, {label}" if label else axes, **style)
+        ax.set_xlabel(words)
+        ax.set_ylabel(ordinate)
+    sheet.entitle([title for title, *_ in panels])
+    return sheet.finish()
+
+
 @styled
-def coefficients(result: Result, *, width: str = "double") -> Figure:
-    """Direct stiffness, cross stiffness, loss stiffness and loss factor of vibrations over their amplitude.
+def coefficients(result: Result, *, width: str = "double", contacts: str = "stuck") -> Figure:
+    """Stiffness and damping for rotor dynamics.
+
+    Of vibrations direct stiffness, cross stiffness, loss stiffness and loss factor over their amplitude; of running bearings
+    direct and cross stiffness and damping over frequency, speed or load, whichever varies.
 
     Parameters
     ----------
     result : Result
-        Of ``vibration``.
+        Of ``vibration`` or ``equilibrium``.
     width : {"single", "double"}
         90 or 190 mm.
+    contacts : {"stuck", "slipping"}
+        Of a running bearing: motions too small to make a contact slip, or such that let slipping contacts slip on.
     """
+    if result.command == "equilibrium":
+        return _running_coefficients(result, width, contacts)
     table = result.to_dataframe("coefficients")
     # Stiffness and frequency times damping are those of every frequency: friction knows no rates.
     table = table.drop_duplicates(["load_x_N", "load_y_N", "amplitude_m"])

@@ -9,6 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import pandas
     from matplotlib.axes import Axes
 
     from .cycle import Cycle
@@ -74,8 +75,54 @@ def bump_loads(result: Result, ax: Axes | None) -> Axes:
     return ax
 
 
+def running_lines(table: pandas.DataFrame) -> tuple[str, list[tuple[str, pandas.Series, pandas.DataFrame]]]:
+    """Coefficients of running bearings over what varies: frequency, else speed, else load or displacement. Words for it,
+    and of each line label, abscissa and rows."""
+    by_load = bool(table.load_x_N.notna().all())
+    place = ["load_x_N", "load_y_N"] if by_load else ["x_m", "y_m"]
+    speed = (table.speed_rad_per_s * 30.0 / np.pi).abs()
+    frequencies = table.groupby(["path", "speed_rad_per_s", *place]).frequency_rad_per_s.nunique()
+    if frequencies.max() > 1:
+        words, over, held = "frequency (Hz)", table.frequency_rad_per_s / (2.0 * np.pi), ["speed_rad_per_s", *place]
+    elif speed.nunique() > 1:
+        words, over, held = "speed (rpm)", speed, place
+    elif by_load:
+        words, over, held = "load (N)", np.hypot(table.load_x_N, table.load_y_N), []
+    else:
+        words, over, held = "displacement (µm)", 1e6 * np.hypot(table.x_m, table.y_m), []
+    lines = []
+    for _, rows in table.groupby([*held, "path"] if held else "path", sort=False):
+        first = rows.iloc[0]
+        parts = []
+        if "speed_rad_per_s" in held and speed.nunique() > 1:
+            parts.append(f"{speed[rows.index[0]]:.6g} rpm")
+        if held and len(table[place].drop_duplicates()) > 1:
+            unit, size = ("N", 1.0) if by_load else ("µm", 1e6)
+            parts.append(f"({size * first[place[0]]:g}, {size * first[place[1]]:g}) {unit}".replace("-", "−"))
+        if table.path.nunique() > 1:
+            parts.append(first.path.replace("_", " "))
+        rows = rows.loc[over[rows.index].sort_values(kind="stable").index]
+        lines.append((", ".join(parts), over[rows.index], rows))
+    return words, lines
+
+
+def running_coefficients(result: Result, ax: Axes) -> Axes:
+    words, lines = running_lines(result.to_dataframe("coefficients"))
+    for number, (label, over, rows) in enumerate(lines):
+        for component, name in enumerate(("kxx", "kyy")):
+            style = _style(2 * number + component, marked=True)
+            text = ", ".join(part for part in (name, label) if part)
+            ax.plot(over, 1e-6 * rows[f"{name}_stuck_N_per_m"], label=text, markersize=4, **style)
+    ax.set_xlabel(words)
+    ax.set_ylabel("stiffness, contacts stuck (MN/m)")
+    _legend(ax, 2 * len(lines))
+    return ax
+
+
 def coefficients(result: Result, ax: Axes | None) -> Axes:
     ax = _axes(ax)
+    if result.command == "equilibrium":
+        return running_coefficients(result, ax)
     table = result.to_dataframe("coefficients")
     table = table.drop_duplicates(["load_x_N", "load_y_N", "amplitude_m"])  # stiffness does not depend on frequency
     number = 0

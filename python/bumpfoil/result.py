@@ -172,7 +172,8 @@ class Result:
         return plots.bump_loads(self, ax)
 
     def plot_coefficients(self, *, ax: Axes | None = None) -> Axes:
-        """Draws the direct stiffnesses of vibrations over their amplitude, on `ax` or on new matplotlib axes."""
+        """Draws direct stiffnesses, on `ax` or on new matplotlib axes: of vibrations over their amplitude; of running bearings,
+        for motions that make no contact slip, over frequency, speed or load, whichever varies."""
         return plots.coefficients(self, ax)
 
     def __repr__(self) -> str:

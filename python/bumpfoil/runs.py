@@ -92,9 +92,18 @@ def run_vibration(case: Any, /, *, progress: Progress = None, **tables: Any) -> 
     return _run("vibration", case, progress, tables)
 
 
-def run_equilibrium(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
-    """Finds where the journal of a running bearing is, with gas film, foils and friction, as [equilibrium] says."""
-    return _run("equilibrium", case, progress, tables)
+def run_equilibrium(
+    case: Any, /, *, all_paths: bool = False, limits: bool = False, progress: Progress = None, **tables: Any
+) -> Result:
+    """Finds where the journal of a running bearing is, with gas film, foils and friction, as [equilibrium] says.
+
+    With `all_paths` every state is come to by every path that leads there, and ``summary["spreads"]`` tells how far they
+    lie apart. With `limits` lift-off speeds and load capacities are found, too, where the film is film.h_lift_off thin:
+    ``summary["limits"]``."""
+    source = as_case(case, tables)._source
+    with shown(progress) as called:
+        run = _native.run_equilibrium(source, all_paths, limits, called)
+    return Result._of_run(run)
 
 
 def run_sweep(

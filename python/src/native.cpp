@@ -56,16 +56,30 @@ std::string kept_text(const CaseSource& source, const Case& input) {
   return source.changes.empty() ? source.text : case_to_toml(input);
 }
 
-Run run(const std::string& command, const CaseSource& source, const py::object& progress) {
-  const Case input = read_source(source, {command});  // with the lock: units are not thread-safe
+/// Runs without the lock of Python, which learns of the progress.
+template <typename Running>
+Run watched(const py::object& progress, const Running& running) {
   Watch watch(progress);
   Run result = [&] {
     const py::gil_scoped_release unlocked;
-    return run_command(command, input, kept_text(source, input),
-                       [&](double fraction) { return watch.go_on(fraction); });
+    return running([&](double fraction) { return watch.go_on(fraction); });
   }();
   watch.rethrow();
   return result;
+}
+
+Run run(const std::string& command, const CaseSource& source, const py::object& progress) {
+  const Case input = read_source(source, {command});  // with the lock: units are not thread-safe
+  const std::string text = kept_text(source, input);
+  return watched(progress, [&](const ProgressCallback& go_on) { return run_command(command, input, text, go_on); });
+}
+
+Run run_running(const CaseSource& source, bool all_paths, bool limits, const py::object& progress) {
+  const Case input = read_source(source, {"equilibrium"});
+  const std::string text = kept_text(source, input);
+  return watched(progress, [&](const ProgressCallback& go_on) {
+    return find_running_states(input, text, {.all_paths = all_paths, .limits = limits}, go_on);
+  });
 }
 
 Run sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
@@ -74,14 +88,9 @@ Run sweep(const CaseSource& source, const std::string& command, const std::vecto
   const auto swept = static_cast<SweptCommand>(std::find(names.begin(), names.end(), command) - names.begin());
   const Sweep grid = read_sweep(source, swept, over);
   const std::string text = kept_text(source, grid.cases.front());
-  Watch watch(progress);
-  Run result = [&] {
-    const py::gil_scoped_release unlocked;
-    return run_sweep(grid, text, threads.value_or(available_threads()),
-                     [&](double fraction) { return watch.go_on(fraction); });
-  }();
-  watch.rethrow();
-  return result;
+  return watched(progress, [&](const ProgressCallback& go_on) {
+    return run_sweep(grid, text, threads.value_or(available_threads()), go_on);
+  });
 }
 
 std::unique_ptr<FolderEnsemble> open_ensemble(const CaseSource& source, std::filesystem::path folder,
@@ -167,6 +176,7 @@ PYBIND11_MODULE(_native, m) {
   m.def("case_template", [](const std::string& name) { return case_template(name); });
   m.def("quantity_names", quantity_names);
   m.def("run", run);
+  m.def("run_equilibrium", run_running);
   m.def("sweep", sweep);
   m.def("swept_commands",
         [] { return std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()); });

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/analysis/vibration.hpp"
@@ -95,8 +96,15 @@ Run run_command(const std::string& command, const Case& input, const std::string
   if (command == "strip") return cycle_run(command, input, case_text, run_strip(input, progress));
   if (command == "path") return cycle_run(command, input, case_text, run_path(input, progress));
   if (command == "vibration") return vibration_run(input, case_text, run_vibration(input, progress));
-  if (command == "equilibrium") return equilibrium_run(input, case_text, run_equilibrium(input, {}, progress));
   return cycle_run("cycle", input, case_text, run_cycles(input, progress));
+}
+
+Run find_running_states(const Case& input, const std::string& case_text, const RunningRequest& request,
+                        const ProgressCallback& progress) {
+  EquilibriumResult result = run_equilibrium(
+      input, request.all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{}, progress);
+  if (request.limits) result.limits = run_film_limits(input, progress);
+  return equilibrium_run(input, case_text, std::move(result));
 }
 
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress) {

@@ -40,10 +40,20 @@ Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vect
 /// Where results come from. @param case_text  see kept_text()
 Provenance provenance_of(const std::string& command, const std::string& case_text);
 
-/// Runs `cycle`, `strip`, `path`, `vibration` or `equilibrium`.
+/// Runs `cycle`, `strip`, `path` or `vibration`.
 /// @param case_text  for the provenance
 Run run_command(const std::string& command, const Case& input, const std::string& case_text,
                 const ProgressCallback& progress);
+
+/// What `equilibrium` takes beside a case.
+struct RunningRequest {
+  bool all_paths{};  ///< that lead to the states, in place of the one of the case
+  bool limits{};     ///< lift-off speeds and load capacities, too
+};
+
+/// Runs `equilibrium`. @param case_text  for the provenance
+Run find_running_states(const Case& input, const std::string& case_text, const RunningRequest& request,
+                        const ProgressCallback& progress);
 
 /// Runs the points of a sweep, several at a time. @param progress  called by this thread alone
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress);

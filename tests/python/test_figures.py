@@ -108,6 +108,11 @@ def test_ensembles_and_coefficients(width, size):
     assert sum(patch.get_path().vertices.size > 0 for ax in figure.axes for patch in ax.patches) == 4
     vibration = bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]})
     inspect(figures.coefficients(vibration, width=width), width=size, panels=4)
+    running = bumpfoil.run_equilibrium(EXAMPLES / "running.toml")
+    for contacts in ("stuck", "slipping"):
+        figure = figures.coefficients(running, width=width, contacts=contacts)
+        inspect(figure, width=size, panels=4)
+        assert {ax.get_xlabel() for ax in figure.axes} == {"load (N)"}
 
 
 @pytest.fixture(scope="module")

@@ -1,5 +1,7 @@
 """Pictures show what results hold."""
 
+import re
+
 import matplotlib
 import numpy as np
 import pytest
@@ -56,6 +58,29 @@ def test_coefficients():
     table = result.to_dataframe("coefficients")
     first = table[(table.load_y_N == -50) & (table.amplitude_m == 1e-6)].iloc[0]
     np.testing.assert_allclose(lines["kxx, (0, -50) N"][0], [1, 1e-6 * first.kxx_N_per_m], rtol=1e-12)
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+def test_coefficients_of_running_bearings():
+    case = {"speeds": ["30000 rpm", "45000 rpm"], "loads": [["20 N", "0 N"], ["50 N", "0 N"]]}
+    result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case)
+    ax = result.plot_coefficients()
+    table = result.to_dataframe("coefficients")
+    fast = table[(table.load_x_N == 50) & (table.speed_rad_per_s > 4000)].iloc[0]
+    line = drawn(ax)["kyy, (50, 0) N"]
+    np.testing.assert_allclose(line[1], [45000, 1e-6 * fast.kyy_stuck_N_per_m], rtol=1e-12)
+    assert ax.get_xlabel() == "speed (rpm)"
+    # Over the frequency where there are several, which case files may have in any order.
+    several = {"loads": [["20 N", "0 N"]], "frequencies": ["500 Hz", "100 Hz"]}
+    line = drawn(bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=several).plot_coefficients())["kxx"]
+    np.testing.assert_allclose(line[:, 0], [100, 500], rtol=1e-12)
+    # Of positions without loads over the displacement.
+    words = (EXAMPLES / "running.toml").read_text(encoding="utf-8")
+    words = re.sub(r"^loads = .*$", 'positions = [["5 um", "0 um"], ["8 um", "6 um"]]', words, flags=re.MULTILINE)
+    words = words.replace('path = "load_ramp"', 'path = "position_ray"')
+    ax = bumpfoil.run_equilibrium(words).plot_coefficients()
+    np.testing.assert_allclose(drawn(ax)["kxx"][:, 0], [5, 10], rtol=1e-12)
+    assert ax.get_xlabel() == "displacement (µm)"
 
 
 def test_drawn_on_given_axes(result):

@@ -120,6 +120,22 @@ def test_path_of_numpy():
     np.testing.assert_allclose(np.column_stack([cycle.force_x, cycle.force_y])[1:], loads, rtol=0, atol=1e-4)
 
 
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+def test_paths_and_limits_of_running_bearings():
+    case = {"speeds": ["45000 rpm"], "loads": [["20 N", "0 N"], ["60 N", "0 N"]]}
+    result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case)
+    assert {state["path"] for state in result.summary["states"]} == {"load_ramp"}
+    assert result.summary["spreads"] == result.summary["limits"] == []
+    result = bumpfoil.run_equilibrium(
+        EXAMPLES / "running.toml", all_paths=True, limits=True, equilibrium=case, film={"h_lift_off": "8 um"}
+    )
+    assert {state["path"] for state in result.summary["states"]} == {"load_ramp", "speed_ramp", "position_ray", "cold_start"}
+    assert len(result.summary["spreads"]) == 2
+    assert {limit["kind"] for limit in result.summary["limits"]} == {"lift_off_speed", "load_capacity"}
+    with pytest.raises(bumpfoil.CaseError, match="h_lift_off"):
+        bumpfoil.run_equilibrium(EXAMPLES / "running.toml", limits=True, equilibrium=case)
+
+
 def test_several_threads_at_once():
     coefficients = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35]
     run = lambda coefficient: bumpfoil.run_cycle(GEN1, friction={"coefficient": coefficient}, cycle={"steps": 20})  # noqa: E731
