@@ -8,7 +8,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Takes the stresses of one place, `per_bump` columns for each bump, for the peak where they are higher.
+/// Takes the stresses of one place, `per_bump` columns for each bump, for the peak where they are higher. None per
+/// bump: a column for the weld of each pad.
 void raise(std::optional<StressPeak>& peak, const Increment& increment, const FieldMatrix& stress, Eigen::Index row,
            StressPlace place, int per_bump) {
   for (Eigen::Index i = 0; i < stress.cols(); ++i) {
@@ -16,6 +17,7 @@ void raise(std::optional<StressPeak>& peak, const Increment& increment, const Fi
     peak = StressPeak{.stress = stress(row, i),
                       .place = place,
                       .bump = per_bump > 0 ? static_cast<int>(i) / per_bump : -1,
+                      .pad = per_bump > 0 ? 0 : static_cast<int>(i),
                       .increment = increment.index,
                       .displacement = increment.displacement};
   }

@@ -5,25 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 
 #include "bumpfoil/model/pads.hpp"
+#include "io/absent.hpp"
+#include "io/shown_units.hpp"
 
 namespace bumpfoil {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr Form real{};
 constexpr Form whole{Form::whole};
 constexpr std::array<std::string_view, 2> truth_words{"no", "yes"};
 constexpr Form truth{Form::truth, truth_words};
-
-constexpr ShownUnit newtons{"N", 1.0};
-constexpr ShownUnit micrometres{"um", 1e-6};
-constexpr ShownUnit millijoules{"mJ", 1e-3};
-constexpr ShownUnit stiffness{"MN/m", 1e6};
-constexpr ShownUnit megapascals{"MPa", 1e6};
-constexpr ShownUnit plain{"", 1.0};
 
 template <auto Increment::*member>
 double of(const Increment& increment) {
@@ -199,22 +192,23 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
     cycle_only(
         {"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>}),
     strip_only({"amplitude", "m", "displacement from the start to full displacement or load",
-                amplitude<control_of_strip>, real, "amplitude", micrometres}),
+                amplitude<control_of_strip>, real, "amplitude", shown::micrometres}),
     loops_only(
         solver({"steps", "1", "increments per branch", of_cycle<&Cycle::steps>, whole, "increments per branch"})),
     solver({"converged", "", "whether every increment of the cycle is there and converged",
-            [](const Cycle& cycle, const Case&) { return cycle.converged() ? 1.0 : 0.0; }, truth, "converged", plain}),
+            [](const Cycle& cycle, const Case&) { return cycle.converged() ? 1.0 : 0.0; }, truth, "converged",
+            shown::unitless}),
     solver({"status", "", "how the cycle ended", of_cycle<&Cycle::status>, flags<Status>, "status"}),
     loops_only({"max_force", "N", "force {along} at full displacement", at_turn<&TurningPoint::max_force>, real,
-                "maximum force", newtons}),
+                "maximum force", shown::newtons}),
     cycle_only({"cross_force_at_max", "N", "cross force at full displacement", at_turn<&TurningPoint::cross_force>,
-                real, "cross force there", newtons}),
+                real, "cross force there", shown::newtons}),
     cycle_only({"initial_x", "m", "journal centre {start}, X", at_start<&Increment::x>}),
     cycle_only({"initial_y", "m", "journal centre {start}, Y", at_start<&Increment::y>}),
     strip_only({"initial_displacement", "m", "displacement {start}", at_start<&Increment::displacement>, real,
-                "displacement at the start", micrometres}),
+                "displacement at the start", shown::micrometres}),
     loops_only({"initial_force", "N", "force {along} {start}", at_start<&Increment::force_direct>, real,
-                "force at the start", newtons}),
+                "force at the start", shown::newtons}),
     bearing_only({"initial_force_x", "N", "force {start}, X", at_start<&Increment::force_x>}),
     bearing_only({"initial_force_y", "N", "force {start}, Y", at_start<&Increment::force_y>}),
     bearing_only({"initial_journal_load", "N", "sum of the loads of the journal on the top foil {start}",
@@ -224,46 +218,46 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
     {"assembly_dissipation", "J", "energy dissipated by the assembly", once_begun<&Cycle::assembly_dissipation>, real,
      "dissipated by the assembly"},
     loops_only({"loaded_stiffness", "N/m", loaded_stiffness_text, derived<&Cycle::loaded_stiffness>, real,
-                "loaded stiffness", stiffness}),
+                "loaded stiffness", shown::stiffness}),
     loops_only({"secant_stiffness", "N/m", "maximum force over displacement, free travel included",
-                derived<&Cycle::secant_stiffness>, real, "secant with free travel", stiffness}),
+                derived<&Cycle::secant_stiffness>, real, "secant with free travel", shown::stiffness}),
     loops_only({"tangent_stiffness_loading", "N/m",
                 "tangent stiffness at full displacement, slipping contacts going on to slip",
-                tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", stiffness}),
+                tangent<&TangentStiffnesses::loading>, real, "tangent stiffness, loading", shown::stiffness}),
     loops_only({"tangent_stiffness_unloading", "N/m",
                 "tangent stiffness at full displacement, all closed contacts sticking",
-                tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", stiffness}),
+                tangent<&TangentStiffnesses::unloading>, real, "tangent stiffness, unloading", shown::stiffness}),
     loops_only({"loop_energy", "J", "closed integral of force over displacement, trapezoidal rule",
-                derived<&Cycle::loop_energy>, real, "loop energy", millijoules}),
+                derived<&Cycle::loop_energy>, real, "loop energy", shown::millijoules}),
     loops_only({"elastic_energy_at_max", "J", "elastic energy at full displacement",
                 at_turn<&TurningPoint::elastic_energy>, real, "elastic energy at full displacement"}),
     loops_only({"loss_factor", "1",
                 "loop energy over (pi K X^2): K loaded stiffness, X half the displacement that it is taken over",
-                derived<&Cycle::loss_factor>, real, "loss factor", plain}),
+                derived<&Cycle::loss_factor>, real, "loss factor", shown::unitless}),
     loops_only({"specific_damping_capacity", "1",
                 "loop energy over the elastic energy stored between start and full displacement",
                 derived<&Cycle::specific_damping_capacity>, real, "specific damping capacity"}),
     cycle_only({"first_contact", "m", "displacement at which the journal first touches the top foil",
-                derived<&Cycle::first_contact>, real, "first contact", micrometres}),
+                derived<&Cycle::first_contact>, real, "first contact", shown::micrometres}),
     loops_only({"take_up", "m", "displacement at which the force last rises through 1 % of its maximum",
-                derived<&Cycle::take_up>, real, "take-up point", micrometres}),
+                derived<&Cycle::take_up>, real, "take-up point", shown::micrometres}),
     cycle_only({"clearance_5N", "m", "displacement at which the direct force first reaches 5 N",
                 derived<&Cycle::clearance_5N>}),
     cycle_only({"clearance_10N", "m", "displacement at which the direct force first reaches 10 N",
                 derived<&Cycle::clearance_10N>}),
     path_only({"orbit_energy", "J", "closed integral of force over displacement of the last orbit, trapezoidal rule",
-               last_orbit<&OrbitLoop::energy>, real, "energy of the last orbit", millijoules}),
+               last_orbit<&OrbitLoop::energy>, real, "energy of the last orbit", shown::millijoules}),
     path_only({"orbit_force_defect", "N", "difference of the forces at both ends of the last orbit",
-               last_orbit<&OrbitLoop::force_defect>, real, "its forces differ by", newtons}),
+               last_orbit<&OrbitLoop::force_defect>, real, "its forces differ by", shown::newtons}),
     path_only({"orbit_position_defect", "m", "distance of the positions at both ends of the last orbit",
-               last_orbit<&OrbitLoop::position_defect>, real, "its positions differ by", micrometres}),
+               last_orbit<&OrbitLoop::position_defect>, real, "its positions differ by", shown::micrometres}),
     {"max_compression", "m", "largest compression of a bump over all increments",
      [](const Cycle& cycle, const Case&) { return cycle.compression ? cycle.compression->compression : absent; }, real,
-     "highest compression", micrometres},
+     "highest compression", shown::micrometres},
     {"max_stress_top_foil", "Pa", "largest bending stress of the top foil over all increments",
-     peak<&Cycle::top_foil_stress>, real, "highest stress, top foil", megapascals},
+     peak<&Cycle::top_foil_stress>, real, "highest stress, top foil", shown::megapascals},
     {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil over all increments",
-     peak<&Cycle::bump_foil_stress>, real, "highest stress, bump foil", megapascals},
+     peak<&Cycle::bump_foil_stress>, real, "highest stress, bump foil", shown::megapascals},
     {"above_yield_top_foil", "", "whether the stress of the top foil exceeds its yield stress", yields<0>, truth},
     {"above_yield_bump_foil", "", "whether the stress of the bump foil exceeds its yield stress", yields<1>, truth},
     bearing_only({"settled", "", "whether the loop is that of the cycle before, of cycles that are repeated",
@@ -272,13 +266,13 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
                   },
                   truth}),
     solver({"total_iterations", "1", "linear solves (back-substitutions) of all increments",
-            total<&SolveCost::iterations>, whole, "linear solves", plain}),
+            total<&SolveCost::iterations>, whole, "linear solves", shown::unitless}),
     solver({"total_factorisations", "1", "factorisations of all increments; kept ones serve many",
-            total<&SolveCost::factorisations>, whole, "factorisations", plain}),
+            total<&SolveCost::factorisations>, whole, "factorisations", shown::unitless}),
     solver({"total_substeps", "1", "extra solves of all increments because they had to be halved",
-            of_cycle<&Cycle::substeps>, whole, "halved increments", plain}),
+            of_cycle<&Cycle::substeps>, whole, "halved increments", shown::unitless}),
     solver({"max_residual", "1", "largest residual of all increments", once_begun<&Cycle::max_residual>, real,
-            "largest residual", plain}),
+            "largest residual", shown::unitless}),
     solver({"wall_time", "s", "time that the cycle took", of_cycle<&Cycle::wall_time>, real, "time", {"ms", 1e-3}}),
 });
 
@@ -452,7 +446,14 @@ std::string bump_text(const Case& input, int bump) {
 
 std::string place_text(const Case& input, const StressPeak& peak) {
   const std::string_view place = name_of(peak.place);
-  return peak.bump < 0 ? std::string(place) : fmt::format("{} {}", place, bump_text(input, peak.bump));
+  if (peak.bump >= 0) return fmt::format("{} {}", place, bump_text(input, peak.bump));
+  const std::optional<std::size_t> pad = pad_of(input, peak);
+  return pad ? fmt::format("{} of pad {}", place, *pad + 1) : std::string(place);
+}
+
+std::optional<std::size_t> pad_of(const Case& input, const StressPeak& peak) {
+  if (count_pads(input) == 1) return std::nullopt;
+  return peak.bump >= 0 ? find_bump(input, peak.bump).pad : static_cast<std::size_t>(peak.pad);
 }
 
 double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input) {

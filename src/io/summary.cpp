@@ -23,12 +23,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Where and when the largest stress acts.
-Json peak_json(const std::optional<StressPeak>& peak) {
+Json peak_json(const Case& input, const std::optional<StressPeak>& peak) {
   if (!peak) return {};
-  return {{"place", name_of(peak->place)},
-          {"bump", peak->bump >= 0 ? Json(peak->bump + 1) : Json()},
-          {"increment", peak->increment},
-          {"displacement_m", peak->displacement}};
+  Json json{{"place", name_of(peak->place)}, {"bump", peak->bump >= 0 ? Json(peak->bump + 1) : Json()}};
+  if (const auto pad = pad_of(input, *peak)) json["pad"] = *pad + 1;
+  json["increment"] = peak->increment;
+  json["displacement_m"] = peak->displacement;
+  return json;
 }
 
 /// Loads at full displacement.
@@ -115,7 +116,7 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   json["failed_displacement_m"] = located ? value_json(failure->displacement) : Json();
   json["reason"] = failure ? Json(failure->reason) : Json();
   for (const StressedFoil& foil : stressed_foils()) {
-    json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(cycle.*foil.peak);
+    json[fmt::format("max_stress_{}_at", foil.name)] = peak_json(input, cycle.*foil.peak);
   }
   return json;
 }

@@ -99,6 +99,18 @@ test('loads and forces of pads are those of the results', () =>
     await (await plotsIn(contacts)).locator('text', { hasText: '3.5' }).first().waitFor();
   }));
 
+test('the largest stress is at a place of a pad', () =>
+  withReport('pads.html', async (page) => {
+    const { cycles } = summaryOf('cycle');
+    const places = await page.locator('[data-key=max_stress_top_foil_Pa] .place').allTextContents();
+    assert.equal(places.length, cycles.length);
+    cycles.forEach(({ max_stress_top_foil_at: { place, bump, pad } }, i) => {
+      if (bump !== null) assert.equal(pad, 1 + Math.floor((bump - 1) / 8));
+      const where = bump === null ? place : `${place} of bump ${1 + ((bump - 1) % 8)}`;
+      assert.ok(places[i].startsWith(`${where} of pad ${pad}, increment `), places[i]);
+    });
+  }));
+
 test('the case says what each pad has', () =>
   withReport('pads.html', async (page) => {
     const words = await page.locator('#cycle-case .case').allTextContents();

@@ -46,7 +46,8 @@ enum class StressPlace {
 struct StressPeak {
   double stress{};  ///< Pa
   StressPlace place{};
-  int bump{-1};           ///< from 0; -1 at the weld
+  int bump{-1};           ///< from 0, of all pads; -1 at the weld
+  int pad{};              ///< from 0, at the weld; elsewhere the bump tells, see find_bump()
   int increment{};        ///< of the cycle
   double displacement{};  ///< at that increment, m
 

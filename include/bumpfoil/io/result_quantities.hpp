@@ -143,6 +143,9 @@ std::string bump_text(const Case& input, int bump);
 /// "crest 3", "weld".
 std::string place_text(const Case& input, const StressPeak& peak);
 
+/// The pad of the place, from 0; none where the bearing is not made of several.
+std::optional<std::size_t> pad_of(const Case& input, const StressPeak& peak);
+
 /// Whether the stress of a foil exceeds its yield stress in a cycle: 0 or 1, not a number where one of them is not
 /// known.
 double above_yield(const StressedFoil& foil, const Cycle& cycle, const Case& input);

@@ -294,6 +294,11 @@ TEST(StressPeaks, NamePlaceAndTimeOfTheLargest) {
   EXPECT_EQ(top.displacement, 1e-6);
   EXPECT_EQ(top_peak({low})->place, StressPlace::weld);
   EXPECT_EQ(top_peak({low})->bump, -1);
+  EXPECT_EQ(top_peak({low})->pad, 0);
+  Stressed of_pads;
+  of_pads.add(low);
+  of_pads.fields.top_weld = FieldMatrix{{3.0, 1.0, 4.0}};
+  EXPECT_EQ(top_foil_peak(of_pads.fields, of_pads.increments)->pad, 2);
 
   const StressPeak crest = bump_peak({low}).value();
   EXPECT_EQ(crest.place, StressPlace::crest);  // not the arc, which is no larger

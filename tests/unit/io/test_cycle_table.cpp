@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/strip.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
 #include "io/number_text.hpp"
 
 namespace bumpfoil {
@@ -106,6 +107,13 @@ TEST(CycleTable, TellsPadsApart) {
             number_text(std::hypot(turn.pad_forces_x[1], turn.pad_forces_y[1]), 1.0));
   EXPECT_NE(text.find("of pad 2"), std::string::npos);
   EXPECT_EQ(last_cell(text, "on bump"), "2");
+  const StressPeak at_weld{.stress = 1e6, .place = StressPlace::weld, .pad = 1};
+  EXPECT_EQ(place_text(input, at_weld), "weld of pad 2");
+  EXPECT_EQ(place_text(reference_case(), at_weld), "weld");
+  const StressPeak at_crest{.stress = 1e6, .place = StressPlace::crest, .bump = 7 + 2};
+  EXPECT_EQ(place_text(input, at_crest), "crest 3 of pad 2");
+  EXPECT_EQ(pad_of(input, at_crest), 1U);
+  EXPECT_EQ(pad_of(reference_case(), at_crest), std::nullopt);
   EXPECT_EQ(cycle_table(reference_case(), short_run(1)).find("pad"), std::string::npos);
 }
 

@@ -92,6 +92,8 @@ export interface Meaning {
 export interface StressPlace {
   place: string;
   bump: number | null;
+  /** Of a bearing of several. */
+  pad?: number;
   increment: number;
   displacement_m: number;
 }

@@ -57,8 +57,9 @@ function placeOf(column: Column, { name }: Quantity): StressPlace | undefined {
 }
 
 /** "crest of bump 14, increment 100, 79.5 µm" */
-export function placeText({ place, bump, increment, displacement_m: displacement }: StressPlace, run: Run): string {
-  const where = bump === null ? place : `${place} of bump ${run.numberOf('bump', bump - 1)}`;
+export function placeText({ place, bump, pad, increment, displacement_m: displacement }: StressPlace, run: Run): string {
+  const weld = pad === undefined ? place : `${place} of pad ${pad}`;
+  const where = bump === null ? weld : `${place} of bump ${run.numberOf('bump', bump - 1)}`;
   return `${where}, increment ${increment}, ${formatQuantity(displacement, 'm', 3)}`;
 }
 
