@@ -175,7 +175,7 @@ other tolerances of a drawing. Reference bearing, friction 0.1, pushed by 79.5 �
     make tolerances
 
 from `studies/tolerances/ensembles.json`, as are all its numbers; whoever wants more bearings gives
-`TOLERANCES="--heights 10000 --others 1000"`. Numbers behind ± are standard errors.
+`TOLERANCES="--heights 20000 --others 2000"`. Numbers behind ± are standard errors.
 
 ## Does the stiffness fall or rise with the scatter of heights?
 
