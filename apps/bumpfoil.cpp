@@ -38,18 +38,68 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   return code == 0 ? ExitCode::done : ExitCode::wrong_input;
 }
 
+std::string suggestion(std::string_view word, const std::vector<std::string>& names) {
+  const std::optional<std::string> nearest = nearest_name(word, names);
+  return nearest ? fmt::format("did you mean '{}'? ", *nearest) : "";
+}
+
+/// Long names of the options of a command, and of the program, which all commands take. Letters are one slip from each
+/// other.
+std::vector<std::string> option_names(const CLI::App& program, const CLI::App& command) {
+  std::vector<std::string> names;
+  const auto add = [&names](const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  };
+  add(command);
+  if (&command != &program) add(program);
+  return names;
+}
+
+/// Says which words of the command line mean nothing: no command, no option, one too many.
+/// @return whether there are any
+bool tell_unknown_words(const CLI::App& program) {
+  const std::vector<std::string> words = program.remaining();
+  if (words.empty()) return false;
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-' && word != "--"; };
+  // What follows one that is not known may be its value.
+  if (const auto found = std::find_if(words.begin(), words.end(), is_option); found != words.end()) {
+    const auto commands = program.get_subcommands();
+    const CLI::App& command = commands.empty() ? program : *commands.front();
+    const std::string option = found->substr(0, found->find('='));
+    print_message(fmt::format("bumpfoil: '{}' is no option{}; {}'bumpfoil {}--help' lists them", printable(option),
+                              commands.empty() ? "" : fmt::format(" of '{}'", command.get_name()),
+                              suggestion(option, option_names(program, command)),
+                              commands.empty() ? "" : command.get_name() + ' '));
+  } else if (program.get_subcommands().empty()) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+    print_message(fmt::format("bumpfoil: '{}' is no command; {}'bumpfoil --help' lists them", printable(words.front()),
+                              suggestion(words.front(), names)));
+  } else {
+    const std::string& command = program.get_subcommands().front()->get_name();
+    print_message(fmt::format("bumpfoil: '{}' is one word more than '{}' takes; 'bumpfoil {} --help' lists them",
+                              printable(words.front()), command, command));
+  }
+  return true;
+}
+
 /// Whether a word changes a key of a table: --set takes as many as follow one another, and no names of files.
 bool is_override(std::string_view word) {
   const std::string_view key = word.substr(0, word.find('='));
   return key.size() < word.size() && key.find('.') != std::string_view::npos &&
-         std::all_of(key.begin(), key.end(),
-                     [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; });
+         key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.[]") == std::string_view::npos;
 }
 
 /// The words of the command line as the parser takes them: one --set for each change, and --help for help.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
+    if (words.size() > 2) {
+      throw Error(ErrorKind::input, {{"", 0, "help", words[2], "is one word too many",
+                                      "ask about one command: bumpfoil help " + words[1]}});
+    }
     words.erase(words.begin());
     words.emplace_back("--help");
   }
@@ -97,18 +147,14 @@ ExitCode run(int argc, char** argv, const Ranks& ranks) {
     std::vector<std::string> words = words_of(argc, argv);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     program.parse(std::move(words));
-  } catch (const CLI::RequiredError& error) {
-    if (program.get_subcommands().empty() && program.remaining_size() > 0) {
-      const std::string word = program.remaining().front();
-      std::vector<std::string> names;
-      for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-      const std::optional<std::string> nearest = nearest_name(word, names);
-      print_message(fmt::format("bumpfoil: '{}' is no command; {}'bumpfoil --help' lists them", printable(word),
-                                nearest ? fmt::format("did you mean '{}'? ", *nearest) : ""));
-      return ExitCode::wrong_input;
-    }
-    return answer(program, error);
+  } catch (const CLI::CallForHelp& call) {
+    // Without a command it would be the help of the program.
+    if (program.get_subcommands().empty() && tell_unknown_words(program)) return ExitCode::wrong_input;
+    return answer(program, call);
   } catch (const CLI::ParseError& error) {
+    // Before what is missing: a slip in its name may be why.
+    const bool is_answer = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    if (!is_answer && tell_unknown_words(program)) return ExitCode::wrong_input;
     return answer(program, error);
   }
   return session.exit_code;

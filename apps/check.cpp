@@ -20,7 +20,7 @@ struct CheckOptions {
 void add_check_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "Read and validate a case; print it as understood, in SI");
-  command->add_option("CASE", options->case_path, "Case file")->required();
+  command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   add_overrides(*command, options->overrides);
   command->footer("Example:\n  bumpfoil check case.toml\nWhat is printed is a case file itself.");
   command->callback([options, &session] {

@@ -122,7 +122,7 @@ ExperimentCommand cycle_experiment(std::string name, std::string summary, std::s
 CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
   const auto options = std::make_shared<ExperimentOptions>();
   CLI::App* command = program.add_subcommand(experiment.name, experiment.summary);
-  command->add_option("CASE", options->case_path, "Case file")->required();
+  command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
       ->required();

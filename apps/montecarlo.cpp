@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/ensemble_checkpoint.hpp"
@@ -31,8 +32,8 @@ namespace {
 struct MonteCarloOptions {
   std::string case_path;
   std::string folder;
-  std::optional<int> samples;
-  std::optional<int> seed;
+  std::string samples;
+  std::string seed;
   std::optional<unsigned> threads;
   std::optional<double> target_error;
   std::vector<std::string> limits;
@@ -57,6 +58,15 @@ class Rate {
   Clock::time_point start_{Clock::now()};
 };
 
+CLI::Validator positive_number() {
+  return {[](const std::string& text) -> std::string {
+            double number = 0.0;
+            if (CLI::detail::lexical_cast(text, number) && number > 0.0) return {};
+            return fmt::format("must be a positive number, not '{}'", printable(text));
+          },
+          "positive"};
+}
+
 /// How evenly the work was shared.
 std::string shares_text(std::vector<std::size_t> shares, std::size_t samples) {
   shares.front() = samples - std::min(samples, std::accumulate(shares.begin(), shares.end(), std::size_t{0}));
@@ -64,13 +74,34 @@ std::string shares_text(std::vector<std::size_t> shares, std::size_t samples) {
   return fmt::format("\n{} ranks ran {} to {} samples each\n", shares.size(), *least, *most);
 }
 
+/// The case with what options say in place of keys. What is wrong with that is told of the option that was typed.
+Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& options) {
+  struct Shorthand {
+    std::string option, key, value;
+  };
+  std::vector<Shorthand> given{{"--samples", "montecarlo.samples", options.samples},
+                               {"--seed", "montecarlo.seed", options.seed}};
+  std::erase_if(given, [](const Shorthand& one) { return one.value.empty(); });
+  CaseRequest request{.overrides = options.overrides, .required_tables = {"montecarlo", "cycle"}};
+  for (const Shorthand& one : given) request.overrides.push_back(one.key + '=' + one.value);
+  try {
+    return parse_case(case_text, options.case_path, request);
+  } catch (const Error& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) {
+      const auto blamed =
+          std::find_if(given.begin(), given.end(), [&](const Shorthand& one) { return one.key == fault.key; });
+      if (blamed == given.end()) continue;
+      fault.file.clear();
+      fault.key = blamed->option;
+    }
+    throw Error(error.kind(), std::move(faults));
+  }
+}
+
 ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session) {
-  std::vector<std::string> overrides = options.overrides;
-  if (options.samples) overrides.push_back(fmt::format("montecarlo.samples={}", *options.samples));
-  if (options.seed) overrides.push_back(fmt::format("montecarlo.seed={}", *options.seed));
   const std::string case_text = read_case_text(options.case_path);
-  const Case input =
-      parse_case(case_text, options.case_path, {.overrides = overrides, .required_tables = {"montecarlo", "cycle"}});
+  const Case input = parse_ensemble_case(case_text, options);
   const InterruptionGuard guard;  // from before there is anything to clean up
   const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / checkpoint_name;
   const bool resumes = options.resume && EnsembleLog::identity_of(checkpoint).has_value();
@@ -137,7 +168,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MonteCarloOptions>();
   CLI::App* command = program.add_subcommand(
       "montecarlo", "Run the cycles of many bearings that differ within the tolerances of [montecarlo]");
-  command->add_option("CASE", options->case_path, "Case file")->required();
+  command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command->add_option("-o,--output", options->folder, "Folder for summary.json and ensemble.nc")
       ->type_name("DIR")
       ->required();
@@ -151,7 +182,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
       ->add_option("--target-error", options->target_error,
                    "Stop when the standard error of the mean of the maximum force is below this part of it in every "
                    "direction; asked after every 1000 samples")
-      ->check(CLI::PositiveNumber.description("positive"))
+      ->check(positive_number())
       ->type_name("E");
   command
       ->add_option("--limit", options->limits,

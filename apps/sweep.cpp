@@ -88,7 +88,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App* command =
       program.add_subcommand("sweep", "Run a command for every value of one or several keys, on all cores");
-  command->add_option("CASE", options->case_path, "Case file")->required();
+  command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command
       ->add_option("--over", options->over,
                    "Key and values: friction.coefficient=0:0.5:0.05 (TO included), or a list, "

@@ -14,7 +14,7 @@ axes = plt.subplots(layout="constrained")[1]
 for (name, bump_foil), line in zip(models.items(), ("-", "--", "-.", ":")):
     cycle = {"directions": ["+X"], "amplitude": "60 um", "steps": 30}
     push = bumpfoil.run_cycle(bumpfoil.template("gen1"), bump_foil=bump_foil, cycle=cycle).cycles[0]
-    print(f"{name}: {push.max_force:.1f} N, loop {1e3 * push.loop_energy:.3f} mJ, {1e3 * push.wall_time:.0f} ms")
+    print(f"{name}: {push.max_force:.1f} N, loop {1e3 * push.loop_energy:.3f} mJ")
     axes.plot(1e6 * push.displacement, push.force_direct, line, label=name)
 axes.set(xlabel="displacement (µm)", ylabel="force (N)")
 axes.legend(frameon=False)

@@ -1,11 +1,12 @@
-"""Figure 10 of the source paper: computed anew by the program, and drawn as a journal prints it."""
+"""The figures of the source paper: computed anew by the program, and drawn as a journal prints them."""
 
 import subprocess
 import sys
 
 from bumpfoil import figures
 
-subprocess.run([sys.executable, "-m", "bumpfoil", "reproduce", "-o", "paper", "--figure", "10"], check=True)
-figure = figures.paper("paper/figure10")
-print(len(figure.axes), "panels")
-figures.save(figure, "paper_figure")
+subprocess.run([sys.executable, "-m", "bumpfoil", "reproduce", "-o", "paper", "--quiet"], check=True)
+for number in range(10, 17):
+    figure = figures.paper(f"paper/figure{number}")
+    print(f"figure {number}: {len(figure.axes)} panels")
+    figures.save(figure, f"paper_figure{number}")

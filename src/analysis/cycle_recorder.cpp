@@ -49,11 +49,9 @@ class CycleRecorder {
     response.journal_loads = loads(Interface::journal_top);
     response.bump_loads = loads(Interface::top_bump);
     response.foot_loads = loads(Interface::bump_sleeve);
-    if (foils().pads() > 1) {
-      const Eigen::Matrix2Xd forces = pad_forces(foils(), state.contacts.normal_force);
-      response.pad_forces_x = forces.row(0);
-      response.pad_forces_y = forces.row(1);
-    }
+    const Eigen::Matrix2Xd forces = pad_forces(foils(), state.contacts.normal_force);
+    response.pad_forces_x = forces.row(0);
+    response.pad_forces_y = forces.row(1);
     quantities_.turn(std::move(response));
   }
 
@@ -71,9 +69,10 @@ class CycleRecorder {
 
   void draw(const Step& step, const Increment& next) {
     for (const Waypoint& point : step.waypoints) {
-      cycle_.curve.push_back({point.position.dot(normal_), point.force});
+      cycle_.curve.push_back({point.position.dot(normal_), point.force, point.pad_forces});
     }
-    cycle_.curve.push_back({next.displacement, {next.force_x, next.force_y}});
+    cycle_.curve.push_back(
+        {next.displacement, {next.force_x, next.force_y}, pad_forces(foils(), step.state.contacts.normal_force)});
   }
 
   FoilStepper& stepper_;

@@ -138,6 +138,11 @@ void FoilFields::truncate(Eigen::Index increments) {
   for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
 }
 
+Vector largest_pad_forces(const FoilFields& fields) {
+  if (fields.pad_force_x.size() == 0) return {};
+  return (fields.pad_force_x.array().square() + fields.pad_force_y.array().square()).colwise().maxCoeff().sqrt();
+}
+
 Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface) {
   const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state);

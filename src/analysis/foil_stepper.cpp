@@ -103,7 +103,7 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
     step.state.slip_origin = part.begin.x;
     step.is_linear = step.is_linear && part.linear;
     if (part.fraction < fraction) {
-      step.waypoints.push_back({position_at(part.fraction), holding_force(*foils_, end)});
+      step.waypoints.push_back({position_at(part.fraction), holding_force(*foils_, end), pad_forces(*foils_, end)});
     }
     step.state.work += gap_work(problem, part.begin, part.end);
     step.state.dissipated_energy += part.linear

@@ -120,7 +120,7 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
 }
 
 SharedFoils make_bearing_foils(const Case& input) {
-  require_valid(input);
+  require_bearing(input);
   const std::vector<PlacedPad> pads = place_pads(input);
   Foils foils = make_pad_foils(pads.front());
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
@@ -163,8 +163,9 @@ Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
 }
 
 Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {
+  Eigen::Matrix2Xd forces(2, foils.pads() > 1 ? foils.pads() : 0);
+  if (forces.cols() == 0) return forces;
   const Vector loads = pressing_loads(foils, normal_force);
-  Eigen::Matrix2Xd forces(2, foils.pads());
   for (Eigen::Index k = 0; k < forces.cols(); ++k) {
     const PadBlocks blocks = foils.structure.blocks_of(static_cast<int>(k));
     const auto bumps = Eigen::seqN(blocks.first, blocks.count);

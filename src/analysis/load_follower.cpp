@@ -136,7 +136,8 @@ void append(const Foils& foils, const Step& part, Step& whole) {
   whole.substeps += part.substeps;
   whole.is_linear = whole.is_linear && part.is_linear;
   whole.waypoints.insert(whole.waypoints.end(), part.waypoints.begin(), part.waypoints.end());
-  whole.waypoints.push_back({part.state.excitation.position, holding_force(foils, part.state.contacts.normal_force)});
+  const Vector& loads = part.state.contacts.normal_force;
+  whole.waypoints.push_back({part.state.excitation.position, holding_force(foils, loads), pad_forces(foils, loads)});
   whole.events.insert(whole.events.end(), part.events.begin(), part.events.end());
   whole.state = part.state;
 }

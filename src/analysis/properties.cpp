@@ -20,7 +20,7 @@ Vector eigenvalues(const Matrix& symmetric) {
 
 /// The soft end from the compliance, the stiff end from the stiffness: each is accurate there.
 std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
-  if (!foils.top_foil || std::ssize(foils.bumps) > most_unknowns) return std::nullopt;
+  if (!foils.top_foil || !foils.radius || std::ssize(foils.bumps) > most_unknowns) return std::nullopt;
   const TopFoilBeam beam = make_top_foil_beam(foils);
   const TopFoilMoments form = make_top_foil_moments(beam);
   Matrix stiffness(form.size(), form.size());

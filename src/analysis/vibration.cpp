@@ -69,6 +69,7 @@ class VibrationRunner {
     if (!loaded_.converged()) return out;
     out.position = loaded_.state.excitation.position;
     out.tangents = stepper_.tangents(loaded_.state);
+    out.pad_forces = pad_forces(stepper_.foils(), loaded_.state.contacts.normal_force);
     return out;
   }
 
@@ -135,8 +136,9 @@ class VibrationRunner {
     Step step;
     for (ProgramRunner runner(stepper_, program, reach_, state); runner.has_next(); runner.commit(step)) {
       if (forces != nullptr) {
-        forces->push_back(holding_force(stepper_.foils(), state.contacts.normal_force));
-        cycle.curve.push_back({state.excitation.position.x(), forces->back()});
+        const Vector& loads = state.contacts.normal_force;
+        forces->push_back(holding_force(stepper_.foils(), loads));
+        cycle.curve.push_back({state.excitation.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
       }
       runner.try_next(step);
       cycle.cost += step.cost;
@@ -215,6 +217,15 @@ LinearFoils linear_foils_of(const std::vector<Answer>& answers) {
 }
 
 }  // namespace
+
+Vector largest_pad_forces(const Vibration& vibration) {
+  if (!vibration.harmonic) return {};
+  Vector largest = Vector::Zero(vibration.cycle.curve.front().pad_forces.cols());
+  for (const LoopPoint& point : vibration.cycle.curve) {
+    largest = largest.cwiseMax(point.pad_forces.colwise().norm().transpose());
+  }
+  return largest;
+}
 
 bool VibrationResult::converged() const {
   return std::all_of(vibrations.begin(), vibrations.end(),

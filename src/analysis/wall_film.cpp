@@ -43,7 +43,7 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 }  // namespace
 
 FilmBearing make_wall_bearing(const Case& input) {
-  require_valid(input);
+  require_bearing(input);
   require_film_geometry(input);
   if (input.film.closed && input.bearing.taper != 0.0) {
     throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a wall without a slot",

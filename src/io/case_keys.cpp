@@ -1,6 +1,8 @@
 #include "io/case_keys.hpp"
 
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
@@ -52,14 +54,32 @@ void describe_profile(CaseVisitor& keys, const Key& waviness, const Key& deviati
 }
 
 void describe(CaseVisitor& keys, Bearing& bearing) {
+  // A strip alone has no radius, and nothing is between it and the plate.
+  std::optional<double> radius;
+  std::optional<double> clearance;
+  if (!bearing.is_flat()) {
+    radius = bearing.radius;
+    clearance = bearing.radial_clearance;
+  }
   keys.once_or_twice(
-      {"radius", required, "Radius",
-       "R of the circle on which the foils lie; sleeve and journal are taken to have it too", "19.05 mm", length},
-      {"diameter", required, "Diameter", "instead of the radius", "38.1 mm", length}, bearing.radius);
+      {.name = "radius",
+       .title = "Radius",
+       .text = "R of the circle on which the foils lie; sleeve and journal are taken to have it too; a strip alone "
+               "needs neither it nor a clearance",
+       .example = "19.05 mm",
+       .dimension = length,
+       .spared_by = "strip"},
+      {"diameter", required, "Diameter", "instead of the radius", "38.1 mm", length}, radius);
+  bearing.radius = radius.value_or(std::numeric_limits<double>::infinity());
   keys.value({"axial_length", required, "Axial length", "along the axis, L", "38.1 mm", length}, &bearing.axial_length);
-  keys.value({"radial_clearance", required, "Radial clearance",
-              "C_r, journal to undeformed top foil; zero or negative is interference", "31.8 um", length},
-             &bearing.radial_clearance);
+  keys.value({.name = "radial_clearance",
+              .title = "Radial clearance",
+              .text = "C_r, journal to undeformed top foil; zero or negative is interference",
+              .example = "31.8 um",
+              .dimension = length,
+              .spared_by = radius ? "" : "strip"},
+             &clearance);
+  bearing.radial_clearance = clearance.value_or(0.0);
   keys.value({"weld_angle", defaulted, "Weld angle", "where the foils are welded, from the X axis towards Y", "180 deg",
               angle},
              &bearing.weld_angle);
@@ -157,11 +177,20 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
             "height_errors", [&foil](const std::string& path) {
               const bool bumps = foil.bumps >= 1 && foil.bumps <= most_bumps;
               const auto count = static_cast<std::size_t>(foil.bumps);
-              if (!bumps || (foil.height.is_list() && foil.height.values.size() != count)) return;  // reported as such
+              const auto has_all = [count](const PerBump& one) { return !one.is_list() || one.values.size() == count; };
+              if (!bumps || !has_all(foil.pitch) || !has_all(foil.length) || !has_all(foil.height) ||
+                  !has_all(foil.thickness)) {
+                return;  // reported as such
+              }
               std::vector<double> heights;
+              std::vector<double> rises;
               heights.reserve(count);
-              for (std::size_t n = 0; n < count; ++n) heights.push_back(nominal_height(foil, n));
-              foil.height_errors = read_height_errors(path, heights);
+              rises.reserve(count);
+              for (std::size_t n = 0; n < count; ++n) {
+                heights.push_back(nominal_height(foil, n));
+                rises.push_back(nominal_bump(foil, n).rise);
+              }
+              foil.height_errors = read_height_errors(path, heights, rises);
             });
   keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
               "frame only: true gives a bump of another height a stiffness of its own, too"},

@@ -33,6 +33,7 @@ struct Key {
   std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
   std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
   bool instead{};                        ///< in place of the key before it: nobody gives both
+  std::string_view spared_by{};          ///< table beside which a required key may be left out
 };
 
 /// Where the value of a key is kept. An absent number and an empty list stand for no value.
@@ -68,7 +69,7 @@ class CaseVisitor {
   virtual void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) = 0;
 
   /// A length by itself or by its double, such as a radius or a diameter.
-  virtual void once_or_twice(const Key& once, const Key& twice, double& number) = 0;
+  virtual void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) = 0;
 
   /// A displacement or a load, each by a key of its own.
   virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
@@ -15,9 +16,23 @@
 #include "io/toml_document.hpp"
 
 namespace bumpfoil {
+namespace {
+
+/// What stands for a file in messages.
+std::string name_in_messages(const std::string& path) {
+  return path == standard_input ? "standard input" : path;
+}
+
+/// All commands that ask for a table, but that about a strip between plates.
+bool needs_bearing(const CaseRequest& request) {
+  return std::any_of(request.required_tables.begin(), request.required_tables.end(),
+                     [](const std::string& table) { return table != "strip"; });
+}
+
+}  // namespace
 
 Case parse_case(std::string_view text, const std::string& file, const CaseRequest& request) {
-  const std::string name = file == standard_input ? "standard input" : file;
+  const std::string name = name_in_messages(file);
   toml::table document = parse_toml(text, name);
   ReadingLog log(name);
   for (Fault& fault : apply_overrides(document, request.overrides)) log.add(std::move(fault));
@@ -31,6 +46,13 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
         {"", 0, "cycle.directions", "", "there is no direction to push in", "give a list such as [\"+X\"]"});
     log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});
   }
+  if (input.bearing.is_flat() && document.contains("strip") && needs_bearing(request)) {
+    const auto missed = [&log](const char* key) {
+      log.later_fault({"", 0, key, "", "is missing", "give it: only the command strip needs none"});
+    };
+    missed("bearing.radius");
+    if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance");
+  }
   for (const std::string& table : request.required_tables) {
     if (document.contains(table)) continue;
     // To add what is refused beside pads would lead nowhere.
@@ -39,7 +61,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
       log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
     } else {
       log.fault("pad", "is not known to this command, which takes one foil all around",
-                fmt::format("remove [[pad]], and add [{}]", table));
+                fmt::format("run cycle, path or vibration, which know pads, or remove [[pad]] and add [{}]", table));
     }
   }
   std::vector<Fault> faults = find_faults(input);
@@ -61,7 +83,8 @@ Case read_case(const std::string& path, const CaseRequest& request) {
 std::string read_case_text(const std::string& path) {
   std::string text = read_text_file(path);
   if (is_blank(text)) {
-    throw Error(ErrorKind::input, {{path, 0, "", "", "is empty", "`bumpfoil init` writes a case file to start from"}});
+    throw Error(ErrorKind::input,
+                {{name_in_messages(path), 0, "", "", "is empty", "`bumpfoil init` writes a case file to start from"}});
   }
   return text;
 }

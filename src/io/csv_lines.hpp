@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -30,13 +31,14 @@ inline std::optional<std::pair<std::string_view, std::string_view>> two_columns(
   return std::pair{trimmed(text.substr(0, comma)), trimmed(text.substr(comma + 1))};
 }
 
-/// Calls visit(number of the line from 1, trimmed text) for every line.
+/// Calls visit(number of the line from 1, trimmed text) for every line, however lines end.
 template <typename Visit>
 void for_each_line(std::string_view text, const Visit& visit) {
   for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::size_t end = text.find('\n');
+    const std::size_t end = text.find_first_of("\r\n");
     visit(line, trimmed(text.substr(0, end)));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::size_t ending = text.substr(std::min(end, text.size())).starts_with("\r\n") ? 2 : 1;
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + ending);
   }
 }
 

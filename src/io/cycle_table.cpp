@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t columns_per_block = 6;
 constexpr std::size_t name_width = 30;
 constexpr std::size_t unit_width = 7;
-constexpr std::size_t column_width = 13;
+constexpr std::size_t least_column_width = 13;
 
 /// Cycles that are shown: all directions; of many of a strip the first and the last, which tell how it settles.
 std::vector<std::size_t> shown_cycles(const CycleResult& result) {
@@ -91,18 +91,24 @@ std::vector<Row> rows_of_highest_load(const Case& input) {
   return {{"highest bump load", "N", load}, {"on bump", "", bump}};
 }
 
-/// What each of several pads takes of the force at full displacement.
-std::vector<Row> rows_of_pads(const Case& input) {
+Vector pad_forces_at_turn(const Cycle& cycle) {
+  if (!cycle.turning_point) return {};
+  const TurningPoint& turn = *cycle.turning_point;
+  return (turn.pad_forces_x.array().square() + turn.pad_forces_y.array().square()).sqrt();
+}
+
+/// What each of several pads takes of the force at full displacement; of a path, at most.
+std::vector<Row> rows_of_pads(const Case& input, Experiment experiment) {
+  const bool turns = experiment != Experiment::path;
   std::vector<Row> rows;
   if (count_pads(input) == 1) return rows;
   rows.reserve(count_pads(input));
   for (std::size_t k = 0; k < count_pads(input); ++k) {
-    rows.push_back(
-        {fmt::format("force of pad {}", k + 1), "N", [pad = static_cast<Eigen::Index>(k)](const Cycle& cycle) {
-           if (!cycle.turning_point) return std::string("-");
-           const TurningPoint& turn = *cycle.turning_point;
-           return number_text(std::hypot(turn.pad_forces_x[pad], turn.pad_forces_y[pad]), 1.0);
-         }});
+    rows.push_back({fmt::format("{}force of pad {}", turns ? "" : "highest ", k + 1), "N",
+                    [turns, pad = static_cast<Eigen::Index>(k)](const Cycle& cycle) {
+                      const Vector forces = turns ? pad_forces_at_turn(cycle) : largest_pad_forces(cycle.fields);
+                      return pad < forces.size() ? number_text(forces[pad], 1.0) : std::string("-");
+                    }});
   }
   return rows;
 }
@@ -116,9 +122,15 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
       result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<Row>{};
   const bool turns = result.experiment != Experiment::path;
   const std::vector<Row> highest_load = turns ? rows_of_highest_load(input) : std::vector<Row>{};
-  const std::vector<Row> pads = turns ? rows_of_pads(input) : std::vector<Row>{};
+  const std::vector<Row> pads = rows_of_pads(input, result.experiment);
   for (const std::vector<Row>& more : {clearances, pads, highest_load, rows_of(input, result.experiment, true)}) {
     rows.insert(rows.end(), more.begin(), more.end());
+  }
+  std::size_t column_width = least_column_width;
+  for (const Row& row : rows) {
+    for (const std::size_t cycle : shown) {
+      column_width = std::max(column_width, row.cell(result.cycles[cycle]).size() + 1);
+    }
   }
   std::string out;
   for (std::size_t first = 0; first < shown.size(); first += columns_per_block) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,8 +37,10 @@ using Json = nlohmann::ordered_json;
 /// Stands for the case in messages, which it does not need: there is one alone.
 const std::string no_name;
 
-Case read(const Json& request) {
-  Case input = parse_case(request.at("text").get<std::string>(), no_name, {});
+/// @param tables  that the case must have, as for the command that answers alike
+Case read(const Json& request, std::vector<std::string> tables) {
+  Case input = parse_case(request.at("text").get<std::string>(), no_name,
+                          {.overrides = {}, .required_tables = std::move(tables)});
   if (input.pads.empty()) return input;
   throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
                                   "remove [[pad]], or run `bumpfoil cycle`"}});
@@ -119,22 +122,35 @@ Json answer_keys() {
 
 // Results -----------------------------------------------------------------------------------------------------------
 
+/// Of several parts of about the same size one, in the order of the whole. @param part  number from 0, and how many
+std::vector<double> part_of(const std::vector<double>& all, const std::array<std::size_t, 2>& part) {
+  const auto end = [&](std::size_t parts) {
+    return all.begin() + static_cast<std::ptrdiff_t>(parts * all.size() / part[1]);
+  };
+  return {end(part[0]), end(part[0] + 1)};
+}
+
 Json answer_cycles(const Json& request) {
-  const Case input = read(request);
-  return {{"run", shown_run(input, run_cycles(input))}};
+  const Case input = read(request, {"cycle"});
+  Case own = input;
+  const std::array<std::size_t, 2> whole{0, 1};
+  own.cycle.directions = part_of(input.cycle.directions, request.value("part", whole));
+  // Where there are fewer directions than parts.
+  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.name, .cycles = {}})}};
+  return {{"run", shown_run(input, run_cycles(own))}};
 }
 
 Json answer_csv(const Json& request) {
-  return {{"csv", cycle_csv(run_cycles(read(request)))}};
+  return {{"csv", cycle_csv(run_cycles(read(request, {"cycle"})))}};
 }
 
 Json answer_properties(const Json& request) {
-  const Case input = read(request);
+  const Case input = read(request, {});
   return Json::parse(properties_json(input, compute_properties(input)));
 }
 
 Json answer_vibration(const Json& request) {
-  Case input = read(request);
+  Case input = read(request, {});
   const auto load = request.at("load").get<std::array<double, 2>>();
   input.vibration = VibrationSettings{.loads = {{load[0], load[1]}},
                                       .directions = {0.0, 0.5 * std::numbers::pi},
@@ -166,10 +182,7 @@ constexpr std::array shown_of_samples{"loaded_stiffness", "secant_stiffness", "m
                                       "loss_factor",      "take_up",          "first_contact"};
 
 Json answer_samples(const Json& request) {
-  const Case input = read(request);
-  if (!input.montecarlo) {
-    throw Error(ErrorKind::input, {{"", 0, "montecarlo", "", "this table is missing", "add [montecarlo]"}});
-  }
+  const Case input = read(request, {"montecarlo", "cycle"});
   std::vector<CycleQuantity> quantities;
   Json shown = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(Experiment::cycle)) {

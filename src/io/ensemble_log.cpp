@@ -120,7 +120,7 @@ std::optional<std::string> EnsembleLog::identity_of(const fs::path& path) {
 
 EnsembleLog EnsembleLog::open(const fs::path& path, std::size_t width) {
   std::unique_ptr<Open> open(new Open{.path = path, .file = FileDescriptor(path, path, O_RDWR), .width = width});
-  const bool known = open->begin().has_value();
+  [[maybe_unused]] const bool known = open->begin().has_value();
   BUMPFOIL_ASSERT(known);
   while (const std::optional<std::string> block = open->next_record()) open->add_block(block->size());
   if (::ftruncate(open->file.get(), static_cast<off_t>(open->end)) != 0) throw_unwritable(path, errno);

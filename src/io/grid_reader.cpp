@@ -22,8 +22,10 @@ double size_of(const StoredVariable& variable) {
   return std::accumulate(variable.extents.begin(), variable.extents.end(), 1.0, std::multiplies<>());
 }
 
+/// Of bumps or feet, which are many; pads are not.
 bool is_of_nodes(const StoredVariable& variable) {
-  return std::any_of(variable.dims.begin(), variable.dims.end(), is_node);
+  return std::any_of(variable.dims.begin(), variable.dims.end(),
+                     [](const std::string& dimension) { return is_node(dimension) && dimension != "pad"; });
 }
 
 /// As few of the largest as it takes are left out, and with them those of the same size: one coordinate of a loop says

@@ -94,9 +94,9 @@ class KeyLister final : public CaseVisitor {
     for (const auto& [key, number] : each) add(key, "number", *number, same);
   }
 
-  void once_or_twice(const Key& once, const Key& twice, double& number) override {
-    add(once, std::string(noun(once)), number);
-    add(twice, std::string(noun(twice)), 2.0 * number, true).held = false;
+  void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) override {
+    add(once, std::string(noun(once)), json_of(&number));
+    add(twice, std::string(noun(twice)), number ? Json(2.0 * *number) : Json(), true).held = false;
   }
 
   void one_of(const Key& displacement, const Key& load, Target& target) override {

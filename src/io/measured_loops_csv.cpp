@@ -29,24 +29,23 @@ class LoopsReader {
   LoopsReader(const std::string& path, const std::string& at_column) : path_(path), at_column_(at_column) {}
 
   void read_line(std::size_t line, std::string_view text) {
-    if (text.empty() || text.starts_with('#')) return;
+    if (is_csv_remark(text)) return;
     if (columns_ == 0) return read_header(line, text);
     if (!displacement_ || !force_) return;  // without them nothing is known of the rest
-    const std::vector<std::string_view> cells = dialect_.cells(text);
+    const std::vector<std::string> cells = dialect_.cells(text, columns_);
     if (cells.size() != columns_) {
       return fault(
           line, text,
           fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
           "write a value for every column");
     }
-    const std::optional<double> displacement = dialect_.number(cells[displacement_->index]);
-    const std::optional<double> force = dialect_.number(cells[force_->index]);
-    if (!displacement || !force) {
-      return fault(line, text,
-                   fmt::format("has no finite number for the {} (columns are separated by {})",
-                               displacement ? "force" : "displacement", dialect_.name),
-                   "give it without a unit");
-    }
+    const auto no_number = [&](const char* quantity) {
+      fault(line, text, numbers_.what(quantity, dialect_), "give all without a unit, with one decimal sign");
+    };
+    const std::optional<double> displacement = numbers_.read(cells[displacement_->index]);
+    if (!displacement) return no_number("displacement");
+    const std::optional<double> force = numbers_.read(cells[force_->index]);
+    if (!force) return no_number("force");
     std::optional<double> at;
     if (at_) {
       at = place(cells[*at_]);
@@ -80,28 +79,29 @@ class LoopsReader {
 
   void read_header(std::size_t line, std::string_view text) {
     dialect_ = dialect_of(text);
-    const std::vector<std::string_view> names = dialect_.cells(text);
+    const std::vector<std::string> names = dialect_.cells(text);
     columns_ = names.size();
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == at_column_ || names[i] == at_column_ + "_deg") at_ = i;
-      if (const auto unit = unit_of_column(names[i], "displacement", length_units)) displacement_ = Column{i, *unit};
-      if (const auto unit = unit_of_column(names[i], "force", force_units)) force_ = Column{i, *unit};
+      if (is_column(names[i], at_column_) || is_column(names[i], at_column_ + "_deg")) at_ = i;
+      if (auto unit = unit_of_column(names[i], "displacement", Dimension::length)) displacement_ = {i, *unit};
+      if (auto unit = unit_of_column(names[i], "force", Dimension::force)) force_ = {i, *unit};
     }
-    for (const auto& [column, name] : {std::pair{displacement_, "displacement_um"}, std::pair{force_, "force_N"}}) {
-      if (column) continue;
+    const auto miss = [&](const std::string& name, Dimension dimension) {
       fault(line, text, fmt::format("has no {} among its {} columns, separated by {}", name, columns_, dialect_.name),
-            fmt::format("name a column {}, or with another unit", name));
-    }
+            column_advice(names, {name}, dimension, fmt::format("name a column {}, or with another unit", name)));
+    };
+    if (!displacement_) miss("displacement_um", Dimension::length);
+    if (!force_) miss("force_N", Dimension::force);
   }
 
   [[nodiscard]] std::string at_advice() const {
     return at_column_ == "cycle" ? "write 1, 2, ..." : "write +X, -X, +Y, -Y or an angle in degrees";
   }
 
-  [[nodiscard]] std::optional<double> place(std::string_view cell) const {
+  std::optional<double> place(std::string_view cell) {
     const auto axis = std::find_if(axes.begin(), axes.end(), [cell](const auto& one) { return one.first == cell; });
     if (at_column_ != "cycle" && axis != axes.end()) return axis->second;
-    return dialect_.number(cell);
+    return numbers_.read(cell);
   }
 
   MeasuredLoop& loop_at(const std::optional<double>& at) {
@@ -117,6 +117,7 @@ class LoopsReader {
   std::vector<MeasuredLoop> loops_;
   std::vector<Fault> faults_;
   CsvDialect dialect_;
+  CsvNumbers numbers_;
   std::size_t columns_{};  ///< 0 before the header
   std::optional<std::size_t> at_;
   std::optional<Column> displacement_;

@@ -14,8 +14,9 @@ struct MeasuredLoop {
   std::vector<LoadingCurve::Point> points;  ///< from start to end
 };
 
-/// Reads measured loops: columns `displacement_um` (or _nm, _mm, _m) and `force_N` (or _mN, _kN), and of several loops,
-/// one below the other, the column `at_column` that tells them apart. Other columns are left alone.
+/// Reads measured loops: columns `displacement_um` and `force_N`, or in other units, written as for
+/// read_height_errors(), and of several loops, one below the other, the column `at_column` that tells them apart. Other
+/// columns are left alone.
 /// @param at_column  "direction" ("+X" or degrees) or "cycle" (1, 2, ...)
 /// @throws Error (input) that lists every faulty line, and every loop that does not turn round; Error (file) if the
 ///         file cannot be read

@@ -55,9 +55,7 @@ Preset larsen() {
   Preset preset{.name = "larsen-strip",
                 .head = larsen_head,
                 .input = reference_case(),
-                .remarks = {{"bearing.radius", "assumed; of no effect on a flat strip"},
-                            {"bearing.radial_clearance", "assumed; of no effect on a strip"},
-                            {"bump_foil.model", "of these bumps no truss can be identified, its k2 is negative"},
+                .remarks = {{"bump_foil.model", "of these bumps no truss can be identified, its k2 is negative"},
                             {"bump_foil.bumps", "assumed"},
                             {"bump_foil.poisson_ratio", assumed},
                             {"bump_foil.weld_at", assumed},
@@ -66,10 +64,11 @@ Preset larsen() {
                             {"friction.coefficient", assumed},
                             {"strip.bumps", assumed},
                             {"strip.weld", assumed},
-                            {"strip.displacement", assumed}}};
+                            {"strip.displacement", assumed},
+                            {"strip.cycles", assumed}}};
   Case& input = preset.input;
   input.title = "Strip of bump foil between plates, Larsen, Varela & Santos 2014";
-  input.bearing = {.radius = 33.5e-3, .axial_length = 53e-3, .radial_clearance = 31.8e-6};
+  input.bearing = {.axial_length = 53e-3};
   BumpFoil& foil = input.bump_foil;
   foil.model = BumpFoilModel::frame;
   foil.bumps = 10;

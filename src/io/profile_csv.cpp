@@ -23,22 +23,25 @@ class ProfileReader {
   explicit ProfileReader(const std::string& path) : path_(path) {}
 
   void read_line(std::size_t line, std::string_view text) {
-    if (text.empty() || text.starts_with('#')) return;
+    if (is_csv_remark(text)) return;
     if (columns_ == 0) return read_header(line, text);
     if (!deviation_) return;  // without it nothing is known of the rest
-    const std::vector<std::string_view> cells = dialect_.cells(text);
+    const std::vector<std::string> cells = dialect_.cells(text, columns_);
     if (cells.size() != columns_) {
       return fault(
           line, text,
           fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
           "write a value for every column");
     }
-    const std::optional<double> deviation = dialect_.number(cells[*deviation_]);
-    const std::optional<double> angle = angle_ ? dialect_.number(cells[*angle_]) : 0.0;
-    if (!deviation || !angle) {
-      return fault(line, text, fmt::format("has no finite numbers (columns are separated by {})", dialect_.name),
-                   fmt::format("give the deviation in {} and the angle in degrees, without units", unit_.name));
-    }
+    const auto no_number = [&](const char* quantity) {
+      fault(
+          line, text, numbers_.what(quantity, dialect_),
+          fmt::format("give deviations in {} and angles in degrees, without units, with one decimal sign", unit_.name));
+    };
+    const std::optional<double> deviation = numbers_.read(cells[*deviation_]);
+    if (!deviation) return no_number("deviation");
+    const std::optional<double> angle = angle_ ? numbers_.read(cells[*angle_]) : 0.0;
+    if (!angle) return no_number("angle");
     deviations_.push_back(*deviation * unit_.size);
     angles_.push_back({*angle, line, std::string(text)});
   }
@@ -67,12 +70,12 @@ class ProfileReader {
 
   void read_header(std::size_t line, std::string_view text) {
     dialect_ = dialect_of(text);
-    const std::vector<std::string_view> names = dialect_.cells(text);
+    const std::vector<std::string> names = dialect_.cells(text);
     columns_ = names.size();
     std::size_t found = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == "angle_deg") angle_ = i;
-      const std::optional<ColumnUnit> unit = unit_of_column(names[i], "deviation", length_units);
+      if (is_column(names[i], "angle_deg")) angle_ = i;
+      const std::optional<ColumnUnit> unit = unit_of_column(names[i], "deviation", Dimension::length);
       if (!unit) continue;
       deviation_ = i;
       unit_ = *unit;
@@ -80,10 +83,11 @@ class ProfileReader {
     }
     if (found == 1) return;
     deviation_.reset();
-    fault(line, text,
-          fmt::format("has {} of deviations among its {} columns, separated by {}",
-                      found == 0 ? "no column" : fmt::format("{} columns", found), columns_, dialect_.name),
-          found == 0 ? "name one deviation_um" : "leave one");
+    fault(
+        line, text,
+        fmt::format("has {} of deviations among its {} columns, separated by {}",
+                    found == 0 ? "no column" : fmt::format("{} columns", found), columns_, dialect_.name),
+        found == 0 ? column_advice(names, {"deviation_um"}, Dimension::length, "name one deviation_um") : "leave one");
   }
 
   void judge_angles() {
@@ -104,6 +108,7 @@ class ProfileReader {
   std::vector<Angle> angles_;
   std::vector<Fault> faults_;
   CsvDialect dialect_;
+  CsvNumbers numbers_;
   std::size_t columns_{};
   std::optional<std::size_t> deviation_;
   std::optional<std::size_t> angle_;

@@ -128,19 +128,21 @@ Json json_of(const std::vector<Group>& groups) {
 
 /// A line for each shape of bump.
 std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpProperties>& shapes) {
-  std::string out = fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", "Bumps", "pitch",
-                                "rise", "flat", "thickness", "k1", "k2", "k3", "k4", "theta_d", "row", "alone");
-  out += fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", "", "mm", "mm", "mm", "mm",
-                     "MN/m", "MN/m", "MN/m", "MN/m", "deg", "MN/m", "MN/m");
+  std::string out =
+      fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", "Bumps", "pitch", "rise",
+                  "flat", "thickness", "k1", "k2", "k3", "k4", "theta_d", "row", "alone");
+  out += fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", "", "mm", "mm", "mm",
+                     "mm", "MN/m", "MN/m", "MN/m", "MN/m", "deg", "MN/m", "MN/m");
   for (const BumpProperties& p : shapes) {
     const std::string bumps = p.from == p.to ? std::to_string(p.from) : fmt::format("{} to {}", p.from, p.to);
-    out += fmt::format(
-        "{:<11}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}{:>11}\n", bumps, number_text(p.shape.pitch, 1e-3),
-        number_text(p.shape.rise, 1e-3), number_text(p.arc.flat, 1e-3), number_text(p.shape.thickness, 1e-3),
-        number_text(given.k1.value_or(p.identified.k1), 1e6), number_text(given.k2.value_or(p.identified.k2), 1e6),
-        number_text(given.k3.value_or(p.identified.k3), 1e6), number_text(given.k4.value_or(p.identified.k4), 1e6),
-        number_text(given.theta_d.value_or(p.identified.theta_d), std::numbers::pi / 180.0),
-        number_text(p.cell.crest_stiffness(), 1e6), number_text(p.sliding_bump, 1e6));
+    out += fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", bumps,
+                       number_text(p.shape.pitch, 1e-3), number_text(p.shape.rise, 1e-3), number_text(p.arc.flat, 1e-3),
+                       number_text(p.shape.thickness, 1e-3), number_text(given.k1.value_or(p.identified.k1), 1e6),
+                       number_text(given.k2.value_or(p.identified.k2), 1e6),
+                       number_text(given.k3.value_or(p.identified.k3), 1e6),
+                       number_text(given.k4.value_or(p.identified.k4), 1e6),
+                       number_text(given.theta_d.value_or(p.identified.theta_d), std::numbers::pi / 180.0),
+                       number_text(p.cell.crest_stiffness(), 1e6), number_text(p.sliding_bump, 1e6));
   }
   return out +
          "k1 to theta_d: constants of the truss for a row of such bumps; where one is negative there is none, and "

@@ -36,9 +36,10 @@ std::string written(const toml::node& node) {
 
 void ReadingLog::met(const std::string& key, const toml::node& node) {
   const toml::source_region& source = node.source();
-  // A table that an override implied stands nowhere.
-  const bool overridden = source.begin.line == 0 || is_override(node);
+  const bool implied = source.begin.line == 0;  // a table that an override made
+  const bool overridden = implied || is_override(node);
   Origin origin{overridden ? std::string(command_line) : file_, overridden ? 0 : source.begin.line, written(node)};
+  origin.implied = implied;
   origins_.insert_or_assign(key, std::move(origin));
 }
 
@@ -68,6 +69,7 @@ void ReadingLog::later_fault(const Fault& fault) {
   }
   judged_.insert(placed.key);
   const Origin* place = place_of(placed.key);
+  if (place != nullptr && place->implied) place = nullptr;  // the file lacks it, whatever else was overridden
   placed.file = place != nullptr ? place->file : file_;
   placed.line = place != nullptr ? place->line : 0;
   const auto exact = origins_.find(placed.key);

@@ -18,6 +18,7 @@ struct Origin {
   std::size_t line{};
   std::string written;
   bool degrees{};  ///< an angle without a unit, of so many radians that degrees may be meant
+  bool implied{};  ///< a table that an override made for its key
 };
 
 /// What is known while a case file is read: its faults, and where its keys stand.

@@ -83,13 +83,11 @@ class ResultWriter {
         NewNetcdf::put(variable, start, std::vector<std::size_t>(of_cycles_.size(), cycles_), values);
       }
     }
-    if (result_.experiment == Experiment::path) return;  // which has no full displacement
-    for (const LoadQuantity& quantity : load_quantities()) {
+    for (const LoadQuantity& quantity : load_quantities(result_.experiment)) {
       if (!is_there(quantity.node)) continue;
       const NcVar variable = file_.add(meaning(quantity), of_cycles_and({*node(quantity.node)}));
       for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
-        if (!result_.cycles[i].turning_point) continue;
-        const Vector& loads = (*result_.cycles[i].turning_point).*quantity.loads;
+        const Vector loads = quantity.values(result_.cycles[i]);
         put_rows(variable, i, {static_cast<std::size_t>(loads.size())}, {loads.begin(), loads.end()});
       }
     }

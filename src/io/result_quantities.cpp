@@ -122,6 +122,10 @@ struct Only {
     quantity.within = within;
     return quantity;
   }
+  constexpr LoadQuantity operator()(LoadQuantity quantity) const {
+    quantity.within = within;
+    return quantity;
+  }
 };
 constexpr Only<Within::bearing> bearing_only;
 constexpr Only<Within::cycle> cycle_only;
@@ -327,17 +331,24 @@ constexpr auto field_table = std::to_array<FieldQuantity>({
     {"pad_force_y", "N", "part of force_y that the pad takes", Node::pad, field<&FoilFields::pad_force_y>},
 });
 
+template <Vector TurningPoint::*member>
+Vector loads(const Cycle& cycle) {
+  return cycle.turning_point ? (*cycle.turning_point).*member : Vector();
+}
+
 constexpr auto load_table = std::to_array<LoadQuantity>({
-    {"bump_loads", "N", "compression between {over_crest} and crest at full displacement", Node::bump,
-     &TurningPoint::bump_loads},
-    {"foot_loads", "N", "compression between foot and {carrying} at full displacement", Node::foot,
-     &TurningPoint::foot_loads},
-    {"journal_loads", "N", "compression between {pressing} and top foil at full displacement", Node::bump,
-     &TurningPoint::journal_loads},
-    {"pad_forces_x", "N", "part of the force along X that the pad takes at full displacement", Node::pad,
-     &TurningPoint::pad_forces_x},
-    {"pad_forces_y", "N", "part of the force along Y that the pad takes at full displacement", Node::pad,
-     &TurningPoint::pad_forces_y},
+    loops_only({"bump_loads", "N", "compression between {over_crest} and crest at full displacement", Node::bump,
+                loads<&TurningPoint::bump_loads>}),
+    loops_only({"foot_loads", "N", "compression between foot and {carrying} at full displacement", Node::foot,
+                loads<&TurningPoint::foot_loads>}),
+    loops_only({"journal_loads", "N", "compression between {pressing} and top foil at full displacement", Node::bump,
+                loads<&TurningPoint::journal_loads>}),
+    loops_only({"pad_forces_x", "N", "part of the force along X that the pad takes at full displacement", Node::pad,
+                loads<&TurningPoint::pad_forces_x>}),
+    loops_only({"pad_forces_y", "N", "part of the force along Y that the pad takes at full displacement", Node::pad,
+                loads<&TurningPoint::pad_forces_y>}),
+    path_only({"max_pad_forces", "N", "largest size of the force that the pad takes over all increments", Node::pad,
+               [](const Cycle& cycle) { return largest_pad_forces(cycle.fields); }}),
 });
 
 constexpr auto event_table = std::to_array<EventQuantity>({
@@ -408,8 +419,8 @@ std::span<const FieldQuantity> field_quantities() {
   return field_table;
 }
 
-std::span<const LoadQuantity> load_quantities() {
-  return load_table;
+std::vector<LoadQuantity> load_quantities(Experiment experiment) {
+  return those_of(load_table, experiment);
 }
 
 std::span<const EventQuantity> event_quantities() {

@@ -39,7 +39,7 @@ std::string toml_list(const std::vector<double>& values) {
 }
 
 std::string toml_of(const RossElement& element) {
-  const std::size_t rows = std::max<std::size_t>(1, element.speeds.size());
+  [[maybe_unused]] const std::size_t rows = std::max<std::size_t>(1, element.speeds.size());
   BUMPFOIL_ASSERT(element.stiffness.size() == rows * element.frequencies.size());
   BUMPFOIL_ASSERT(element.damping.size() == element.stiffness.size());
   std::string out = "\n[bearing.element]\n";

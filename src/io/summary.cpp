@@ -32,13 +32,11 @@ Json peak_json(const Case& input, const std::optional<StressPeak>& peak) {
   return json;
 }
 
-/// Loads at full displacement.
-void add_loads(Json& json, const Case& input, const Cycle& cycle) {
-  for (const LoadQuantity& quantity : load_quantities()) {
+void add_loads(Json& json, const Case& input, Experiment experiment, const Cycle& cycle) {
+  for (const LoadQuantity& quantity : load_quantities(experiment)) {
     if (quantity.node == Node::pad && count_pads(input) == 1) continue;
     Json& values = json[key_of(quantity.name, quantity.unit)];
-    if (!cycle.turning_point) continue;
-    for (const double load : (*cycle.turning_point).*quantity.loads) values.push_back(value_json(load));
+    for (const double load : quantity.values(cycle)) values.push_back(value_json(load));
   }
 }
 
@@ -146,8 +144,7 @@ std::string summary_json(const Case& input, const CycleResult& result, RunStatus
   json["cycles"] = Json::array();
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {
     json["cycles"].push_back(cycle_json(input, result, i));
-    // A path has no full displacement.
-    if (result.experiment != Experiment::path) add_loads(json["cycles"].back(), input, result.cycles[i]);
+    add_loads(json["cycles"].back(), input, result.experiment, result.cycles[i]);
   }
   return sealed_summary(json);
 }

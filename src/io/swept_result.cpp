@@ -47,10 +47,10 @@ SweptResult swept_result(const Case& input, const VibrationResult& result, bool 
   const VibrationSettings& settings = *input.vibration;
   const std::vector<LinearFoils> all = linear_foils(settings, result);
   SweptResult swept{.status = status_of(result),
-                    .grid = vibration_grid(settings, result, all, with_loops),
+                    .grid = vibration_grid(input, result, all, with_loops),
                     .parts = {},
                     .rows = vibration_csv(settings, result),
-                    .lists = vibration_lists(settings, result, all),
+                    .lists = vibration_lists(input, result, all),
                     .failures = failure_lines(settings, result),
                     .warnings = warning_lines(settings, result)};
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {

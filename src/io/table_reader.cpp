@@ -276,7 +276,7 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
     log_.taken_from(path, std::string(key.otherwise));
     return {root_.at_path(key.otherwise).node(), std::string(key.otherwise)};
   }
-  if (key.presence == Presence::required) {
+  if (key.presence == Presence::required && (key.spared_by.empty() || !root_.contains(key.spared_by))) {
     log_.fault(path, "is missing", fmt::format("give it in the table [{}]", path_));
   }
   return {nullptr, path};
@@ -386,14 +386,14 @@ bool TableReader::second_counts(const Key& first, const Key& second) {
   return true;
 }
 
-void TableReader::once_or_twice(const Key& once, const Key& twice, double& number) {
+void TableReader::once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) {
   const bool doubled = second_counts(once, twice);
-  double unused = 0.0;
-  double two = 2.0 * number;
+  std::optional<double> unused;
+  std::optional<double> two;
   value(doubled ? optional_key(once) : once, doubled ? &unused : &number);
   value(optional_key(twice), doubled ? &two : &unused);
   if (!doubled) return;
-  number = 0.5 * two;
+  if (two) number = 0.5 * *two;
   log_.taken_from(path_of(once.name), path_of(twice.name));
 }
 

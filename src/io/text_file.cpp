@@ -49,8 +49,4 @@ std::string read_text_file(const std::string& path) {
   return text;
 }
 
-bool is_blank(std::string_view text) {
-  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
-
 }  // namespace bumpfoil

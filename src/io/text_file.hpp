@@ -17,6 +17,8 @@ inline constexpr std::string_view standard_input = "-";
 std::string read_text_file(const std::string& path);
 
 /// Whether a text has nothing but spaces and line ends.
-bool is_blank(std::string_view text);
+inline bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
 
 }  // namespace bumpfoil

@@ -9,6 +9,7 @@
 
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/absent.hpp"
 #include "io/vibration_quantities.hpp"
 
@@ -30,12 +31,16 @@ std::vector<double> each(const List& list, const Value& value) {
 /// Describes vibrations, variable by variable.
 class VibrationGrid {
  public:
-  VibrationGrid(const VibrationSettings& settings, const VibrationResult& result)
-      : settings_(settings), result_(result), motion_(settings.orbits() ? "sense" : "direction") {
-    grid_.dims = {{"load", settings.loads.size()},
-                  {motion_, settings.motions()},
-                  {"amplitude", settings.amplitudes.size()},
-                  {"frequency", settings.frequencies.size()}};
+  VibrationGrid(const Case& input, const VibrationResult& result)
+      : settings_(*input.vibration),
+        pads_(count_pads(input) > 1 ? count_pads(input) : 0),
+        result_(result),
+        motion_(settings_.orbits() ? "sense" : "direction") {
+    grid_.dims = {{"load", settings_.loads.size()},
+                  {motion_, settings_.motions()},
+                  {"amplitude", settings_.amplitudes.size()},
+                  {"frequency", settings_.frequencies.size()}};
+    if (pads_ > 0) grid_.dims.push_back({"pad", pads_});
     add_coordinates();
   }
 
@@ -93,6 +98,29 @@ class VibrationGrid {
     }
   }
 
+  /// What each of several pads takes.
+  void add_pads() {
+    if (pads_ == 0) return;
+    for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}}) {
+      std::vector<double> values;
+      for (const StaticLoad& load : result_.loads) {
+        const Eigen::RowVectorXd forces = load.pad_forces.row(axis);
+        values.insert(values.end(), forces.begin(), forces.end());
+        values.resize(values.size() + pads_ - static_cast<std::size_t>(forces.size()), absent);
+      }
+      add({fmt::format("load_pad_force_{}", name), "N", fmt::format("part of load_{} that the pad takes", name)},
+          {"load", "pad"}, std::move(values));
+    }
+    std::vector<double> largest;
+    for (const Vibration& vibration : result_.vibrations) {
+      const Vector forces = largest_pad_forces(vibration);
+      largest.insert(largest.end(), forces.begin(), forces.end());
+      largest.resize(largest.size() + pads_ - static_cast<std::size_t>(forces.size()), absent);
+    }
+    add({"max_pad_forces", "N", "largest size of the force that the pad takes in the last loop"},
+        {"load", motion_, "amplitude", "pad"}, std::move(largest));
+  }
+
   /// The last loop of each vibration, linear between its points.
   void add_loops() {
     std::size_t longest = 1;
@@ -113,11 +141,28 @@ class VibrationGrid {
              [](const LoopPoint& one) { return one.force.x(); });
     add_loop({"force_y", "N", "force that holds the journal, Y"}, "displacement",
              [](const LoopPoint& one) { return one.force.y(); });
+    if (pads_ > 0) add_pad_loops(longest);
   }
 
   ResultGrid take() { return std::move(grid_); }
 
  private:
+  void add_pad_loops(std::size_t longest) {
+    for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}}) {
+      std::vector<double> values;
+      for (const Vibration& vibration : result_.vibrations) {
+        for (const LoopPoint& one : vibration.cycle.curve) {
+          const Eigen::RowVectorXd forces = one.pad_forces.row(axis);
+          values.insert(values.end(), forces.begin(), forces.end());
+        }
+        values.resize(values.size() + (longest - vibration.cycle.curve.size()) * pads_, absent);
+      }
+      add({fmt::format("pad_force_{}", name), "N", fmt::format("part of force_{} that the pad takes", name)},
+          {"load", motion_, "amplitude", "point", "pad"}, std::move(values))
+          .coordinates = "displacement";
+    }
+  }
+
   void add_coordinates() {
     const auto add_coordinate = [this](const VariableMeaning& meaning, const std::string& dim,
                                        std::vector<double> values) {
@@ -139,6 +184,9 @@ class VibrationGrid {
     add_coordinate({"amplitude", "m", "displacement from the middle to a turning point"}, "amplitude",
                    settings_.amplitudes);
     add_coordinate({"frequency", "rad/s", "angular frequency of the vibration"}, "frequency", settings_.frequencies);
+    if (pads_ > 0) {
+      add_coordinate({"pad", "1", "pad, in the order of the case", {Form::whole}}, "pad", numbers_from(1.0, pads_));
+    }
   }
 
   GridVariable& add(VariableMeaning meaning, std::vector<std::string> dims, std::vector<double> values) {
@@ -146,6 +194,7 @@ class VibrationGrid {
   }
 
   const VibrationSettings& settings_;
+  std::size_t pads_;  ///< of several; none of one
   const VibrationResult& result_;
   std::string motion_;
   ResultGrid grid_;
@@ -153,12 +202,13 @@ class VibrationGrid {
 
 }  // namespace
 
-ResultGrid vibration_grid(const VibrationSettings& settings, const VibrationResult& result,
-                          const std::vector<LinearFoils>& all, bool with_loops) {
-  VibrationGrid grid(settings, result);
+ResultGrid vibration_grid(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
+                          bool with_loops) {
+  VibrationGrid grid(input, result);
   grid.add_loads();
   grid.add_vibrations();
   grid.add_coefficients(all);
+  grid.add_pads();
   if (with_loops) grid.add_loops();
   return grid.take();
 }

@@ -23,7 +23,7 @@ std::string vibration_netcdf(const Case& input, const VibrationResult& result, c
                           .warnings = warning_lines(*input.vibration, result),
                           .provenance = provenance,
                           .run_id = run_id});
-    write_grid(file, vibration_grid(*input.vibration, result, all));
+    write_grid(file, vibration_grid(input, result, all));
     return file.close();
   } catch (const netCDF::exceptions::NcException& error) {
     throw unbuilt("result.nc", error, "fewer steps, loads or amplitudes take less");

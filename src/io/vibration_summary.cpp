@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/summary_json.hpp"
 #include "io/vibration_quantities.hpp"
 
@@ -20,18 +21,31 @@ Json matrix_json(const std::optional<Eigen::Matrix2d>& K) {
   return json;
 }
 
-Json load_json(const StaticLoad& load) {
-  const bool reached = load.status == Status::converged;
-  return {{"load_x_N", load.load.x()},
-          {"load_y_N", load.load.y()},
-          {"status", name_of(load.status)},
-          {"x_m", reached ? Json(load.position.x()) : Json()},
-          {"y_m", reached ? Json(load.position.y()) : Json()},
-          {"stuck", matrix_json(load.tangents.unloading)},
-          {"further", matrix_json(load.tangents.loading)}};
+/// Numbers of pads; null where they are not known.
+Json pads_json(const Vector& forces) {
+  Json json;
+  for (const double force : forces) json.push_back(value_json(force));
+  return json;
 }
 
-Json vibration_json(const VibrationSettings& settings, const VibrationResult& result, std::size_t i) {
+Json load_json(const Case& input, const StaticLoad& load) {
+  const bool reached = load.status == Status::converged;
+  Json json{{"load_x_N", load.load.x()},
+            {"load_y_N", load.load.y()},
+            {"status", name_of(load.status)},
+            {"x_m", reached ? Json(load.position.x()) : Json()},
+            {"y_m", reached ? Json(load.position.y()) : Json()},
+            {"stuck", matrix_json(load.tangents.unloading)},
+            {"further", matrix_json(load.tangents.loading)}};
+  if (count_pads(input) > 1) {
+    json["pad_forces_x_N"] = pads_json(load.pad_forces.row(0));
+    json["pad_forces_y_N"] = pads_json(load.pad_forces.row(1));
+  }
+  return json;
+}
+
+Json vibration_json(const Case& input, const VibrationResult& result, std::size_t i) {
+  const VibrationSettings& settings = *input.vibration;
   const auto [load, motion, amplitude] = place_of(settings, i);
   Json json{{"load_x_N", settings.loads[load].x()},
             {"load_y_N", settings.loads[load].y()},
@@ -42,6 +56,7 @@ Json vibration_json(const VibrationSettings& settings, const VibrationResult& re
     json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(result.vibrations[i]), quantity.form);
   }
   json["loop_energies_J"] = result.vibrations[i].cycle.loop_energies;
+  if (count_pads(input) > 1) json["max_pad_forces_N"] = pads_json(largest_pad_forces(result.vibrations[i]));
   return json;
 }
 
@@ -63,16 +78,15 @@ Json coefficients_json(const LinearFoils& foils, double frequency) {
 
 }  // namespace
 
-Json vibration_lists(const VibrationSettings& settings, const VibrationResult& result,
-                     const std::vector<LinearFoils>& all) {
+Json vibration_lists(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all) {
   Json json;
   for (const char* list : {"loads", "vibrations", "coefficients"}) json[list] = Json::array();
-  for (const StaticLoad& load : result.loads) json["loads"].push_back(load_json(load));
+  for (const StaticLoad& load : result.loads) json["loads"].push_back(load_json(input, load));
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
-    json["vibrations"].push_back(vibration_json(settings, result, i));
+    json["vibrations"].push_back(vibration_json(input, result, i));
   }
   for (const LinearFoils& foils : all) {
-    for (const double frequency : settings.frequencies)
+    for (const double frequency : input.vibration->frequencies)
       json["coefficients"].push_back(coefficients_json(foils, frequency));
   }
   return json;
@@ -84,7 +98,7 @@ std::string vibration_summary(const Case& input, const VibrationResult& result, 
   Json json = summary_head("vibration", input, status, manifest);
   json["failures"] = failure_lines(settings, result);
   json["warnings"] = warning_lines(settings, result);
-  json.update(vibration_lists(settings, result, all));
+  json.update(vibration_lists(input, result, all));
   return sealed_summary(json);
 }
 

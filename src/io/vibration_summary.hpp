@@ -14,7 +14,7 @@ std::string vibration_summary(const Case& input, const VibrationResult& result, 
                               RunStatus status, const Manifest& manifest);
 
 /// These three lists.
-nlohmann::ordered_json vibration_lists(const VibrationSettings& settings, const VibrationResult& result,
+nlohmann::ordered_json vibration_lists(const Case& input, const VibrationResult& result,
                                        const std::vector<LinearFoils>& all);
 
 }  // namespace bumpfoil

@@ -3,6 +3,7 @@
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/vibration_files.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/number_text.hpp"
 #include "io/vibration_quantities.hpp"
 
@@ -35,6 +36,8 @@ std::string vibration_table(const Case& input, const VibrationResult& result) {
   for (const VibrationQuantity& quantity : vibration_quantities()) {
     if (!quantity.label.empty()) add(quantity.label, quantity.shown.name);
   }
+  const std::size_t pads = count_pads(input) > 1 ? count_pads(input) : 0;
+  for (std::size_t k = 0; k < pads; ++k) add(fmt::format("pad {}, max", k + 1), "N");
   std::string out = names + '\n' + units + '\n' + std::string(names.size(), '-') + '\n';
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     const auto [load, motion, amplitude] = place_of(settings, i);
@@ -44,6 +47,11 @@ std::string vibration_table(const Case& input, const VibrationResult& result) {
                        1e6 * settings.amplitudes[amplitude], fmt::arg("w", column_width));
     for (const VibrationQuantity& quantity : vibration_quantities()) {
       if (!quantity.label.empty()) out += fmt::format("{:>{}}", cell(quantity, result.vibrations[i]), column_width);
+    }
+    const Vector forces = largest_pad_forces(result.vibrations[i]);
+    for (std::size_t k = 0; k < pads; ++k) {
+      const auto pad = static_cast<Eigen::Index>(k);
+      out += fmt::format("{:>{}}", pad < forces.size() ? number_text(forces[pad], 1.0) : "-", column_width);
     }
     out += '\n';
   }

@@ -87,7 +87,7 @@ FoilDesign make_bearing_design(const Case& input) {
                    .youngs_modulus = foil.youngs_modulus,
                    .poisson_ratio = foil.poisson_ratio,
                    .axial_length = input.bearing.axial_length,
-                   .radius = input.bearing.radius,
+                   .radius = input.bearing.is_flat() ? std::nullopt : std::optional(input.bearing.radius),
                    .welded = true,
                    .weld_at = foil.weld_at,
                    .truss = foil.truss,

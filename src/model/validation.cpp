@@ -47,8 +47,16 @@ void judge_profile(Judge& judge, const std::string& part, const RadiusProfile& p
   }
 }
 
-bool judge_bearing(Judge& judge, const Bearing& bearing) {
-  const bool radius = judge.within("bearing.radius", bearing.radius, length_range);
+/// @return whether the radius is known; that of a strip alone is infinite
+bool judge_radius(Judge& judge, const Bearing& bearing, bool strip) {
+  if (!bearing.is_flat()) return judge.within("bearing.radius", bearing.radius, length_range);
+  if (!strip) return judge.require(false, "bearing.radius", "", "is missing", "give it in the table [bearing]");
+  return judge.require(bearing.radial_clearance == 0.0, "bearing.radius", "", "is missing, though there is a clearance",
+                       "give both; a strip alone needs neither");
+}
+
+bool judge_bearing(Judge& judge, const Bearing& bearing, bool strip) {
+  const bool radius = judge_radius(judge, bearing, strip);
   judge.within("bearing.axial_length", bearing.axial_length, length_range);
   judge.angle("bearing.weld_angle", bearing.weld_angle);
   if (judge.finite("bearing.radial_clearance", bearing.radial_clearance, "m") && radius) {
@@ -355,7 +363,7 @@ std::vector<Fault> find_pad_faults(const Case& input, const std::vector<Fault>& 
 std::vector<Fault> find_faults(const Case& input) {
   Judge judge;
   const BumpFoil& foil = input.bump_foil;
-  const bool radius = judge_bearing(judge, input.bearing);
+  const bool radius = judge_bearing(judge, input.bearing, input.strip.has_value());
   const double usable_radius = radius ? input.bearing.radius : 0.0;
 
   judge_material(judge, "bump_foil", foil);
@@ -390,6 +398,12 @@ std::vector<Fault> find_faults(const Case& input) {
 void require_valid(const Case& input) {
   std::vector<Fault> faults = find_faults(input);
   if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+}
+
+void require_bearing(const Case& input) {
+  require_valid(input);
+  if (!input.bearing.is_flat()) return;
+  throw Error(ErrorKind::input, {{"", 0, "bearing.radius", "", "is missing", "give it: only a strip needs none"}});
 }
 
 }  // namespace bumpfoil

@@ -85,22 +85,30 @@ double weld_stiffness(const TrussConstants& constants, double target) {
   return excess / (S(0, 2) * S(0, 2) - excess * S(0, 0));
 }
 
-/// Constants identified for each bump. Neighbours of one shape share the work.
-std::vector<TrussConstants> identified_constants(const FoilDesign& foils) {
-  std::vector<TrussConstants> constants;
-  constants.reserve(foils.bumps.size());
-  TrussConstants row;
+/// Constants of each bump in a uniform row of its own shape. Neighbours of one shape share the work.
+std::vector<TrussConstants> constants_of_shapes(const FoilDesign& foils) {
+  std::vector<TrussConstants> shapes;
+  shapes.reserve(foils.bumps.size());
   const BumpShape* before = nullptr;
   for (const BumpShape& bump : foils.bumps) {
-    if (before && bump == *before) {
-      constants.push_back(row);
-      continue;
-    }
-    const TrussConstants row_before =
-        std::exchange(row, identify_truss_constants(make_bump_arc(bump), make_bump_section(foils, bump)));
-    constants.push_back(row);
-    if (before) constants.back().k3 = 0.5 * (row_before.k3 + row.k3);
+    const bool same = before && bump == *before;
+    shapes.push_back(same ? shapes.back()
+                          : identify_truss_constants(make_bump_arc(bump), make_bump_section(foils, bump)));
     before = &bump;
+  }
+  return shapes;
+}
+
+/// Constants of each bump among its neighbours; where there is none it counts as one of the same shape.
+std::vector<TrussConstants> identified_constants(const FoilDesign& foils) {
+  const std::vector<TrussConstants> shapes = constants_of_shapes(foils);
+  std::vector<TrussConstants> constants = shapes;
+  for (std::size_t n = 0; n < shapes.size(); ++n) {
+    const double own = shapes[n].k3;
+    const double before = n > 0 ? 0.5 * (shapes[n - 1].k3 + own) : own;
+    const double after = n + 1 < shapes.size() ? 0.5 * (own + shapes[n + 1].k3) : own;
+    constants[n].k3 = before;
+    constants[n].k2 -= 0.5 * (before + after) - own;  // feet carry what crests do not: the cell keeps its sum
   }
   return constants;
 }
@@ -134,7 +142,7 @@ std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussCon
     fault.key = fmt::format("bump_foil.truss.{}", name);
     fault.what = fmt::format("comes out as {:.4g} N/m for {}: the truss would be unstable", (*worst).*value,
                              uniform ? std::string("this shape of bump")
-                                     : fmt::format("the shape of bump {}", worst - constants.begin() + 1));
+                                     : fmt::format("bump {} among its neighbours", worst - constants.begin() + 1));
     fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
     // The sum makes a bump as stiff as it is: a larger k2 alone would make it stiffer.
     const double sum = (*worst).k2 + (*worst).k3;

@@ -202,13 +202,15 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
     EXPECT_NEAR(b.dissipated_energy, a.dissipated_energy, 1e-9 * one.increments.back().dissipated_energy) << k;
     ASSERT_TRUE(a.tangents.unloading && b.tangents.unloading);
     expect_near(*b.tangents.unloading, turning(third) * *a.tangents.unloading * turning(-third), 1e-7);
+    const auto row = static_cast<Eigen::Index>(k);
+    EXPECT_NEAR(one.fields.pad_force_x.row(row).sum(), a.force_x, 1e-9 * largest) << k;
+    EXPECT_NEAR(one.fields.pad_force_y.row(row).sum(), a.force_y, 1e-9 * largest) << k;
     // Pads follow each other clockwise: what pad 2 took, pad 1 takes now.
     for (Eigen::Index pad = 0; pad < 3; ++pad) {
-      const auto i = static_cast<Eigen::Index>(k);
       const Eigen::Index was = (pad + 1) % 3;
-      const Eigen::Vector2d taken{one.fields.pad_force_x(i, was), one.fields.pad_force_y(i, was)};
-      EXPECT_NEAR(other.fields.pad_force_x(i, pad), (turning(third) * taken).x(), 1e-9 * largest) << k;
-      EXPECT_NEAR(other.fields.pad_force_y(i, pad), (turning(third) * taken).y(), 1e-9 * largest) << k;
+      const Eigen::Vector2d taken{one.fields.pad_force_x(row, was), one.fields.pad_force_y(row, was)};
+      EXPECT_NEAR(other.fields.pad_force_x(row, pad), (turning(third) * taken).x(), 1e-9 * largest) << k;
+      EXPECT_NEAR(other.fields.pad_force_y(row, pad), (turning(third) * taken).y(), 1e-9 * largest) << k;
     }
   }
 }
@@ -255,6 +257,52 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnTheirCoefficientsWithTheLoad) {
   // Loads are met to 1e-9 of them, loops settle to 1e-6 of their energy.
   expect_near(other.stiffness, turning(third) * one.stiffness * turning(-third), 1e-5);
   expect_near(other.loss, turning(third) * one.loss * turning(-third), 1e-5);
+}
+
+/// Of orbits and of straight vibrations, by the solver that follows events, too.
+TEST(Pads, AddTheirForcesAtEveryPointOfAVibration) {
+  Case input = vibrating_pads();
+  input.pads[0].lobe = 4e-6;
+  for (const SolverName solver : {SolverName::newton, SolverName::events}) {
+    input.solver.name = solver;
+    for (const bool orbits : {false, true}) {
+      input.vibration->motion = orbits ? Motion::orbit : Motion::line;
+      input.vibration->directions = orbits ? std::vector<double>{} : vibrating_pads().vibration->directions;
+      const VibrationResult result = run_vibration(input);
+      ASSERT_TRUE(result.converged());
+      for (const StaticLoad& load : result.loads) {
+        EXPECT_LT((load.pad_forces.rowwise().sum() - load.load).norm(), 1e-8 * load.load.norm());
+      }
+      for (const Vibration& vibration : result.vibrations) {
+        const Vector largest = largest_pad_forces(vibration);
+        ASSERT_EQ(largest.size(), 3);
+        Vector met = Vector::Zero(3);
+        for (const LoopPoint& point : vibration.cycle.curve) {
+          EXPECT_LT((point.pad_forces.rowwise().sum() - point.force).norm(), 1e-9 * point.force.norm());
+          for (Eigen::Index k = 0; k < 3; ++k) met[k] = std::max(met[k], point.pad_forces.col(k).norm());
+        }
+        EXPECT_EQ(largest, met);
+        EXPECT_GT(largest.minCoeff(), 1.0);
+      }
+    }
+  }
+}
+
+TEST(Pads, EqualOnesAtEqualAnglesTurnTheirForcesWithTheVibration) {
+  const Case input = vibrating_pads();
+  Case turned = input;
+  turned.vibration->loads.front() = turning(third) * input.vibration->loads.front();
+  for (double& direction : turned.vibration->directions) direction += third;
+  const VibrationResult one = run_vibration(input);
+  const VibrationResult other = run_vibration(turned);
+  ASSERT_TRUE(one.converged() && other.converged());
+  for (std::size_t i = 0; i < one.vibrations.size(); ++i) {
+    const Vector a = largest_pad_forces(one.vibrations[i]);
+    const Vector b = largest_pad_forces(other.vibrations[i]);
+    // What pad 2 took, pad 1 takes now; loads are met to 1e-9 of them, loops settle to 1e-6 of their energy.
+    for (Eigen::Index pad = 0; pad < 3; ++pad) EXPECT_NEAR(b[pad], a[(pad + 1) % 3], 1e-6 * a.maxCoeff());
+    EXPECT_GT(a.maxCoeff(), 1.1 * a.minCoeff());
+  }
 }
 
 TEST(Pads, OfTheMirrorImageHaveMirroredCoefficients) {

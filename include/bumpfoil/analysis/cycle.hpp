@@ -85,6 +85,7 @@ struct OrbitLoop {
 struct LoopPoint {
   double displacement{};            ///< along the direction, m
   Eigen::Vector2d force{0.0, 0.0};  ///< that holds the journal, N
+  Eigen::Matrix2Xd pad_forces{};    ///< what each of several pads takes of it, N
 };
 
 /// How a cycle goes round.

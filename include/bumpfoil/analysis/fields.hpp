@@ -51,6 +51,9 @@ struct FoilFields {
   void truncate(Eigen::Index increments);
 };
 
+/// Largest size of the force that each of several pads takes at any increment, N; nothing without increments.
+Vector largest_pad_forces(const FoilFields& fields);
+
 /// Loads of one interface at a state, N: what is reported as open carries nothing.
 Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface);
 

@@ -22,8 +22,9 @@ struct FoilState {
 
 /// A place inside an increment where parts of the response join.
 struct Waypoint {
-  Eigen::Vector2d position;  ///< of the pressing body, m
-  Eigen::Vector2d force;     ///< that holds it, N
+  Eigen::Vector2d position;       ///< of the pressing body, m
+  Eigen::Vector2d force;          ///< that holds it, N
+  Eigen::Matrix2Xd pad_forces{};  ///< what each of several pads takes of it, N
 };
 
 /// A change of mode of one contact inside an increment.

@@ -107,7 +107,7 @@ Vector pressing_loads(const Foils& foils, const Vector& normal_force);
 /// Force that holds the pressing body, N.
 Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force);
 
-/// The part of it that each pad takes, one column per pad, N.
+/// The part of it that each of several pads takes, one column per pad, N. One pad takes it all, and has no column.
 Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force);
 
 }  // namespace bumpfoil

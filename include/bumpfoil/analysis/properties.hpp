@@ -34,8 +34,9 @@ struct BumpProperties {
 
 /// What is known of the foils before any contact is solved.
 struct Properties {
-  std::vector<BumpProperties> bumps;        ///< from the weld on; one where all bumps are alike
-  std::optional<StiffnessRange> top_foil;   ///< K_t; absent without a top foil or with too many bumps
+  std::vector<BumpProperties> bumps;  ///< from the weld on; one where all bumps are alike
+  std::optional<StiffnessRange>
+      top_foil;  ///< K_t; absent without a top foil, without a bearing, or with too many bumps
   std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps
 };
 

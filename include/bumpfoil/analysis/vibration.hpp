@@ -16,6 +16,7 @@ struct StaticLoad {
   Status status{Status::converged};    ///< of the way there; `interrupted` where it was not begun
   Eigen::Vector2d position{0.0, 0.0};  ///< of the journal, m; zero where the load was not reached
   TangentMatrices tangents;            ///< there
+  Eigen::Matrix2Xd pad_forces{};       ///< what each of several pads takes of the load, N; empty where not reached
 };
 
 /// One vibration: about one load, in one direction or one sense, with one amplitude.
@@ -24,6 +25,9 @@ struct Vibration {
   std::optional<Sense> sense{};             ///< of an orbit, which has no direction
   std::optional<FirstHarmonic> harmonic{};  ///< of a whole loop
 };
+
+/// Largest size of the force that each of several pads takes in the loop, N; nothing without one.
+Vector largest_pad_forces(const Vibration& vibration);
 
 struct VibrationResult {
   std::vector<StaticLoad> loads;

@@ -11,17 +11,16 @@ namespace bumpfoil {
 /// Request and answer are JSON objects. `what` of a request says what is wanted, `text` is a case file:
 ///
 /// * `keys`: `version` and `commit`; `keys` of the case file in its order, each with `path`, `title`, `text`, `kind`
-/// (empty for a
-///   table), `presence`, and where it has them `unit` (SI), `words` and `example`; `units`, for each SI unit the ones
-///   that the page offers with their sizes, from the table of units; `presets`, case files by name.
-/// * `cycles`: `run`, the cycles of the case as report_json describes them.
+///   (empty for a table), `presence`, and where it has them `unit` (SI), `words` and `example`; `units`, for each SI
+///   unit the ones that the page offers with their sizes, from the table of units; `presets`, case files by name.
+/// * `cycles`: `run`, the cycles of the case as report_json describes them. `part`, two numbers, asks
+///   for the cycles of one part of the directions (from 0) of so many; all else is that of the whole case.
 /// * `csv`: `csv`, what `bumpfoil cycle` writes as cycle.csv.
 /// * `properties`: what `bumpfoil properties --json` writes.
 /// * `vibration`: `load` (N, along X and Y), `amplitudes` (m) and `steps` in the request. `directions`, for +X and +Y
 ///   the `stiffness` (N/m), `loss_factor` and `dissipation` (J per loop) at each amplitude, null where unknown.
 /// * `samples`: `first` and `count` in the request. `quantities` that ensembles are shown by, and `samples`: for each
-/// of
-///   the numbers from `first` on, per direction, their values. The case must have an ensemble.
+///   of the numbers from `first` on, per direction, their values. The case must have an ensemble.
 ///
 /// Where the case is wrong the answer has `faults` alone, each with `line` (0 where unknown), `key`, `value`, `what`,
 /// `advice`, and the whole as a `message` of one line. Numerical failures are in the results.

@@ -102,11 +102,12 @@ struct FieldQuantity {
   Form form{};
 };
 
-/// Loads at full displacement, one per node; a key of summary.json, too.
+/// Loads of a cycle, one per node: at full displacement, or the largest of a path. A key of summary.json, too.
 struct LoadQuantity {
   std::string_view name, unit, long_name;
   Node node;
-  Vector TurningPoint::*loads;
+  Vector (*values)(const Cycle&);  ///< nothing where they are not known
+  unsigned within{Within::all};
 };
 
 /// Of one change of state of a contact.
@@ -120,7 +121,7 @@ struct EventQuantity {
 std::vector<IncrementQuantity> increment_quantities(Experiment experiment);
 std::vector<CycleQuantity> cycle_quantities(Experiment experiment);
 std::span<const FieldQuantity> field_quantities();
-std::span<const LoadQuantity> load_quantities();
+std::vector<LoadQuantity> load_quantities(Experiment experiment);
 std::span<const EventQuantity> event_quantities();
 
 /// A column of CSV or key of JSON carries its unit at its end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -46,7 +47,9 @@ struct RadiusProfile {
 
 /// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
 struct Bearing {
-  double radius{};                      ///< R, m: of the foils; sleeve and journal are taken to have it too
+  /// R, m: of the foils; sleeve and journal are taken to have it too. Infinite where there is no bearing, but a strip
+  /// between plates alone.
+  double radius{std::numeric_limits<double>::infinity()};
   double axial_length{};                ///< L, m
   double radial_clearance{};            ///< C_r, m; zero or negative means interference
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
@@ -55,6 +58,8 @@ struct Bearing {
   RadiusProfile journal{};          ///< in the angles of the bearing: the journal does not turn
   double taper{};                   ///< what the radius of the sleeve is more at the free end than at the weld, m
   std::optional<double> pad_gap{};  ///< free angle after each pad that has no arc of its own, rad
+
+  [[nodiscard]] bool is_flat() const { return radius == std::numeric_limits<double>::infinity(); }
 
   /// Whether sleeve and journal are circles.
   [[nodiscard]] bool is_round() const {

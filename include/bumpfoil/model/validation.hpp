@@ -18,10 +18,14 @@ inline constexpr int most_points = 1'000'000;
 /// Entries of lists are counted from 1, as bumps are: "bump_foil.height_errors[3]". A value that is wrong by itself is
 /// not judged together with others. File and line are left empty: only the reader of a case file knows them.
 ///
-/// A case without directions and amplitude has no cycle to run, which is no fault.
+/// A case without directions and amplitude has no cycle to run, and one with a strip may have no bearing, neither of
+/// which is a fault.
 std::vector<Fault> find_faults(const Case& input);
 
 /// @throws Error (input) listing all of find_faults(input) if there are any.
 void require_valid(const Case& input);
+
+/// @throws Error (input) as require_valid() does, and if there is no bearing in the case, but a strip alone.
+void require_bearing(const Case& input);
 
 }  // namespace bumpfoil

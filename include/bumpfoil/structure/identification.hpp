@@ -43,7 +43,12 @@ TrussConstants identify_truss_constants(const BumpArc& arc, const Section& secti
 std::vector<Fault> find_truss_faults(const FoilDesign& foils);
 
 /// Constants of the truss, one set per bump: the given ones, and in place of those that are not given the identified
-/// ones. A bump's own shape gives its k1, k2, k4 and theta_d; its k3, between two bumps, is the mean of theirs.
+/// ones. A bump's own shape gives its k1, k4 and theta_d, and the sum k2 + k3 of its cell. k3 between two bumps is the
+/// mean of theirs, and k2 what the mean of the k3 on both sides leaves of that sum:
+///
+///     k3_n = (K3_(n-1) + K3_n) / 2,   k2_n = K2_n - (K3_(n-1) - 2 K3_n + K3_(n+1)) / 4
+///
+/// with K2, K3 of a uniform row of the shape of bump n. A neighbour that is not there counts as one of the same shape.
 /// @throws Error (input) listing find_truss_faults(foils) if there are any.
 std::vector<TrussConstants> make_truss_constants(const FoilDesign& foils);
 

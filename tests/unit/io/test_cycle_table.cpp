@@ -1,5 +1,6 @@
 #include "bumpfoil/io/cycle_table.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "io/number_text.hpp"
@@ -91,6 +93,26 @@ TEST(CycleTable, ShowsNumbersInTheUnitsItNames) {
   EXPECT_EQ(last_cell(text, "converged"), "yes");
 }
 
+TEST(CycleTable, OfAPathHasTheHighestForceOfEachPad) {
+  Case input = reference_case();
+  input.bump_foil.bumps = 7;
+  input.bearing.radial_clearance = -2e-6;
+  input.pads.resize(2);
+  input.path.emplace().points.values = {{0.0, 0.0}, {5e-6, 0.0}, {2e-6, 0.0}};
+  const CycleResult result = run_path(input);
+  const FoilFields& fields = result.cycles[0].fields;
+  const std::string text = cycle_table(input, result);
+  for (const Eigen::Index pad : {0, 1}) {
+    double highest = 0.0;
+    for (Eigen::Index i = 0; i < fields.increments(); ++i) {
+      highest = std::max(highest, std::hypot(fields.pad_force_x(i, pad), fields.pad_force_y(i, pad)));
+    }
+    ASSERT_GT(highest, 1.0);
+    EXPECT_EQ(last_cell(text, fmt::format("highest force of pad {}", pad + 1)), number_text(highest, 1.0));
+    EXPECT_NEAR(largest_pad_forces(fields)[pad], highest, 1e-12 * highest);
+  }
+}
+
 TEST(CycleTable, TellsPadsApart) {
   Case input = reference_case();
   input.bump_foil.bumps = 7;
@@ -106,6 +128,7 @@ TEST(CycleTable, TellsPadsApart) {
   EXPECT_EQ(last_cell(text, "force of pad 2"),
             number_text(std::hypot(turn.pad_forces_x[1], turn.pad_forces_y[1]), 1.0));
   EXPECT_NE(text.find("of pad 2"), std::string::npos);
+  EXPECT_NE(text.find(" weld of pad 2\n"), std::string::npos);  // however wide
   EXPECT_EQ(last_cell(text, "on bump"), "2");
   const StressPeak at_weld{.stress = 1e6, .place = StressPlace::weld, .pad = 1};
   EXPECT_EQ(place_text(input, at_weld), "weld of pad 2");

@@ -122,6 +122,33 @@ TEST(DesignerAnswer, ComputesTheCaseItIsGiven) {
   EXPECT_EQ(properties, json::parse(properties_json(input, compute_properties(input))));
 }
 
+/// Without what differs from run to run.
+json cycles_of(const json& request) {
+  json run = ask(request)["run"];
+  for (json& cycle : run["summary"]["cycles"]) cycle.erase("wall_time_s");
+  return run;
+}
+
+TEST(DesignerAnswer, DividesCyclesAmongSeveral) {
+  const json whole = cycles_of({{"what", "cycles"}, {"text", case_text()}});
+  // With more parts than directions some are empty.
+  for (const std::size_t parts : {2U, 3U, 5U}) {
+    json cycles = json::array();
+    json summaries = json::array();
+    for (std::size_t number = 0; number < parts; ++number) {
+      json part = cycles_of({{"what", "cycles"}, {"text", case_text()}, {"part", {number, parts}}});
+      EXPECT_LE(part["cycles"].size(), 2U);
+      for (const json& one : part["cycles"]) cycles.push_back(one);
+      for (const json& one : part["summary"]["cycles"]) summaries.push_back(one);
+      part["cycles"] = whole["cycles"];
+      part["summary"]["cycles"] = whole["summary"]["cycles"];
+      EXPECT_EQ(part, whole) << number << " of " << parts;
+    }
+    EXPECT_EQ(cycles, whole["cycles"]) << parts;
+    EXPECT_EQ(summaries, whole["summary"]["cycles"]) << parts;
+  }
+}
+
 TEST(DesignerAnswer, VibratesAboutALoad) {
   Case input = parse_case(case_text(), "case");
   const std::vector<double> amplitudes{1e-6, 4e-6};
@@ -156,6 +183,13 @@ TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
   EXPECT_NE(answer["samples"][0], answer["samples"][1]);
   EXPECT_EQ(ask({{"what", "samples"}, {"text", case_text()}, {"first", 0}, {"count", 1}})["faults"][0]["key"],
             "montecarlo");
+}
+
+TEST(DesignerAnswer, SaysWhichTableIsMissingForLoops) {
+  const std::string text = case_text();
+  const json answer = ask({{"what", "cycles"}, {"text", text.substr(0, text.find("[cycle]"))}});
+  ASSERT_EQ(answer["faults"].size(), 1U);
+  EXPECT_EQ(answer["faults"][0]["key"], "cycle");
 }
 
 TEST(DesignerAnswer, TellsEveryFaultWithItsKey) {

@@ -28,9 +28,11 @@ class MeasuredLoopsCsv : public ::testing::Test {
 };
 
 TEST_F(MeasuredLoopsCsv, AreReadAsProgramsWriteThem) {
-  for (const char* text : {"displacement_um,force_N\n0,0\n10,5.5\n2,0\n",
-                           "# rig 3\nforce_kN;t;displacement_mm\r\n0;1;0\r\n0,0055;2;0,01\n0;3;0,002\n",
-                           "displacement_m\tforce_mN\n0\t0\n1e-5\t5500\n2e-6\t0\n"}) {
+  for (const char* text :
+       {"displacement_um,force_N\n0,0\n10,5.5\n2,0\n",
+        "# rig 3\nforce_kN;t;displacement_mm\r\n0;1;0\r\n0,0055;2;0,01\n0;3;0,002\n",
+        "displacement_m\tforce_mN\n0\t0\n1e-5\t5500\n2e-6\t0\n", "Displacement (um),Force (N)\n0,0\n10,5.5\n2,0\n",
+        "displacement_inch,force_lbf\n0,0\n3.93700787401575e-4,1.2364491870484078\n7.874e-5,0\n"}) {
     const std::vector<MeasuredLoop> loops = read(text);
     ASSERT_EQ(loops.size(), 1U) << text;
     EXPECT_FALSE(loops[0].at);

@@ -47,7 +47,7 @@ TEST(ResultQuantities, AreDescribedOnce) {
     expect_described(increment_quantities(experiment), wording, names);
     expect_described(cycle_quantities(experiment), wording, names);
     expect_described(field_quantities(), wording, names);
-    expect_described(load_quantities(), wording, names);
+    expect_described(load_quantities(experiment), wording, names);
     expect_described(event_quantities(), wording, names);
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <netcdf>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -151,6 +152,46 @@ TEST(VibrationFiles, NetcdfHasTheLoopsAndTheSameNumbers) {
   EXPECT_EQ(value, point.displacement);
   file.getVar("force_y").getVar({0, 1, 0, 8}, &value);
   EXPECT_EQ(value, point.force.y());
+}
+
+TEST(VibrationFiles, TellWhatEachPadTakes) {
+  Case input = vibration_case();
+  input.bump_foil.bumps = 7;
+  input.bearing.radial_clearance = -2e-6;
+  input.pads.resize(3);
+  input.vibration->directions.pop_back();
+  const VibrationResult result = run_vibration(input);
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& file :
+       vibration_files(input, result, status_of(result), {.command_line = "bumpfoil", .case_text = ""})) {
+    folder.write(file.name, file.contents);
+  }
+  const netCDF::NcFile file((folder.path() / "result.nc").string(), netCDF::NcFile::read);
+  const auto at = [&file](const char* name, const std::vector<std::size_t>& place) {
+    double value = 0.0;
+    file.getVar(name).getVar(place, &value);
+    return value;
+  };
+  ASSERT_EQ(file.getDim("pad").getSize(), 3U);
+  double sum = 0.0;
+  double load = 0.0;
+  for (std::size_t pad = 0; pad < 3; ++pad) {
+    sum += at("pad_force_y", {0, 0, 1, 5, pad});
+    load += at("load_pad_force_y", {0, pad});
+    EXPECT_EQ(at("load_pad_force_y", {1, pad}), NC_FILL_DOUBLE);  // out of reach
+    EXPECT_EQ(at("max_pad_forces", {1, 0, 0, pad}), NC_FILL_DOUBLE);
+  }
+  EXPECT_NEAR(sum, at("force_y", {0, 0, 1, 5}), 1e-9 * std::abs(sum));
+  EXPECT_NEAR(load, -50.0, 1e-6);
+  std::ifstream text(folder.path() / "summary.json");
+  const json summary = json::parse(text);
+  EXPECT_EQ(summary.at("vibrations")[1].at("max_pad_forces_N")[2], at("max_pad_forces", {0, 0, 1, 2}));
+  EXPECT_EQ(summary.at("loads")[0].at("pad_forces_x_N")[1], at("load_pad_force_x", {0, 1}));
+  EXPECT_TRUE(summary.at("loads")[1].at("pad_forces_x_N").is_null());
+  EXPECT_NE(vibration_table(input, result).find("pad 3, max"), std::string::npos);
+  EXPECT_EQ(vibration_table(run().input, run().result).find("pad 1"), std::string::npos);
+  const json shown = json::parse(report_json({folder.path()})).at("runs").at(0).at("variables");
+  EXPECT_EQ(shown.at("max_pad_forces").at("dims"), (json{"load", "direction", "amplitude", "pad"}));
 }
 
 TEST(VibrationFiles, AreReadByReports) {

@@ -1,0 +1,19 @@
+// A bearing with bump heights as they were measured, beside the one that was drawn. To be run in this folder.
+#include <fmt/format.h>
+#include <bumpfoil/analysis/cycle.hpp>
+#include <bumpfoil/io/case_reader.hpp>
+
+int main() {
+  const auto push = [](const char* name, bumpfoil::Case bearing) {
+    bearing.cycle.directions = {0.0};
+    bearing.cycle.steps = 50;
+    const bumpfoil::Cycle cycle = bumpfoil::run_cycles(bearing).cycles.front();
+    if (!cycle.converged()) return false;
+    fmt::print("{}: {:.1f} N, first contact {:.1f} um\n", name, cycle.turning_point->max_force,
+               1e6 * *cycle.first_contact);
+    return true;
+  };
+  const bool converged =
+      push("as drawn", bumpfoil::reference_case()) && push("as measured", bumpfoil::read_case("measured.toml"));
+  return converged ? 0 : 3;
+}

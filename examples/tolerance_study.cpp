@@ -1,0 +1,31 @@
+// A hundred bearings whose bumps scatter in height by 10 um: how much force and clearance scatter with them.
+// `bumpfoil montecarlo` does the same on all cores, for a million of them, too.
+#include <fmt/format.h>
+#include <bumpfoil/ensemble/sample.hpp>
+#include <bumpfoil/ensemble/statistics.hpp>
+
+int main() {
+  bumpfoil::Case bearing = bumpfoil::reference_case();
+  bearing.solver.name = bumpfoil::SolverName::events;
+  bearing.cycle.directions = {0.0};
+  bearing.cycle.steps = 50;
+  bearing.montecarlo.emplace().bump_height.emplace().distribution.sigma = 10e-6;  // m, of a normal distribution
+
+  std::vector<double> forces, clearances;
+  for (std::uint64_t number = 0; number < 100; ++number) {
+    const bumpfoil::Sample sample = bumpfoil::draw_sample(bearing, number);
+    const bumpfoil::Cycle push = bumpfoil::run_sample(bumpfoil::sampled_case(bearing, sample)).cycles.front();
+    if (!push.converged()) return 3;
+    forces.push_back(push.turning_point->max_force);
+    clearances.push_back(1e6 * *push.clearance_10N);
+  }
+  const bumpfoil::Cycle nominal = bumpfoil::run_cycles(bearing).cycles.front();
+
+  const auto print = [](const char* words, const char* unit, double perfect, const std::vector<double>& values) {
+    const bumpfoil::Statistics found = bumpfoil::statistics_of(values);
+    fmt::print("{}: {:.4g} {} without scatter; mean {:.4g}, std {:.3g} {}\n", words, perfect, unit, found.mean,
+               found.deviation, unit);
+  };
+  print("maximum force", "N", nominal.turning_point->max_force, forces);
+  print("clearance at 10 N", "µm", 1e6 * *nominal.clearance_10N, clearances);
+}

@@ -1,0 +1,64 @@
+// What the program says of command lines that it does not understand.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "cli/running_program.hpp"
+
+namespace bumpfoil {
+namespace {
+
+void expect_says(const std::vector<std::string>& arguments, const std::string& words) {
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Program, BlamesTheOptionThatWasTyped) {
+  const Outcome outcome = run(cycle_ + std::vector<std::string>{"--solver", "newtn"});
+  EXPECT_NE(outcome.errors.find("--solver"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("newton"), std::string::npos);
+  EXPECT_EQ(outcome.errors.find("--set"), std::string::npos);
+}
+
+TEST_F(Program, NamesTheWordThatIsNoCommand) {
+  const Outcome outcome = run({"cyle", "case.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("'cyle' is no command; did you mean 'cycle'?"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(run({"frobnicate"}).errors.find("did you mean"), std::string::npos);
+}
+
+TEST_F(Program, NamesTheOptionThatIsNone) {
+  expect_says({"cycle", case_path_, "-o", results_, "--sovler", "newton"},
+              "bumpfoil: '--sovler' is no option of 'cycle'; did you mean '--solver'?");
+  expect_says({"cycle", case_path_, "-o", results_, "--forse"}, "did you mean '--force'?");
+  // What is missing may be what was misspelt.
+  expect_says({"cycle", case_path_, "--ouput=y"}, "'--ouput' is no option of 'cycle'; did you mean '--output'?");
+  expect_says({"--versoin"}, "'--versoin' is no option; did you mean '--version'? 'bumpfoil --help' lists them");
+  expect_says({"-v"}, "'-v' is no option; 'bumpfoil --help' lists them");
+  expect_says({"check", case_path_, "b"}, "'b' is one word more than 'check' takes");
+}
+
+TEST_F(Program, HelpsWithCommandsThatThereAre) {
+  expect_says({"help", "cylce"}, "'cylce' is no command; did you mean 'cycle'?");
+  expect_says({"cylce", "--help"}, "'cylce' is no command");
+  expect_says({"help", "cycle", "extra"}, "help = extra: is one word too many; ask about one command");
+}
+
+TEST_F(Program, BlamesTheShorthandNotTheKeyBehindIt) {
+  const auto montecarlo = [&](const std::vector<std::string>& options) {
+    return std::vector<std::string>{"montecarlo", case_path_, "-o", results_} + options;
+  };
+  expect_says(montecarlo({"--samples", "0"}), "--samples = 0: is no possible number of samples");
+  expect_says(montecarlo({"--samples", "abc"}), "--samples = abc: is not a whole number");
+  expect_says(montecarlo({"--seed", "-1"}), "--seed = -1: must not be negative");
+  expect_says(montecarlo({"--target-error", "0"}), "--target-error: must be a positive number, not '0'");
+  // The file lacks it, whatever else was said of the ensemble.
+  expect_says(montecarlo({"--samples", "5"}), case_path_ + ": montecarlo: nothing scatters");
+}
+
+}  // namespace
+}  // namespace bumpfoil
