@@ -41,6 +41,8 @@ export async function answered(page, act) {
 /** The page, and everything that goes wrong or out while it is shown. */
 export async function withPage(check, { fragment = '', ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, ...options });
+  // Vibrations take seconds, and many of them beside other tests.
+  context.setDefaultTimeout(120000);
   const page = await context.newPage();
   const faults = [];
   page.on('pageerror', (error) => faults.push(String(error)));

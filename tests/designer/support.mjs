@@ -37,6 +37,17 @@ export function loopsOfProgram(text) {
   });
 }
 
+/** What `bumpfoil cycle` finds wrong with a case, one line each. */
+export function faultsOfProgram(text) {
+  return withFolder((folder) => {
+    const file = join(folder, 'case.toml');
+    writeFileSync(file, text);
+    const { status, stderr } = spawnSync(program, ['cycle', file, '-o', join(folder, 'results'), '--quiet'], { encoding: 'utf8' });
+    assert.ok(status === 0 || stderr !== '', `status ${status}`);
+    return status === 0 ? [] : stderr.trim().split('\n').map((line) => line.replace(/^.*case\.toml: ?/, ''));
+  });
+}
+
 function columnsOf(csv) {
   const [header, ...lines] = csv.trim().split('\n');
   const rows = lines.map((line) => line.split(','));

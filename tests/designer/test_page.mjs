@@ -19,6 +19,19 @@ test('in the browser, too, loops are those of the program', () =>
     console.log(`in Chromium loops differ by ${difference.toExponential(1)} of the largest force`);
     assert.ok(difference <= due);
     assert.equal(await tile(page, 'max_force_N'), '739.3 N');
+    // Two workers share the directions, one or more, and the page joins what they answer.
+    for (const directions of [['+Y'], ['-X', '+Y', '+X']]) {
+      await answered(page, () => page.locator('.editor').evaluate((one, text) => {
+        one.value = text;
+        one.dispatchEvent(new Event('input', { bubbles: true }));
+      }, reference.replace(/^directions = .*$/m, `directions = ${JSON.stringify(directions)}`)));
+      // Behind them are those of the design before.
+      const buttons = page.locator('.numbers [role="group"] button');
+      const names = (await buttons.allTextContents()).map((name) => name.replace('−', '-'));
+      assert.deepEqual(names.slice(0, directions.length), directions);
+      await buttons.getByText('+Y').click();
+      assert.equal(await tile(page, 'max_force_N'), '851.3 N');
+    }
   }));
 
 test('the four reference loops answer a slider within 100 ms', () =>

@@ -1,11 +1,11 @@
 // The solver of the designer, WebAssembly, in Node.js: the same numbers as the program.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { due, largestDifference, loopsOfProgram, reference, run, withFolder } from './support.mjs';
+import { due, faultsOfProgram, largestDifference, loopsOfProgram, reference, run, withFolder } from './support.mjs';
 
 const { BUMPFOIL_SOLVER: folder, BUMPFOIL_EXAMPLES: examples } = process.env;
 const makeSolver = createRequire(import.meta.url)(join(folder, 'solver.cjs'));
@@ -43,17 +43,19 @@ test('loops are those of the program', () => {
 });
 
 test('every example is understood as the program understands it', () => {
-  for (const name of ['gen1', 'strip', 'running', 'vibration', 'orbit']) {
-    let text;
-    try {
-      text = readFileSync(join(examples, `${name}.toml`), 'utf8');
-    } catch {
-      continue;
-    }
-    if (/_file = |^file = /m.test(text)) continue; // there are none in a browser
-    const answer = ask({ what: 'cycles', text });
-    assert.equal(answer.faults, undefined, `${name}: ${JSON.stringify(answer.faults)}`);
+  const read = [];
+  for (const name of readdirSync(examples).filter((one) => one.endsWith('.toml'))) {
+    const text = readFileSync(join(examples, name), 'utf8');
+    // The page has no files and knows one foil all around.
+    if (/^\w*file = |^\[\[pad\]\]/m.test(text)) continue;
+    assert.equal(ask({ what: 'properties', text }).faults, undefined, name);
+    const { faults = [] } = ask({ what: 'cycles', text });
+    const told = faults.map(({ line, message }) => (line > 0 ? `${line}: ${message}` : message));
+    assert.deepEqual(told, faultsOfProgram(text), name);
+    read.push(told.length > 0);
   }
+  // Some are of other experiments, which have no loops for the page.
+  assert.ok(read.includes(true) && read.filter((faulty) => !faulty).length >= 3, String(read));
 });
 
 test('faults are told in the words of the program', () => {
@@ -66,6 +68,12 @@ test('faults are told in the words of the program', () => {
     ],
   );
   assert.match(faults[0].what, /is a force where a length is due/);
+});
+
+test('files beside the case are told to be none', () => {
+  const { faults } = ask({ what: 'cycles', text: reference.replace('stiffness_follows_height', 'height_errors_file = "measured.csv"\nstiffness_follows_height') });
+  assert.deepEqual(faults.map(({ what }) => what), ['cannot be read: a page has no files beside the case']);
+  assert.equal(ask({ what: 'cycles', text: reference }).faults, undefined); // and goes on
 });
 
 test('properties, samples and vibrations are those of the program', () => {

@@ -125,6 +125,20 @@ export async function moveTo(page, index) {
   }, index);
 }
 
+/** Of a laptop. */
+export const laptop = { viewport: { width: 1366, height: 768 } };
+
+export function bottomOf(box) {
+  return box.y + box.height;
+}
+
+/** The loops are to be seen down to their axis before one scrolls. */
+export async function assertLoopsInSight(page, what) {
+  const axis = await page.locator('#cycle-loops .chart').first().locator('text', { hasText: 'Displacement' }).boundingBox();
+  const bar = await page.locator('.player').boundingBox();
+  assert.ok(bottomOf(axis) <= bar.y, `${what}: ${bottomOf(axis)} is under the bar at ${bar.y}`);
+}
+
 /** A4 with margins of 12 mm, at 96 pixels to the inch. */
 export const paper = { width: (186 / 25.4) * 96, height: (273 / 25.4) * 96 };
 

@@ -6,7 +6,7 @@ import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { caseFile, cycle, folder, moveTo, near, program, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
+import { assertLoopsInSight, caseFile, cycle, folder, laptop, moveTo, near, program, quantity, report, rowsOf, run, saved, state, stripFile, summaryOf, withReport } from './support.mjs';
 
 const hostileTitle = '</script><img src="x" onerror="alert(1)"> {a|b} \u2028 & <b>bold</b>';
 const steps = 100;
@@ -221,6 +221,7 @@ test('a partial run is shown as far as it got, and called partial', async () => 
   report('partial.html', 'partial');
   await withReport('partial.html', async (page) => {
     const warnings = await page.locator('.warnings').textContent();
+    await assertLoopsInSight(page, 'a partial run');
     assert.match(warnings, /The run was interrupted; its results are partial/);
     assert.match(warnings, /interrupted after increment \d+ of 40000, [\d.]+ .m\./);
     assert.match(warnings, /−Y: not begun: the run was interrupted before/);
@@ -228,7 +229,7 @@ test('a partial run is shown as far as it got, and called partial', async () => 
     assert.ok((await page.locator('.unwrapped path').count()) > 5);
     await page.locator('.player select').selectOption('−Y');
     assert.equal(await page.locator('.player output').textContent(), '−Y: not begun: the run was interrupted before');
-  });
+  }, laptop);
 });
 
 test('a failed run says why and where', async () => {

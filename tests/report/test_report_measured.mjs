@@ -48,6 +48,7 @@ test('differences are listed against the measured loop', () =>
       assert.ok(Math.abs(Number.parseFloat(percent.replace('+', '')) - 100 * (1 / softer - 1)) < 200 * rounding, `${key}: ${percent}`);
     }
     assert.match(await page.locator('.results thead').textContent(), /rig\.csv \(reference\)/);
+    assert.equal(await page.getByRole('combobox', { name: 'Reference run' }).inputValue(), 'rig.csv');
     // Where nothing was measured there is nothing to compare with.
     await page.getByRole('region', { name: 'Results by direction' }).getByText('+Y', { exact: true }).click();
     assert.doesNotMatch(await page.locator('.results thead').textContent(), /reference/);

@@ -20,6 +20,8 @@ before(() => {
   );
   command('sweep', '--over', 'pad[2].lobe=0 um:20 um:10 um');
   command('montecarlo', ...set('montecarlo.samples=40', 'montecarlo.bump_height.std=10 um', 'montecarlo.friction_top_bump.std=0.01', 'cycle.directions=["+X"]'));
+  run(['cycle', padsFile, '-o', join(folder, 'shimmed'), ...set('cycle.steps=4', 'cycle.directions=["+X"]', 'bump_foil.shim=[{ from = 3, to = 4, thickness = "12 um" }]')]);
+  report('shimmed.html', 'shimmed');
   report('ensemble.html', 'montecarlo');
   report('pads.html', 'cycle');
   report('others.html', 'path', 'vibration', 'sweep');
@@ -48,6 +50,19 @@ test('each pad is drawn round where it is, from its weld', () =>
     const apart = foils.map((points) => Math.min(...points.slice(6).map(([px, py]) => Math.hypot(px - x, py - y) - radius)));
     assert.ok(Math.abs(apart[1] - 2.2) < 2, `pad 2 is ${apart[1]} away`);
     assert.ok(apart[0] > 3.5 && apart[2] > 3.5, `${apart}`);
+  }));
+
+test('shims lie under the bumps that they lift', () =>
+  withReport('shimmed.html', async (page) => {
+    const flat = page.locator('.unwrapped');
+    assert.equal(await flat.locator('rect.shim').count(), pads.length);
+    assert.match(await flat.locator('rect.shim title').first().textContent(), /^Shim of 12\.0* ?µm$/);
+    const shim = await flat.locator('rect.shim').first().boundingBox();
+    const number = (bump) => flat.locator('text', { hasText: new RegExp(`^${bump}$`) }).first().boundingBox();
+    for (const [bump, is] of [[2, false], [3, true], [4, true], [5, false]]) {
+      const { x, width } = await number(bump);
+      assert.equal(x + width / 2 > shim.x && x + width / 2 < shim.x + shim.width, is, `bump ${bump}`);
+    }
   }));
 
 test('pads are laid flat one after the other, and bumps are told by them', () =>
@@ -132,6 +147,22 @@ test('the page fits, moves, and is accessible', () =>
 test('paths, vibrations and sweeps of pads are shown', () =>
   withReport('others.html', async (page) => {
     for (const kind of ['path', 'vibration', 'sweep']) assert.ok((await page.locator(`[id^=${kind}-] .chart`).count()) > 0, kind);
+    // What each pad takes at most is said, and is the highest of what is drawn along the path.
+    const { max_pad_forces_N: expected } = summaryOf('path').cycles[0];
+    const most = Math.max(...expected);
+    const told = async (title) => (await page.getByRole('group', { name: `Table: ${title}`, exact: true }).locator('td').allTextContents()).map(Number);
+    const drawn = rowsOf((await saved(page, 'Forces of the pads', 'CSV')).bytes.toString());
+    const highest = await told('Highest force of each pad');
+    assert.equal(highest.length, pads.length);
+    pads.forEach((pad, i) => {
+      assert.ok(Math.abs(highest[i] - expected[i]) < 1e-3 * most, `pad ${pad}: ${highest[i]}, not ${expected[i]}`);
+      const along = Math.max(...drawn.map((row) => Number(row[`pad_force_${pad}`])));
+      assert.ok(Math.abs(along - expected[i]) < 1e-6 * most, `pad ${pad} along the path: ${along}, not ${expected[i]}`);
+    });
+    const ofVibrations = summaryOf('vibration').vibrations.flatMap((one) => one.max_pad_forces_N);
+    const shown = await told('Highest force of each pad, by vibration');
+    assert.equal(shown.length, ofVibrations.length);
+    shown.forEach((force, i) => assert.ok(Math.abs(force - ofVibrations[i]) < 1e-3 * Math.max(...ofVibrations), `${force}, not ${ofVibrations[i]}`));
   }));
 
 test('of an ensemble, bumps are told by their pads', () =>

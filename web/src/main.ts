@@ -3,7 +3,7 @@ import { Result } from './data/result';
 import { glossary } from './tables/glossary';
 import { el } from './ui/dom';
 import { roving } from './ui/roving';
-import { isDark, onLookChange, startTheme, toggleTheme } from './ui/theme';
+import { isDark, isPrinting, onLookChange, onPrint, startTheme, toggleTheme } from './ui/theme';
 import { ensembleView } from './views/ensembles';
 import { equilibriumView } from './views/equilibria';
 import { loopView } from './views/loops';
@@ -91,19 +91,28 @@ function navigation(sections: HTMLElement[]): HTMLElement {
   return roving(el('nav', { 'aria-label': 'Parts of the report' }, ...links));
 }
 
-/** Warnings that are shown before one asks for more, and those that are listed at all. */
-const atOnce = 4;
+/** Warnings that are shown whole, those that paper has besides, and those that are listed at all. */
+const atOnce = 2;
+const mostOnPaper = 20;
 const mostListed = 400;
 
 function warnings(texts: string[]): HTMLElement[] {
   const listed = texts.length > mostListed ? [...texts.slice(0, mostListed), `and ${texts.length - mostListed} more, all in summary.json`] : texts;
   const items = listed.map((text) => el('li', {}, text));
   if (items.length === 0) return [];
-  // Of many runs there are more than anyone reads before the results.
-  const first = items.length > 2 * atOnce ? items.slice(0, atOnce) : items;
-  const rest = items.slice(first.length);
-  const more = rest.length === 0 ? [] : [el('details', {}, el('summary', {}, `${rest.length} more`), el('ul', {}, ...rest))];
-  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('div', {}, el('ul', {}, ...first), ...more))];
+  // The results are to be in sight, too: of more than a few, one line.
+  const first = items.length > atOnce ? items.slice(0, 1) : items;
+  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('ul', {}, ...first), ...folded(items.slice(first.length)))];
+}
+
+/** Opened by a click, and by paper where they are not too many for it. */
+function folded(items: HTMLElement[]): HTMLElement[] {
+  if (items.length === 0) return [];
+  const more = el('details', {}, el('summary', {}, `${items.length} more`), el('ul', {}, ...items));
+  if (items.length <= mostOnPaper) {
+    onPrint(() => (more.open = isPrinting()));
+  }
+  return [more];
 }
 
 function start(): void {

@@ -6,7 +6,7 @@ import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
 import type { CycleData, Quantity, RunData } from '../src/data/format';
 import { directionName } from '../src/data/kinds';
-import { warningsOf } from '../src/data/outcome';
+import { thinningOf, warningsOf } from '../src/data/outcome';
 import { Cycle, Run, largest } from '../src/data/run';
 import { wrapped } from '../src/ui/lines';
 
@@ -167,21 +167,29 @@ describe('clearances', () => {
 });
 
 describe('warnings', () => {
-  const warned = (cycle: object, summaryOfRun = 'complete'): string[] =>
-    warningsOf(
-      new Run({
-        name: 'a',
-        kind: 'cycle',
-        attributes: {},
-        summary: { case: {}, version: '', commit: '', solver: '', status: summaryOfRun, cycles: [{ at: 0, amplitude_m: 1, steps: 1, converged: true, ...cycle }] },
-        meanings: {},
-        geometry: {},
-        nodes: { bump: 1, foot: 1 },
-        last_increment: 2,
-        quantities: [],
-        cycles: [{ at: 0, increments: [0], series: {}, fields: {} }],
-      }),
-    );
+  const runOf = (cycle: object, status: string, increments: number[]): Run =>
+    new Run({
+      name: 'a',
+      kind: 'cycle',
+      attributes: {},
+      summary: { case: {}, version: '', commit: '', solver: '', status, cycles: [{ at: 0, amplitude_m: 1, steps: 1, converged: true, ...cycle }] },
+      meanings: {},
+      geometry: {},
+      nodes: { bump: 1, foot: 1 },
+      last_increment: 2,
+      quantities: [],
+      cycles: [{ at: 0, increments, series: {}, fields: {} }],
+    });
+  const warned = (cycle: object, status = 'complete'): string[] => warningsOf(runOf(cycle, status, [0]));
+
+  it('leave increments that are not shown to one note on all loops', () => {
+    const runs = [1, 3, 7].map((stride) => runOf({}, 'complete', [0, stride, 2 * stride]));
+    expect(runs.flatMap(warningsOf)).toEqual([]);
+    expect(thinningOf(runs)).toBe('Of some loops one increment in 7 is shown; result.nc has them all.');
+    expect(thinningOf(runs.slice(1))).toBe('Of all loops one increment in 3 to 7 is shown; result.nc has them all.');
+    expect(thinningOf(runs.slice(2))).toBe('Of all loops one increment in 7 is shown; result.nc has them all.');
+    expect(thinningOf(runs.slice(0, 1))).toBe('');
+  });
 
   it('are those that the result has', () => {
     expect(warned({ warnings: ['never touches: push further'], above_yield_top_foil: true })).toEqual(['+X: never touches: push further.']);

@@ -64,6 +64,18 @@ describe('case files', () => {
 });
 
 describe('designs', () => {
+  it('give the other coefficient of friction what both had', () => {
+    const design = new Design('[friction]\ncoefficient = 0.1 # both\n');
+    design.set('friction.bump_sleeve', '0.3');
+    expect(design.text).toBe('[friction]\ntop_bump = 0.1\nbump_sleeve = 0.3\n');
+    design.set('friction.top_bump', '0.2');
+    expect(design.text).toBe('[friction]\ntop_bump = 0.2\nbump_sleeve = 0.3\n');
+    design.set('friction.coefficient', '0.4');
+    expect(design.text).toBe('[friction]\ncoefficient = 0.4\n');
+    design.undo();
+    expect(design.written('friction.top_bump')).toBe('0.2');
+  });
+
   it('undo what was dragged as one step', () => {
     const design = new Design('x = 1');
     design.set('x', '2', true);

@@ -21,6 +21,30 @@ export interface Pad {
   readonly begin: number;
 }
 
+/** A sheet under bumps of a pad, between two places along it, m. */
+export interface Shim {
+  pad: Pad;
+  begin: number;
+  end: number;
+  thickness: number;
+}
+
+interface FoilOfCase {
+  shim?: { from: number; to: number; thickness: number }[];
+}
+
+function shimsOf(run: Run, pads: Pad[]): Shim[] {
+  const { case: input } = run.data.summary;
+  const own = (input['pad'] ?? []) as { bump_foil?: FoilOfCase }[];
+  return pads.flatMap((pad, number) => {
+    const foil = own[number]?.bump_foil ?? (input['bump_foil'] as FoilOfCase | undefined);
+    const last = pad.borders.length - 1; // a strip may have fewer bumps than the foil
+    return (foil?.shim ?? [])
+      .filter(({ from }) => from <= last)
+      .map(({ from, to, thickness }) => ({ pad, begin: at(pad.borders, from - 1), end: at(pad.borders, Math.min(to, last)), thickness }));
+  });
+}
+
 /** Numbers per bump: of each, or one for all. */
 function ofBumps(run: Run, name: string): number[] {
   const each = run.perNode(name);
@@ -64,6 +88,7 @@ function padsOf(run: Run): Pad[] {
 export class BearingGeometry {
   readonly radius: number;
   readonly pads: Pad[];
+  readonly shims: Shim[];
   readonly halfLengths: number[];
   /** Of the tallest bump: there the top foil lies, and all arcs are drawn as high. */
   readonly rise: number;
@@ -81,6 +106,7 @@ export class BearingGeometry {
   constructor(readonly run: Run) {
     this.radius = run.scalar('bearing_radius');
     this.pads = padsOf(run);
+    this.shims = shimsOf(run, this.pads);
     this.halfLengths = ofBumps(run, 'bump_half_length');
     this.rise = Math.max(...ofBumps(run, 'bump_rise'));
     this.clearance = run.scalar('radial_clearance');

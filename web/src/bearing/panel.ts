@@ -13,6 +13,22 @@ import { drawRound } from './round';
 import { fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
 import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from './unwrapped';
 
+/** What the scales of the drawings follow: the whole of a run, whatever the increment. */
+interface Extent {
+  /** Magnification along the foil over that inwards, where both are such that the drawing fits. */
+  alongOfInwards: number;
+  /** Of the contacts, the largest; 1 where there is none, N. */
+  force: number;
+}
+
+function extentOf(geometry: BearingGeometry): Extent {
+  const { cycles, interfaces } = geometry.run;
+  return {
+    alongOfInwards: fittingAlong(geometry) / fittingInwards(geometry),
+    force: largest(...cycles.flatMap((cycle) => interfaces.map(({ name }) => cycle.field(`normal_force_${name}`).values))) || 1,
+  };
+}
+
 /** The deformed bearing at the chosen increment, round and laid flat, with the values of one bump in words. */
 export class BearingPanels {
   readonly round: HTMLElement;
@@ -23,15 +39,21 @@ export class BearingPanels {
   private readonly flatPlace = el('div', { class: 'scroller' }, this.flatDrawing);
   private readonly bumpText = el('p', { class: 'note bump-values', 'aria-live': 'polite' });
   private geometry: BearingGeometry;
+  private extent: Extent;
   private inwards: number;
   private forces = true;
   private bump: number | undefined;
   private layout: UnwrappedLayout | undefined;
+  /** Width of the place for the foils; asking for it while views change would have the page laid out once more. */
+  private room = 0;
+  /** Of the round drawing on the screen, px. */
+  private roundSize = 0;
   /** How much larger heights are drawn than lengths in the round view. */
   private roundStretch = 1;
 
   constructor(private readonly selection: Selection) {
     this.geometry = new BearingGeometry(selection.run);
+    this.extent = extentOf(this.geometry);
     this.inwards = fittingInwards(this.geometry);
     const factors = dropDown(
       'Magnification of displacements',
@@ -84,18 +106,31 @@ export class BearingPanels {
     this.unwrapped = unwrapped.root;
     this.listen();
     selection.onChange(() => this.follow());
-    onLookChange(() => this.draw());
-    new ResizeObserver(() => this.draw()).observe(this.flatPlace);
+    // Paper has other sizes, and does not wait until they are observed.
+    onLookChange(() => this.fit());
+    const sizes = new ResizeObserver(() => this.fit());
+    sizes.observe(this.flatPlace);
+    sizes.observe(this.roundDrawing);
+  }
+
+  /** Draws in the sizes of now. */
+  private fit(): void {
+    this.room = this.flatPlace.clientWidth;
+    this.roundSize = Math.min(this.roundDrawing.clientWidth, this.roundDrawing.clientHeight);
+    this.draw();
   }
 
   private follow(): void {
-    if (this.geometry.run !== this.selection.run) this.geometry = new BearingGeometry(this.selection.run);
+    if (this.geometry.run !== this.selection.run) {
+      this.geometry = new BearingGeometry(this.selection.run);
+      this.extent = extentOf(this.geometry);
+    }
     this.draw();
   }
 
   /** Chosen together with the other factor, and as much larger as the lengths are. */
   private get along(): number {
-    return (fittingAlong(this.geometry) * this.inwards) / fittingInwards(this.geometry);
+    return this.extent.alongOfInwards * this.inwards;
   }
 
   private get cycle(): Cycle {
@@ -103,7 +138,7 @@ export class BearingPanels {
   }
 
   private draw(): void {
-    if (this.cycle.size === 0 || this.flatPlace.clientWidth === 0) return;
+    if (this.cycle.size === 0) return;
     const { index, run } = this.selection;
     const current = look();
     const scene: Scene = {
@@ -113,16 +148,16 @@ export class BearingPanels {
       shape: shapeAt(this.geometry, this.cycle, index),
       inwards: this.inwards,
       along: this.along,
-      largestForce: largest(
-        ...run.cycles.flatMap((one) => run.interfaces.map(({ name }) => one.field(`normal_force_${name}`).values)),
-      ) || 1,
+      largestForce: this.extent.force,
       forces: this.forces,
       bump: this.bump,
     };
-    // Bumps narrower than some pixels are no use: small screens scroll.
-    this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.flatPlace.clientWidth, 24 * (run.bumps + run.pads - 1) + 28));
-    this.flatDrawing.style.width = `${this.layout.width}px`;
-    if (!run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, scene, current);
+    if (this.room > 0) {
+      // Bumps narrower than some pixels are no use: small screens scroll.
+      this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.room, 24 * (run.bumps + run.pads - 1) + 28));
+      this.flatDrawing.style.width = `${this.layout.width}px`;
+    }
+    if (!run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, scene, current, this.roundSize);
     this.describe();
   }
 

@@ -11,7 +11,8 @@ export interface PartName {
   anchor?: 'start' | 'middle' | 'end';
 }
 
-export function partNames(names: PartName[], current: Look): SVGElement[] {
+/** @param size  of their letters */
+export function partNames(names: PartName[], current: Look, size = 12): SVGElement[] {
   return names.flatMap(({ content, at, to, anchor = 'start' }) => [
     ...(to
       ? [
@@ -23,6 +24,7 @@ export function partNames(names: PartName[], current: Look): SVGElement[] {
     text(at, content, current, {
       'text-anchor': anchor,
       'font-weight': 'bold',
+      'font-size': size,
       class: 'part-name',
       stroke: current.background,
       'stroke-width': 3,

@@ -59,8 +59,14 @@ function onCircle(angle: number, radius: number): Place {
   return { x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) };
 }
 
-/** Draws the bearing; returns how much larger heights are than the radius. */
-export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): number {
+/** Height of letters, px on the screen, however large the drawing is there. */
+const letters = 11;
+
+/**
+ * Draws the bearing; returns how much larger heights are than the radius.
+ * @param shown  size of the drawing on the screen, px; 0 where it is not known
+ */
+export function drawRound(root: SVGSVGElement, scene: Scene, current: Look, shown: number): number {
   const { geometry, shape, cycle, index } = scene;
   const layout = new RoundLayout(scene);
   const lines = (part: 'bumpFoil' | 'topFoil', lift: number): string =>
@@ -76,18 +82,19 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look): num
     return pathOf([layout.place(onGround(top.pad, 0), -5), layout.place(top, foilGap)]);
   });
   root.setAttribute('viewBox', `0 0 ${size} ${size}`);
+  const font = letters * (shown > 0 ? size / shown : 1);
   root.replaceChildren(
     svg('circle', { cx: centre, cy: centre, r: sleeveRadius + 13, fill: current.grid }),
     svg('path', { d: sleeve(scene, layout), fill: current.background, stroke: current.sleeve, 'stroke-width': 1.4 }),
     svg('circle', { cx: journal.x, cy: journal.y, r: Math.max(0, journalRadius), fill: current.journal, stroke: current.line, 'stroke-width': 1.2 }),
-    ...axes(current),
+    ...axes(current, font),
     svg('path', { d: welds.join(''), stroke: current.topFoil, 'stroke-width': 3.4 }),
     svg('path', { d: lines('bumpFoil', 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     svg('path', { d: lines('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
     ...shape.feet.map((foot, i) => stateMark(layout.place(foot), cycle, 'bump_sleeve', index, i, current, layout.forward(foot))),
-    ...numbers(scene, current),
-    ...partNames(names(scene, layout, journal), current),
+    ...numbers(scene, current, font),
+    ...partNames(names(scene, layout, journal), current, font),
   );
   return layout.stretch;
 }
@@ -150,14 +157,14 @@ function names({ geometry, shape }: Scene, layout: RoundLayout, journal: Place):
   ];
 }
 
-function axes(current: Look): SVGElement[] {
+function axes(current: Look, font: number): SVGElement[] {
   const line = { stroke: current.line, 'stroke-width': 0.8, 'stroke-dasharray': '5 4' };
   const reach = sleeveRadius - bumpHeight - 26;
   return [
     svg('line', { x1: centre - reach, y1: centre, x2: centre + reach, y2: centre, ...line }),
     svg('line', { x1: centre, y1: centre - reach, x2: centre, y2: centre + reach, ...line }),
-    text({ x: centre + reach - 10, y: centre - 6 }, 'X', current),
-    text({ x: centre + 6, y: centre - reach + 12 }, 'Y', current),
+    text({ x: centre + reach - 10, y: centre - 6 }, 'X', current, { 'font-size': font }),
+    text({ x: centre + 6, y: centre - reach + 12 }, 'Y', current, { 'font-size': font }),
   ];
 }
 
@@ -185,14 +192,16 @@ function forceArrows(scene: Scene, layout: RoundLayout, journal: Place, current:
   ];
 }
 
-function numbers({ geometry, bump }: Scene, current: Look): SVGElement[] {
-  const step = [1, 2, 5, 10, 20, 50, 100].find((every) => 40 * every >= geometry.crestPlaces.length) ?? 200;
+function numbers({ geometry, bump }: Scene, current: Look, font: number): SVGElement[] {
+  const radius = sleeveRadius + 26;
+  const most = Math.min(40, (2 * Math.PI * radius) / (2.5 * font));
+  const step = [1, 2, 5, 10, 20, 50, 100].find((every) => most * every >= geometry.crestPlaces.length) ?? 200;
   return geometry.crestPlaces.flatMap((along, i) => {
     const pad = geometry.padOfBump(i);
     const number = i - pad.firstBump + 1;
     if (i !== bump && number !== 1 && number % step !== 0) return [];
-    const { x, y } = onCircle(geometry.polarAngle(pad, along), sleeveRadius + 26);
+    const { x, y } = onCircle(geometry.polarAngle(pad, along), radius);
     const chosen = i === bump ? { fill: current.accent, 'font-weight': 'bold' } : {};
-    return [text({ x, y: y + 4 }, String(number), current, { 'text-anchor': 'middle', 'font-size': 11, ...chosen })];
+    return [text({ x, y: y + 0.36 * font }, String(number), current, { 'text-anchor': 'middle', 'font-size': font, ...chosen })];
   });
 }

@@ -80,7 +80,7 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
         root.replaceChildren();
         if (!states.isFound(selection.place)) return;
         const shape = shapeAt(geometry, cycle, index);
-        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, current);
+        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, current, Math.min(root.clientWidth, root.clientHeight));
       },
     }),
   ];

@@ -1,4 +1,5 @@
 import { at, type Cycle } from '../data/run';
+import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
@@ -98,6 +99,7 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
     svg('path', { d: stroke('mover', 2 * foilGap), fill: 'none', stroke: current.line, 'stroke-width': 1.2 }),
     svg('path', { d: body('ground', -foilGap / 2, height - 22), fill: current.grid }),
     svg('path', { d: stroke('ground', -foilGap / 2), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
+    ...shims(scene, layout, current),
     ...welds(scene, layout, current),
     svg('path', { d: stroke('bumpFoil', 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
     svg('path', { d: stroke('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
@@ -122,6 +124,10 @@ function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] 
     { content: ground, at: { x: layout.right - 10, y: height - 28 }, anchor: 'end' },
     { content: 'bump foil', at: { x: aside, y: bump.y - 6 }, to: bump },
     ...(geometry.topFoil ? [{ content: 'top foil', at: { x: aside, y: topName }, to: top }] : []),
+    ...geometry.shims.map(({ pad, begin, end, thickness }): PartName => {
+      const { x, y } = layout.place(onGround(pad, 0.5 * (begin + end)));
+      return { content: `shim ${formatQuantity(thickness, 'm')}`, at: { x, y: y + 22 }, anchor: 'middle' };
+    }),
     ...(geometry.welded ? geometry.pads : []).map((pad): PartName => {
       const to = layout.place(onGround(pad, 0));
       return { content: pad.name === '' ? 'weld' : `weld of ${pad.name}`, at: { x: to.x + 10, y: height - 28 }, to };
@@ -141,6 +147,18 @@ function welds({ geometry, shape }: Scene, layout: UnwrappedLayout, current: Loo
     return pathOf([layout.place(onGround(pad, 0)), layout.place(top, foilGap)]);
   });
   return [svg('path', { d: lines.join(''), stroke: current.topFoil, 'stroke-width': 3.4 })];
+}
+
+/** Bars in the sleeve under the bumps that they lift; how much is seen at the crests. */
+function shims({ geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {
+  return geometry.shims.map(({ pad, begin, end, thickness }) => {
+    const [from, to] = [layout.place(onGround(pad, begin)), layout.place(onGround(pad, end))];
+    return svg(
+      'rect',
+      { class: 'shim', x: from.x + 1, y: from.y + foilGap / 2 + 1, width: to.x - from.x - 2, height: 5, fill: current.muted },
+      svg('title', {}, `Shim of ${formatQuantity(thickness, 'm')}`),
+    );
+  });
 }
 
 function highlight({ bump, geometry }: Scene, layout: UnwrappedLayout, current: Look): SVGElement[] {

@@ -98,6 +98,8 @@ export class Chart {
       this.instance = echarts.init(this.place, null, { renderer: 'svg', width, height });
       this.ready(this.instance);
     }
+    // First: paper takes what the option draws at once, and would not wait for the frame in which a new size is drawn.
+    if (this.instance.getWidth() !== width || this.instance.getHeight() !== height) this.instance.resize({ width, height });
     const current = look();
     this.instance.setOption(
       {
@@ -108,7 +110,6 @@ export class Chart {
       },
       { notMerge: true },
     );
-    if (this.instance.getWidth() !== width || this.instance.getHeight() !== height) this.instance.resize({ width, height });
     this.moveCursor();
   }
 

@@ -1,8 +1,9 @@
+import { valueText } from '../data/case_values';
 import { at, type Cycle, type Run } from '../data/run';
 import type { Comparison } from '../ui/comparison';
 import { svg } from '../ui/dom';
 import type { LegendEntry } from '../ui/legend';
-import { markers, type Look } from '../ui/theme';
+import { markers, rampColour, type Look } from '../ui/theme';
 
 /** One cycle: a direction of a run, and how it is told from others of its chart. */
 export interface Curve {
@@ -57,10 +58,25 @@ export function colourSample(colour: (current: Look) => string, text: string): L
   return { width: 14, draw: (current) => [svg('rect', { x: 1, y: 1, width: 12, height: 10, rx: 2, fill: colour(current) })], text };
 }
 
-/** What tells the runs in focus apart. */
+/** The colours of a family, with what they stand for. */
+function familySample({ family }: Comparison): LegendEntry[] {
+  if (!family) return [];
+  const numbers = [...family.values.values()];
+  const [least, most] = [Math.min(...numbers), Math.max(...numbers)].map((number) => valueText(number, family.unit));
+  const pieces = Array.from({ length: 20 }, (_, i) => i);
+  return [
+    {
+      width: 60,
+      draw: (current) => pieces.map((i) => svg('rect', { x: 3 * i, y: 1, width: 3.2, height: 10, fill: rampColour(current, i / 19) })),
+      text: `${family.title} ${least ?? ''} to ${most ?? ''}`,
+    },
+  ];
+}
+
+/** What tells the runs in focus apart, and the others as a family. */
 export function runLegend(comparison: Comparison, runs = comparison.focus): LegendEntry[] {
   if (!comparison.several) return [];
-  return runs.map((run) => colourSample((current) => comparison.colour(run, current), nameOf(comparison, run)));
+  return [...runs.map((run) => colourSample((current) => comparison.colour(run, current), nameOf(comparison, run))), ...familySample(comparison)];
 }
 
 export function nameOf(comparison: Comparison, run: Run): string {

@@ -29,7 +29,6 @@ function forcesOf(run: Run): Force[] {
 function branchLook(current: Look, curve: Curve, loading: boolean): object {
   const color = curve.colour(current);
   return {
-    symbol: curve.marker,
     lineStyle: { color, width: 1.8, type: loading ? 'solid' : [5, 3] },
     itemStyle: { color: loading ? color : current.background, borderColor: color, borderWidth: 1.4, opacity: 1 },
   };
@@ -45,6 +44,14 @@ function branchSample(loading: boolean): LegendEntry {
     ],
     text: loading ? 'loading' : 'unloading',
   };
+}
+
+/** A point of a curve, and where in the chart it lies, px. */
+interface Place {
+  curve: Curve;
+  index: number;
+  x: number;
+  y: number;
 }
 
 export interface LoopPanelContents {
@@ -135,10 +142,12 @@ export class LoopPanel {
     });
   }
 
-  /** The whole of it stands above the bar at the foot of the window. */
+  /** The whole of it stands above the bar at the foot of the window, also below warnings that are not unfolded. */
   private height(width: number): number {
-    const room = isPrinting() ? 380 : window.innerHeight - (this.comparison.several ? 508 : 448);
-    return Math.max(250, Math.min(0.82 * width, 560, room));
+    // Three lines of warnings at most, and the cards of runs that did not end say why.
+    const above = (this.comparison.several ? 508 : 448) + (document.querySelector('.warnings') ? 90 : 0);
+    const room = isPrinting() ? 380 : window.innerHeight - above;
+    return Math.max(230, Math.min(0.82 * width, 560, room));
   }
 
   /** What the axes must have room for. */
@@ -169,10 +178,7 @@ export class LoopPanel {
       grid: { left: narrow ? 52 : 62, right: narrow ? 54 : 92, ...frame },
       xAxis: axis(current, axisTitle('Displacement', across), { min: left, max: right }),
       yAxis: axis(current, axisTitle(this.force.title, upwards), { nameGap: narrow ? 38 : 46, min: lower, max: upper }),
-      tooltip: tooltip(current, {
-        triggerOn: 'none',
-        formatter: (tip: { seriesIndex: number; dataIndex: number }) => this.tip(tip.seriesIndex, tip.dataIndex),
-      }),
+      tooltip: tooltip(current, { triggerOn: 'none' }),
       series: [
         ...this.series.map(({ curve, branch: { loading, indices }, label }) => {
           const spacing = Math.max(1, Math.round(indices.length / 7));
@@ -181,7 +187,9 @@ export class LoopPanel {
             name: curve.label,
             silent: true,
             ...branchLook(current, curve, loading),
-            symbolSize: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? 7 : 0),
+            // Marks that are not there cost nothing, those of no size as much as others.
+            symbol: (_: unknown, item: { dataIndex: number }) => (item.dataIndex % spacing === spacing >> 1 ? curve.marker : 'none'),
+            symbolSize: 7,
             showAllSymbol: true,
             data: this.points(curve.cycle, indices),
             z: 4,
@@ -207,12 +215,7 @@ export class LoopPanel {
     return this.curves.filter(({ cycle }) => !focus.has(cycle));
   }
 
-  private tip(seriesIndex: number, dataIndex: number): HTMLElement | string {
-    const series = this.series[seriesIndex];
-    const curve = series?.curve ?? this.others()[seriesIndex - this.series.length];
-    const index = series ? series.branch.indices[dataIndex] : dataIndex;
-    if (!curve || index === undefined) return '';
-    const { cycle, label } = curve;
+  private tip({ curve: { cycle, label }, index }: Place): HTMLElement {
     return tooltipBox(label, [
       ['Increment', `${at(cycle.increments, index)}, ${cycle.isLoading(index) ? 'loading' : 'unloading'}`],
       ['Displacement', formatQuantity(cycle.value('displacement', index), 'm')],
@@ -221,25 +224,25 @@ export class LoopPanel {
   }
 
   /** The point next to the pointer, if it is near enough. */
-  private nearest(x: number, y: number, within: number): { seriesIndex: number; dataIndex: number; curve: Curve; index: number } | undefined {
-    const others = this.others();
+  private nearest(x: number, y: number, within: number): Place | undefined {
     const drawn = [
       ...this.series.map(({ curve, branch }) => ({ curve, indices: branch.indices })),
-      ...others.map((curve) => ({ curve, indices: curve.cycle.increments.map((_, index) => index) })),
+      ...this.others().map((curve) => ({ curve, indices: curve.cycle.increments.map((_, index) => index) })),
     ];
     // Axes are linear: two points tell where all others are.
     const [x0, y0] = this.chart.pixel(0, 0, 0);
     const [x1, y1] = this.chart.pixel(0, 1, 1);
-    let found: { seriesIndex: number; dataIndex: number; curve: Curve; index: number } | undefined;
+    let found: Place | undefined;
     let least = within ** 2;
-    drawn.forEach(({ curve, indices }, seriesIndex) => {
-      this.points(curve.cycle, indices).forEach(([px, py], dataIndex) => {
-        const distance = (x0 + px * (x1 - x0) - x) ** 2 + (y0 + py * (y1 - y0) - y) ** 2;
+    for (const { curve, indices } of drawn) {
+      this.points(curve.cycle, indices).forEach(([px, py], i) => {
+        const place = { curve, index: at(indices, i), x: x0 + px * (x1 - x0), y: y0 + py * (y1 - y0) };
+        const distance = (place.x - x) ** 2 + (place.y - y) ** 2;
         if (distance >= least) return;
         least = distance;
-        found = { seriesIndex, dataIndex, curve, index: at(indices, dataIndex) };
+        found = place;
       });
-    });
+    }
     return found;
   }
 
@@ -247,7 +250,8 @@ export class LoopPanel {
     const area = instance.getZr();
     area.on('mousemove', (event) => {
       const point = this.nearest(event.offsetX, event.offsetY, 40);
-      if (point) instance.dispatchAction({ type: 'showTip', seriesIndex: point.seriesIndex, dataIndex: point.dataIndex });
+      // Told at the place itself, as most points have no mark that could tell.
+      if (point) instance.dispatchAction({ type: 'showTip', x: point.x, y: point.y, tooltip: { formatter: () => this.tip(point) } });
       else instance.dispatchAction({ type: 'hideTip' });
     });
     area.on('globalout', () => instance.dispatchAction({ type: 'hideTip' }));

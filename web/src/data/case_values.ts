@@ -74,17 +74,22 @@ export interface SweptKey {
 
 export function sweptKeys(runs: Run[], keys: CaseKeys): SweptKey[] {
   const cases = runs.map((run) => flatten(run.data.summary.case));
-  return [...(cases[0]?.keys() ?? [])].flatMap((path) => {
+  const swept: (SweptKey & { group: string })[] = [];
+  for (const path of cases[0]?.keys() ?? []) {
     const numbers = cases.map((entries) => entries.get(path));
-    if (!numbers.every((number): number is number => typeof number === 'number')) return [];
-    if (new Set(numbers).size < 2) return [];
-    const words = [titleOf(keys, groupOf(path)), labelOf(keys, path)?.title ?? path].filter((word) => word !== undefined);
-    return [
-      {
-        title: words.join(': '),
-        unit: labelOf(keys, path)?.unit ?? '',
-        values: new Map(runs.map((run, i) => [run, numbers[i] ?? NaN])),
-      },
-    ];
-  });
+    if (!numbers.every((number): number is number => typeof number === 'number')) continue;
+    if (new Set(numbers).size < 2) continue;
+    const group = groupOf(path);
+    const title = titleOf(keys, group);
+    const unit = labelOf(keys, path)?.unit ?? '';
+    // One key may stand for several of its table, as the coefficient of friction for those of both interfaces.
+    const same = swept.find((one) => one.group === group && one.unit === unit && runs.every((run, i) => one.values.get(run) === numbers[i]));
+    if (same && title !== undefined) {
+      same.title = title;
+      continue;
+    }
+    const words = [title, labelOf(keys, path)?.title ?? path].filter((word) => word !== undefined);
+    swept.push({ group, unit, title: words.join(': '), values: new Map(runs.map((run, i) => [run, numbers[i] ?? NaN])) });
+  }
+  return swept;
 }

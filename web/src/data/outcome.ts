@@ -54,12 +54,18 @@ export function gridWarnings(result: Result<GridData>): string[] {
 export function warningsOf(run: Run): string[] {
   const warnings = partialWarning(run);
   for (const cycle of run.cycles) {
-    const { name, size, summary, increments } = cycle;
+    const { name, summary } = cycle;
     const shortfall = shortfallOf(run, cycle);
     if (shortfall !== undefined) warnings.push(`${name}: ${shortfall}.`);
     if (summary) warnings.push(...ownWarnings(summary).map((warning) => `${name}: ${warning}.`));
-    const stride = size > 1 && at(increments, 1) > 1 ? at(increments, 1) : 0;
-    if (stride > 0) warnings.push(`${name}: one increment in ${stride} is shown; result.nc has them all.`);
   }
   return warnings;
+}
+
+/** That not all increments of the runs are there to be looked at; empty where they are. */
+export function thinningOf(runs: Run[]): string {
+  const strides = runs.flatMap(({ cycles }) => cycles.filter(({ size }) => size > 1).map(({ increments }) => at(increments, 1)));
+  const [least, most] = [Math.min(...strides), Math.max(...strides)];
+  if (!(most > 1)) return '';
+  return `Of ${least > 1 ? 'all' : 'some'} loops one increment in ${least > 1 && least < most ? `${least} to ${most}` : most} is shown; result.nc has them all.`;
 }

@@ -1,5 +1,5 @@
 /** The case that is worked on: the text of its file, with what was done to it before. */
-import { alternatives } from './ranges';
+import { alternatives, commons } from './ranges';
 import { outlineOf, without, withValue, writtenValue, type Outline } from './toml';
 
 /** Texts that can be gone back to. */
@@ -61,7 +61,12 @@ export class Design {
   /** @param going  whether more of the same change is to come: it is undone as one */
   set(path: string, value: string, going = false): void {
     const others = alternatives.find((keys) => keys.includes(path)) ?? [];
-    const text = others.filter((other) => other !== path && this.written(other) !== undefined).reduce(without, this.text);
+    let text = others.filter((other) => other !== path && this.written(other) !== undefined).reduce(without, this.text);
+    for (const { once, each } of commons) {
+      const common = this.written(once);
+      if (path === once) text = each.reduce(without, text);
+      else if (each.includes(path) && common !== undefined) text = each.reduce((now, key) => withValue(now, key, common), without(text, once));
+    }
     this.change(withValue(text, this.spelled(path), value), going);
   }
 

@@ -9,6 +9,7 @@ import { Design } from './design';
 import { EnsembleView } from './ensemble';
 import { form, withTable } from './fields';
 import type { CyclesAnswer, Fault, KeysAnswer } from './format';
+import { askLoops } from './loops';
 import { reportOf } from './report';
 import { layoutOf, results, type Results } from './results';
 import { caseIn, fragmentOf } from './share';
@@ -176,7 +177,7 @@ class Page {
   private async compute(): Promise<void> {
     const { text } = this.design;
     const began = performance.now();
-    const answer = await this.quick.ask<CyclesAnswer>({ what: 'cycles', text });
+    const answer = await askLoops(this.quick, text);
     if (!answer) return;
     if (isFaulty(answer)) {
       this.faults = answer.faults;
@@ -193,9 +194,14 @@ class Page {
     this.views.classList.toggle('stale', this.faults.length > 0);
     this.state.textContent =
       this.faults.length > 0 ? `${this.faults.length === 1 ? 'One fault' : `${this.faults.length} faults`} in the case: what is shown is the last that was right.` : '';
-    const { dataset } = document.documentElement;
-    dataset['answered'] = String(Number(dataset['answered'] ?? 0) + 1);
-    dataset['took'] = (performance.now() - began).toFixed(1);
+    // Once the browser has painted it.
+    requestAnimationFrame(() =>
+      setTimeout(() => {
+        const { dataset } = document.documentElement;
+        dataset['answered'] = String(Number(dataset['answered'] ?? 0) + 1);
+        dataset['took'] = (performance.now() - began).toFixed(1);
+      }),
+    );
   }
 
   private show(): void {

@@ -31,6 +31,9 @@ export const alternatives = [
   ['cycle.amplitude', 'cycle.load'],
 ];
 
+/** One key that stands for several: whoever sets one of these gives the others what it was, and takes it out. */
+export const commons = [{ once: 'friction.coefficient', each: ['friction.top_bump', 'friction.bump_sleeve'] }];
+
 const [um, mm, deg, GPa, MN] = [1e-6, 1e-3, Math.PI / 180, 1e9, 1e6];
 
 /** Ends of the slider, and its step where that is not a fine one; of tables of a list those of the first. */

@@ -1,4 +1,4 @@
-/** The solver in a worker of its own: the page stays at hand while it computes. */
+/** The solver in workers of its own: the page stays at hand while it computes. */
 import type { Faults } from './format';
 
 export interface Request {
@@ -7,16 +7,23 @@ export interface Request {
 }
 
 interface Job {
-  request: Request;
-  resolve: (answer: unknown) => void;
+  /** For the same thing, one for each of the first workers. */
+  requests: Request[];
+  /** By worker, as they come. */
+  answers: Map<number, unknown>;
+  resolve: (answers: unknown[] | undefined) => void;
 }
 
 /** A request that is overtaken while it is computed for longer than this is given up, ms. */
 const patience = 1500;
 
-/** One worker. Of requests for the same thing the newest wins: those that wait behind it are never computed. */
+function subject(job: Job): string | undefined {
+  return job.requests[0]?.what;
+}
+
+/** One worker, or several for requests in parts. Of requests for the same thing the newest wins: those that wait behind it are never computed. */
 export class Solver {
-  private worker: Worker | undefined;
+  private workers: Worker[] = [];
   private running: Job | undefined;
   private waiting: Job[] = [];
   private overdue = 0;
@@ -31,46 +38,55 @@ export class Solver {
   ) {}
 
   /** The answer; nothing where a later request for the same came first. */
-  ask<Answer>(request: Request): Promise<Answer | Faults | undefined> {
+  async ask<Answer>(request: Request): Promise<Answer | Faults | undefined> {
+    return (await this.askTogether<Answer>([request]))?.[0];
+  }
+
+  /** The answers to the parts of a request, each computed in a worker of its own; nothing where a later one came first. */
+  askTogether<Answer>(requests: Request[]): Promise<(Answer | Faults)[] | undefined> {
     return new Promise((resolve) => {
-      for (const job of this.waiting.filter((one) => one.request.what === request.what)) job.resolve(undefined);
-      this.waiting = this.waiting.filter((one) => one.request.what !== request.what);
-      this.waiting.push({ request, resolve: resolve as Job['resolve'] });
+      const job: Job = { requests, answers: new Map(), resolve: resolve as Job['resolve'] };
+      const overtaken = (one: Job): boolean => subject(one) === subject(job);
+      for (const one of this.waiting.filter(overtaken)) one.resolve(undefined);
+      this.waiting = [...this.waiting.filter((one) => !overtaken(one)), job];
       if (!this.running) this.next();
-      else if (this.running.request.what === request.what && this.overdue === 0) this.overdue = window.setTimeout(() => this.restart(), patience);
+      else if (overtaken(this.running) && this.overdue === 0) this.overdue = window.setTimeout(() => this.restart(), patience);
     });
   }
 
   private next(): void {
     this.running = this.waiting.shift();
-    if (!this.running) return;
-    this.worker ??= this.start();
-    this.worker.postMessage(JSON.stringify(this.running.request));
+    this.running?.requests.forEach((request, place) => {
+      const worker = (this.workers[place] ??= this.start(place));
+      worker.postMessage(JSON.stringify(request));
+    });
   }
 
-  private start(): Worker {
+  private start(place: number): Worker {
     const url = URL.createObjectURL(new Blob([this.script], { type: 'text/javascript' }));
     const worker = new Worker(url);
-    worker.onmessage = ({ data }: MessageEvent<string>) => this.answered(data);
-    worker.onerror = (event) => this.answered(`!${event.message}`);
+    worker.onmessage = ({ data }: MessageEvent<string>) => this.answered(place, data);
+    worker.onerror = (event) => this.answered(place, `!${event.message}`);
     worker.postMessage(this.module);
     return worker;
   }
 
-  private answered(text: string): void {
+  private answered(place: number, text: string): void {
+    const job = this.running;
+    if (!job) return;
+    job.answers.set(place, text.startsWith('!') ? { faults: [{ line: 0, key: '', value: '', what: text.slice(1), advice: '', message: text.slice(1) }] } : JSON.parse(text));
+    if (job.answers.size < job.requests.length) return;
     window.clearTimeout(this.overdue);
     this.overdue = 0;
-    const job = this.running;
     this.next();
-    if (text.startsWith('!')) job?.resolve({ faults: [{ line: 0, key: '', value: '', what: text.slice(1), advice: '', message: text.slice(1) }] });
-    else job?.resolve(JSON.parse(text));
+    job.resolve(job.requests.map((_, i) => job.answers.get(i)));
   }
 
   /** Gives up what is computed. */
   private restart(): void {
     this.overdue = 0;
-    this.worker?.terminate();
-    this.worker = undefined;
+    for (const worker of this.workers) worker.terminate();
+    this.workers = [];
     this.running?.resolve(undefined);
     this.next();
   }

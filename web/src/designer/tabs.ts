@@ -8,9 +8,9 @@ interface Tab {
   shown?: () => void;
 }
 
-/** Whether it is on the page, and no other tab in its place. */
+/** Whether it is on the page, and no other tab in its place. Nothing is laid out for that. */
 export function isSeen(element: HTMLElement): boolean {
-  return element.getClientRects().length > 0;
+  return element.isConnected && element.closest('[hidden]') === null;
 }
 
 /** The one last looked at, so that it stays when the views are made anew. */

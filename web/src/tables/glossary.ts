@@ -35,6 +35,11 @@ const drawn: Record<string, string> = {
   foot_v: 'displacement of the foot, outwards',
 };
 
+/** A meaning of result.nc as a sentence. */
+function sentence(meaning: string): string {
+  return `${capital(meaning).replaceAll('`', '').replace(/\bpi\b/g, 'π').replaceAll('^2', '²')}.`;
+}
+
 function anchorOf(name: string): string {
   return `word-${name}`;
 }
@@ -42,7 +47,7 @@ function anchorOf(name: string): string {
 /** A name with its definition: under the pointer, and by a link to the glossary. */
 export function term(name: string, label: string, meaning: string): HTMLElement {
   if (meaning === '') return el('span', {}, capital(label));
-  return el('a', { class: 'term', href: `#${anchorOf(name)}`, title: `${capital(meaning)}.` }, capital(label));
+  return el('a', { class: 'term', href: `#${anchorOf(name)}`, title: sentence(meaning) }, capital(label));
 }
 
 export function entryOf({ name, label, unit, meaning }: Quantity): Entry {
@@ -81,7 +86,7 @@ export function glossary(entries: Entry[]): HTMLElement {
       'div',
       first ? { id } : {},
       el('dt', {}, capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit}`)])),
-      el('dd', {}, `${capital(text)}.`),
+      el('dd', {}, sentence(text)),
     );
   });
   return el('dl', { class: 'glossary' }, ...list);

@@ -6,6 +6,7 @@ import type { Comparison } from '../ui/comparison';
 import { choice, dropDown, el } from '../ui/dom';
 import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
+import { isPrinting, onPrint } from '../ui/theme';
 import { term } from './glossary';
 
 type Value = CycleSummary[string] | undefined;
@@ -124,8 +125,9 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
   const { several, selection } = comparison;
   const place = el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of results' });
   let key = selection.cycle.key;
-  const columns = (): Column[] => columnsOf(comparison.shown, comparison.reference, several ? [key] : keys);
-  const fill = (): void => place.replaceChildren(table(columns(), several ? comparison.reference : undefined, kind.cycles.name));
+  // Paper has no room for more than can be told apart: of many runs, the reference and the one looked at.
+  const runs = (): Run[] => (isPrinting() ? comparison.focus : comparison.shown);
+  const columns = (): Column[] => columnsOf(runs(), comparison.reference, several ? [key] : keys);
   const controls: HTMLElement[] = [];
   const references = dropDown(
     'Reference run',
@@ -143,20 +145,31 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
       el('label', { class: 'control' }, 'Reference', references),
     );
   }
+  const fill = (): void => {
+    references.selectedIndex = comparison.runs.indexOf(comparison.reference);
+    place.replaceChildren(table(columns(), several ? comparison.reference : undefined, kind.cycles.name));
+  };
   const panel = new Panel(
     {
       title: `Results by ${kind.cycles.title.toLowerCase()}`,
       controls,
-      subject: () => (several ? `${kind.cycles.name(key)} · ${comparison.names} · reference ${comparison.reference.label}` : comparison.names),
+      subject: () => {
+        if (!several) return comparison.names;
+        const names = isPrinting() && comparison.many ? `${runs().map(({ label }) => label).join(', ')}, of ${comparison.names}` : comparison.names;
+        return `${kind.cycles.name(key)} · ${names} · reference ${comparison.reference.label}`;
+      },
       file: () => fileName('results', comparison.names),
       csv: () => csv(columnsOf(comparison.shown, comparison.reference, keys), several, kind.cycles.name),
     },
     place,
   );
-  comparison.onChange(() => {
-    references.selectedIndex = comparison.runs.indexOf(comparison.reference);
+  const refresh = (): void => {
     panel.refresh();
     fill();
+  };
+  comparison.onChange(refresh);
+  onPrint(() => {
+    if (comparison.many) refresh();
   });
   fill();
   return panel.root;

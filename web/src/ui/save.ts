@@ -34,6 +34,7 @@ export async function savePng(name: string, markup: string): Promise<void> {
 export function fileName(...parts: string[]): string {
   return parts
     .join('-')
+    .replaceAll(', ', '-')
     .replaceAll('−', '-')
     .replace(/[^\p{L}\p{N}+._-]+/gu, '_');
 }

@@ -95,6 +95,11 @@ export function onLookChange(listener: () => void): void {
   listeners.push(listener);
 }
 
+/** Before paper is drawn on, and after. */
+export function onPrint(listener: () => void): void {
+  for (const event of ['beforeprint', 'afterprint']) window.addEventListener(event, listener);
+}
+
 function apply(): void {
   document.documentElement.dataset['theme'] = isDark() ? 'dark' : 'light';
   for (const listener of listeners) listener();

@@ -11,7 +11,7 @@ import { curvesOfRun } from '../charts/curves';
 
 /** What cards tell, those of it that the results have, the first in large letters; of several runs what can be compared. */
 const told = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
-const toldOfSeveral = ['loaded_stiffness', 'secant_stiffness', 'loss_factor'];
+const toldOfSeveral = ['loaded_stiffness', 'loss_factor'];
 
 /** Of runs of other versions the same name may mean something else: then it has another label. */
 function quantitiesOf(runs: Run[], several: boolean): Quantity[] {
@@ -34,8 +34,9 @@ function result(comparison: Comparison, run: Run, cycle: Cycle, quantities: Quan
   colour.style.backgroundColor = (several ? comparison.colour(run, look()) : curve?.colour(look())) ?? 'transparent';
   const shortfall = shortfallOf(run, cycle);
   const [first, ...rest] = quantities.map((quantity) => ({ quantity, text: valueText(run, cycle, quantity) }));
-  const words = (one: { quantity: Quantity; text: string }): string => (several ? one.text : `${one.quantity.label} ${one.text}`);
-  const small = rest.map((one) => el('span', { title: one.quantity.meaning }, words(one)));
+  const small = rest.map(({ quantity: { label, meaning }, text }) =>
+    el('span', { title: meaning }, several ? text : `${label} `, ...(several ? [] : [el('span', { class: 'value' }, text)])),
+  );
   return el(
     'span',
     { class: 'result' },

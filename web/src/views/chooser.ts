@@ -6,7 +6,7 @@ import { dropDown, el, tickBox } from '../ui/dom';
 import { look, onLookChange, rampColour } from '../ui/theme';
 
 /** From so many runs on, their list is searched. */
-const searched = 9;
+export const searched = 9;
 
 /** "friction: coefficient 0.2", as it is searched for and told beside the name. */
 function familyText({ family }: Comparison, run: Run): string {
@@ -37,7 +37,8 @@ export function runChooser(comparison: Comparison): HTMLElement {
     const words = el('span', {});
     return { run, box, colour, words, root: el('label', { class: 'control' }, box, colour, words) };
   });
-  const count = el('output', { class: 'count' });
+  // No output element: these take the click from a summary.
+  const count = el('span', { class: 'count', role: 'status' });
   const scalePlace = el('span', { class: 'scale' });
   const search = el('input', { type: 'search', placeholder: 'Search runs', 'aria-label': 'Search runs' });
   const matching = (): typeof boxes => {
@@ -78,6 +79,13 @@ export function runChooser(comparison: Comparison): HTMLElement {
   );
   colours.selectedIndex = comparison.family ? 1 + families.indexOf(comparison.family) : 0;
   const long = runs.length >= searched;
+  const list = el(
+    'details',
+    {},
+    el('summary', {}, 'Runs: ', count),
+    el('div', { class: 'tools' }, search, button('Show those found', () => matching().map(({ run }) => run)), button('Show all', () => runs)),
+    el('div', { class: 'run-list', role: 'group', 'aria-label': 'Runs' }, ...(long ? boxes.map(({ root }) => root) : [])),
+  );
   comparison.onChange(refresh);
   onLookChange(refresh);
   refresh();
@@ -87,11 +95,10 @@ export function runChooser(comparison: Comparison): HTMLElement {
     el(
       'div',
       { class: 'tools' },
-      ...(long ? [search, button('Show those found', () => matching().map(({ run }) => run)), button('Show all', () => runs), count] : []),
+      ...(long ? [list] : []),
       ...(families.length > 0 ? [el('label', { class: 'control' }, 'Colours', colours), scalePlace] : []),
       ...(long ? [] : [...boxes.map(({ root }) => root)]),
       tickBox('Same axes in compared charts', true, (same) => comparison.set({ ownAxes: !same })),
     ),
-    ...(long ? [el('div', { class: 'run-list', role: 'group', 'aria-label': 'Runs' }, ...boxes.map(({ root }) => root))] : []),
   );
 }

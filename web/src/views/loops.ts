@@ -7,7 +7,7 @@ import { LoopPanel } from '../charts/loops';
 import { StatePanel } from '../charts/states';
 import { sweptKeys } from '../data/case_values';
 import type { CaseKeys, ResultData, RunData } from '../data/format';
-import { shortfallsOf, warningsOf } from '../data/outcome';
+import { shortfallsOf, thinningOf, warningsOf } from '../data/outcome';
 import { allKeys, at, Run } from '../data/run';
 import { caseSection, type ComparedCases } from '../tables/case';
 import { entriesOf } from '../tables/glossary';
@@ -16,7 +16,7 @@ import { Comparison } from '../ui/comparison';
 import { el, tickBox } from '../ui/dom';
 import { Selection } from '../ui/selection';
 import { cards } from './cards';
-import { runChooser } from './chooser';
+import { runChooser, searched } from './chooser';
 import { part as section, type View } from './view';
 
 /** The cycles of one run in one chart; of several in one for each direction, in the same axes. */
@@ -56,12 +56,18 @@ function casesOf(comparison: Comparison): ComparedCases {
   };
 }
 
+/** Many runs that stand as file names are sorted, in the order of the numbers in their names: mu2 before mu10. */
+function inOrder(runs: Run[]): Run[] {
+  const asListed = runs.length >= searched && runs.every((run, i) => i === 0 || at(runs, i - 1).label <= run.label);
+  return asListed ? [...runs].sort((a, b) => a.label.localeCompare(b.label, 'en', { numeric: true })) : runs;
+}
+
 /** Cycles, of a bearing or of a strip; runs of one kind are compared, with each other and with measured loops. */
 export function loopView(results: ResultData[], caseKeys: CaseKeys, alone: boolean): View {
   const runs = results.map((data) => new Run(data as RunData));
   return {
     sections: sectionsOf(
-      runs.filter((run) => !run.isMeasured),
+      inOrder(runs.filter((run) => !run.isMeasured)),
       runs.filter((run) => run.isMeasured),
       caseKeys,
       alone,
@@ -92,6 +98,7 @@ function sectionsOf(runs: Run[], measured: Run[], caseKeys: CaseKeys, alone: boo
   const cycles = loopPanels(comparison, begun);
   const bearing = new BearingPanels(selection);
   const stress = stresses(comparison.shownLoops);
+  const thinning = thinningOf(runs);
   const pads = Math.max(...runs.map((run) => run.pads));
   const sameAxes = comparison.several
     ? []
@@ -109,6 +116,7 @@ function sectionsOf(runs: Run[], measured: Run[], caseKeys: CaseKeys, alone: boo
         el('div', { class: comparison.several ? 'multiples' : 'single' }, ...cycles.map((cycle) => cycle.root)),
         el('div', { class: 'in-sight' }, kind.flat ? bearing.unwrapped : bearing.round),
       ),
+      ...(thinning === '' ? [] : [el('p', { class: 'note thinning' }, thinning)]),
       ...(kind.flat ? [] : [bearing.unwrapped]),
     ),
     part('loads', 'Bump loads', ...sameAxes, loadSection(named, comparison)),

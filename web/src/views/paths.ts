@@ -1,3 +1,4 @@
+import { padCoordinate, padParts } from '../charts/grid_pads';
 import { OverPanel, type Measure } from '../charts/over';
 import { PlanePanel, type PlaneVector } from '../charts/plane';
 import type { CaseKeys, GridData, ResultData } from '../data/format';
@@ -37,10 +38,17 @@ function vectorsOf(grid: Grid): PlaneVector[] {
   });
 }
 
+/** What each of several pads takes. */
+function padMeasure(grid: Grid): Measure[] {
+  const parts = padParts(grid, ['pad_force_x', 'pad_force_y']);
+  return parts.length > 0 ? [{ text: 'Force', unit: 'N', parts }] : [];
+}
+
 /** Charts over increments, and what they are of. */
 function measuresOf(grid: Grid): { title: string; measures: Measure[] }[] {
   return [
     { title: 'Forces', measures: measureOf(grid, 'Force', 'N', [['force_x', 'X'], ['force_y', 'Y']]) },
+    { title: 'Forces of the pads', measures: padMeasure(grid) },
     {
       title: 'Tangent stiffness',
       measures: [
@@ -55,8 +63,9 @@ function measuresOf(grid: Grid): { title: string; measures: Measure[] }[] {
   ].filter(({ measures }) => measures.length > 0);
 }
 
-function columnsOf(grid: Grid): { path: GridColumn[]; orbits: GridColumn[] } {
+function columnsOf(grid: Grid): { path: GridColumn[]; orbits: GridColumn[]; pads: GridColumn[] } {
   return {
+    pads: columnOf(grid, 'max_pad_forces', 'highest force'),
     path: grid.data.quantities.flatMap(({ name, label }) => columnOf(grid, name, label)),
     orbits: [
       ...columnOf(grid, 'loop_energies', 'energy'),
@@ -92,6 +101,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
         main: ['orbit_energy', 'orbit_force_defect', 'orbit_position_defect', 'max_compression', 'max_stress_top_foil', 'max_stress_bump_foil', 'status'],
       }),
       ...(numbers.texts.length > 0 ? [gridTable({ title: 'Orbits', label, coordinates: [numbers], columns: columns.orbits, main: [] })] : []),
+      ...padCoordinate(grid).map((pad) => gridTable({ title: 'Highest force of each pad', label, coordinates: [pad], columns: columns.pads, main: [] })),
     ),
     part(
       `${id}-case`,
@@ -111,8 +121,8 @@ export function pathView(results: ResultData[], caseKeys: CaseKeys, alone: boole
     }),
     warnings: grids.map((grid) => gridWarnings(grid)),
     entries: grids.flatMap((grid) => {
-      const { path, orbits } = columnsOf(grid);
-      return [...path, ...orbits].map(({ name, label, unit, meaning }) => ({ name, label, unit, text: meaning }));
+      const { path, orbits, pads } = columnsOf(grid);
+      return [...path, ...orbits, ...pads].map(({ name, label, unit, meaning }) => ({ name, label, unit, text: meaning }));
     }),
   };
 }

@@ -1,4 +1,5 @@
 import { FamilyPanel, type Loops } from '../charts/family';
+import { padCoordinate, padParts } from '../charts/grid_pads';
 import { OverPanel, type Measure, type Part } from '../charts/over';
 import { valueText } from '../data/case_values';
 import type { CaseKeys, GridData, ResultData } from '../data/format';
@@ -73,6 +74,10 @@ function chartsOf(grid: Grid): { title: string; measures: Measure[] }[] {
       measures: measuresOf('Damping ωc', 'N/m', entries.flatMap((axes) => partOf(grid, `c${axes}`, `ωc${axes}`, `omega_c${axes}_N_per_m`, () => omega))),
     },
     { title: 'Loss factor', measures: [...ofName('loss_factor', 'Loss factor'), ...ofName('harmonic_residual', 'Harmonic residual')] },
+    {
+      title: 'Highest forces of the pads',
+      measures: measuresOf('Highest force', 'N', padParts(grid, ['max_pad_forces'], '_N')),
+    },
     { title: 'Other quantities', measures: otherMeasuresOf(grid) },
   ].filter(({ measures }) => measures.length > 0);
 }
@@ -111,7 +116,7 @@ function loopsOf(grid: Grid): Loops | undefined {
   };
 }
 
-function columnsOf(grid: Grid): { vibrations: GridColumn[]; coefficients: GridColumn[]; loads: GridColumn[] } {
+function columnsOf(grid: Grid): Record<'vibrations' | 'coefficients' | 'loads' | 'pads' | 'padsAtLoads', GridColumn[]> {
   const of = (name: string, label: string): GridColumn[] => columnOf(grid, name, label);
   return {
     vibrations: grid.data.quantities.flatMap(({ name, label }) => of(name, label)),
@@ -129,6 +134,8 @@ function columnsOf(grid: Grid): { vibrations: GridColumn[]; coefficients: GridCo
       ...entries.flatMap((axes) => of(`k${axes}_stuck`, `K${axes}, stuck`)),
       ...entries.flatMap((axes) => of(`k${axes}_further`, `K${axes}, further`)),
     ],
+    pads: of('max_pad_forces', 'highest force'),
+    padsAtLoads: [...of('load_pad_force_x', 'force X'), ...of('load_pad_force_y', 'force Y')],
   };
 }
 
@@ -178,6 +185,10 @@ export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, n
         main: ['stiffness_direct', 'loss_stiffness_direct', 'harmonic_residual', 'loss_factor', 'loop_energy', 'loops', 'settled', 'status'],
       }),
       gridTable({ title: 'At the static loads', label, coordinates: [...keys, load], columns: columns.loads, main: [] }),
+      ...padCoordinate(grid).flatMap((pad) => [
+        gridTable({ title: 'Highest force of each pad, by vibration', label, coordinates: [...keys, load, motion, amplitude, pad], columns: columns.pads, main: [] }),
+        gridTable({ title: 'Forces of the pads at the static loads', label, coordinates: [...keys, load, pad], columns: columns.padsAtLoads, main: [] }),
+      ]),
     ),
     part(
       `${id}-case`,
@@ -189,8 +200,7 @@ export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, n
 
 /** Of the glossary. */
 export function vibrationEntries(grid: Grid): Entry[] {
-  const { vibrations, coefficients, loads } = columnsOf(grid);
-  return [...vibrations, ...coefficients, ...loads].map(({ name, label, unit, meaning }) => ({ name, label, unit, text: meaning }));
+  return Object.values(columnsOf(grid)).flat().map(({ name, label, unit, meaning }) => ({ name, label, unit, text: meaning }));
 }
 
 /** Vibrations about static loads, one run after the other. */
