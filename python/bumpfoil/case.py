@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 import re
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _native
+from .units import case_value, is_quantity
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -22,9 +24,8 @@ def toml_value(value: Any) -> str:
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, (int, float)):
         return repr(value)
-    if hasattr(value, "magnitude") and hasattr(value, "units"):  # of pint: its unit is read as those in files are
-        magnitude = value.magnitude.tolist() if hasattr(value.magnitude, "tolist") else value.magnitude
-        return toml_value(_with_unit(magnitude, f"{value.units:C}"))
+    if is_quantity(value):
+        return toml_value(case_value(value))
     if isinstance(value, Mapping):
         pairs = (f"{_key(key)} = {toml_value(entry)}" for key, entry in value.items() if entry is not None)
         return "{" + ", ".join(pairs) + "}"
@@ -37,12 +38,6 @@ def toml_value(value: Any) -> str:
     raise TypeError(f"a case cannot hold {value!r}, of the type {type(value).__name__}")
 
 
-def _with_unit(magnitude: Any, unit: str) -> Any:
-    if isinstance(magnitude, list):
-        return [_with_unit(entry, unit) for entry in magnitude]
-    return f"{magnitude!r} {unit}" if unit else magnitude
-
-
 def _key(name: str) -> str:
     return name if _BARE_KEY.fullmatch(name) else json.dumps(name)
 
@@ -51,7 +46,7 @@ def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
     """``table.key=value`` of everything in nested tables; what is None is left as it is."""
     for name, value in tables.items():
         key = path + (name if not path else _key(name))
-        if isinstance(value, Mapping):
+        if isinstance(value, Mapping) and not {"start", "end"} <= value.keys():  # which are a law in place of a value
             yield from _pairs(value, key + ".")
         elif value is not None:
             yield f"{key}={toml_value(value)}"
@@ -60,8 +55,8 @@ def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
 class Case:
     """A bearing and what is to be computed of it, as a case file says it: checked, and never changed.
 
-    Numbers are in SI; strings carry their unit, ``"31.8 um"``; quantities of pint theirs. Arrays are lists. The keys are
-    those of docs/case_file.md.
+    Numbers are in SI; strings carry their unit, ``"31.8 um"``; quantities of pint are converted. Arrays are lists. The
+    keys are those of docs/case_file.md.
 
     Parameters
     ----------
@@ -125,7 +120,13 @@ class Case:
         return tables
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the case as understood to a file that does not exist yet."""
+        """Writes the case as understood.
+
+        Parameters
+        ----------
+        path : path
+            Of a file that does not exist yet.
+        """
         with open(path, "x", encoding="utf-8") as file:
             file.write(self._toml)
 
@@ -141,6 +142,9 @@ class Case:
     def __repr__(self) -> str:
         return f"<bumpfoil.Case {Path(self._source.name).name or 'of Python'}>"
 
+    def _repr_html_(self) -> str:
+        return f"<details><summary>{html.escape(repr(self))}</summary><pre>{html.escape(self._toml)}</pre></details>"
+
     def __str__(self) -> str:
         return self._toml
 
@@ -151,5 +155,21 @@ def as_case(source: Any, tables: Mapping[str, Any]) -> Case:
 
 
 def template(name: str = "gen1") -> str:
-    """A commented case file to start from, with every key: the text that ``bumpfoil init --preset`` writes."""
+    """A commented case file to start from, with every key: what ``bumpfoil init --preset`` writes.
+
+    Parameters
+    ----------
+    name : str
+        Of the preset, such as ``gen1``, ``gen3-three-pad`` or ``larsen-strip``.
+
+    Returns
+    -------
+    str
+        Its text.
+
+    Raises
+    ------
+    CaseError
+        There is no such preset.
+    """
     return _native.case_template(name)

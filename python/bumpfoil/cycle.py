@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import plots
+from . import notebook, plots
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,10 +25,11 @@ class Cycle:
     ----------
     quantities : dict
         Of the whole cycle: ``max_force`` (N), ``loop_energy`` (J), ``loss_factor``, ``status`` (a word), ...; loads at
-        full displacement, ``bump_loads`` (N, one per bump), ... NaN or None is what is not known.
+        full displacement, ``bump_loads`` (N, one per bump), of several pads ``pad_forces_x`` (N, one per pad), of a path
+        ``max_pad_forces``, ... NaN or None is what is not known.
     series : dict of ndarray, (increments,)
         ``displacement`` (m), ``force_direct`` (N), ``dissipated_energy`` (J), ...
-    fields : dict of ndarray, (increments, bumps or feet)
+    fields : dict of ndarray, (increments, bumps, feet or pads)
         ``crest_v`` (m), ``normal_force_top_bump`` (N), ``state_bump_sleeve`` (0 open, 1 stick, 2 slip_forward,
         3 slip_backward), ... Of a run, views of its result without a copy. Rows are the increments that were solved.
     events : dict of ndarray, (events,)
@@ -40,11 +42,13 @@ class Cycle:
         series: dict[str, NDArray[Any]],
         fields: dict[str, NDArray[Any]],
         events: dict[str, NDArray[Any]],
+        pads: Callable[[], dict[str, NDArray[Any]]] = dict,
     ) -> None:
         self.quantities = quantities
         self.series = series
         self.fields = fields
         self.events = events
+        self._find_pads = pads
 
     def _places(self) -> tuple[Mapping[str, Any], ...]:
         return self.quantities, self.series, self.fields
@@ -66,6 +70,20 @@ class Cycle:
             degrees = self.quantities["direction"]
             return {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}.get(degrees, f"{degrees:g} deg")
         return f"cycle {self.quantities['cycle']}" if "cycle" in self.quantities else "path"
+
+    @cached_property
+    def _pads(self) -> dict[str, NDArray[Any]]:
+        return self._find_pads() if "pad_force_x" in self.fields else {}
+
+    @property
+    def bump_pad(self) -> NDArray[Any]:
+        """The pad of each bump, (bumps,): 1 for the first, and of a single foil."""
+        return self._pads.get("bump_pad", np.ones(self.fields["crest_v"].shape[1], dtype=int))
+
+    @property
+    def foot_pad(self) -> NDArray[Any]:
+        """The pad of each foot, (feet,)."""
+        return self._pads.get("foot_pad", np.ones(self.fields["foot_u"].shape[1], dtype=int))
 
     def plot_contacts(self, interface: str = "bump_sleeve", *, ax: Axes | None = None) -> Axes:
         """Draws which contacts are open, stick or slip, increment by increment.
@@ -90,6 +108,9 @@ class Cycle:
             To draw on; new ones without.
         """
         return plots.foils(self, increment, ax)
+
+    def _repr_html_(self) -> str:
+        return notebook.of_cycles([self])
 
     def __repr__(self) -> str:
         return f"<bumpfoil.Cycle {self.name}: {len(self.series['displacement'])} increments, {self.status}>"

@@ -96,7 +96,7 @@ class Sheet:
                 ax.annotate(
                     f"({chr(ord('a') + number)})",
                     (0, 1),
-                    (-12 * _MM * 72, 3),
+                    (-14 * _MM * 72, 3),
                     xycoords="axes fraction",
                     textcoords="offset points",
                     fontweight="bold",

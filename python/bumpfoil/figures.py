@@ -14,7 +14,8 @@ import numpy as np
 
 from .figure_sheet import Sheet, save, styled
 from .paper_figures import paper
-from .plots import _style, _words, draw_states, running_lines
+from .places import Places
+from .plots import _style, _words, demand, demand_fields, direction_name, draw_states, known, running_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,6 +30,9 @@ __all__ = ["bump_loads", "coefficients", "contacts", "ensemble", "foils", "loops
 _STATES = ("open", "stick", "slip to the free end", "slip to the weld")
 _STATE_COLOURS = ("#FFFFFF", "#CCCCCC", "#E69F00", "#004B87")  # in grey print 1, 0.8, 0.66 and 0.26
 _INTERFACES = {"journal_top": "journal on top foil", "top_bump": "top foil on bump", "bump_sleeve": "bump on sleeve"}
+
+#: Rows of the matrices of coefficients: forces, with their direct and their cross entry.
+_FORCES = ("Fx: xx, xy", "Fy: yy, yx")
 
 
 def _arranged(width: str, panels: int) -> tuple[int, int]:
@@ -48,6 +52,7 @@ def loops(result: Result, *, width: str = "single") -> Figure:
     width : {"single", "double"}
         90 or 190 mm.
     """
+    demand(result, "loops")
     apart = width == "double" and len(result.cycles) > 1
     least, most = (extreme(float(extreme(cycle.force_direct)) for cycle in result.cycles) for extreme in (min, max))
     sheet = Sheet(width, *_arranged(width, len(result.cycles) if apart else 1), panel_height=50)
@@ -72,14 +77,15 @@ def bump_loads(result: Result, *, width: str = "single") -> Figure:
     width : {"single", "double"}
         90 or 190 mm.
     """
+    demand(result, "bump loads")
     shown = [cycle for cycle in result.cycles if "bump_loads" in cycle.quantities]
     sheet = Sheet(width, *_arranged(width, len(shown)), panel_height=35)
     most = max(float(np.max(cycle.bump_loads)) for cycle in shown)
     for ax, cycle in zip(sheet.panels, shown):
-        bumps = np.arange(1, len(cycle.bump_loads) + 1)
-        ax.bar(bumps, cycle.bump_loads, width=0.8, color="#8FB8DE", edgecolor="black", linewidth=0.5)
-        ax.set(xlim=(0.3, len(bumps) + 0.7), ylim=(0, 1.05 * most))
-        ax.set_xlabel("bump, counted from the weld")
+        places = Places(cycle.bump_pad)
+        ax.bar(places.at, cycle.bump_loads, width=0.8, color="#8FB8DE", edgecolor="black", linewidth=0.5)
+        ax.set(xlim=(0.3, places.at[-1] + 0.7), ylim=(0, 1.05 * most))
+        places.mark(ax)
         ax.set_ylabel("bump load (N)")
     sheet.entitle([_words(cycle) for cycle in shown])
     return sheet.finish([])
@@ -98,6 +104,7 @@ def foils(cycle: Cycle, increments: Sequence[int] | None = None, *, width: str =
     width : {"single", "double"}
         90 or 190 mm.
     """
+    demand_fields(cycle, ["top_displacement", "gap_journal_top", "gap_top_bump"])
     turning = int(np.argmax(cycle.displacement))
     shown = [0, turning // 2, turning] if increments is None else list(increments)
     columns = min(len(shown), 3 if width == "double" else 1)
@@ -107,15 +114,15 @@ def foils(cycle: Cycle, increments: Sequence[int] | None = None, *, width: str =
     crests = top - 1e6 * cycle.fields["gap_top_bump"][shown]
     lowest, highest = min(crests.min(), top.min()), max(journal.max(), top.max())
     room = 0.08 * (highest - lowest)
-    bumps = np.arange(1, top.shape[1] + 1)
+    places = Places(cycle.bump_pad)
     for panel, ax in enumerate(sheet.panels[: len(shown)]):
         base = lowest - room
-        ax.bar(bumps, crests[panel] - base, bottom=base, width=0.8, color="#D4D4D4", edgecolor="black", linewidth=0.5,
+        ax.bar(places.at, crests[panel] - base, bottom=base, width=0.8, color="#D4D4D4", edgecolor="black", linewidth=0.5,
                label="crests")
-        ax.plot(bumps, top[panel], label="top foil", **_style(0, marked=True))
-        ax.plot(bumps, journal[panel], label="journal", **_style(1))
-        ax.set(xlim=(0.3, len(bumps) + 0.7), ylim=(base, highest + room))
-        ax.set_xlabel("bump, counted from the weld")
+        ax.plot(*places.line(top[panel]), label="top foil", **_style(0, marked=True))
+        ax.plot(*places.line(journal[panel]), label="journal", **_style(1))
+        ax.set(xlim=(0.3, places.at[-1] + 0.7), ylim=(base, highest + room))
+        places.mark(ax)
         ax.set_ylabel("height (µm)")
     sheet.entitle([f"{_words(cycle)}, {1e6 * cycle.displacement[k]:.3g} µm" for k in shown])
     return sheet.finish()
@@ -134,24 +141,24 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
     """
     from matplotlib.patches import Patch
 
-    columns = 3 if width == "double" else 1
-    sheet = Sheet(width, columns, 3 // columns, panel_height=45 if columns == 3 else 35)
-    for ax, interface in zip(sheet.panels, _INTERFACES):
+    shown = [interface for interface in _INTERFACES if known(cycle, f"state_{interface}")]
+    if not shown:
+        demand_fields(cycle, [f"state_{interface}" for interface in _INTERFACES])
+    columns = len(shown) if width == "double" else 1
+    sheet = Sheet(width, columns, len(shown) // columns, panel_height=45 if width == "double" else 35)
+    for ax, interface in zip(sheet.panels, shown):
         draw_states(cycle, interface, _STATE_COLOURS, ax)
-    sheet.entitle(list(_INTERFACES.values()))
-    return sheet.finish(
-        [
-            Patch(facecolor=colour, edgecolor="black", linewidth=0.5, label=state)
-            for colour, state in zip(_STATE_COLOURS, _STATES)
-        ]
-    )
+    sheet.entitle([_INTERFACES[interface] for interface in shown])
+    states = [
+        Patch(facecolor=colour, edgecolor="black", linewidth=0.5, label=state)
+        for colour, state in zip(_STATE_COLOURS, _STATES)
+    ]
+    return sheet.finish([*states, *sheet.panels[0].get_legend_handles_labels()[0]])
 
 
 @styled
 def ensemble(result: Result, *, width: str = "double") -> Figure:
-    """Distributions of maximum force, loaded stiffness, loss factor and estimated clearance, by direction.
-
-    Ticks on the axis are means.
+    """Distributions of maximum force, loaded stiffness, loss factor and estimated clearance, by direction, and their means.
 
     Parameters
     ----------
@@ -160,6 +167,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     width : {"single", "double"}
         90 or 190 mm.
     """
+    demand(result, "distributions")
     data = result.to_xarray()
     quantities: list[tuple[str, str, float]] = [
         ("max_force", "maximum force (N)", 1),
@@ -175,9 +183,8 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
         together = np.concatenate(list(values.values()))
         edges = np.histogram_bin_edges(together, min(40, int(np.sqrt(len(together))) + 1))
         for number, (direction, samples) in enumerate(values.items()):
-            label = {0.0: "+X", 90.0: "+Y", 180.0: "−X", 270.0: "−Y"}.get(direction, f"{direction:g}°")
             style = _style(number)
-            ax.hist(samples, edges, histtype="step", linewidth=1.2, label=label, color=style["color"],
+            ax.hist(samples, edges, histtype="step", linewidth=1.2, label=direction_name(direction), color=style["color"],
                     linestyle=style["linestyle"])
             ax.axvline(samples.mean(), 0, 0.06, linewidth=2, color=style["color"])
         ax.set_xlabel(words)
@@ -189,11 +196,12 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
 
 
 def _lines(sheet: Sheet, count: int) -> list[Any]:
-    """Lines in place of the frames that stand for histograms."""
+    """Lines in place of the frames that stand for histograms, and the ticks on the axis."""
     from matplotlib.lines import Line2D
 
     labels = sheet.panels[0].get_legend_handles_labels()[1]
-    return [Line2D([], [], label=label, **_style(number)) for number, label in enumerate(labels[:count])]
+    mean = Line2D([], [], label="mean", color="black", linestyle="none", marker="|", markersize=6, markeredgewidth=2)
+    return [*(Line2D([], [], label=label, **_style(number)) for number, label in enumerate(labels[:count])), mean]
 
 
 def _running_coefficients(result: Result, width: str, contacts: str) -> Figure:
@@ -207,15 +215,15 @@ def _running_coefficients(result: Result, width: str, contacts: str) -> Figure:
         )
         for title, pair in ((f"direct {kind}", ("xx", "yy")), (f"cross {kind}", ("xy", "yx")))
     ]
-    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40)
+    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40 if width == "double" else 36)
     for ax, (_, ordinate, size, columns) in zip(sheet.panels, panels):
         for component, column in enumerate(columns):
             for number, (label, over, rows) in enumerate(lines):
                 style = _style(number, marked=True)
                 style["linestyle"] = ("-", "--")[component]
                 style["markerfacecolor"] = (style["color"], "white")[component]
-                axes = ("xx, xy", "yy, yx")[component]
-                ax.plot(over, size * rows[column], label=f"{axes}, {label}" if label else axes, **style)
+                force = _FORCES[component]
+                ax.plot(over, size * rows[column], label=f"{force}, {label}" if label else force, **style)
         ax.set_xlabel(words)
         ax.set_ylabel(ordinate)
     sheet.entitle([title for title, *_ in panels])
@@ -238,6 +246,9 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
     contacts : {"stuck", "slipping"}
         Of a running bearing: motions too small to make a contact slip, or such that let slipping contacts slip on.
     """
+    demand(result, "coefficients")
+    if contacts not in ("stuck", "slipping"):
+        raise ValueError(f"contacts is {contacts!r}; it is one of stuck, slipping")
     if result.command == "equilibrium":
         return _running_coefficients(result, width, contacts)
     table = result.to_dataframe("coefficients")
@@ -251,14 +262,14 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
         ("direct damping times frequency", "ωC (MN/m)", [(f"c{a}", 1e-6 * turn * table[f"c{a}_N_s_per_m"]) for a in ("xx", "yy")]),
         ("loss factor", "loss factor", [(a, table[f"loss_factor_{a[0]}"]) for a in ("xx", "yy")]),
     ]
-    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40)
+    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40 if width == "double" else 36)
     for ax, (_, words, columns) in zip(sheet.panels, panels):
         for component, (_, values) in enumerate(columns):
             for number, ((load_x, load_y), rows) in enumerate(loads):
                 style = _style(number, marked=True)
                 style["linestyle"] = ("-", "--")[component]
                 style["markerfacecolor"] = (style["color"], "white")[component]
-                label = f"{'xx, xy' if component == 0 else 'yy, yx'}"
+                label = _FORCES[component]
                 behind = f", load ({load_x:g}, {load_y:g}) N".replace("-", "−") if len(loads) > 1 else ""
                 ax.plot(1e6 * rows.amplitude_m, values[rows.index], label=label + behind, **style)
         ax.set_xlabel("amplitude (µm)")

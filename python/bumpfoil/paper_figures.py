@@ -111,7 +111,7 @@ def _figure11(folder: Path) -> Figure:
 
 def _figure12(folder: Path) -> Figure:
     table, elements = _table(folder, "loops"), _table(folder, "finite_elements")
-    sheet = Sheet("double", 2, 4, panel_height=45)
+    sheet = Sheet("double", 2, 4, panel_height=40)
     titles = []
     for panel, ax in enumerate(sheet.panels):
         direction, behind = list(_DIRECTIONS)[panel // 2], ("", "-midsurface")[panel % 2]
@@ -175,14 +175,14 @@ def _figure15(folder: Path) -> Figure:
         ax.plot(bearings, 1e6 * rows.clearance_10N_m, "s", color=_RED, markerfacecolor="none", markersize=6, label="at 10 N")
         ax.set(xlim=(0.5, len(rows) + 0.5), ylim=(-3, 50), xticks=bearings)
         ax.set_xlabel("bearing")
-        ax.set_ylabel("estimated clearance to +X (µm)")
+        ax.set_ylabel("clearance to +X (µm)")
     sheet.entitle([f"heights scattered by {scatter} µm" for scatter in scatters])
     return sheet.finish()
 
 
 def _figure16(folder: Path) -> Figure:
     table = _table(folder, "foils")
-    sheet = Sheet("double", 2, 5, panel_height=34)
+    sheet = Sheet("double", 2, 5, panel_height=29)
     increments, titles = (0, 25, 50, 75, 100), []
     from matplotlib.lines import Line2D
 
@@ -199,15 +199,15 @@ def _figure16(folder: Path) -> Figure:
         ax.plot(rows.bump, 1e6 * rows.top_foil_height_m, color=_BLUE, marker=".", label="top foil")
         ax.plot(rows.bump, 1e6 * rows.journal_height_m, color=_RED, linestyle="--", label="journal")
         ax.set(ylim=(440, 630))
-        ax.set_ylabel("height over sleeve (µm)")
-        for level, (name, words, colour, marker) in zip((-16, -30, -44), gaps):
+        ax.set_ylabel("height (µm)")
+        for level, (name, words, colour, marker) in zip((-17, -33, -49), gaps):
             beside.plot(rows.bump, 1e6 * rows[f"gap_{name}_m"], color=colour, marker=marker, markerfacecolor="white",
                         linewidth=0.8, label=f"gap, {words}")
             for state, (mark, _) in marks.items():
                 closed = rows[rows[f"state_{name}"] == state]
                 beside.plot(closed.bump, np.full(len(closed), level), linestyle="none", marker=mark, color="black")
         beside.axhline(-8, color="black", linewidth=0.4)
-        beside.set(ylim=(-52, 105), yticks=[-44, -30, -16, 0, 25, 50, 75, 100])
+        beside.set(ylim=(-58, 105), yticks=[-49, -33, -17, 0, 25, 50, 75, 100])
         beside.set_yticklabels(["sleeve", "bump", "journal", "0", "25", "50", "75", "100"])
         beside.set_ylabel("gap (µm)", y=0.7, labelpad=-9)
         for one in (ax, beside):

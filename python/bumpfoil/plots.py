@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .places import Places
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import pandas
+    import xarray
     from matplotlib.axes import Axes
 
     from .cycle import Cycle
@@ -53,7 +56,40 @@ def _legend(ax: Axes, entries: int) -> None:
         ax.legend(frameon=False)
 
 
+def demand(result: Result, picture: str) -> None:
+    """Refuses results that have not what is to be drawn."""
+    there = {
+        "loops": bool(result.cycles),
+        "bump loads": any("bump_loads" in cycle.quantities for cycle in result.cycles),
+        "coefficients": result.command in ("vibration", "equilibrium"),
+        "distributions": result.command == "montecarlo",
+        "quantities over keys": result.command == "sweep",
+    }
+    if not there[picture]:
+        has = ", ".join(name for name in there if there[name]) or "nothing"
+        raise ValueError(f"a result of {result.command} has no {picture} to draw; it has {has}")
+
+
+def known(cycle: Cycle, field: str) -> bool:
+    """Whether a cycle has a field, and not only place for it as a strip read from a file has."""
+    return field in cycle.fields and not np.isnan(cycle.fields[field].astype(float)).all()
+
+
+def demand_fields(cycle: Cycle, names: Sequence[str]) -> None:
+    """Refuses cycles that have not the fields that are to be drawn."""
+    absent = [name for name in names if not known(cycle, name)]
+    if absent:
+        kind = absent[0].split("_")[0]
+        has = ", ".join(name for name in cycle.fields if name.startswith(kind) and known(cycle, name)) or f"no {kind}"
+        raise ValueError(f"{cycle.name}: has no {', '.join(absent)} to draw; it has {has}")
+
+
+def direction_name(degrees: float) -> str:
+    return {0.0: "+X", 90.0: "+Y", 180.0: "−X", 270.0: "−Y"}.get(degrees, f"{degrees:g}°")
+
+
 def loops(result: Result, ax: Axes | None) -> Axes:
+    demand(result, "loops")
     ax = _axes(ax)
     for number, cycle in enumerate(result.cycles):
         ax.plot(1e6 * cycle.displacement, cycle.force_direct, label=_words(cycle), **_style(number))
@@ -64,12 +100,13 @@ def loops(result: Result, ax: Axes | None) -> Axes:
 
 
 def bump_loads(result: Result, ax: Axes | None) -> Axes:
+    demand(result, "bump loads")
     ax = _axes(ax)
     shown = [cycle for cycle in result.cycles if "bump_loads" in cycle.quantities]
     for number, cycle in enumerate(shown):
-        bumps = np.arange(1, len(cycle.bump_loads) + 1)
-        ax.plot(bumps, cycle.bump_loads, label=_words(cycle), markersize=4, **_style(number, marked=True))
-    ax.set_xlabel("bump, counted from the weld")
+        places = Places(cycle.bump_pad)
+        ax.plot(*places.line(cycle.bump_loads), label=_words(cycle), markersize=4, **_style(number, marked=True))
+    Places(shown[0].bump_pad).mark(ax)
     ax.set_ylabel("load at full displacement (N)")
     _legend(ax, len(shown))
     return ax
@@ -119,7 +156,60 @@ def running_coefficients(result: Result, ax: Axes) -> Axes:
     return ax
 
 
+def _quantity(result: Result, name: str, dims: Sequence[str]) -> xarray.DataArray:
+    """A variable over all these dimensions and no others, in the words of the file."""
+    data = result.to_xarray()
+    names = [str(one) for one, values in data.data_vars.items() if set(values.dims) == set(dims) and values.attrs.get("units")]
+    if name not in names:
+        raise ValueError(f"a result of {result.command} has no {name!r} over {', '.join(dims)}; it has {', '.join(names)}")
+    return data[name].transpose(*dims)
+
+
+def _named(values: xarray.DataArray) -> str:
+    unit = values.attrs.get("units", "1").replace("degree", "°")
+    words = str(values.attrs.get("case_key", values.name)).replace("_", " ")
+    return words if unit == "1" else f"{words} ({unit})"
+
+
+def _place(coordinate: xarray.DataArray, number: float) -> str:
+    if coordinate.name == "direction":
+        return direction_name(number)
+    unit = coordinate.attrs.get("units", "1")
+    return f"{coordinate.attrs.get('case_key', coordinate.name)} {number:.6g}" + (f" {unit}" if unit != "1" else "")
+
+
+def ensemble(result: Result, quantity: str, ax: Axes | None) -> Axes:
+    demand(result, "distributions")
+    data = _quantity(result, quantity, ["direction", "sample"])
+    ax = _axes(ax)
+    edges = np.histogram_bin_edges(data.values[np.isfinite(data.values)], min(40, int(np.sqrt(data.sizes["sample"])) + 1))
+    for number, samples in enumerate(data):
+        label = direction_name(float(samples.direction))
+        ax.hist(samples.values[np.isfinite(samples.values)], edges, histtype="step", label=label, **_style(number))
+    ax.set_xlabel(_named(data))
+    ax.set_ylabel("bearings")
+    _legend(ax, len(data))
+    return ax
+
+
+def sweep(result: Result, quantity: str, ax: Axes | None) -> Axes:
+    demand(result, "quantities over keys")
+    dims = [str(name) for name in result.to_xarray()["status"].dims]
+    data = _quantity(result, quantity, dims)
+    ax = _axes(ax)
+    first, others = dims[0], dims[1:]
+    lines = data.stack(line=others).transpose("line", first) if others else data.expand_dims("line")
+    for number, line in enumerate(lines):
+        parts = [_place(data[name], line.coords[name].item()) for name in others if data.sizes[name] > 1]
+        ax.plot(data[first].values, line.values, label=", ".join(parts), markersize=4, **_style(number, marked=True))
+    ax.set_xlabel(_named(data[first]))
+    ax.set_ylabel(_named(data))
+    _legend(ax, len(lines))
+    return ax
+
+
 def coefficients(result: Result, ax: Axes | None) -> Axes:
+    demand(result, "coefficients")
     ax = _axes(ax)
     if result.command == "equilibrium":
         return running_coefficients(result, ax)
@@ -145,42 +235,50 @@ def draw_states(cycle: Cycle, interface: str, colours: Sequence[str], ax: Axes) 
     from matplotlib.colors import ListedColormap
 
     states = cycle.fields[f"state_{interface}"]
-    increments, places = states.shape
+    feet = interface == "bump_sleeve"
+    more = states.shape[1] > cycle.fields["crest_v"].shape[1]
     ax.pcolormesh(
-        np.arange(places + 1) + 0.5,
-        np.arange(increments + 1) - 0.5,
+        np.arange(states.shape[1] + 1) + 0.5,
+        np.arange(len(states) + 1) - 0.5,
         states,
         cmap=ListedColormap(list(colours)),
         vmin=-0.5,
         vmax=3.5,
         rasterized=True,
     )
-    feet = interface == "bump_sleeve" and places > cycle.fields["crest_v"].shape[1]
-    ax.set_xlabel(f"{'foot' if feet else 'bump'}, counted from the weld")
+    Places(cycle.foot_pad if feet else cycle.bump_pad, "foot" if more else "bump", room=0).mark(ax)
     ax.set_ylabel("increment")
+    farthest = int(np.argmax(cycle.displacement))
+    if farthest < len(states) - 1:
+        ax.axhline(farthest, label="largest displacement", color="black", linewidth=0.8, linestyle=(0, (4, 2)))
 
 
 def contacts(cycle: Cycle, interface: str, ax: Axes | None) -> Axes:
     from matplotlib.patches import Patch
 
+    demand_fields(cycle, [f"state_{interface}"])
     ax = _axes(ax)
     draw_states(cycle, interface, _STATE_COLOURS, ax)
     ax.set_title(f"{_words(cycle)}, {interface.replace('_', '–')}", fontsize="medium")
-    patches = [Patch(facecolor=colour, edgecolor="black", linewidth=0.5) for colour in _STATE_COLOURS]
-    ax.legend(patches, _STATES, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=4, frameon=False)
+    handles = [
+        *(Patch(facecolor=colour, edgecolor="black", linewidth=0.5, label=state) for colour, state in zip(_STATE_COLOURS, _STATES)),
+        *ax.get_legend_handles_labels()[0],
+    ]
+    ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=5, frameon=False, columnspacing=1.0)
     return ax
 
 
 def foils(cycle: Cycle, increment: int | None, ax: Axes | None) -> Axes:
+    demand_fields(cycle, ["crest_v"])
     ax = _axes(ax)
     shown = int(np.argmax(cycle.displacement)) if increment is None else increment
-    crests = cycle.fields["crest_v"][shown]
-    bumps = np.arange(1, len(crests) + 1)
+    places = Places(cycle.bump_pad)
     if "top_displacement" in cycle.fields:
         top = 1e6 * cycle.fields["top_displacement"][shown]
-        ax.plot(bumps, top, label="top foil", markersize=4, **_style(0, marked=True))
-    ax.plot(bumps, 1e6 * crests, label="crest", markersize=4, **_style(1, marked=True))
-    ax.set_xlabel("bump, counted from the weld")
+        ax.plot(*places.line(top), label="top foil", markersize=4, **_style(0, marked=True))
+    crests = 1e6 * cycle.fields["crest_v"][shown]
+    ax.plot(*places.line(crests), label="crest", markersize=4, **_style(1, marked=True))
+    places.mark(ax)
     ax.set_ylabel("radial displacement, outward (µm)")
     ax.set_title(f"{_words(cycle)}, {1e6 * cycle.displacement[shown]:.4g} µm", fontsize="medium")
     _legend(ax, 2)

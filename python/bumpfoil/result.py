@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import io
 import json
 import math
@@ -11,18 +10,19 @@ import sys
 import tempfile
 import threading
 import warnings
-from collections.abc import Mapping
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native, plots
+from . import _native, notebook, plots, tables
 from .case import Case
 from .cycle import Cycle
 from .errors import FileError, RunWarning
+from .places import pads_of
 
 if TYPE_CHECKING:
     import pandas
@@ -33,17 +33,6 @@ if TYPE_CHECKING:
 netcdf = threading.RLock()
 
 _PAGE = Path(__file__).with_name("report.html")
-
-#: Quantities of cycles that a result shows of itself: name, words, unit, its size in SI.
-_HEADLINES = (
-    ("max_force", "maximum force", "N", 1.0),
-    ("cross_force_at_max", "cross force", "N", 1.0),
-    ("loaded_stiffness", "loaded stiffness", "MN/m", 1e6),
-    ("loop_energy", "loop energy", "mJ", 1e-3),
-    ("loss_factor", "loss factor", "", 1.0),
-    ("first_contact", "first contact", "um", 1e-6),
-)
-
 
 class Result:
     """What a command gave: its cycles, where it has some, and the files that the program writes of it.
@@ -68,7 +57,8 @@ class Result:
     @classmethod
     def _of_run(cls, run: _native.Run) -> Result:
         warn_of(run.status, [*run.failures, *run.warnings])
-        return cls(run.command, [Cycle(**views) for views in run.cycles()], run=run)
+        pads = partial(_pads_of_run, run)
+        return cls(run.command, [Cycle(**views, pads=pads) for views in run.cycles()], run=run)
 
     @cached_property
     def files(self) -> dict[str, bytes]:
@@ -98,7 +88,9 @@ class Result:
         Parameters
         ----------
         folder : path
-            Made where it does not exist. One that holds results is refused unless ``force``.
+            Made where it does not exist.
+        force : bool
+            Whether to replace results that it holds, which are refused otherwise.
 
         Raises
         ------
@@ -109,6 +101,11 @@ class Result:
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> Result:
         """Reads what :meth:`save`, or the program, wrote.
+
+        Parameters
+        ----------
+        folder : path
+            Of the result.
 
         Raises
         ------
@@ -131,27 +128,55 @@ class Result:
         cycles = read_cycles(files["result.nc"], summary) if command in ("cycle", "strip", "path") else []
         return cls(command, cycles, files=files)
 
+    @property
+    def _data_file(self) -> bytes:
+        """result.nc; of a sweep sweep.nc, of an ensemble ensemble.nc."""
+        (contents,) = (contents for name, contents in self.files.items() if name.endswith(".nc"))
+        return contents
+
+    @cached_property
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The variables of result.nc (of a sweep sweep.nc, of an ensemble ensemble.nc) by their names, docs/results.md.
+
+        Read-only arrays in SI over the dimensions that the page says; made once, and the same ones whenever they are asked for.
+        NaN is what is absent; flags, such as ``status``, are numbers. :meth:`to_xarray` has their words, units and coordinates,
+        too. Fields of cycles are views of the run itself in ``cycles[i].fields``."""
+        import netCDF4
+
+        with netcdf, netCDF4.Dataset("data.nc", memory=self._data_file) as file:
+            return {name: _plain(variable[...]) for name, variable in file.variables.items()}
+
     def to_xarray(self) -> xarray.Dataset:
         """result.nc (of a sweep sweep.nc, of an ensemble ensemble.nc) as a data set in memory."""
         import netCDF4
         import xarray
 
-        (name,) = (name for name in self.files if name.endswith(".nc"))
         make_store: Any = xarray.backends.NetCDF4DataStore
-        with netcdf, xarray.open_dataset(make_store(netCDF4.Dataset(name, memory=self.files[name]))) as dataset:
+        with netcdf, xarray.open_dataset(make_store(netCDF4.Dataset("data.nc", memory=self._data_file))) as dataset:
             return dataset.load()
 
     def to_dataframe(self, table: str | None = None) -> pandas.DataFrame:
-        """A CSV file of the result as a table, to the last bit.
+        """A CSV file of the result as a table, to the last bit; of an ensemble its samples.
 
         Parameters
         ----------
         table : str, optional
             Name of the file without its end; that of the command without it.
-        """
-        import pandas
 
-        return pandas.read_csv(io.BytesIO(self.files[f"{table or self.command}.csv"]), float_precision="round_trip")
+        Returns
+        -------
+        DataFrame
+            Units are at the ends of the names of columns. Of an ensemble a row for each sample and direction.
+
+        Raises
+        ------
+        ValueError
+            The result has no such table.
+        """
+        name = table or self.command
+        if name == self.command == "montecarlo":
+            return tables.of_samples(self.to_xarray())
+        return tables.of_csv(self, name)
 
     def report(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
         """Writes the page of ``bumpfoil report``: one HTML file to open in a browser.
@@ -159,39 +184,73 @@ class Result:
         Parameters
         ----------
         path : path
-            A file that exists is refused unless ``force``.
+            Of the file.
+        force : bool
+            Whether to replace a file that exists, which is refused otherwise.
         """
         write_report({self.command: self}, path, force=force)
 
     def plot_loops(self, *, ax: Axes | None = None) -> Axes:
-        """Draws the direct force over the displacement, cycle by cycle, on `ax` or on new matplotlib axes."""
+        """Draws the direct force (N) over the displacement (µm), cycle by cycle.
+
+        Parameters
+        ----------
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
         return plots.loops(self, ax)
 
     def plot_bump_loads(self, *, ax: Axes | None = None) -> Axes:
-        """Draws the loads of the bumps at full displacement, cycle by cycle, on `ax` or on new matplotlib axes."""
+        """Draws the loads of the bumps at full displacement (N), cycle by cycle.
+
+        Parameters
+        ----------
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
         return plots.bump_loads(self, ax)
 
     def plot_coefficients(self, *, ax: Axes | None = None) -> Axes:
-        """Draws direct stiffnesses, on `ax` or on new matplotlib axes: of vibrations over their amplitude; of running bearings,
-        for motions that make no contact slip, over frequency, speed or load, whichever varies."""
+        """Draws direct stiffnesses (MN/m): of vibrations over their amplitude; of running bearings, for motions that make no
+        contact slip, over frequency, speed or load, whichever varies.
+
+        Parameters
+        ----------
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
         return plots.coefficients(self, ax)
+
+    def plot_ensemble(self, quantity: str = "max_force", *, ax: Axes | None = None) -> Axes:
+        """Draws the distribution of a quantity of an ensemble, by direction.
+
+        Parameters
+        ----------
+        quantity : str
+            A variable of ensemble.nc over samples and directions, such as ``loss_factor``.
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
+        return plots.ensemble(self, quantity, ax)
+
+    def plot_sweep(self, quantity: str = "max_force", *, ax: Axes | None = None) -> Axes:
+        """Draws a quantity of a sweep over its first key, a line for each combination of what else varies.
+
+        Parameters
+        ----------
+        quantity : str
+            A variable of sweep.nc over its keys, such as ``loss_factor``.
+        ax : matplotlib axes, optional
+            To draw on; new ones without.
+        """
+        return plots.sweep(self, quantity, ax)
 
     def __repr__(self) -> str:
         counted = f" of {len(self.cycles)} cycles" if len(self.cycles) > 1 else ""
         return f"<bumpfoil.Result of {self.command}{counted}, {self.status}>"
 
     def _repr_html_(self) -> str:
-        head = f"<p><b>{html.escape(self.command)}</b>, {self.status}</p>"
-        if not self.cycles:
-            return head
-        rows = [["", *(cycle.name for cycle in self.cycles)]]
-        for name, words, unit, size in _HEADLINES:
-            values = [cycle.quantities.get(name) for cycle in self.cycles]
-            if any(value is not None for value in values):
-                shown = ["–" if value is None or math.isnan(value) else f"{value / size:.4g}" for value in values]
-                rows.append([f"{words} ({unit})" if unit else words, *shown])
-        cells = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
-        return f"{head}<table>{cells}</table>"
+        return notebook.of_result(self)
 
 
 def warn_of(status: str, lines: list[str]) -> None:
@@ -219,7 +278,9 @@ def write_report(results: Mapping[str, Result], path: str | os.PathLike[str], *,
     results : mapping
         Results by what they are to be called.
     path : path
-        A file that exists is refused unless ``force``.
+        Of the file.
+    force : bool
+        Whether to replace a file that exists, which is refused otherwise.
     """
     page = _PAGE.read_text(encoding="utf-8") if _PAGE.exists() else ""
     if not page:
@@ -245,10 +306,20 @@ def read_cycles(contents: bytes, summary: Mapping[str, Any]) -> list[Cycle]:
             key = {"direction": "direction_deg", "cycle": "cycle"}[of_cycles]
             places = [known.index(cycle[key]) for cycle in summary["cycles"]]
         names = {*_native.quantity_names(summary["command"]), *filter(None, [of_cycles])}
-        return [_read_cycle(file, names, of_cycles, place) for place in places]
+        pads = pads_of(file.variables).copy
+        return [_read_cycle(file, names, of_cycles, place, pads) for place in places]
 
 
-def _read_cycle(file: Any, names: set[str], of_cycles: str | None, place: Any) -> Cycle:
+def _pads_of_run(run: _native.Run) -> dict[str, NDArray[Any]]:
+    import netCDF4
+
+    with netcdf, netCDF4.Dataset("result.nc", memory=run.files()["result.nc"]) as file:
+        return pads_of(file.variables)
+
+
+def _read_cycle(
+    file: Any, names: set[str], of_cycles: str | None, place: Any, pads: Callable[[], dict[str, NDArray[Any]]]
+) -> Cycle:
     quantities: dict[str, Any] = {}
     series: dict[str, NDArray[Any]] = {}
     fields: dict[str, NDArray[Any]] = {}
@@ -266,9 +337,9 @@ def _read_cycle(file: Any, names: set[str], of_cycles: str | None, place: Any) -
             (series if len(dims) == 1 else fields)[name] = _plain(values)
         elif not dims:
             quantities[name] = int(values) if name == "cycle" else _word(variable, values)
-        elif name.endswith("_loads"):
+        elif name.endswith("_loads") or "pad_forces" in name:
             quantities[name] = _plain(values)
-    return Cycle(quantities, series, fields, events)
+    return Cycle(quantities, series, fields, events, pads)
 
 
 def _plain(values: Any) -> NDArray[Any]:

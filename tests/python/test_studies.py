@@ -62,6 +62,11 @@ def test_ensemble_is_that_of_the_program(program, tmp_path):
         bumpfoil.run_montecarlo(TOLERANCES, folder, samples=20, seed=3)
 
 
+def test_number_of_samples_may_stand_in_the_table():
+    result = bumpfoil.run_montecarlo(TOLERANCES, montecarlo={"samples": 3, "seed": 8}, cycle={"steps": 5})
+    assert (result.summary["samples"], result.summary["seed"]) == (3, 8)
+
+
 def test_ensemble_goes_on_where_it_was_stopped(tmp_path):
     with pytest.warns(bumpfoil.RunWarning, match="interrupted"):
         stopped = bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=200, progress=lambda fraction: False)

@@ -1,12 +1,16 @@
 """Types are right: mypy finds nothing in the package, and what they say of its compiled part is what that has."""
 
 import ast
+import inspect
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import bumpfoil
-from bumpfoil import _native
+from bumpfoil import _native, figures
 
 ROOT = Path(__file__).parents[2]
 
@@ -26,3 +30,27 @@ def test_stubs_are_of_what_is_there():
             if isinstance(node, (ast.FunctionDef, ast.ClassDef, ast.AnnAssign))
         }
         assert {name for name in told if not name.startswith("_")} == {name for name in dir(found) if not name.startswith("_")}
+
+
+def public_signatures():
+    """Functions and methods that people call, and the classes that they make themselves."""
+    for module in (bumpfoil, figures):
+        for name in module.__all__:
+            held = getattr(module, name)
+            if not inspect.isclass(held):
+                yield name, held
+                continue
+            if held in (bumpfoil.Case, bumpfoil.Stepper):
+                yield name, held
+            yield from ((f"{name}.{method}", getattr(held, method)) for method in vars(held)
+                        if not method.startswith("_") and callable(getattr(held, method)))  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "held"), public_signatures())
+def test_every_parameter_is_told(name, held):
+    told = inspect.getdoc(held)
+    section = re.search(r"^Parameters\n-+\n(.*?)(?=^\w[\w ]*\n-+\n|\Z)", told, re.DOTALL | re.MULTILINE)
+    heads = re.findall(r"^(\S.*?) :", section.group(1), re.MULTILINE) if section else []
+    named = [name.strip("* ") for head in heads for name in head.split(",")]
+    due = [name for name in inspect.signature(held).parameters if name != "self"]
+    assert sorted(named) == sorted(due)

@@ -1,0 +1,47 @@
+"""Tables of results as data frames."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from .result import Result
+
+
+def of_csv(result: Result, name: str) -> pandas.DataFrame:
+    """A CSV file of a result, to the last bit."""
+    import pandas
+
+    file = f"{name}.csv"
+    if file not in result.files:
+        known = [name[:-4] for name in result.files if name.endswith(".csv")]
+        if result.command == "montecarlo":
+            known.append(result.command)
+        raise ValueError(f"a result of {result.command} has no table {name!r}; it has {', '.join(known)}")
+    return pandas.read_csv(io.BytesIO(result.files[file]), float_precision="round_trip")
+
+
+def of_samples(ensemble: xarray.Dataset) -> pandas.DataFrame:
+    """A row for each sample and direction of an ensemble.nc, with columns named as those of CSV files."""
+    names = [name for name, values in ensemble.data_vars.items() if values.dims in (("sample",), ("sample", "direction"))]
+    table = ensemble[names].to_dataframe(dim_order=["sample", "direction"]).reset_index()
+    for name in names:
+        words = ensemble[name].attrs.get("flag_meanings", "").split()
+        if words:
+            table[name] = [None if np.isnan(number) else _meant(words, int(number)) for number in table[name]]
+    ends = {name: _end(ensemble[name].attrs.get("units", "")) for name in names}
+    return table.rename(columns={"direction": "direction_deg", **{name: f"{name}{end}" for name, end in ends.items()}})
+
+
+def _meant(words: list[str], number: int) -> Any:
+    return bool(number) if words == ["no", "yes"] else words[number]
+
+
+def _end(unit: str) -> str:
+    return "" if unit in ("", "1") else "_" + unit.replace("/", "_per_").replace(" ", "_")
