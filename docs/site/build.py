@@ -5,10 +5,13 @@ Usage: build.py PACKAGE OUTPUT    PACKAGE is the folder of the built Python pack
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+from headers import page_of
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -23,13 +26,18 @@ def lay_out(pages):
 
 
 def describe(pages):
-    """Pages that only the site has: what Sphinx reads from the Python package, and the way to what Doxygen makes."""
+    """The page that Sphinx makes of the Python package."""
     folder = pages / "docs/reference"
     folder.mkdir()
     python = ["Python reference", "================", "", ".. automodule:: bumpfoil", "   :members:", "   :imported-members:"]
     python += ["", ".. automodule:: bumpfoil.figures", "   :members:", "   :imported-members:"]
     (folder / "python.rst").write_text("\n".join(python), encoding="utf-8")
-    shutil.copy(HERE / "cpp.rst", folder)
+
+
+def run_doxygen(html, tags):
+    html.mkdir(parents=True)
+    settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + f"HTML_OUTPUT = {html}\nGENERATE_TAGFILE = {tags}\n"
+    subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT, check=True)
 
 
 def list_variables(page, environment):
@@ -38,12 +46,13 @@ def list_variables(page, environment):
 
 
 def run_examples(folder, environment):
-    """Their pictures and what they print."""
+    """Their pictures and what programs print."""
     folder.mkdir()
     to_files = environment | {"MPLBACKEND": "agg"}
     for example in sorted((ROOT / "examples").glob("*.py")):
         with open(folder / f"{example.stem}.txt", "w", encoding="utf-8") as lines:
             subprocess.run([sys.executable, "-B", example], stdout=lines, cwd=folder, env=to_files, check=True)
+    subprocess.run([sys.executable, "-B", HERE / "draw_cases.py"], cwd=folder, env=to_files, check=True)
 
 
 def run_notebooks(folder, environment):
@@ -54,6 +63,23 @@ def run_notebooks(folder, environment):
     subprocess.run([*convert, *notebooks], env=environment | quiet, check=True)
 
 
+def complete_theme(static):
+    """Makes up for what Debian's build of the theme lacks: its style and script lead to a file of the system and to a module,
+    neither of which pages opened from a disk can load, and it lost its dark colours for those whose browsers prefer them."""
+
+    def put_in(path, pattern, folder):
+        text = path.read_text(encoding="utf-8")
+        path.write_text(re.sub(pattern, lambda found: (folder / found[1]).read_text(encoding="utf-8"), text), encoding="utf-8")
+
+    put_in(static / "styles/furo.css", r"@import url\(/javascript/([^)]*)\);", Path("/usr/share/javascript"))
+    text = (static / "styles/furo.css").read_text(encoding="utf-8")
+    if "prefers-color-scheme" not in text:
+        colours = re.search(r'body\[data-theme="dark"\] (\{[^}]*\})', text)[1]
+        preferred = f'@media screen and (prefers-color-scheme: dark) {{ body:not([data-theme="light"]) {colours} }}\n'
+        (static / "styles/furo.css").write_text(text + preferred, encoding="utf-8")
+    put_in(static / "scripts/furo.js", r"""^import Gumshoe from ["']\./([^"']*)["'];""", static / "scripts")
+
+
 def main():
     package, output = (Path(argument).resolve() for argument in sys.argv[1:])
     environment = dict(os.environ, PYTHONPATH=str(package))
@@ -62,13 +88,14 @@ def main():
     pages = output / "pages"
     lay_out(pages)
     describe(pages)
+    run_doxygen(output / "html/cpp", output / "cpp.tags")
+    (pages / "docs/reference/cpp.rst").write_text(page_of(output / "cpp.tags"), encoding="utf-8")
     list_variables(pages / "docs/reference/variables.md", environment)
     run_examples(pages / "docs/gallery", environment)
     run_notebooks(pages / "docs/notebooks", environment)
     sphinx = ["sphinx-build", "-W", "--keep-going", "-q", "-c", HERE, "-d", output / "doctrees", pages, output / "html"]
     subprocess.run(sphinx, env=environment, check=True)
-    settings = (HERE / "Doxyfile").read_text(encoding="utf-8") + f"HTML_OUTPUT = {output}/html/cpp\n"
-    subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT, check=True)
+    complete_theme(output / "html/_static")
 
 
 if __name__ == "__main__":

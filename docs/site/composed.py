@@ -1,5 +1,5 @@
 """What the site adds to pages: navigation, which is the sections of docs/index.md and the pages that each of them links to,
-in that order; and what the programs of the gallery draw and print."""
+in that order; what the programs of the gallery draw and print; and pictures of the cases."""
 
 import posixpath
 import re
@@ -11,6 +11,9 @@ MADE = {
     "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")],
 }
 
+# Pages about what a case shows.
+CASES = {"docs/pads": "three_pads", "docs/profiles": "out_of_round", "docs/variable_foils": "graded"}
+
 
 def contents(text):
     for title, section in re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", text, re.M | re.S):
@@ -21,13 +24,27 @@ def contents(text):
 
 def with_pictures(text, folder):
     def shown(section):
+        if cases := re.findall(r"/([\w-]+)\.toml\)", section):
+            return section + "\n" + "".join(f"`{case}.toml`:\n\n{picture_of(case)}" for case in cases)
         name = re.search(r"/(\w+)\.py\)", section)
         if not name:
             return section
         lines = (folder / f"{name[1]}.txt").read_text(encoding="utf-8")
-        return f"{section}```text\n{lines}```\n\n![What {name[1]}.py draws](gallery/{name[1]}.svg)\n\n"
+        drawn = sorted(picture.name for picture in folder.glob(f"{name[1]}*.svg"))
+        pictures = "".join(f"`{picture}`:\n\n![What {name[1]}.py draws](gallery/{picture})\n\n" for picture in drawn)
+        return f"{section}```text\n{lines}```\n\n{pictures}"
 
     return "".join(map(shown, re.split(r"^(?=## )", text, flags=re.M)))
+
+
+def picture_of(case):
+    return f"![What {case}.toml comes to](gallery/case_{case}.svg)\n\n"
+
+
+def after_introduction(text, block):
+    """Before the first heading below the title."""
+    title, *sections = re.split(r"^(?=## )", text, flags=re.M)
+    return "".join([title, block, *sections])
 
 
 def compose(app, name, source):
@@ -35,6 +52,9 @@ def compose(app, name, source):
         source[0] += "".join(contents(source[0]))
     elif name == "docs/gallery":
         source[0] = with_pictures(source[0], Path(app.srcdir, "docs/gallery"))
+    elif case := CASES.get(name):
+        block = f"What comes of `{case}.toml` ([gallery](gallery.md#cases)):\n\n{picture_of(case)}"
+        source[0] = after_introduction(source[0], block)
 
 
 def setup(app):

@@ -1,65 +1,101 @@
 """Prints the reference of all variables and columns that results have, as Markdown: small ones are made, and asked."""
 
+import subprocess
+import sys
+import tempfile
 import warnings
 from pathlib import Path
 
 import bumpfoil
+from keys import meanings_of, rows_of_columns, rows_of_keys, rows_of_variables
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-BESIDES = "cycle of several pads, besides"
 INTRODUCTION = """\
 # Variables of results
 
 What is in the files of each command, as they say it themselves: made by running the program. [Results](../results.md) says what
-it means.
+it means. A column of a table and a key of `summary.json` with the name of a variable, and its unit after it, is that variable.
 """
+FILM = {
+    "film": {"columns_per_pitch": 4, "rows": 4, "h_lift_off": "1 um"},
+    "equilibrium": {"loads": [[10, 0]], "steps": 1},
+}
+SCATTER = {
+    "bump_height": "1 um",
+    "bump_foil_thickness": "1 um",
+    "top_foil_thickness": "1 um",
+    "bump_length": "1 um",
+    "friction_top_bump": 0.01,
+    "friction_bump_sleeve": 0.01,
+    "radial_clearance": "1 um",
+}
+
+
+def run_film(case):
+    """Which the program alone has."""
+    with tempfile.TemporaryDirectory() as folder:
+        settings = ["equilibrium.speeds=['45000 rpm']", "equilibrium.positions=[['15 um', '0 um']]"]
+        mesh = [f"film.{key}={value}" for key, value in FILM["film"].items() if key != "h_lift_off"]
+        sets = [word for setting in [*settings, *mesh] for word in ("--set", setting)]
+        subprocess.run([sys.executable, "-m", "bumpfoil", "film", case, "-o", folder, "--quiet", *sets], check=True)
+        return bumpfoil.Result.load(folder)
 
 
 def small_results():
+    """Of each command, plain and with what adds variables to it."""
     push = {"directions": ["+X"], "steps": 2}
     gen1 = bumpfoil.Case(EXAMPLES / "gen1.toml", cycle=push)
+    pads = bumpfoil.Case(EXAMPLES / "three_pads.toml", cycle=push)
     points = [[0.0, -40e-6], [0.0, -45e-6]]
-    drawn = {"bump_height": {"distribution": "normal", "std": "1 um"}, "samples": 2}
+    orbit = {"centre": ["0 um", "-40 um"], "semi_axes": ["2 um", "2 um"], "steps": 4, "orbits": 2}
+    drawn = {name: {"std": deviation} for name, deviation in SCATTER.items()}
+    drawn["sleeve_waviness"] = {"harmonic": 3, "amplitude": "1 um"}
+    swept = {"friction.coefficient": [0.1, 0.2]}
     motion = {"directions": ["+X", "+Y"], "amplitudes": ["1 um"], "steps": 2, "loads": [[0, -50]], "frequencies": ["1 Hz"]}
-    coarse = {"film": {"columns_per_pitch": 4, "rows": 4}, "equilibrium": {"loads": [[10, 0]], "steps": 1}}
-    yield "cycle", bumpfoil.run_cycle(gen1, solver={"name": "events"})
-    yield BESIDES, bumpfoil.run_cycle(EXAMPLES / "three_pads.toml", cycle=push)
-    yield "strip", bumpfoil.run_strip(EXAMPLES / "strip.toml", strip={"steps": 2, "top_foil": True})
-    yield "path", bumpfoil.run_path(gen1, points)
-    yield "vibration", bumpfoil.run_vibration(gen1, vibration=motion)
-    yield "equilibrium", bumpfoil.run_equilibrium(EXAMPLES / "running.toml", **coarse)
-    yield "sweep", bumpfoil.run_sweep(gen1, {"friction.coefficient": [0.1, 0.2]})
-    yield "montecarlo", bumpfoil.run_montecarlo(gen1, montecarlo=drawn)
+    circles = {key: value for key, value in motion.items() if key != "directions"} | {"motion": "orbit"}
+    yield "cycle", "", bumpfoil.run_cycle(gen1, solver={"name": "events"})
+    yield "cycle", "foils whose bumps differ", bumpfoil.run_cycle(EXAMPLES / "graded.toml", cycle=push)
+    yield "cycle", "several pads", bumpfoil.run_cycle(pads)
+    yield "strip", "", bumpfoil.run_strip(EXAMPLES / "strip.toml", strip={"steps": 2, "top_foil": True})
+    yield "path", "", bumpfoil.run_path(gen1, points)
+    yield "path", "orbits", bumpfoil.run_path(gen1, path=orbit)
+    yield "path", "several pads", bumpfoil.run_path(pads, points)
+    yield "vibration", "", bumpfoil.run_vibration(gen1, vibration=motion)
+    yield "vibration", "orbits", bumpfoil.run_vibration(gen1, vibration=circles)
+    yield "vibration", "several pads", bumpfoil.run_vibration(pads, vibration=motion)
+    yield "equilibrium", "", bumpfoil.run_equilibrium(EXAMPLES / "running.toml", limits=True, **FILM)
+    yield "film", "", run_film(EXAMPLES / "gen1.toml")
+    yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
+    yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)
+    yield "sweep", "running bearings", bumpfoil.run_sweep(EXAMPLES / "running.toml", swept, command="equilibrium", **FILM)
+    yield "montecarlo", "", bumpfoil.run_montecarlo(gen1, samples=2, limits=["max_force > 1 N"], montecarlo=drawn)
 
 
-def rows_of(result):
-    dataset = result.to_xarray()
-    for name in [*dataset.coords, *dataset.data_vars]:
-        attributes = dataset[name].attrs
-        unit = attributes.get("units", "")
-        meaning = attributes["long_name"].replace("|", "\\|")
-        if "flag_meanings" in attributes:
-            pairs = zip(attributes["flag_values"], attributes["flag_meanings"].split())
-            meaning += ": " + ", ".join(f"{value} `{word}`" for value, word in pairs)
-        yield f"| `{name}` | {', '.join(dataset[name].dims)} | {unit} | {meaning} |"
+def list_new(name, head, rows, listed):
+    """A table of the rows whose names and meanings were not listed before, if there are any."""
+    new = [row for row in rows if (row[0], row[-1]) not in listed]
+    listed |= {(row[0], row[-1]) for row in new}
+    if new:
+        bars = [f"| {' | '.join(row)} |" for row in (head, ["---"] * len(head), *new)]
+        print(f"`{name}`:", "", *bars, "", sep="\n")
 
 
 def main():
     print(INTRODUCTION)
-    listed = []
+    listed = {}
     warnings.simplefilter("ignore", bumpfoil.RunWarning)  # of increments that are as few as can be
-    for title, result in small_results():
+    for command, besides, result in small_results():
+        dataset = result.to_xarray()
+        meanings = meanings_of(dataset)
+        print(f"### {command} of {besides}, besides\n" if besides else f"## {command}\n")
         (netcdf,) = (name for name in result.files if name.endswith(".nc"))
-        print(f"## {title}\n\n`{netcdf}`:\n")
-        rows = list(rows_of(result))
-        if title == BESIDES:
-            rows = [row for row in rows if row not in listed]
-        listed += rows
-        print("| variable | dimensions | unit | meaning |", "|---|---|---|---|", *rows, "", sep="\n")
-        for name in result.files:
-            if name.endswith(".csv"):
-                columns = result.files[name].decode().splitlines()[0].split(",")
-                print(f"Columns of `{name}`:", ", ".join(f"`{column}`" for column in columns), "\n")
+        parts = {netcdf: (("variable", "dimensions", "unit", "meaning"), rows_of_variables(dataset))}
+        for name in sorted(name for name in result.files if name.endswith(".csv")):
+            columns = result.files[name].decode().splitlines()[0].split(",")
+            parts[name] = (("column", "unit", "meaning"), rows_of_columns(columns, meanings))
+        parts["summary.json"] = (("key", "unit", "meaning"), rows_of_keys(result.summary, meanings))
+        for name, (head, rows) in parts.items():
+            list_new(name, head, rows, listed.setdefault((command, name), set()))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ Usage: test_documents.py REPOSITORY PROGRAM [CLASS OF TESTS ...]
 import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -141,6 +142,88 @@ class Pages(InADirectory):
                         printed = self.run_in_directory([*self.RUN[language], code])
                 blocks += 1
         self.assertGreater(blocks, 1)
+
+
+class CommandsNotRun(InADirectory):
+    """Those that are set in by four blanks: they take clusters, builds or long, but the program and the project know them."""
+
+    COMMAND = re.compile(r"^    (?:\(cd tests && )?(?=(?:bumpfoil|make|mpirun|sbatch|cmake|python3|\.\./build)\b)(.*?)\)?$", re.M)
+
+    def setUp(self):
+        super().setUp()
+        self.help = {}
+        listed = (path.read_text(encoding="utf-8") for folder in ("tests", "bench") for path in (ROOT / folder).rglob("CMakeLists.txt"))
+        self.targets = set(re.findall(r"add_executable\((\w+)", "".join(listed)))
+        self.made = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.M))
+
+    def look_at_options(self, words):
+        if words[0] not in self.help:
+            self.help[words[0]] = self.run_in_directory([str(PROGRAM), words[0], "--help"])
+        for word in words[1:]:
+            if word.startswith("-"):
+                self.assertTrue(re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", self.help[words[0]]), word)
+
+    def look_at(self, words):
+        first, *others = words
+        if first == "mpirun":
+            self.look_at(words[words.index("bumpfoil") :])
+        elif first == "bumpfoil":
+            self.look_at_options(others)
+        elif first == "make":
+            self.assertIn(others[0], self.made)
+        elif first == "cmake":
+            self.assertIn(words[words.index("--target") + 1], self.targets)
+        elif first.startswith("../build/"):
+            self.assertIn(Path(first).name, self.targets)
+        for word in others:
+            if word.startswith(("examples/", "bench/")):
+                self.assertTrue((ROOT / word).exists(), word)
+
+    def test_are_known(self):
+        found = 0
+        for document in documents():
+            text = re.sub(r"^```.*?^```", "", document.read_text(encoding="utf-8"), flags=re.M | re.S)
+            for line in self.COMMAND.findall(text):
+                with self.subTest(document=document.name, line=line):
+                    self.look_at(shlex.split(line, comments=True))
+                found += 1
+        self.assertGreater(found, 30)
+
+
+class VariableFoils(InADirectory):
+    """Rows of the table of docs/variable_foils.md, computed again; all of them would take a minute."""
+
+    IN_TURN = [0.0, -28e-6] * 13
+    ROWS = {
+        "uniform: the reference foil": {},
+        "pitch 4.6 and 4.4 mm in turn": {"pitch": [4.6e-3, 4.4e-3] * 13},
+        "thickness 0.12 and 0.09 mm in turn": {"thickness": [0.12e-3, 0.09e-3] * 13},
+        "uniform, height errors 0 and −28 µm in turn": {"height_errors": IN_TURN},
+        "height 0.508 and 0.48 mm in turn": {"height": [0.508e-3 + lower for lower in IN_TURN]},
+    }
+
+    def cycles(self, model, dimensions):
+        settings = [f"bump_foil.model={model}", "cycle.steps=20", 'cycle.directions=["+X", "+Y", "-Y", "-X"]']
+        settings += [f"bump_foil.{key}={values}" for key, values in dimensions.items()]
+        sets = [word for setting in settings for word in ("--set", setting)]
+        case = str(ROOT / "examples/gen1.toml")
+        self.run_in_directory([str(PROGRAM), "cycle", case, "-o", "foil", "--force", "--quiet", *sets])
+        summary = json.loads((Path(self.directory) / "foil/summary.json").read_text(encoding="utf-8"))
+        return {cycle["direction_deg"]: cycle for cycle in summary["cycles"]}
+
+    def row(self, dimensions):
+        truss, frame = (self.cycles(model, dimensions) for model in ("truss", "frame"))
+        forces = [truss[angle]["max_force_N"] / frame[angle]["max_force_N"] - 1 for angle in (0, 90, 270, 180)]
+        a, b = truss[180]["bump_loads_N"], frame[180]["bump_loads_N"]
+        others = (sum(a[1:-1]) - sum(b[1:-1])) / frame[180]["max_force_N"]
+        return [100 * part for part in (*forces, a[0] / b[0] - 1, a[-1] / b[-1] - 1, others)]
+
+    def test_table_shows_what_the_program_computes(self):
+        page = (ROOT / "docs/variable_foils.md").read_text(encoding="utf-8")
+        for name, dimensions in self.ROWS.items():
+            shown = re.search(rf"^\| {re.escape(name)} \|(.*)\|$", page, re.MULTILINE).group(1).split("|")
+            computed = [f"{part:.1f}".replace("-0.0", "0.0").replace("-", "−") for part in self.row(dimensions)]
+            self.assertEqual([cell.strip() for cell in shown], computed, name)
 
 
 class Readme(InADirectory):

@@ -28,16 +28,19 @@ class Examples(unittest.TestCase):
         names = {example.stem for example in EXAMPLES.glob("*.py")}
         twins = {example.stem for example in EXAMPLES.glob("*.cpp")}
         self.assertLessEqual(twins, names)
-        self.assertGreaterEqual(len(twins), 5)
+        self.assertGreaterEqual(len(twins), 8)
         for name in sorted(names):
             with self.subTest(example=name), tempfile.TemporaryDirectory() as folder:
                 script = EXAMPLES / f"{name}.py"
                 lines = lines_of(sys.executable, "-B", script, folder=folder)
                 self.assertGreater(len(lines), 1)
                 if name in twins:
-                    self.assertEqual(lines_of(PROGRAMS / f"example_{name}"), lines)
+                    self.assertEqual(lines_of(PROGRAMS / f"example_{name}", folder=EXAMPLES), lines)
                 if name != "quickstart":
-                    self.assertIn("<svg", (Path(folder) / f"{name}.svg").read_text(encoding="utf-8"))
+                    pictures = list(Path(folder).glob(f"{name}*.svg"))
+                    self.assertEqual(len(pictures), 7 if name == "paper_figure" else 1)
+                    for picture in pictures:
+                        self.assertIn("<svg", picture.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -4,6 +4,8 @@ fetched from elsewhere.
 Usage: test_site.py REPOSITORY PACKAGE OUTPUT
 """
 
+import json
+import os
 import re
 import subprocess
 import sys
@@ -30,7 +32,7 @@ class Page(HTMLParser):
         elif tag == "link" and given.get("rel") not in ("index", "search", "next", "prev"):
             self.loaded.append(given["href"])
         elif "src" in given:
-            self.loaded.append(given["src"])
+            self.loaded += [given["src"]] * (given["src"] != "javascript:void(0)")  # an empty frame of Doxygen's
 
 
 class Site(unittest.TestCase):
@@ -42,9 +44,7 @@ class Site(unittest.TestCase):
         if built.returncode != 0:
             raise AssertionError(built.stdout + built.stderr)
         cls.html = OUTPUT / "html"
-        # Those of Sphinx: Doxygen's hundreds lead to each other alone.
-        found = (path for path in cls.html.rglob("*.html") if cls.html / "cpp" not in path.parents)
-        cls.pages = {path: Page(path) for path in found}
+        cls.pages = {path: Page(path) for path in cls.html.rglob("*.html")}
 
     def test_has_every_document(self):
         for document in (ROOT / "docs").rglob("*.md"):
@@ -69,20 +69,83 @@ class Site(unittest.TestCase):
                 if not link.startswith("data:"):
                     self.assertTrue((path.parent / unquote(urlsplit(link).path)).exists(), f"{path}: {link}")
 
+    def test_styles_load_what_is_there(self):
+        loaded = re.compile(r"""url\(\s*("[^"]*"|'[^']*'|[^)]*)|@import\s+("[^"]*"|'[^']*')""")
+        for style in self.html.rglob("*.css"):
+            for links in loaded.findall(style.read_text(encoding="utf-8")):
+                link = "".join(links).strip("\"' ")
+                if not link.startswith("data:"):
+                    self.assertTrue(re.match(r"[\w.]", link), f"{style}: {link}")
+                    self.assertTrue((style.parent / unquote(urlsplit(link).path)).is_file(), f"{style}: {link}")
+
+    def test_is_dark_for_those_who_prefer_it(self):
+        """Its pages as well as the code in them."""
+        for style, colour in (("styles/furo.css", "--color-background-primary:"), ("pygments.css", ".highlight")):
+            text = (self.html / "_static" / style).read_text(encoding="utf-8")
+            rule = r'@media[^{]*\(prefers-color-scheme: dark\)\s*\{\s*body:not\(\[data-theme="light"\]\)[^}]*' + colour
+            self.assertTrue(re.search(rule, text), style)
+
+    def test_scripts_are_no_modules(self):
+        """Which pages opened from a disk may not load."""
+        for script in self.html.rglob("*.js"):
+            text = script.read_text(encoding="utf-8")
+            self.assertFalse(re.findall(r"""^\s*(?:import|export)[\s{*"'].*|\bimport\(.*""", text, re.M), script)
+
     def test_search_knows_words_of_pages(self):
         index = (self.html / "searchindex.js").read_text(encoding="utf-8")
         self.assertTrue(index.startswith("Search.setIndex("))  # a script, which pages from a disk may load
         self.assertTrue('"hysteresi": [' in index)
 
-    def test_lists_variables_of_every_command(self):
+    def test_search_leads_to_what_headers_declare(self):
+        index = (self.html / "searchindex.js").read_text(encoding="utf-8")
+        self.assertTrue('"cycleresult": ' in index)
+        links = self.pages[self.html / "docs/reference/cpp.html"].links
+        described = [link for link in links if "/cpp/" in link]
+        self.assertGreater(len(described), 400)
+        for target in ("structbumpfoil_1_1CycleResult.html", "classbumpfoil_1_1FoilStepper.html"):
+            self.assertIn(f"../../cpp/{target}", described)
+
+    def test_reference_of_headers_has_a_main_page(self):
+        self.assertIn("structbumpfoil_1_1Case.html", self.pages[self.html / "cpp/index.html"].links)
+
+    def test_lists_all_that_results_hold(self):
         page = (self.html / "docs/reference/variables.html").read_text(encoding="utf-8")
-        for name in ("loss_factor", "pad_force_x", "orbit_energy", "kxy_whirl_stuck", "bump_height_deviation", "load_x_N"):
-            self.assertTrue(f">{name}<" in page, name)
+        listed = {re.sub("<.*?>", "", name) for name in re.findall(r"<td><p><code.*?>(.*?)</code></p></td>", page)}
+        environment = dict(os.environ, PYTHONPATH=sys.argv[2])
+        command = [sys.executable, "-B", ROOT / "tests/documents/results_of_all_kinds.py", ROOT / "examples"]
+        made = subprocess.run(command, env=environment, capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        for command, names in json.loads(made.stdout):
+            self.assertGreater(len(names), 20)
+            self.assertEqual(set(names) - listed, set(), command)
+
+    def test_lists_what_tables_and_summaries_hold(self):
+        page = (self.html / "docs/reference/variables.html").read_text(encoding="utf-8")
+        rows = [re.findall(r"<td>(.*?)</td>", row, re.S) for row in re.findall(r"<tr.*?</tr>", page, re.S)]
+        rows = {tuple(re.sub("<.*?>", "", cell).strip() for cell in row) for row in rows}
+        self.assertIn(("force_x_N", "N", "force that holds the journal, X"), rows)
+        self.assertIn(("cycles[].max_force_N", "N", "force along the direction at full displacement"), rows)
+        stuck = "dF_x/d(dy/dt) at the frequency, all closed contacts sticking"
+        self.assertIn(("cxy_stuck_N_s_per_m", "N s/m", stuck), rows)
 
     def test_shows_what_notebooks_give(self):
         for notebook in (ROOT / "examples").glob("*.ipynb"):
             page = (self.html / f"docs/notebooks/{notebook.stem}.html").read_text(encoding="utf-8")
             self.assertIn(f"{notebook.stem}_", "".join(re.findall(r'<img[^>]* src="([^"]*\.png)"', page)))
+
+    def test_shows_what_examples_draw(self):
+        page = (self.html / "docs/gallery.html").read_text(encoding="utf-8")
+        pictures = [picture.name for picture in (OUTPUT / "pages/docs/gallery").glob("*.svg")]
+        self.assertGreaterEqual(len(pictures), 14)
+        for picture in pictures:
+            self.assertIn(f'/{picture}"', page)
+
+    def test_shows_every_case(self):
+        pages = {"pads": ["three_pads"], "variable_foils": ["graded"], "profiles": ["out_of_round"]}
+        pages["gallery"] = [case.stem for case in (ROOT / "examples").glob("*.toml")]
+        for page, cases in pages.items():
+            loaded = {Path(link).name for link in self.pages[self.html / f"docs/{page}.html"].loaded}
+            self.assertEqual({f"case_{case}.svg" for case in cases} - loaded, set(), page)
 
     def test_formulas_are_set(self):
         page = (self.html / "docs/theory/gas_film.html").read_text(encoding="utf-8")

@@ -1,0 +1,177 @@
+"""Names, units and meanings of what result files hold: variables say their own, columns and keys are told by their names."""
+
+import re
+
+SUFFIXES = {
+    "_N_s_per_m": "N s/m",
+    "_m3_per_s": "m3/s",
+    "_rad_per_s": "rad/s",
+    "_N_per_m": "N/m",
+    "_N_m": "N m",
+    "_deg": "degree",
+    "_rad": "rad",
+    "_Pa": "Pa",
+    "_N": "N",
+    "_m": "m",
+    "_J": "J",
+    "_s": "s",
+    "_W": "W",
+}
+
+# Keys whose values have keys of their own names: those of the case, its files, its quantities.
+NAMED_BY_RUNS = {
+    "case": ("table",),
+    "files": ("file",),
+    "statistics": ("direction", "quantity"),
+    "bump_loads": ("direction",),
+    "sensitivities": ("direction", "quantity", "tolerance"),
+    "points[].values": ("key",),
+}
+LISTED_ELSEWHERE = ("case", "points[].cycles[]", "states[].last_state", "points[].states[].last_state")
+# What no variable of the same name says.
+MEANINGS = {
+    "schema": "which keys there are",
+    "xxh3_128": "checksum of this file, with 32 zeros in its place",
+    "command": "command of the program",
+    "version": "version of the program",
+    "commit": "commit of the sources that the program was built from",
+    "solver": "solver of the contact problem",
+    "status": "`complete`, `failed` or `interrupted`",
+    "run_id": "32 hexadecimal digits, new for every run and the same in all its files",
+    "files": "the files beside this one, by their names",
+    "files.<file>.bytes": "size",
+    "files.<file>.xxh3_128": "checksum, as `xxhsum -H2` prints it",
+    "case": "keys of the case file by their tables, with all options applied, SI",
+    "warnings": "where the answer leaves what the model is valid for, and what to do about it: a sentence each",
+    "reason": "what happened, in words; null if nothing failed",
+    "cycles": "one object per direction; of a strip per cycle, of a path one alone",
+    "cycles[].failed_increment": "number of the increment that failed; null if none did",
+    "cycles[].failed_displacement_m": "displacement that it was to lead to",
+    "cycles[].max_stress_top_foil_at": "where and when the largest stress of the top foil acts",
+    "cycles[].max_stress_bump_foil_at": "where and when the largest stress of the bump foil acts",
+    "place": "`weld`, `crest`, `foot`, or `arc` between crest and foot",
+    "cycles[].max_stress_top_foil_at.bump": "bump, counted through all pads; null at the weld",
+    "cycles[].max_stress_bump_foil_at.bump": "bump, counted through all pads; null at the weld",
+    "cycles[].loop_energies_J": "loop energies of all cycles that were run, the last of which is shown",
+    "cycles[].clearances": "where the direct force first reaches each of the forces of `cycle.clearance_forces`",
+    "cycles[].clearances[].force_N": "the force",
+    "cycles[].clearances[].displacement_m": "the displacement; null if it is never reached",
+    "cycles[].orbits": "one object per orbit",
+    "cycles[].orbits[].energy_J": "closed integral of force over displacement",
+    "cycles[].orbits[].force_defect_N": "difference of the forces at both ends",
+    "cycles[].orbits[].position_defect_m": "distance of the positions at both ends",
+    "loads": "one object per static load",
+    "loads[].status": "how the way to the static load ended",
+    "loads[].pad_forces_x_N": "part of the static load along X that each pad takes",
+    "loads[].pad_forces_y_N": "part of the static load along Y that each pad takes",
+    "loads[].stuck": "tangent of the static load with all closed contacts sticking",
+    "loads[].further": "tangent of the static load with slipping contacts going on to slip",
+    "vibrations": "one object per load, direction (of orbits sense) and amplitude",
+    "vibrations[].loop_energies_J": "loop energies of all loops that were run, the last of which is shown",
+    "coefficients": "one object per load, amplitude and frequency",
+    "failures": "what failed, a sentence each",
+    "states": "one object per state",
+    "states[].last_state": "all quantities of the last state that was found on the way, of one that was not found",
+    "spreads": "per speed and load that several paths led to, the least and the largest value of every quantity",
+    "limits": "one object per limit",
+    "limits[].kind": "`lift_off_speed` or `load_capacity`",
+    "limits[].status": "how the search for the limit ended",
+    "limits[].load_N": "load capacity",
+    "limits[].speed_rad_per_s": "lift-off speed",
+    "limits[].thick": "neighbour on the path whose film is thicker than `film.h_lift_off`",
+    "limits[].thin": "neighbour on the path whose film is thinner",
+    "swept_command": "command that was run at every point",
+    "axes": "one object per swept key",
+    "axes[].key": "key of the case file",
+    "axes[].name": "the same with underscores, as `sweep.nc` has it",
+    "axes[].title": "what the key is",
+    "axes[].unit": "unit of `values`",
+    "axes[].values": "the values, SI",
+    "axes[].written": "the values as they were given",
+    "points": "one object per combination, the last key fastest",
+    "points[].status": "`complete`, `failed` or `interrupted`",
+    "points[].values": "values of the swept keys",
+    "points[].cycles": "as `cycles` of the command, without the loads of single bumps and feet",
+    "seed": "seed of the ensemble",
+    "samples_due": "samples that were asked for",
+    "samples": "samples that there are",
+    "statistics": "by direction and quantity",
+    "count": "samples in which it is known",
+    "undefined": "samples in which it is not",
+    "mean": "mean",
+    "std": "standard deviation",
+    "standard_error": "standard error of the mean",
+    "mean_interval_95": "95 % interval of the mean",
+    **{f"p{percent}": f"{percent} % percentile" for percent in (1, 5, 25, 50, 75, 95, 99)},
+    "bump_loads": "by direction, of the load of each bump at full displacement",
+    "bump_loads.<direction>.mean_N": "mean",
+    "bump_loads.<direction>.std_N": "standard deviation",
+    "sensitivities": "by direction, quantity and tolerance partial rank correlations",
+    "yield": "of all limits together",
+    "limit": "the limit, as it was given",
+    "interval_95": "Wilson's 95 % interval of their part",
+    "frequency_rad_per_s": "frequency of small motions",
+    "passed": "samples that keep it",
+    "failed": "every cycle that did not converge",
+}
+
+
+def parted(name):
+    """Name and unit of a column or key."""
+    for suffix, unit in SUFFIXES.items():
+        if name.endswith(suffix):
+            return name[: -len(suffix)], unit
+    return name, ""
+
+
+def meanings_of(dataset):
+    return {name: dataset[name].attrs["long_name"] for name in dataset.variables}
+
+
+def rows_of_variables(dataset):
+    for name in [*dataset.coords, *dataset.data_vars]:
+        attributes = dataset[name].attrs
+        meaning = attributes["long_name"].replace("|", "\\|")
+        if "flag_meanings" in attributes:
+            pairs = zip(attributes["flag_values"], attributes["flag_meanings"].split())
+            meaning += ": " + ", ".join(f"{value} `{word}`" for value, word in pairs)
+        yield f"`{name}`", ", ".join(dataset[name].dims), attributes.get("units", ""), meaning
+
+
+def told(name, meanings):
+    """The first one that is known."""
+    found = next((meaning for meaning in meanings if meaning), None)
+    if not found:
+        raise LookupError(f"{name}: no variable of this name says what it means, and MEANINGS does not either")
+    return found
+
+
+def rows_of_columns(columns, meanings):
+    of_motions = "frequency_rad_per_s" in columns
+    for column in columns:
+        name, unit = parted(column)
+        at_frequency = meanings.get(re.sub("^([kc][xy]{2})", r"\1_whirl", name), "") if of_motions else ""
+        of_row = f"increment_{name}" if "increment" in columns else name  # a cycle has a status, too
+        ways = [meanings.get(way) for way in (of_row, name, f"total_{name}")]
+        here = at_frequency.replace("whirl_frequency", "the frequency")
+        yield f"`{column}`", unit, told(column, [here, *ways, MEANINGS.get(column)])
+
+
+def keys_in(value, path="", named=()):
+    """Paths of all keys, and their names; `[]` stands for each of a list, <words> for what is called as the run is."""
+    if isinstance(value, list):
+        for inner in value:
+            yield from keys_in(inner, f"{path}[]")
+    elif isinstance(value, dict) and path not in LISTED_ELSEWHERE:
+        for key, inner in value.items():
+            further = f"{path}.<{named[0]}>" if named else f"{path}.{key}".lstrip(".")
+            if not named:
+                yield further, key
+            yield from keys_in(inner, further, named[1:] if named else NAMED_BY_RUNS.get(further, ()))
+
+
+def rows_of_keys(summary, meanings):
+    for path, key in dict(keys_in(summary)).items():
+        name, unit = parted(key)
+        own = MEANINGS.get(path) or MEANINGS.get(path.removeprefix("points[]."))
+        yield f"`{path}`", unit, told(path, [own, meanings.get(name), meanings.get(f"total_{name}"), MEANINGS.get(key)])
