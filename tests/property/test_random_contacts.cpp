@@ -62,8 +62,8 @@ RC_GTEST_PROP(RandomContacts, DissipationIsNeverNegative, ()) {
   const Vector slip = tangential_displacements(random.problem, solved.after.x) -
                       tangential_displacements(random.problem, solved.before.x);
   for (Eigen::Index c = 0; c < slip.size(); ++c) {
-    // A stuck contact may differ from its place by the rounding of 10 um.
-    RC_ASSERT(solved.after.friction_force[c] * slip[c] <= 1e-20 * std::abs(solved.after.friction_force[c]));
+    // A stuck contact may differ from its place by roundings of 0.1 mm, 1.4e-20 m each.
+    RC_ASSERT(solved.after.friction_force[c] * slip[c] <= 1e-19 * std::abs(solved.after.friction_force[c]));
   }
 }
 
