@@ -7,40 +7,21 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_writer.hpp"
+#include "support/case_texts.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/wrong_cases.hpp"
 
 namespace bumpfoil {
 namespace {
 
+using testing::cut;
+using testing::expect_in;
+using testing::refusal;
 using testing::TemporaryFolder;
 using testing::whole_case;
+using testing::with;
 
 constexpr double pi = std::numbers::pi;
-
-Case with(const std::vector<std::string>& overrides) {
-  return parse_case(whole_case(), "case.toml", {.overrides = overrides, .required_tables = {}});
-}
-
-std::string refusal(const std::vector<std::string>& overrides) {
-  try {
-    with(overrides);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
-}
-
-std::string cut(std::string text, const std::string& part) {
-  const std::size_t at = text.find(part);
-  if (at == std::string::npos) ADD_FAILURE() << "no " << part;
-  return text.erase(at, part.size());
-}
-
-void expect_in(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << text;
-}
 
 TEST(ParseCase, ReadsEnsembles) {
   EXPECT_FALSE(with({}).montecarlo);
@@ -357,75 +338,6 @@ TEST(ParseCase, ReadsWindowsLineEndsAndByteOrderMark) {
   EXPECT_EQ(read_case(folder.write("case.toml", "\xef\xbb\xbf" + text)), parse_case(whole_case(), "case.toml"));
 }
 
-TEST(Overrides, TakeTomlAndBareStrings) {
-  EXPECT_EQ(with({"friction.coefficient=0.2"}).friction.top_bump, 0.2);
-  EXPECT_EQ(with({"bump_foil.height=0.5 mm"}).bump_foil.height.values,
-            std::vector{0.5e-3});  // as the shell leaves "0.5 mm"
-  EXPECT_EQ(with({"bump_foil.height=\"0.5 mm\""}).bump_foil.height.values,
-            std::vector{0.5e-3});  // as it leaves '"0.5 mm"'
-  EXPECT_EQ(with({"bump_foil.height=0.0005"}).bump_foil.height.values, std::vector{0.5e-3});
-  EXPECT_EQ(with({"bearing.wrap=counterclockwise"}).bearing.wrap, Wrap::counterclockwise);
-  EXPECT_EQ(with({"title=a = \"b\" # c"}).title, "a = \"b\" # c");
-  EXPECT_EQ(with({"title="}).title, "");
-  EXPECT_EQ(with({"bump_foil.truss={k1=1e8}"}).bump_foil.truss,
-            (TrussOverrides{.k1 = 1e8, .k2 = {}, .k3 = {}, .k4 = {}, .theta_d = {}}));
-}
-
-TEST(Overrides, MayAddTablesAndTheLastOneWins) {
-  const std::string text = cut(whole_case(), "[friction]\ncoefficient = 0.1\n");
-  const CaseRequest request{.overrides = {"friction.coefficient=0.3", "friction.coefficient=0.2"},
-                            .required_tables = {}};
-  EXPECT_EQ(parse_case(text, "case.toml", request).friction.top_bump, 0.2);
-}
-
-TEST(Overrides, AreBlamedInPlaceOfTheFile) {
-  EXPECT_EQ(refusal({"bearing.radius=-1 mm"}),
-            "--set: bearing.radius = -1 mm: must be positive; give a value from 1e-09 m to 1000 m");
-  EXPECT_EQ(refusal({"bearing.radus=1 mm"}), "--set: bearing.radus = 1 mm: is no known key; did you mean \"radius\"?");
-  EXPECT_NE(refusal({"lubricant.name=air"}).find("--set: lubricant: is no known table"), std::string::npos);
-  EXPECT_NE(refusal({"bump_foil.height_errors=[1, 2]"}).find("--set: bump_foil.height_errors = 2 values"),
-            std::string::npos);
-}
-
-TEST(Overrides, WithNumbersThatAreNone) {
-  for (const std::string number : {"99999999999999999999", "-99999999999999999999", "1e400"}) {
-    EXPECT_EQ(refusal({"bump_foil.bumps=" + number}),
-              "--set: bump_foil.bumps = " + number + ": is out of range; give a number that the program can hold");
-  }
-  // What TOML does not know is a text, which is not said of what was not quoted.
-  EXPECT_EQ(refusal({"bump_foil.bumps=026"}),
-            "--set: bump_foil.bumps = 026: is not a whole number; write a whole number without quotes, such as 26");
-  EXPECT_EQ(refusal({"friction.coefficient=.1"}),
-            "--set: friction.coefficient = .1: is not a number; write a number without quotes, such as 0.1");
-  EXPECT_NE(refusal({"strip.displacement=20 um", "strip.top_foil=yes"}).find("is not true or false"),
-            std::string::npos);
-  EXPECT_NE(refusal({"cycle.directions=+X"}).find("cycle.directions = +X: is not a list"), std::string::npos);
-  EXPECT_EQ(with({"title=99999999999999999999 mm"}).title, "99999999999999999999 mm");
-}
-
-TEST(Overrides, MustBeAssignments) {
-  for (const std::string argument : {"", "=", "friction", "=0.2", ".=1", "friction.=1", ".coefficient=1", "a b=1",
-                                     "\n=1", "a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q=1"}) {
-    EXPECT_NE(refusal({argument}).find("is no assignment"), std::string::npos) << argument;
-  }
-  EXPECT_NE(refusal({"title.x=1"}).find("\"title\" is a value, not a table"), std::string::npos);
-  EXPECT_NE(refusal({"bearing[0].radius=1"}).find("is no assignment to a key"), std::string::npos);
-  EXPECT_NE(refusal({"bearing[1]=1"}).find("is no assignment to a key"), std::string::npos);
-  EXPECT_NE(refusal({"bump_foil.shim[2].from=1"}).find("\"shim[2]\" is none of the 0 there are"), std::string::npos);
-}
-
-TEST(Overrides, CannotSmuggleInOtherKeys) {
-  EXPECT_EQ(with({"title=\"x\"\n[friction]\ncoefficient=0.4"}).friction.top_bump, 0.1);
-  EXPECT_EQ(with({"title=1\nb=2"}).title, "1\nb=2");
-}
-
-TEST(Overrides, AreReportedWithTheOtherFaults) {
-  const std::string message = refusal({"nonsense", "bearing.radius=0", "friction.coefficient=true"});
-  EXPECT_NE(message.find("nonsense"), std::string::npos);
-  EXPECT_NE(message.find("bearing.radius"), std::string::npos);
-  EXPECT_NE(message.find("friction.coefficient"), std::string::npos);
-}
-
 TEST(ParseCase, ReadsWhatDiffersAlongTheFoil) {
   std::string each = "[";
   for (int n = 0; n < 26; ++n) each += n < 25 ? "\"4.5 mm\", " : "4.4e-3]";
@@ -486,17 +398,6 @@ TEST(ParseCase, SaysWhatIsWrongWithPads) {
   expect_in(refusal({"bump_foil.bumps=7", "pad=[{}, {bump_foil={height=\"0.1 mm\"}}]"}), "pad[2].bump_foil.height");
 }
 
-TEST(Overrides, CountTablesOfAList) {
-  const std::vector<std::string> shim{"bump_foil.shim[1].from=1", "bump_foil.shim.to=2",
-                                      "bump_foil.shim[1].thickness=5 um"};
-  EXPECT_EQ(with(shim).bump_foil.shims, (std::vector<Shim>{{1, 2, 5e-6}}));
-  const std::string two = "bump_foil.shim=[{from=1, to=2, thickness=1e-6}, {from=5, to=6, thickness=1e-6}]";
-  EXPECT_EQ(with({two, "bump_foil.shim[2].thickness=5 um"}).bump_foil.shims,
-            (std::vector<Shim>{{1, 2, 1e-6}, {5, 6, 5e-6}}));
-  EXPECT_NE(refusal({two, "bump_foil.shim[3].to=7"}).find("\"shim[3]\" is none of the 2 there are"), std::string::npos);
-  EXPECT_NE(refusal({two, "bump_foil.shim.to=7"}).find("\"shim\" is none of the 2 there are"), std::string::npos);
-}
-
 TEST(ParseCase, SaysWhatIsWrongAlongTheFoil) {
   expect_in(refusal({"bump_foil.pitch={start = \"4 mm\"}"}), "bump_foil.pitch.end: is missing");
   expect_in(refusal({"bump_foil.pitch={start = 4e-3, end = 4e-3, low = 1}"}), "did you mean \"law\"?");
@@ -518,142 +419,6 @@ TEST(ParseCase, SaysWhatIsWrongAlongTheFoil) {
   expect_in(refused("[[bump_foil.shim]]\nfrom = 2\nto = 3\nthick = \"2 um\"\n"),
             "bump_foil.shim[1].thick = 2 um: is no known key");
   expect_in(refusal({"bump_foil.shim=3"}), "write [[bump_foil.shim]]");
-}
-
-TEST(HeightErrorsFile, GivesHeightsOverThoseOfItsBumps) {
-  const TemporaryFolder folder;
-  std::string heights = "height_mm\n";
-  for (int n = 0; n < 26; ++n) heights += n < 2 ? "0.505\n" : "0.510\n";
-  folder.write("heights.csv", heights);
-  std::string text = cut(whole_case(), "height_errors = []");
-  text.insert(text.find("[bump_foil]") + 11, "\nheight_errors_file = \"heights.csv\"");
-  text += "[[bump_foil.section]]\nfrom = 1\nto = 2\nheight = \"0.5 mm\"\n";
-  const Case input = parse_case(text, (folder.path() / "case.toml").string());
-  EXPECT_NEAR(input.bump_foil.height_errors[1], 5e-6, 1e-15);  // roundings of the heights
-  EXPECT_NEAR(input.bump_foil.height_errors[2], 2e-6, 1e-15);
-}
-
-TEST(HeightErrorsFile, IsReadBesideTheCase) {
-  const TemporaryFolder folder;
-  std::string csv = "bump, height_error_m\n";
-  for (int bump = 26; bump >= 1; --bump) csv += std::to_string(bump) + "," + std::to_string(bump) + "e-7\r\n";
-  folder.write("deep/heights.csv", csv);
-  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}};
-  const Case input = read_case(folder.write("deep/case.toml", whole_case()), request);
-  ASSERT_EQ(input.bump_foil.height_errors.size(), 26U);
-  EXPECT_EQ(input.bump_foil.height_errors[0], 1e-7);
-  EXPECT_EQ(input.bump_foil.height_errors[25], 26e-7);
-}
-
-TEST(HeightErrorsFile, HasItsOwnLines) {
-  const TemporaryFolder folder;
-  folder.write(
-      "heights.csv",
-      "bump,height_error_m\n1,1e-6\n1,2e-6\n27,0\n2,x\n3\n4,1,2\n\n5,nan\n6,1 um\n7,+-2e-6\n+8,+2e-6\n+-9,0\n");
-  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv", "bearing.radius=0"},
-                            .required_tables = {}};
-  try {
-    read_case(folder.write("case.toml", whole_case()), request);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::input);
-    std::vector<std::size_t> lines;
-    for (const Fault& fault : error.faults()) {
-      if (fault.file.ends_with("heights.csv")) lines.push_back(fault.line);
-    }
-    EXPECT_EQ(lines, (std::vector<std::size_t>{3, 4, 5, 6, 7, 9, 10, 11, 13})) << error.what();
-    EXPECT_NE(std::string(error.what()).find("repeats bump 1, given in line 2"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("bearing.radius"), std::string::npos);
-  }
-}
-
-TEST(HeightErrorsFile, MayNotBeEmpty) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("case.toml", whole_case());
-  for (const std::string content : {"", " \r\n\n", "# measured\n"}) {
-    folder.write("heights.csv", content);
-    try {
-      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
-      ADD_FAILURE();
-    } catch (const Error& error) {
-      EXPECT_NE(
-          std::string(error.what()).find("is empty; write bump,height_error_um and one line for each of 26 bumps"),
-          std::string::npos)
-          << error.what();
-    }
-  }
-}
-
-/// As instruments and spreadsheets write them.
-TEST(HeightErrorsFile, MayBeWrittenInManyWays) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("case.toml", whole_case());
-  const auto third = [&](const std::string& header, const std::string& begin, const std::string& end) {
-    std::string csv = "# probe 4\n\n" + header + "\n";
-    for (int bump = 1; bump <= 26; ++bump) {
-      csv += bump == 3 ? begin + "3" + end + "\n# again\n" : begin + std::to_string(bump) + end + "\n";
-    }
-    folder.write("heights.csv", csv);
-    const Case input =
-        read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
-    return input.bump_foil.height_errors[2];
-  };
-  EXPECT_DOUBLE_EQ(third("bump;height_error_um", "", ";4,25"), 4.25e-6);
-  EXPECT_DOUBLE_EQ(third("operator\tbump\theight_error_mm\tdate", "NN\t", "\t-0,00425\t3.2.2026"), -4.25e-6);
-  EXPECT_DOUBLE_EQ(third("bump , height_error_nm", "", " , 4250"), 4.25e-6);
-  EXPECT_NEAR(third("height_mm;bump", "0,5123;", ""), 4.3e-6, 1e-18);  // over 0.508 mm
-  EXPECT_DOUBLE_EQ(third("height_error_um", "", ""), 3e-6);            // from the weld on
-}
-
-TEST(HeightErrorsFile, SaysHowItWasUnderstood) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("case.toml", whole_case());
-  const auto fault = [&](const std::string& csv) -> std::string {
-    folder.write("heights.csv", csv);
-    try {
-      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
-    } catch (const Error& error) {
-      EXPECT_EQ(error.faults().size(), 1U) << error.what();
-      return format_fault(error.faults()[0]);
-    }
-    return "none";
-  };
-  const auto says = [&](const std::string& csv, const std::string& text) {
-    EXPECT_NE(fault(csv).find(text), std::string::npos) << fault(csv);
-  };
-  std::string in_um;
-  for (int bump = 1; bump <= 26; ++bump) in_um += std::to_string(bump) + ",4.2\n";
-  says("bump,height_error_m\n" + in_um, "heights.csv:2");
-  says("bump,height_error_m\n" + in_um, "and 25 more lie further from the nominal height than a bump rises");
-  says("bump,height_error_m\n" + in_um, "micrometres in a column of metres?");
-  says("bump;size\n1;2\n", "has no column of heights among its 2 columns, separated by semicolons");
-  says("bump,height_um,height_error_um\n", "has 2 columns of heights among its 3 columns, separated by commas");
-  std::string decimal_commas;
-  for (int bump = 1; bump <= 25; ++bump) decimal_commas += std::to_string(bump) + ",4\n";
-  says("bump,height_error_um\n" + decimal_commas + "26,4,2\n", "has 3 columns, separated by commas, and the header 2");
-  says(
-      "height_error_um\n" +
-          [] {
-            std::string lines;
-            for (int line = 0; line < 27; ++line) lines += "1\n";
-            return lines;
-          }(),
-      "heights.csv:28");
-}
-
-TEST(HeightErrorsFile, MustNameEveryBump) {
-  const TemporaryFolder folder;
-  std::string csv = "bump,height_error_m\n";
-  for (int bump = 1; bump <= 24; ++bump) csv += std::to_string(bump) + ",0\n";
-  folder.write("heights.csv", csv);
-  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}};
-  try {
-    read_case(folder.write("case.toml", whole_case()), request);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    ASSERT_EQ(error.faults().size(), 1U);
-    EXPECT_EQ(error.faults()[0].what, "lacks bumps 25 to 26");
-  }
 }
 
 TEST(ReadCaseText, IsWhatItsAuthorWrote) {

@@ -1,0 +1,22 @@
+#include "support/faulty_keys.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/model/validation.hpp"
+
+namespace bumpfoil::testing {
+
+Keys faulty_keys(const std::function<void(Case&)>& change) {
+  Case input = reference_case();
+  change(input);
+  Keys keys;
+  for (const Fault& fault : find_faults(input)) {
+    EXPECT_TRUE(fault.file.empty());
+    EXPECT_FALSE(fault.what.empty());
+    EXPECT_FALSE(fault.advice.empty());
+    keys.push_back(fault.key);
+  }
+  return keys;
+}
+
+}  // namespace bumpfoil::testing

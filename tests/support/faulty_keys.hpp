@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil::testing {
+
+using Keys = std::vector<std::string>;
+
+/// Keys at fault after a change of the reference case.
+Keys faulty_keys(const std::function<void(Case&)>& change);
+
+}  // namespace bumpfoil::testing

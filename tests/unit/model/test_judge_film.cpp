@@ -1,0 +1,120 @@
+// What is wrong with a running bearing.
+
+#include "bumpfoil/model/validation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "support/faulty_keys.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using testing::faulty_keys;
+using testing::Keys;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(FindFaults, WantsEqualPitchesUnderAFilm) {
+  const auto run = [](Case& input) {
+    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{10.0, 0.0}}};
+  };
+  EXPECT_EQ(faulty_keys(run), Keys{});
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              run(input);
+              input.bump_foil.sections = {{.from = 2, .to = 4, .height = 0.5e-3}};
+            }),
+            Keys{});
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              run(input);
+              input.bump_foil.sections = {{.from = 2, .to = 4, .pitch = 4.5e-3}};
+            }),
+            Keys{"bump_foil.pitch"});
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              run(input);
+              input.bump_foil.pitch = PerBump(4.5e-3, 4.4e-3, Grading::linear);
+            }),
+            Keys{"bump_foil.pitch"});
+}
+
+TEST(FindFaults, JudgesTheGas) {
+  const auto gas = [](const std::function<void(GasSettings&)>& change) {
+    return faulty_keys([&](Case& input) { change(input.gas); });
+  };
+  EXPECT_EQ(gas([](GasSettings& g) { g.temperature = 20.0; }), Keys{"gas.temperature"});
+  EXPECT_EQ(gas([](GasSettings& g) { g.temperature = nan; }), Keys{"gas.temperature"});
+  EXPECT_EQ(gas([](GasSettings& g) { g.preset = GasPreset::steam; }), Keys{"gas.temperature"});  // water at 293 K
+  EXPECT_EQ(gas([](GasSettings& g) { g = {.preset = GasPreset::steam, .viscosity = 12e-6}; }), Keys{});
+  EXPECT_EQ(gas([](GasSettings& g) { g.viscosity = 18.5; }), Keys{"gas.viscosity"});
+  EXPECT_EQ(gas([](GasSettings& g) { g.ambient_pressure = 0.0; }), Keys{"gas.ambient_pressure"});
+  EXPECT_EQ(gas([](GasSettings& g) { g.mean_free_path = -1e-9; }), Keys{"gas.mean_free_path"});
+}
+
+TEST(FindFaults, JudgesTheMeshOfTheFilm) {
+  const auto film = [](const std::function<void(FilmSettings&)>& change) {
+    return faulty_keys([&](Case& input) { change(input.film); });
+  };
+  for (const int columns : {2, 5, 102}) {
+    EXPECT_EQ(film([&](FilmSettings& f) { f.columns_per_pitch = columns; }), Keys{"film.columns_per_pitch"});
+  }
+  EXPECT_EQ(film([](FilmSettings& f) { f.rows = 1; }), Keys{"film.rows"});
+  const auto finest = [](Case& input) { input.film = {.columns_per_pitch = 100, .rows = 200}; };
+  EXPECT_EQ(faulty_keys(finest), Keys{});  // nothing is to run
+  EXPECT_EQ(faulty_keys([&](Case& input) {
+              finest(input);
+              input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
+            }),
+            Keys{"film.columns_per_pitch"});
+  EXPECT_EQ(film([](FilmSettings& f) { f.wall = FilmWall::springs; }), Keys{"film.wall_stiffness"});
+  EXPECT_EQ(film([](FilmSettings& f) { f.wall_stiffness = 0.0; }), Keys{"film.wall_stiffness"});
+  EXPECT_EQ(film([](FilmSettings& f) { f.h_floor = 1.0; }), Keys{"film.h_floor"});
+  EXPECT_EQ(film([](FilmSettings& f) { f.h_lift_off = 0.05e-6; }), Keys{"film.h_lift_off"});  // below h_floor
+}
+
+TEST(FindFaults, JudgesStatesOfARunningBearing) {
+  const auto equilibrium = [](const std::function<void(Case&, EquilibriumSettings&)>& change) {
+    return faulty_keys([&](Case& input) {
+      input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{50.0, 0.0}}};
+      change(input, *input.equilibrium);
+    });
+  };
+  using E = EquilibriumSettings;
+  EXPECT_EQ(equilibrium([](Case&, E&) {}), Keys{});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.speeds.clear(); }), Keys{"equilibrium.speeds"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.speeds.push_back(0.0); }), Keys{"equilibrium.speeds[2]"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.speeds.push_back(-1e9); }), Keys{"equilibrium.speeds[2]"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.loads.clear(); }), Keys{"equilibrium.loads"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.loads[0].setZero(); }), Keys{"equilibrium.loads[1]"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.loads[0] = {0.0, nan}; }), Keys{"equilibrium.loads[1][2]"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.positions = {{1e-5, 0.0}}; }), Keys{"equilibrium.positions"});
+  const auto by_position = [](E& e, double x, FilmPath path) {
+    e.loads.clear();
+    e.positions = {{x, 0.0}};
+    e.path = path;
+  };
+  EXPECT_EQ(equilibrium([&](Case&, E& e) { by_position(e, 1e-5, FilmPath::position_ray); }), Keys{});
+  EXPECT_EQ(equilibrium([&](Case&, E& e) { by_position(e, 1e-5, FilmPath::load_ramp); }), Keys{"equilibrium.path"});
+  EXPECT_EQ(equilibrium([&](Case&, E& e) { by_position(e, 25.0, FilmPath::cold_start); }),
+            Keys{"equilibrium.positions[1][1]"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.steps = 0; }), Keys{"equilibrium.steps"});
+  EXPECT_EQ(equilibrium([](Case&, E& e) { e.frequencies = {1000.0, 2000.0}; }), Keys{});
+  for (const double frequency : {0.0, -1000.0, 1e9, nan}) {
+    EXPECT_EQ(equilibrium([&](Case&, E& e) {
+                e.frequencies = {1000.0, frequency};
+              }),
+              Keys{"equilibrium.frequencies[2]"});
+  }
+  EXPECT_EQ(equilibrium([](Case& input, E&) { input.bump_foil.model = BumpFoilModel::former; }),
+            Keys{"bump_foil.model"});
+  const auto large = [](Case& input, E&) {
+    input.bump_foil.model = BumpFoilModel::frame;
+    input.bump_foil.geometry = Geometry::nonlinear;
+  };
+  EXPECT_EQ(equilibrium(large), Keys{"bump_foil.geometry"});
+}
+
+}  // namespace
+}  // namespace bumpfoil
