@@ -34,6 +34,7 @@ struct Key {
   std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
   bool instead{};                        ///< in place of the key before it: nobody gives both
   std::string_view spared_by{};          ///< table beside which a required key may be left out
+  std::string_view stand_in{};           ///< key of its table that may be given in its place
 };
 
 /// Where the value of a key is kept. An absent number and an empty list stand for no value.

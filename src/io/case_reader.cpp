@@ -47,11 +47,11 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});
   }
   if (input.bearing.is_flat() && document.contains("strip") && needs_bearing(request)) {
-    const auto missed = [&log](const char* key) {
-      log.later_fault({"", 0, key, "", "is missing", "give it: only the command strip needs none"});
+    const auto missed = [&log](const char* key, const char* advice) {
+      log.later_fault({"", 0, key, "", "is missing", fmt::format("{}: only the command strip needs none", advice)});
     };
-    missed("bearing.radius");
-    if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance");
+    missed("bearing.radius", "give it, or bearing.diameter");
+    if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
   }
   for (const std::string& table : request.required_tables) {
     if (document.contains(table)) continue;

@@ -27,6 +27,12 @@ void read_file(ReadingLog& log, const std::string& path, const toml::node& node,
   if (!node.is_string()) return;
   if (name.empty()) return log.fault(path, "is empty", "give the name of a file, or leave it out");
   if (!contradicted.empty()) {
+/// The first of two keys of which one is to be given, unless the second counts.
+Key first_key(Key first, const Key& second, bool second_counts) {
+  first.stand_in = second.name;
+  return second_counts ? optional_key(first) : first;
+}
+
     return log.fault(path, fmt::format("contradicts {}, which is given too", contradicted), "give one of the two");
   }
   try {
@@ -57,7 +63,9 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
     return {root_.at_path(key.otherwise).node(), std::string(key.otherwise)};
   }
   if (key.presence == Presence::required && (key.spared_by.empty() || !root_.contains(key.spared_by))) {
-    log_.fault(path, "is missing", fmt::format("give it in the table [{}]", path_));
+    log_.fault(path, "is missing",
+               fmt::format("give it in the table [{}]{}", path_,
+                           key.stand_in.empty() ? "" : fmt::format(", or {} in its place", path_of(key.stand_in))));
   }
   return {nullptr, path};
 }
@@ -170,7 +178,7 @@ void TableReader::once_or_twice(const Key& once, const Key& twice, std::optional
   const bool doubled = second_counts(once, twice);
   std::optional<double> unused;
   std::optional<double> two;
-  value(doubled ? optional_key(once) : once, doubled ? &unused : &number);
+  value(first_key(once, twice, doubled), doubled ? &unused : &number);
   value(optional_key(twice), doubled ? &two : &unused);
   if (!doubled) return;
   if (two) number = 0.5 * *two;
@@ -180,7 +188,7 @@ void TableReader::once_or_twice(const Key& once, const Key& twice, std::optional
 void TableReader::one_of(const Key& displacement, const Key& load, Target& target) {
   const bool by_load = second_counts(displacement, load);
   double unused = 0.0;
-  value(by_load ? optional_key(displacement) : displacement, by_load ? &unused : &target.value);
+  value(first_key(displacement, load, by_load), by_load ? &unused : &target.value);
   value(optional_key(load), by_load ? &target.value : &unused);
   target.control = by_load ? Control::load : Control::displacement;
 }

@@ -50,9 +50,9 @@ void judge_profile(Judge& judge, const std::string& part, const RadiusProfile& p
 /// @return whether the radius is known; that of a strip alone is infinite
 bool judge_radius(Judge& judge, const Bearing& bearing, bool strip) {
   if (!bearing.is_flat()) return judge.within("bearing.radius", bearing.radius, length_range);
-  if (!strip) return judge.require(false, "bearing.radius", "", "is missing", "give it in the table [bearing]");
+  if (!strip) return judge.require(false, "bearing.radius", "", "is missing", "give it, or bearing.diameter");
   return judge.require(bearing.radial_clearance == 0.0, "bearing.radius", "", "is missing, though there is a clearance",
-                       "give both; a strip alone needs neither");
+                       "give it, or bearing.diameter; a strip alone needs neither radius nor clearance");
 }
 
 bool judge_bearing(Judge& judge, const Bearing& bearing, bool strip) {
@@ -403,7 +403,8 @@ void require_valid(const Case& input) {
 void require_bearing(const Case& input) {
   require_valid(input);
   if (!input.bearing.is_flat()) return;
-  throw Error(ErrorKind::input, {{"", 0, "bearing.radius", "", "is missing", "give it: only a strip needs none"}});
+  throw Error(ErrorKind::input,
+              {{"", 0, "bearing.radius", "", "is missing", "give it, or bearing.diameter: only a strip needs none"}});
 }
 
 }  // namespace bumpfoil

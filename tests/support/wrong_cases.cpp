@@ -85,11 +85,13 @@ void add_keys_and_types(std::vector<WrongCase>& table) {
 
 void add_missing(std::vector<WrongCase>& table) {
   const auto add = [&table](WrongCase wrong) { table.push_back(std::move(wrong)); };
-  add(without("no radius", "radius = \"19.05 mm\"", "bearing", {"bearing.radius: is missing", "[bearing]"}));
+  add(without("no radius", "radius = \"19.05 mm\"", "bearing",
+              {"bearing.radius: is missing", "[bearing], or bearing.diameter in its place"}));
   add(without("no clearance", "radial_clearance = \"31.8 um\"", "bearing", {"bearing.radial_clearance: is missing"}));
   add(without("no bumps", "bumps = 26", "bump_foil", {"bump_foil.bumps: is missing"}));
   add(without("no modulus", "youngs_modulus = \"214 GPa\"", "bump_foil", {"bump_foil.youngs_modulus: is missing"}));
-  add(without("no amplitude", "amplitude = \"79.5 um\"", "cycle", {"cycle.amplitude: is missing"}));
+  add(without("no amplitude", "amplitude = \"79.5 um\"", "cycle",
+              {"cycle.amplitude: is missing", "or cycle.load in its place"}));
   add(edit("no friction coefficient", "coefficient = 0.1", "", {"friction.coefficient: is missing", "0 for none"}));
   table.back().line = line_of(table.back().text, "[friction]");
   add(edit("half of friction", "coefficient = 0.1", "top_bump = 0.1", {"friction.bump_sleeve: is missing"}));

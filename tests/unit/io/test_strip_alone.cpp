@@ -78,8 +78,9 @@ TEST(StripAlone, HasProperties) {
 TEST(StripAlone, IsNoBearing) {
   const std::string radius = "case.toml:2: bearing.radius: is missing";
   const std::string clearance = "case.toml:2: bearing.radial_clearance: is missing";
-  const std::string advice = "; give it: only the command strip needs none";
-  EXPECT_EQ(refusal(without_clearance(without_radius()), {"cycle"}), radius + advice + '\n' + clearance + advice);
+  const std::string why = ": only the command strip needs none";
+  EXPECT_EQ(refusal(without_clearance(without_radius()), {"cycle"}),
+            radius + "; give it, or bearing.diameter" + why + '\n' + clearance + "; give it" + why);
   EXPECT_THROW(static_cast<void>(run_cycles(parse_case(without_clearance(without_radius()), "case.toml"))), Error);
 }
 
@@ -88,14 +89,16 @@ TEST(StripAlone, HasBothOrNeither) {
             "case.toml:2: bearing.radial_clearance: is missing; give it in the table [bearing]");
   EXPECT_EQ(
       refusal(without_radius()),
-      "case.toml:2: bearing.radius: is missing, though there is a clearance; give both; a strip alone needs neither");
+      "case.toml:2: bearing.radius: is missing, though there is a clearance; give it, or bearing.diameter; a strip "
+      "alone needs neither radius nor clearance");
 }
 
 TEST(StripAlone, IsWhatSparesThem) {
   const std::string cycle = without_clearance(cut(whole_case(), "radius = \"19.05 mm\"\n"));
-  EXPECT_EQ(refusal(cycle),
-            "case.toml:2: bearing.radius: is missing; give it in the table [bearing]\n"
-            "case.toml:2: bearing.radial_clearance: is missing; give it in the table [bearing]");
+  EXPECT_EQ(
+      refusal(cycle),
+      "case.toml:2: bearing.radius: is missing; give it in the table [bearing], or bearing.diameter in its place\n"
+      "case.toml:2: bearing.radial_clearance: is missing; give it in the table [bearing]");
 }
 
 }  // namespace
