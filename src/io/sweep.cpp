@@ -15,6 +15,7 @@
 #include "bumpfoil/io/case_reader.hpp"
 #include "io/case_json.hpp"
 #include "io/key_list.hpp"
+#include "io/key_suggestion.hpp"
 #include "io/number_text.hpp"
 #include "io/swept_result.hpp"
 #include "io/toml_document.hpp"
@@ -90,9 +91,9 @@ class OptionReader {
       for (const ListedKey& one : keys_) {
         if (holds_number(one)) paths.push_back(one.path);
       }
-      const std::optional<std::string> nearest = nearest_name(key, paths);
-      return fault(key, "is no known key",
-                   nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "`bumpfoil init --keys` lists them");
+      std::vector<std::string> likely = keys_with_words(key, paths);
+      if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
+      return fault(key, "is no known key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
     }
     if (!holds_number(*listed)) return fault(key, "holds no number", "sweep over keys that do");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };

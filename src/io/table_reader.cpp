@@ -8,15 +8,29 @@
 
 #include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "io/key_suggestion.hpp"
 #include "io/toml_document.hpp"
 #include "io/value_reader.hpp"
 
 namespace bumpfoil {
 namespace {
 
+/// ".height" of the table that an override of "foil.height" made; empty of others.
+std::string key_set_in(const toml::node& node) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr || node.source().begin.line > 0 || table->size() != 1) return {};
+  return fmt::format(".{}{}", table->begin()->first.str(), key_set_in(table->begin()->second));
+}
+
 Key optional_key(Key key) {
   key.presence = Presence::optional;
   return key;
+}
+
+/// The first of two keys of which one is to be given, unless the second counts.
+Key first_key(Key first, const Key& second, bool second_counts) {
+  first.stand_in = second.name;
+  return second_counts ? optional_key(first) : first;
 }
 
 /// @param contradicted  a list that is given as well, if any
@@ -27,12 +41,6 @@ void read_file(ReadingLog& log, const std::string& path, const toml::node& node,
   if (!node.is_string()) return;
   if (name.empty()) return log.fault(path, "is empty", "give the name of a file, or leave it out");
   if (!contradicted.empty()) {
-/// The first of two keys of which one is to be given, unless the second counts.
-Key first_key(Key first, const Key& second, bool second_counts) {
-  first.stand_in = second.name;
-  return second_counts ? optional_key(first) : first;
-}
-
     return log.fault(path, fmt::format("contradicts {}, which is given too", contradicted), "give one of the two");
   }
   try {
@@ -259,11 +267,24 @@ void TableReader::table(const Key& key, bool /*given*/, const std::function<void
   log_.met(path, *node);
   const toml::table* inner = node->as_table();
   if (inner == nullptr) {
-    return log_.fault(path, is_where(*node, "a table"), fmt::format("write [{}] on a line of its own", path));
+    return log_.fault(path, is_where(*node, "a table"),
+                      is_override(*node) ? fmt::format("set one of its keys, such as {}", first_key_of(path))
+                                         : fmt::format("write [{}] on a line of its own", path));
   }
   TableReader reader(*this, *inner, path, key.presence == Presence::inherited);
   describe(reader);
   reader.finish();
+}
+
+/// What may be meant by a key that is not known here: one like it here, or one of another table.
+std::string TableReader::advice_on_unknown(const std::string& name, const toml::node& node) const {
+  const std::vector<std::string> paths = key_paths();
+  std::vector<std::string> keys = keys_with_words(name + key_set_in(node), paths);
+  const auto nearest = nearest_name(name, known_);
+  // Outside all tables it rather lacks its table.
+  if (nearest && (keys.empty() || !path_.empty())) return did_you_mean({*nearest});
+  if (keys.empty()) keys = keys_near(name, paths);
+  return keys.empty() ? fmt::format("known here: {}", fmt::join(known_, ", ")) : did_you_mean(keys);
 }
 
 void TableReader::finish() {
@@ -276,12 +297,9 @@ void TableReader::finish() {
       continue;
     }
     log_.met(path, node);
-    const auto nearest = nearest_name(name, known_);
     const std::string_view what =
         node.is_table() || node.is_array_of_tables() ? "is no known table" : "is no known key";
-    log_.fault(path, std::string(what),
-               nearest ? fmt::format("did you mean \"{}\"?", *nearest)
-                       : fmt::format("known here: {}", fmt::join(known_, ", ")));
+    log_.fault(path, std::string(what), advice_on_unknown(name, node));
   }
 }
 

@@ -42,6 +42,7 @@ class TableReader final : public CaseVisitor {
   bool second_counts(const Key& first, const Key& second);
   void graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension);
   [[nodiscard]] bool has(const Key& key) const { return table_.contains(key.name); }
+  [[nodiscard]] std::string advice_on_unknown(const std::string& name, const toml::node& node) const;
   [[nodiscard]] std::string path_of(std::string_view name) const;
   std::pair<const toml::node*, std::string> find(const Key& key);
 

@@ -48,7 +48,8 @@ void add_keys_and_types(std::vector<WrongCase>& table) {
   table.back().fragments = {"did you mean \"poisson_ratio\"?"};
   add(edit("capital letters", "pitch =", "Pitch =", {"did you mean \"pitch\"?"}, 2));
   table.back().line = 0;
-  add(edit("nothing like it", "title =", "viscosity =", {"viscosity", "known here: title, bearing, bump_foil"}));
+  add(edit("nothing like it", "title =", "colour =", {"colour", "known here: title, bearing, bump_foil"}));
+  add(edit("key outside its table", "title =", "viscosity =", {"viscosity", "did you mean \"gas.viscosity\"?"}));
   add(edit("unknown table", "[solver]", "[lubricant]\nname = \"air\"\n[solver]",
            {"lubricant", "is no known table", "known here"}));
   add(edit("misspelt table", "[solver]", "[sovler]", {"sovler", "did you mean \"solver\"?"}));

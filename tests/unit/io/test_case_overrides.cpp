@@ -48,6 +48,35 @@ TEST(Overrides, AreBlamedInPlaceOfTheFile) {
             std::string::npos);
 }
 
+TEST(Overrides, AreToldTheWholeKeyThatWasMeant) {
+  const auto meant = [](const std::string& key) {
+    const std::string message = refusal({key + "=0.2"});
+    const std::size_t at = message.find("did you mean");
+    return at == std::string::npos ? message : message.substr(at);
+  };
+  EXPECT_EQ(meant("coefficient"), "did you mean \"friction.coefficient\"?");
+  EXPECT_EQ(meant("coeficient"), "did you mean \"friction.coefficient\"?");
+  EXPECT_EQ(meant("friction_coefficient"), "did you mean \"friction.coefficient\"?");
+  EXPECT_EQ(meant("Bump-Sleeve"), "did you mean \"friction.bump_sleeve\"?");
+  EXPECT_EQ(meant("radius"), "did you mean \"bearing.radius\"?");
+  EXPECT_EQ(meant("clearance"), "did you mean \"bearing.radial_clearance\"?");
+  EXPECT_EQ(meant("pitch"), "did you mean \"bump_foil.pitch\"?");  // and not the table path
+  EXPECT_EQ(meant("thickness"), "did you mean \"bump_foil.thickness\" or \"top_foil.thickness\"?");
+  EXPECT_EQ(meant("steps"),
+            "did you mean \"cycle.steps\", \"strip.steps\", \"path.steps\", \"vibration.steps\" or "
+            "\"equilibrium.steps\"?");
+  EXPECT_NE(meant("std").find("\", ...?"), std::string::npos);
+  EXPECT_EQ(meant("foil.height"), "did you mean \"bump_foil.height\"?");
+  EXPECT_EQ(meant("bearing.coefficient"), "did you mean \"friction.coefficient\"?");
+  // A slip in the name of a table or of a key in its table is one.
+  EXPECT_EQ(meant("frction.coefficient"), "did you mean \"friction\"?");
+  EXPECT_EQ(meant("vibration.amplitude"), "did you mean \"amplitudes\"?");
+  EXPECT_NE(meant("mu").find("known here: title, bearing"), std::string::npos);
+  EXPECT_EQ(
+      refusal({"friction=0.2"}),
+      "--set: friction = 0.2: is a number where a table is due; set one of its keys, such as friction.coefficient");
+}
+
 TEST(Overrides, WithNumbersThatAreNone) {
   for (const std::string number : {"99999999999999999999", "-99999999999999999999", "1e400"}) {
     EXPECT_EQ(refusal({"bump_foil.bumps=" + number}),

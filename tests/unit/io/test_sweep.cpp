@@ -102,6 +102,14 @@ TEST(Sweep, EveryWrongOptionIsTold) {
   EXPECT_EQ(faults[6].what, "is swept twice");
 }
 
+TEST(Sweep, SuggestsTheWholeKey) {
+  const std::vector<Fault> faults = faults_of({"coefficient=0:1:1", "thickness=[0.1 mm]", "frobnication=0:1:1"});
+  ASSERT_EQ(faults.size(), 3U);
+  EXPECT_EQ(faults[0].advice, "did you mean \"friction.coefficient\"?");
+  EXPECT_EQ(faults[1].advice, "did you mean \"bump_foil.thickness\" or \"top_foil.thickness\"?");
+  EXPECT_EQ(faults[2].advice, "`bumpfoil init --keys` lists them");
+}
+
 TEST(Sweep, SizeOfTheGridIsToldBeforeItIsMade) {
   const std::vector<Fault> faults = faults_of({"friction.coefficient=0:1:0.001", "cycle.steps=1:1000:1"});
   ASSERT_EQ(faults.size(), 1U);
