@@ -38,23 +38,49 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   return code == 0 ? ExitCode::done : ExitCode::wrong_input;
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& names) {
-  const std::optional<std::string> nearest = nearest_name(word, names);
-  return nearest ? fmt::format("did you mean '{}'? ", *nearest) : "";
+/// "did you mean 'a', 'b' or 'c'? " of these names; empty without any.
+std::string suggestion(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string_view between = i == 0 ? "" : i + 1 < names.size() ? ", " : " or ";
+    text += fmt::format("{}'{}'", between, names[i]);
+  }
+  return text.empty() ? text : fmt::format("did you mean {}? ", text);
 }
 
-/// Long names of the options of a command, and of the program, which all commands take. Letters are one slip from each
-/// other.
-std::vector<std::string> option_names(const CLI::App& program, const CLI::App& command) {
+std::vector<std::string> nearest_of(std::string_view word, const std::vector<std::string>& names) {
+  const std::optional<std::string> nearest = nearest_name(word, names);
+  return nearest ? std::vector{*nearest} : std::vector<std::string>{};
+}
+
+/// Options of a command, and of the program, which all commands take.
+std::vector<const CLI::Option*> options_of(const CLI::App& program, const CLI::App& command) {
+  std::vector<const CLI::Option*> options = command.get_options();
+  const std::vector<const CLI::Option*> common = program.get_options();
+  if (&command != &program) options.insert(options.end(), common.begin(), common.end());
+  return options;
+}
+
+/// Which options may be meant by a word that is none: the letter in its other case, names that begin so, or the
+/// nearest one.
+std::vector<std::string> options_like(const std::string& word, const std::vector<const CLI::Option*>& options) {
+  const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+  if (letters.empty()) return {};
   std::vector<std::string> names;
-  const auto add = [&names](const CLI::App& app) {
-    for (const CLI::Option* option : app.get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  std::vector<std::string> longer;
+  for (const CLI::Option* option : options) {
+    for (const std::string& letter : option->get_snames()) {
+      const bool same = letters.size() == 1 && std::tolower(static_cast<unsigned char>(letter.front())) ==
+                                                   std::tolower(static_cast<unsigned char>(letters.front()));
+      if (same) return {fmt::format("-{}/--{}", letter, option->get_lnames().front())};
     }
-  };
-  add(command);
-  if (&command != &program) add(program);
-  return names;
+    for (const std::string& name : option->get_lnames()) {
+      if (std::find(names.begin(), names.end(), "--" + name) != names.end()) continue;  // --help of the program
+      names.push_back("--" + name);
+      if (name.starts_with(letters)) longer.push_back(names.back());
+    }
+  }
+  return longer.empty() ? nearest_of(word, names) : longer;
 }
 
 /// Says which words of the command line mean nothing: no command, no option, one too many.
@@ -70,13 +96,13 @@ bool tell_unknown_words(const CLI::App& program) {
     const std::string option = found->substr(0, found->find('='));
     print_message(fmt::format("bumpfoil: '{}' is no option{}; {}'bumpfoil {}--help' lists them", printable(option),
                               commands.empty() ? "" : fmt::format(" of '{}'", command.get_name()),
-                              suggestion(option, option_names(program, command)),
+                              suggestion(options_like(option, options_of(program, command))),
                               commands.empty() ? "" : command.get_name() + ' '));
   } else if (program.get_subcommands().empty()) {
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
     print_message(fmt::format("bumpfoil: '{}' is no command; {}'bumpfoil --help' lists them", printable(words.front()),
-                              suggestion(words.front(), names)));
+                              suggestion(nearest_of(words.front(), names))));
   } else {
     const std::string& command = program.get_subcommands().front()->get_name();
     print_message(fmt::format("bumpfoil: '{}' is one word more than '{}' takes; 'bumpfoil {} --help' lists them",
@@ -102,6 +128,11 @@ std::vector<std::string> words_of(int argc, char** argv) {
     }
     words.erase(words.begin());
     words.emplace_back("--help");
+  }
+  for (const std::string& word : words) {
+    // The parser would take it for -o utput.
+    if (word != "-output" && !word.starts_with("-output=")) continue;
+    throw Error(ErrorKind::input, {{"", 0, "-output", "", "is no option", "did you mean -o or --output?"}});
   }
   for (std::size_t i = 2; i < words.size(); ++i) {
     if (words[i - 2] == "--set" && is_override(words[i - 1]) && is_override(words[i])) {

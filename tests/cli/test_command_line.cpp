@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,8 +40,50 @@ TEST_F(Program, NamesTheOptionThatIsNone) {
   // What is missing may be what was misspelt.
   expect_says({"cycle", case_path_, "--ouput=y"}, "'--ouput' is no option of 'cycle'; did you mean '--output'?");
   expect_says({"--versoin"}, "'--versoin' is no option; did you mean '--version'? 'bumpfoil --help' lists them");
-  expect_says({"-v"}, "'-v' is no option; 'bumpfoil --help' lists them");
+  expect_says({"-v"}, "'-v' is no option; did you mean '-V/--version'? 'bumpfoil --help' lists them");
+  expect_says({"-x"}, "'-x' is no option; 'bumpfoil --help' lists them");
+  expect_says({"---"}, "'---' is no option; 'bumpfoil --help' lists them");
   expect_says({"check", case_path_, "b"}, "'b' is one word more than 'check' takes");
+}
+
+TEST_F(Program, GuessesOptionsFromTheirBeginning) {
+  const auto cycle = [&](const std::string& option) { return std::vector<std::string>{"cycle", case_path_, option}; };
+  expect_says(cycle("-O"), "'-O' is no option of 'cycle'; did you mean '-o/--output'?");
+  expect_says(cycle("-q"), "did you mean '--quiet'?");
+  expect_says(cycle("-H"), "did you mean '-h/--help'?");
+  expect_says(cycle("--s=newton"), "'--s' is no option of 'cycle'; did you mean '--solver', '--sample' or '--set'?");
+  expect_says({"montecarlo", case_path_, "--thr", "2"}, "did you mean '--threads'?");
+  expect_says({"cycle", case_path_, "-output", results_}, "-output: is no option; did you mean -o or --output?");
+}
+
+/// Names of the options that a text of help lists, "--output".
+std::set<std::string> options_in(const std::string& help) {
+  std::set<std::string> names;
+  const std::regex name("\n +(?:-[A-Za-z],)?(--[a-z-]+)");
+  for (std::sregex_iterator found(help.begin(), help.end(), name), end; found != end; ++found) {
+    names.insert((*found)[1]);
+  }
+  return names;
+}
+
+TEST_F(Program, KnowsTheSlipsOfAllOptionsOfAllCommands) {
+  const std::string help = run({"--help"}).output;
+  const std::size_t list = help.find("Subcommands:");
+  const std::string commands = help.substr(list, help.find("\n\n", list) - list);
+  const std::regex name("\n  ([a-z]+)");
+  std::size_t options = 0;
+  for (std::sregex_iterator found(commands.begin(), commands.end(), name), end; found != end; ++found) {
+    const std::string command = (*found)[1];
+    for (const std::string& option : options_in(run({command, "--help"}).output)) {
+      SCOPED_TRACE(command);
+      std::string slip = option;
+      std::swap(slip[3], slip[4]);
+      if (slip == option) slip.erase(4, 1);
+      expect_says({command, slip}, "'" + slip + "' is no option of '" + command + "'; did you mean '" + option + "'?");
+      ++options;
+    }
+  }
+  EXPECT_GE(options, 60U);
 }
 
 TEST_F(Program, HelpsWithCommandsThatThereAre) {

@@ -13,6 +13,11 @@ TEST(NearestName, IsTheOneFewestEditsAway) {
   EXPECT_EQ(nearest_name("topfoil", commands), "top_foil");
 }
 
+TEST(NearestName, TakesASwapOfNeighboursForOneEdit) {
+  EXPECT_EQ(nearest_name("ste", {"seed", "set"}), "set");
+  EXPECT_EQ(nearest_name("abdc", {"abce", "abcd"}), "abcd");
+}
+
 TEST(NearestName, KnowsNoCaseAndTakesDashesForUnderscores) {
   EXPECT_EQ(nearest_name("BUMP-FOIL", commands), "bump_foil");
 }
