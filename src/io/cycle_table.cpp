@@ -127,10 +127,13 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::size_t column_width = least_column_width;
-  for (const Row& row : rows) {
+  for (Row& row : rows) {
+    std::vector<std::string> cells;
     for (const std::size_t cycle : shown) {
-      column_width = std::max(column_width, row.cell(result.cycles[cycle]).size() + 1);
+      cells.push_back(row.cell(result.cycles[cycle]));
+      column_width = std::max(column_width, cells.back().size() + 1);
     }
+    row.unit = unit_beside(row.unit, cells);
   }
   std::string out;
   for (std::size_t first = 0; first < shown.size(); first += columns_per_block) {

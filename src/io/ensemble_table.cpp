@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "bumpfoil/io/failures.hpp"
 #include "io/number_text.hpp"
@@ -14,11 +14,6 @@ namespace {
 constexpr std::size_t name_width = 30;
 constexpr std::size_t unit_width = 7;
 constexpr std::size_t cell_width = 11;
-
-std::string cell(double value, double unit) {
-  const std::optional<double> known = std::isfinite(value) ? std::optional(value) : std::nullopt;
-  return fmt::format("{:>{}}", number_text(known, unit), cell_width);
-}
 
 }  // namespace
 
@@ -36,11 +31,13 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
       if (column.label.empty()) continue;
       const Statistics& found = statistics.directions[direction].columns[k];
       const double unit = column.shown.size;
-      out += fmt::format("{:<{}}{:<{}}", column.label, name_width, column.shown.name, unit_width);
+      std::vector<std::string> cells;
       for (const double value : {found.mean, found.standard_error, found.deviation, found.percentile[1],
                                  found.percentile[3], found.percentile[5]}) {
-        out += cell(value, unit);
+        cells.push_back(number_text(value, unit));
       }
+      out += fmt::format("{:<{}}{:<{}}", column.label, name_width, unit_beside(column.shown.name, cells), unit_width);
+      for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
       out += '\n';
     }
   }

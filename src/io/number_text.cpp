@@ -73,4 +73,9 @@ std::string number_text(const std::optional<double>& number, double unit) {
   return fmt::format("{:.{}f}", scaled, std::max(0, 4 - static_cast<int>(std::floor(std::log10(size)))));
 }
 
+std::string_view unit_beside(std::string_view unit, const std::vector<std::string>& cells) {
+  const bool known = std::any_of(cells.begin(), cells.end(), [](const std::string& cell) { return cell != "-"; });
+  return known ? unit : std::string_view();
+}
+
 }  // namespace bumpfoil

@@ -4,12 +4,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bumpfoil {
 
 /// `number` in the unit that is `unit` in SI, for tables: five significant digits, without exponent for what is usual;
 /// a dash if it is not known.
 std::string number_text(const std::optional<double>& number, double unit);
+
+/// The unit of a row or a column of such texts: empty where all are dashes.
+std::string_view unit_beside(std::string_view unit, const std::vector<std::string>& cells);
 
 /// std::from_chars of a double, for standard libraries that lack it, such as that of Emscripten.
 std::from_chars_result read_decimal(std::string_view text, double& number);

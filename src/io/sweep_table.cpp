@@ -29,12 +29,17 @@ struct Column {
   double size;          ///< of its unit, SI
 };
 
-std::vector<Column> columns_of(const ResultGrid& grid) {
+std::vector<Column> columns_of(const ResultGrid& grid, const std::vector<SweepPoint>& points) {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < grid.variables.size(); ++i) {
     const auto& [name, size] = grid.variables[i].shown;
     const std::string& heading = grid.variables[i].heading;
-    if (!heading.empty()) columns.push_back({i, name.empty() ? heading : fmt::format("{} ({})", heading, name), size});
+    if (heading.empty()) continue;
+    const bool known = std::any_of(points.begin(), points.end(), [i](const SweepPoint& point) {
+      const std::vector<double>& values = point.values[i];
+      return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    });
+    columns.push_back({i, name.empty() || !known ? heading : fmt::format("{} ({})", heading, name), size});
   }
   return columns;
 }
@@ -43,7 +48,7 @@ std::vector<Column> columns_of(const ResultGrid& grid) {
 class Block {
  public:
   Block(const Sweep& sweep, const std::vector<SweepPoint>& points, const SweptResult& layout, std::size_t place)
-      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.grid)) {
+      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.grid, points)) {
     const auto& variables = layout.grid.variables;
     const auto status = std::find_if(variables.begin(), variables.end(),
                                      [](const GridVariable& one) { return one.meaning.name == "status"; });

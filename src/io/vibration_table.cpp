@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/vibration_files.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -10,7 +14,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr int column_width = 12;
+constexpr std::size_t column_width = 12;
 
 std::string cell(const VibrationQuantity& quantity, const Vibration& vibration) {
   const double value = quantity.value(vibration);
@@ -19,40 +23,71 @@ std::string cell(const VibrationQuantity& quantity, const Vibration& vibration) 
   return number_text(value, quantity.shown.size);
 }
 
+struct Column {
+  std::string name;
+  std::string_view unit;
+  std::vector<std::string> cells;  ///< of the vibrations
+};
+
+/// @param cell_of  (vibration, its place) -> text
+template <typename CellOf>
+Column column_of(const Case& input, const VibrationResult& result, std::string_view name, std::string_view unit,
+                 const CellOf& cell_of) {
+  Column column{.name = std::string(name), .unit = unit, .cells = {}};
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    column.cells.push_back(cell_of(result.vibrations[i], place_of(*input.vibration, i)));
+  }
+  return column;
+}
+
+std::vector<Column> columns_of(const Case& input, const VibrationResult& result) {
+  const VibrationSettings& settings = *input.vibration;
+  std::vector<Column> columns;
+  const auto add = [&](std::string_view name, std::string_view unit, const auto& cell_of) {
+    columns.push_back(column_of(input, result, name, unit, cell_of));
+  };
+  const auto brief = [](double number) { return fmt::format("{:.5g}", number); };
+  add("load X", "N", [&](const Vibration&, const VibrationPlace& at) { return brief(settings.loads[at.load].x()); });
+  add("load Y", "N", [&](const Vibration&, const VibrationPlace& at) { return brief(settings.loads[at.load].y()); });
+  if (settings.orbits()) {
+    add("sense", "",
+        [](const Vibration&, const VibrationPlace& at) { return std::string(at.motion == 0 ? "ccw" : "cw"); });
+  } else {
+    add("direction", "deg", [&](const Vibration&, const VibrationPlace& at) {
+      return fmt::format("{:.6g}", to_degrees(settings.directions[at.motion]));
+    });
+  }
+  add("amplitude", "um",
+      [&](const Vibration&, const VibrationPlace& at) { return brief(1e6 * settings.amplitudes[at.amplitude]); });
+  for (const VibrationQuantity& quantity : vibration_quantities()) {
+    if (quantity.label.empty()) continue;
+    add(quantity.label, quantity.shown.name,
+        [&](const Vibration& vibration, const VibrationPlace&) { return cell(quantity, vibration); });
+  }
+  const std::size_t pads = count_pads(input) > 1 ? count_pads(input) : 0;
+  for (std::size_t k = 0; k < pads; ++k) {
+    add(fmt::format("pad {}, max", k + 1), "N", [k](const Vibration& vibration, const VibrationPlace&) {
+      const Vector forces = largest_pad_forces(vibration);
+      const auto pad = static_cast<Eigen::Index>(k);
+      return pad < forces.size() ? number_text(forces[pad], 1.0) : std::string("-");
+    });
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::string vibration_table(const Case& input, const VibrationResult& result) {
-  const VibrationSettings& settings = *input.vibration;
-  std::string names;
-  std::string units;
-  const auto add = [&](std::string_view name, std::string_view unit) {
-    names += fmt::format("{:>{}}", name, column_width);
-    units += fmt::format("{:>{}}", unit, column_width);
-  };
-  add("load X", "N");
-  add("load Y", "N");
-  add(settings.orbits() ? "sense" : "direction", settings.orbits() ? "" : "deg");
-  add("amplitude", "um");
-  for (const VibrationQuantity& quantity : vibration_quantities()) {
-    if (!quantity.label.empty()) add(quantity.label, quantity.shown.name);
+  const std::vector<Column> columns = columns_of(input, result);
+  std::string out;
+  for (const Column& column : columns) out += fmt::format("{:>{}}", column.name, column_width);
+  out += '\n';
+  for (const Column& column : columns) {
+    out += fmt::format("{:>{}}", unit_beside(column.unit, column.cells), column_width);
   }
-  const std::size_t pads = count_pads(input) > 1 ? count_pads(input) : 0;
-  for (std::size_t k = 0; k < pads; ++k) add(fmt::format("pad {}, max", k + 1), "N");
-  std::string out = names + '\n' + units + '\n' + std::string(names.size(), '-') + '\n';
+  out += '\n' + std::string(columns.size() * column_width, '-') + '\n';
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
-    const auto [load, motion, amplitude] = place_of(settings, i);
-    const std::string way =
-        settings.orbits() ? motion == 0 ? "ccw" : "cw" : fmt::format("{:.6g}", to_degrees(settings.directions[motion]));
-    out += fmt::format("{:>{w}.5g}{:>{w}.5g}{:>{w}}{:>{w}.5g}", settings.loads[load].x(), settings.loads[load].y(), way,
-                       1e6 * settings.amplitudes[amplitude], fmt::arg("w", column_width));
-    for (const VibrationQuantity& quantity : vibration_quantities()) {
-      if (!quantity.label.empty()) out += fmt::format("{:>{}}", cell(quantity, result.vibrations[i]), column_width);
-    }
-    const Vector forces = largest_pad_forces(result.vibrations[i]);
-    for (std::size_t k = 0; k < pads; ++k) {
-      const auto pad = static_cast<Eigen::Index>(k);
-      out += fmt::format("{:>{}}", pad < forces.size() ? number_text(forces[pad], 1.0) : "-", column_width);
-    }
+    for (const Column& column : columns) out += fmt::format("{:>{}}", column.cells[i], column_width);
     out += '\n';
   }
   return out;

@@ -93,6 +93,21 @@ TEST(CycleTable, ShowsNumbersInTheUnitsItNames) {
   EXPECT_EQ(last_cell(text, "converged"), "yes");
 }
 
+TEST(CycleTable, HasUnitsWhereThereAreValues) {
+  CycleResult result = short_run(2);
+  for (Cycle& cycle : result.cycles) cycle.loop_energy.reset();
+  result.cycles[0].secant_stiffness.reset();
+  for (const std::string& line : lines_of(cycle_table(reference_case(), result))) {
+    // The truss knows no stress of the bump foil.
+    if (line.starts_with("loop energy") || line.starts_with("highest stress, bump foil")) {
+      EXPECT_EQ(line.find_first_not_of(' ', line.find("  ")), line.find('-')) << line;
+    }
+    if (line.starts_with("secant with free travel")) {
+      EXPECT_NE(line.find("MN/m"), std::string::npos) << line;
+    }
+  }
+}
+
 TEST(CycleTable, OfAPathHasTheHighestForceOfEachPad) {
   Case input = reference_case();
   input.bump_foil.bumps = 7;

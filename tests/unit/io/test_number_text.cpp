@@ -74,5 +74,10 @@ TEST(NumberText, HasFiveDigits) {
   EXPECT_EQ(number_text(std::numeric_limits<double>::infinity(), 1.0), "-");
 }
 
+TEST(NumberText, HasAUnitWhereThereIsANumber) {
+  EXPECT_EQ(unit_beside("um", {"-", "31.800", "-"}), "um");
+  EXPECT_EQ(unit_beside("um", {"-", "-"}), "");
+}
+
 }  // namespace
 }  // namespace bumpfoil

@@ -49,19 +49,18 @@ TEST(SweepTable, ValuesOfOneKeyStandDownAndQuantitiesAcross) {
   CycleResult failed = result_of(200.0, 2);
   failed.cycles[1].status = Status::no_modes;
   const std::string table = sweep_table(sweep, points_of(sweep, {result_of(100.0, 2), failed, {}}));
-  EXPECT_EQ(
-      table,
-      "direction +X\n"
-      "cycle.amplitude  maximum force (N)  loaded stiffness (MN/m)  loop energy (mJ)   loss factor  status\n"
-      "60 um                       100.00                        -                 -             -  converged\n"
-      "65 um                       200.00                        -                 -             -  converged\n"
-      "70 um                            -                        -                 -             -  interrupted\n"
-      "\n"
-      "direction -X\n"
-      "cycle.amplitude  maximum force (N)  loaded stiffness (MN/m)  loop energy (mJ)   loss factor  status\n"
-      "60 um                       101.00                        -                 -             -  converged\n"
-      "65 um                       201.00                        -                 -             -  no_modes\n"
-      "70 um                            -                        -                 -             -  interrupted\n");
+  EXPECT_EQ(table,
+            "direction +X\n"
+            "cycle.amplitude  maximum force (N)  loaded stiffness   loop energy   loss factor  status\n"
+            "60 um                       100.00                 -             -             -  converged\n"
+            "65 um                       200.00                 -             -             -  converged\n"
+            "70 um                            -                 -             -             -  interrupted\n"
+            "\n"
+            "direction -X\n"
+            "cycle.amplitude  maximum force (N)  loaded stiffness   loop energy   loss factor  status\n"
+            "60 um                       101.00                 -             -             -  converged\n"
+            "65 um                       201.00                 -             -             -  no_modes\n"
+            "70 um                            -                 -             -             -  interrupted\n");
 }
 
 TEST(SweepTable, GridsShowTheirExtremes) {

@@ -119,6 +119,10 @@ TEST(VibrationFiles, TabulateVibrationsAndSaysWhatFailed) {
   EXPECT_EQ(std::ssize(warnings), unsettled);
   EXPECT_EQ(warnings[0].find("load (0, -50) N, 0 deg, 1 um: the loop has not settled after 100 loops: the energy"), 0U);
   EXPECT_NE(vibration_table(run().input, run().result).find("loss factor"), std::string::npos);
+  VibrationResult none = run().result;
+  for (Vibration& vibration : none.vibrations) vibration.harmonic.reset();
+  EXPECT_NE(vibration_table(run().input, run().result).find("MN/m"), std::string::npos);
+  EXPECT_EQ(vibration_table(run().input, none).find("MN/m"), std::string::npos) << "a unit without a value";
 }
 
 TEST(VibrationFiles, SummaryHasTheSameNumbers) {
