@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -77,7 +76,7 @@ Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
 }
 
 /// The cycle that a loop is of.
-double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::set<double>& cycles, bool strip) {
+double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::vector<double>& cycles, bool strip) {
   const std::string_view column = strip ? "cycle" : "direction";
   std::vector<std::string> names;
   names.reserve(cycles.size());
@@ -85,7 +84,7 @@ double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::se
     names.push_back(strip ? fmt::format("{}", at) : direction_name(at * std::numbers::pi / 180.0));
   }
   if (!loop.at) {
-    if (cycles.size() == 1) return *cycles.begin();
+    if (cycles.size() == 1) return cycles.front();
     refuse(path, fmt::format("does not say of which {} its loop is", column),
            fmt::format("add a column {}: the results have {}", column, fmt::join(names, ", ")));
   }
@@ -112,10 +111,13 @@ Json measured_run(const std::string& path, const std::string& name, const Json& 
   }
   const auto kind = (*like)["kind"].get<std::string>();
   const bool strip = kind == name_of(Experiment::strip);
-  std::set<double> cycles;
+  std::vector<double> cycles;  // in the order of the runs
   for (const Json& run : runs) {
     if (run["kind"] != kind) continue;
-    for (const Json& cycle : run["cycles"]) cycles.insert(cycle["at"].get<double>());
+    for (const Json& cycle : run["cycles"]) {
+      const auto at = cycle["at"].get<double>();
+      if (std::find(cycles.begin(), cycles.end(), at) == cycles.end()) cycles.push_back(at);
+    }
   }
   std::vector<double> clearance_forces;
   for (const Json& cycle : (*like)["summary"]["cycles"]) {

@@ -114,9 +114,14 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
     around.emplace_back(directions[i] - turn * std::floor(directions[i] / turn + rounding), i);
   }
   std::sort(around.begin(), around.end());
+  std::vector<std::pair<std::size_t, std::size_t>> again;
   for (std::size_t k = 1; k < around.size(); ++k) {
     if (around[k].first - around[k - 1].first > turn * rounding) continue;
     const auto [first, second] = std::minmax(around[k - 1].second, around[k].second);
+    again.emplace_back(second, first);
+  }
+  std::sort(again.begin(), again.end());  // as they stand in the case, not by their angles
+  for (const auto& [second, first] : again) {
     judge.require(false, fmt::format("cycle.directions[{}]", second + 1), quantity(directions[second], "rad"),
                   fmt::format("is the direction of cycle.directions[{}] again", first + 1),
                   "give every direction once");

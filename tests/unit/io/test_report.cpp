@@ -211,6 +211,16 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
   EXPECT_NE(
       refusal("displacement_um,force_N\n0,0\n10,100\n2,0\n").find("add a column direction: the results have +X, +Y"),
       std::string::npos);
+  Case turned = short_case();
+  std::swap(turned.cycle.directions[0], turned.cycle.directions[1]);
+  const Results other(run_cycles(turned), turned);
+  try {
+    report_json({other.path(), results.path()},
+                {.measured = {folder.write("rig.csv", "displacement_um,force_N\n0,0\n10,100\n2,0\n")}});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the results have +Y, +X"), std::string::npos) << error.what();
+  }
   EXPECT_NE(
       refusal("direction,displacement_um,force_N\n-X,0,0\n-X,10,100\n-X,2,0\n").find("of the direction 180, which"),
       std::string::npos);

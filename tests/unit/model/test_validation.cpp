@@ -392,6 +392,8 @@ TEST(FindFaults, WantsEveryDirectionOnce) {
   EXPECT_EQ(directions({0.0, 2.0 * pi}), Keys{"cycle.directions[2]"});
   EXPECT_EQ(directions({-90.0 * degree, 1.0, 270.0 * degree}), Keys{"cycle.directions[3]"});
   EXPECT_EQ(directions({-1e-17, 0.0}), Keys{"cycle.directions[2]"});
+  // In the order of the case, not of the angles.
+  EXPECT_EQ(directions({3.0, 1.0, 3.0, 1.0}), (Keys{"cycle.directions[3]", "cycle.directions[4]"}));
   EXPECT_EQ(directions({1.0, 1.0, 1.0}), (Keys{"cycle.directions[2]", "cycle.directions[3]"}));
   EXPECT_EQ(directions({nan, nan}), (Keys{"cycle.directions[1]", "cycle.directions[2]"}));  // judged already
 }
