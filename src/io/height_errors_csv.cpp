@@ -12,6 +12,7 @@
 
 #include "io/csv_dialect.hpp"
 #include "io/csv_lines.hpp"
+#include "io/csv_rows.hpp"
 #include "io/text_file.hpp"
 
 namespace bumpfoil {
@@ -44,10 +45,9 @@ struct UsualUnit {
 constexpr std::array usual_units{UsualUnit{"um", "micrometres", 1e-6}, UsualUnit{"mm", "millimetres", 1e-3},
                                  UsualUnit{"m", "metres", 1.0}, UsualUnit{"nm", "nanometres", 1e-9}};
 
-/// Nobody measures errors that are all smaller, m.
-constexpr double smallest_error = 1e-9;
-/// The largest of the errors of a foil is at least this where their unit is right, m.
-constexpr double likely_error = 1e-7;
+/// No foil is made so well that all of its errors are smaller, m: those of some micrometres are of some nanometres
+/// where their unit is a thousand times too small.
+constexpr double smallest_error = 1e-7;
 
 /// "3, 7 to 12 and 14" of the lines that were not given.
 std::string missing_bumps(const std::vector<std::size_t>& lines) {
@@ -72,25 +72,20 @@ std::string missing_bumps(const std::vector<std::size_t>& lines) {
 class HeightErrorsReader {
  public:
   HeightErrorsReader(const std::string& path, const std::vector<double>& heights, const std::vector<double>& rises)
-      : path_(path), heights_(heights), rises_(rises), given_(heights.size()), lines_(heights.size(), 0) {}
+      : rows_(path), heights_(heights), rises_(rises), given_(heights.size()), lines_(heights.size(), 0) {}
 
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
-    if (!has_header_) return read_header(line, text);
+    if (!rows_.has_header()) return read_header(line, text);
     if (!column_) return;  // without it nothing is known of the rest
-    const std::vector<std::string> cells = dialect_.cells(text, columns_);
-    if (cells.size() != columns_) {
-      return fault(
-          line, text,
-          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
-          "write a value for every column");
-    }
+    const std::vector<std::string> cells = rows_.read(line, text);
+    if (cells.empty()) return;
     const std::optional<std::size_t> index = bump_of(line, text, cells);
     if (!index) return;
     const std::optional<double> value = numbers_.read(cells[column_->index]);
     if (!value) {
-      return fault(line, text, numbers_.what("height", dialect_),
-                   fmt::format("give all in {}, without a unit, with one decimal sign", column_->unit.name));
+      return rows_.fault(line, text, numbers_.what("height", rows_.dialect()),
+                         fmt::format("give all in {}, without a unit, with one decimal sign", column_->unit.name));
     }
     lines_[*index] = line;
     texts_.emplace(line, text);
@@ -99,36 +94,28 @@ class HeightErrorsReader {
 
   /// @throws Error (input) if there was a fault or a bump is missing.
   std::vector<double> finish() {
-    if (!has_header_) {
-      faults_.push_back({path_, 0, "", "", "is empty",
-                         fmt::format("write bump,height_error_um and one line for each of {} bumps", given_.size())});
+    if (!rows_.has_header()) {
+      rows_.fault("is empty",
+                  fmt::format("write bump,height_error_um and one line for each of {} bumps", given_.size()));
     }
     // A line that could not be read may be the one that is missing.
     const auto missing = std::count(lines_.begin(), lines_.end(), std::size_t{0});
-    if (faults_.empty() && missing > 0) {
-      faults_.push_back({path_, 0, "", "",
-                         fmt::format("lacks bump{} {}", missing == 1 ? "" : "s", missing_bumps(lines_)),
-                         fmt::format("give one line for each of {} bumps", lines_.size())});
+    if (!rows_.faulty() && missing > 0) {
+      rows_.fault(fmt::format("lacks bump{} {}", missing == 1 ? "" : "s", missing_bumps(lines_)),
+                  fmt::format("give one line for each of {} bumps", lines_.size()));
     }
     std::vector<double> errors;
     if (column_) {
       errors = errors_in(column_->unit.size);
       judge(errors);
     }
-    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    rows_.throw_if_faulty();
     return errors;
   }
 
  private:
-  void fault(std::size_t line, std::string_view text, std::string what, std::string advice) {
-    faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
-  }
-
   void read_header(std::size_t line, std::string_view text) {
-    has_header_ = true;
-    dialect_ = dialect_of(text);
-    const std::vector<std::string> names = dialect_.cells(text);
-    columns_ = names.size();
+    const std::vector<std::string> names = rows_.read_header(text);
     std::size_t found = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_column(names[i], bump_column)) bump_index_ = i;
@@ -139,12 +126,13 @@ class HeightErrorsReader {
     }
     if (found == 1) return;
     column_.reset();
-    fault(line, text,
-          fmt::format("has {} of heights among its {} columns, separated by {}",
-                      found == 0 ? "no column" : fmt::format("{} columns", found), columns_, dialect_.name),
-          found == 0 ? column_advice(names, {"height_error_um", "height_um", "height_mm"}, Dimension::length,
-                                     std::string(name_advice))
-                     : "leave one");
+    rows_.fault(
+        line, text,
+        fmt::format("has {} of heights among its {} columns, separated by {}",
+                    found == 0 ? "no column" : fmt::format("{} columns", found), rows_.columns(), rows_.dialect().name),
+        found == 0 ? column_advice(names, {"height_error_um", "height_um", "height_mm"}, Dimension::length,
+                                   std::string(name_advice))
+                   : "leave one");
   }
 
   /// Errors of the bumps if the column were in this unit; zero of those that were not given.
@@ -161,13 +149,14 @@ class HeightErrorsReader {
     return rises_[bump] > 0.0 && std::abs(error) >= rises_[bump];
   }
 
-  [[nodiscard]] bool are_plausible(const std::vector<double>& errors, double least) const {
+  [[nodiscard]] bool are_plausible(const std::vector<double>& errors) const {
     double largest = 0.0;
     for (std::size_t i = 0; i < errors.size(); ++i) {
       if (is_beyond(i, errors[i])) return false;
       largest = std::max(largest, std::abs(errors[i]));
     }
-    return largest == 0.0 || largest > least;
+    // Of whole heights the nominal one tells the unit.
+    return column_->absolute || largest == 0.0 || largest >= smallest_error;
   }
 
   /// The usual unit that the values make sense in, where theirs does not.
@@ -177,7 +166,7 @@ class HeightErrorsReader {
       if (unit.symbol == column_->unit.name) own = unit.name;
     }
     for (const UsualUnit& unit : usual_units) {
-      if (unit.name != own && are_plausible(errors_in(unit.size), likely_error)) {
+      if (unit.name != own && are_plausible(errors_in(unit.size))) {
         return fmt::format("{} in a column of {}?", unit.name, own);
       }
     }
@@ -186,7 +175,7 @@ class HeightErrorsReader {
 
   /// Values that no bump has, told once with the first line.
   void judge(const std::vector<double>& errors) {
-    if (are_plausible(errors, smallest_error)) return;
+    if (are_plausible(errors)) return;
     std::vector<std::size_t> beyond;
     for (std::size_t i = 0; i < errors.size(); ++i) {
       if (is_beyond(i, errors[i])) beyond.push_back(i);
@@ -194,47 +183,47 @@ class HeightErrorsReader {
     const auto earlier = [this](std::size_t a, std::size_t b) { return lines_[a] < lines_[b]; };
     if (beyond.empty()) {
       const auto line = *std::find_if(lines_.begin(), lines_.end(), [](std::size_t one) { return one > 0; });
-      return fault(line, texts_.at(line), "and all others are within a nanometre of the nominal height", confusion());
+      return rows_.fault(line, texts_.at(line), "and all others are less than 0.1 um from the nominal height",
+                         confusion() + " Errors that are so small may stand in bump_foil.height_errors");
     }
     const std::size_t first = *std::min_element(beyond.begin(), beyond.end(), earlier);
-    fault(lines_[first], texts_.at(lines_[first]),
-          fmt::format("{} further from the nominal height than a bump rises, {:.6g} m",
-                      beyond.size() == 1 ? "lies" : fmt::format("and {} more lie", beyond.size() - 1), rises_[first]),
-          2 * beyond.size() < errors.size() ? "mend it: most others are as bumps are" : confusion());
+    rows_.fault(
+        lines_[first], texts_.at(lines_[first]),
+        fmt::format("{} further from the nominal height than a bump rises, {:.6g} m",
+                    beyond.size() == 1 ? "lies" : fmt::format("and {} more lie", beyond.size() - 1), rises_[first]),
+        2 * beyond.size() < errors.size() ? "mend it: most others are as bumps are" : confusion());
   }
 
   /// Whose line it is, from 0.
   std::optional<std::size_t> bump_of(std::size_t line, std::string_view text, const std::vector<std::string>& cells) {
     if (!bump_index_) {
       if (next_ < given_.size()) return next_++;
-      fault(line, text, fmt::format("is one line more than there are bumps, {}", given_.size()),
-            "remove it, or raise bump_foil.bumps");
+      rows_.fault(line, text, fmt::format("is one line more than there are bumps, {}", given_.size()),
+                  "remove it, or raise bump_foil.bumps");
       return std::nullopt;
     }
     const auto bump = parse<int>(cells[*bump_index_]);
     if (!bump || *bump < 1 || *bump > static_cast<int>(given_.size())) {
-      fault(line, text, "does not have the number of a bump", fmt::format("count bumps from 1 to {}", given_.size()));
+      rows_.fault(line, text, "does not have the number of a bump",
+                  fmt::format("count bumps from 1 to {}", given_.size()));
       return std::nullopt;
     }
     const auto index = static_cast<std::size_t>(*bump - 1);
     if (lines_[index] > 0) {
-      fault(line, text, fmt::format("repeats bump {}, given in line {}", *bump, lines_[index]), "give every bump once");
+      rows_.fault(line, text, fmt::format("repeats bump {}, given in line {}", *bump, lines_[index]),
+                  "give every bump once");
       return std::nullopt;
     }
     return index;
   }
 
-  std::string path_;
+  CsvRows rows_;
   const std::vector<double>& heights_;        ///< m
   const std::vector<double>& rises_;          ///< m
   std::vector<double> given_;                 ///< of each bump, in the unit of the column
   std::vector<std::size_t> lines_;            ///< where each bump was given; 0 if it was not
   std::map<std::size_t, std::string> texts_;  ///< of these lines
-  std::vector<Fault> faults_;
-  bool has_header_{};
-  CsvDialect dialect_;
   CsvNumbers numbers_;
-  std::size_t columns_{};
   std::optional<std::size_t> bump_index_;
   std::optional<HeightColumn> column_;
   std::size_t next_{};  ///< bump of the next line where these have no numbers

@@ -11,6 +11,7 @@
 #include "bumpfoil/model/validation.hpp"
 #include "io/csv_dialect.hpp"
 #include "io/csv_lines.hpp"
+#include "io/csv_rows.hpp"
 #include "io/text_file.hpp"
 
 namespace bumpfoil {
@@ -26,21 +27,17 @@ struct Column {
 /// Takes the lines one by one.
 class LoopsReader {
  public:
-  LoopsReader(const std::string& path, const std::string& at_column) : path_(path), at_column_(at_column) {}
+  LoopsReader(const std::string& path, const std::string& at_column) : rows_(path), at_column_(at_column) {}
 
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
-    if (columns_ == 0) return read_header(line, text);
+    if (!rows_.has_header()) return read_header(line, text);
     if (!displacement_ || !force_) return;  // without them nothing is known of the rest
-    const std::vector<std::string> cells = dialect_.cells(text, columns_);
-    if (cells.size() != columns_) {
-      return fault(
-          line, text,
-          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
-          "write a value for every column");
-    }
+    const std::vector<std::string> cells = rows_.read(line, text);
+    if (cells.empty()) return;
     const auto no_number = [&](const char* quantity) {
-      fault(line, text, numbers_.what(quantity, dialect_), "give all without a unit, with one decimal sign");
+      rows_.fault(line, text, numbers_.what(quantity, rows_.dialect()),
+                  "give all without a unit, with one decimal sign");
     };
     const std::optional<double> displacement = numbers_.read(cells[displacement_->index]);
     if (!displacement) return no_number("displacement");
@@ -49,46 +46,39 @@ class LoopsReader {
     std::optional<double> at;
     if (at_) {
       at = place(cells[*at_]);
-      if (!at) return fault(line, text, fmt::format("has no {}", at_column_), at_advice());
+      if (!at) return rows_.fault(line, text, fmt::format("has no {}", at_column_), at_advice());
     }
     loop_at(at).points.push_back({*displacement * displacement_->unit.size, *force * force_->unit.size});
   }
 
   /// @throws Error (input) if there was a fault
   std::vector<MeasuredLoop> finish() {
-    const auto whole = [this](std::string what, std::string advice) {
-      faults_.push_back({path_, 0, "", "", std::move(what), std::move(advice)});
-    };
-    if (loops_.empty() && faults_.empty()) {
-      whole("holds no loop", "write displacement_um,force_N and a line for each point of the loop");
+    if (loops_.empty() && !rows_.faulty()) {
+      rows_.fault("holds no loop", "write displacement_um,force_N and a line for each point of the loop");
     }
     for (const MeasuredLoop& loop : loops_) {
-      if (!faults_.empty() || turns_round(loop.points)) continue;
-      whole(fmt::format("{} {} does not go to a displacement and back", loop.at ? at_column_ : "the loop",
-                        loop.at ? fmt::format("{}", *loop.at) : "in it"),
-            "give its points in the order of measurement, displacements positive towards the foils");
+      if (rows_.faulty() || turns_round(loop.points)) continue;
+      rows_.fault(fmt::format("{} {} does not go to a displacement and back", loop.at ? at_column_ : "the loop",
+                              loop.at ? fmt::format("{}", *loop.at) : "in it"),
+                  "give its points in the order of measurement, displacements positive towards the foils");
     }
-    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    rows_.throw_if_faulty();
     return std::move(loops_);
   }
 
  private:
-  void fault(std::size_t line, std::string_view text, std::string what, std::string advice) {
-    faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
-  }
-
   void read_header(std::size_t line, std::string_view text) {
-    dialect_ = dialect_of(text);
-    const std::vector<std::string> names = dialect_.cells(text);
-    columns_ = names.size();
+    const std::vector<std::string> names = rows_.read_header(text);
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_column(names[i], at_column_) || is_column(names[i], at_column_ + "_deg")) at_ = i;
       if (auto unit = unit_of_column(names[i], "displacement", Dimension::length)) displacement_ = {i, *unit};
       if (auto unit = unit_of_column(names[i], "force", Dimension::force)) force_ = {i, *unit};
     }
     const auto miss = [&](const std::string& name, Dimension dimension) {
-      fault(line, text, fmt::format("has no {} among its {} columns, separated by {}", name, columns_, dialect_.name),
-            column_advice(names, {name}, dimension, fmt::format("name a column {}, or with another unit", name)));
+      rows_.fault(
+          line, text,
+          fmt::format("has no {} among its {} columns, separated by {}", name, rows_.columns(), rows_.dialect().name),
+          column_advice(names, {name}, dimension, fmt::format("name a column {}, or with another unit", name)));
     };
     if (!displacement_) miss("displacement_um", Dimension::length);
     if (!force_) miss("force_N", Dimension::force);
@@ -112,13 +102,10 @@ class LoopsReader {
     return loops_.back();
   }
 
-  std::string path_;
+  CsvRows rows_;
   std::string at_column_;
   std::vector<MeasuredLoop> loops_;
-  std::vector<Fault> faults_;
-  CsvDialect dialect_;
   CsvNumbers numbers_;
-  std::size_t columns_{};  ///< 0 before the header
   std::optional<std::size_t> at_;
   std::optional<Column> displacement_;
   std::optional<Column> force_;

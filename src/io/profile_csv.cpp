@@ -9,6 +9,7 @@
 
 #include "io/csv_dialect.hpp"
 #include "io/csv_lines.hpp"
+#include "io/csv_rows.hpp"
 #include "io/text_file.hpp"
 
 namespace bumpfoil {
@@ -20,22 +21,17 @@ constexpr double angle_rounding = 0.05;
 /// Takes the lines one by one.
 class ProfileReader {
  public:
-  explicit ProfileReader(const std::string& path) : path_(path) {}
+  explicit ProfileReader(const std::string& path) : rows_(path) {}
 
   void read_line(std::size_t line, std::string_view text) {
     if (is_csv_remark(text)) return;
-    if (columns_ == 0) return read_header(line, text);
+    if (!rows_.has_header()) return read_header(line, text);
     if (!deviation_) return;  // without it nothing is known of the rest
-    const std::vector<std::string> cells = dialect_.cells(text, columns_);
-    if (cells.size() != columns_) {
-      return fault(
-          line, text,
-          fmt::format("has {} columns, separated by {}, and the header {}", cells.size(), dialect_.name, columns_),
-          "write a value for every column");
-    }
+    const std::vector<std::string> cells = rows_.read(line, text);
+    if (cells.empty()) return;
     const auto no_number = [&](const char* quantity) {
-      fault(
-          line, text, numbers_.what(quantity, dialect_),
+      rows_.fault(
+          line, text, numbers_.what(quantity, rows_.dialect()),
           fmt::format("give deviations in {} and angles in degrees, without units, with one decimal sign", unit_.name));
     };
     const std::optional<double> deviation = numbers_.read(cells[*deviation_]);
@@ -48,12 +44,11 @@ class ProfileReader {
 
   /// @throws Error (input) if there was a fault.
   std::vector<double> finish() {
-    if (faults_.empty() && deviations_.empty()) {
-      faults_.push_back(
-          {path_, 0, "", "", "holds no deviation", "write angle_deg,deviation_um and a line for each of equal angles"});
+    if (!rows_.faulty() && deviations_.empty()) {
+      rows_.fault("holds no deviation", "write angle_deg,deviation_um and a line for each of equal angles");
     }
-    if (faults_.empty() && angle_) judge_angles();
-    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    if (!rows_.faulty() && angle_) judge_angles();
+    rows_.throw_if_faulty();
     return std::move(deviations_);
   }
 
@@ -64,14 +59,8 @@ class ProfileReader {
     std::string text;
   };
 
-  void fault(std::size_t line, std::string_view text, std::string what, std::string advice) {
-    faults_.push_back({path_, line, "line", std::string(text), std::move(what), std::move(advice)});
-  }
-
   void read_header(std::size_t line, std::string_view text) {
-    dialect_ = dialect_of(text);
-    const std::vector<std::string> names = dialect_.cells(text);
-    columns_ = names.size();
+    const std::vector<std::string> names = rows_.read_header(text);
     std::size_t found = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (is_column(names[i], "angle_deg")) angle_ = i;
@@ -83,10 +72,10 @@ class ProfileReader {
     }
     if (found == 1) return;
     deviation_.reset();
-    fault(
+    rows_.fault(
         line, text,
         fmt::format("has {} of deviations among its {} columns, separated by {}",
-                    found == 0 ? "no column" : fmt::format("{} columns", found), columns_, dialect_.name),
+                    found == 0 ? "no column" : fmt::format("{} columns", found), rows_.columns(), rows_.dialect().name),
         found == 0 ? column_advice(names, {"deviation_um"}, Dimension::length, "name one deviation_um") : "leave one");
   }
 
@@ -96,20 +85,17 @@ class ProfileReader {
       const double due = static_cast<double>(i) * step;
       const Angle& angle = angles_[i];
       if (std::abs(angle.degrees - due) <= angle_rounding * step) continue;
-      return fault(angle.line, angle.text,
-                   fmt::format("stands where {:.6g} degrees are due: {} lines are {:.6g} degrees apart", due,
-                               angles_.size(), step),
-                   "give equal angles from 0 on, and 360 not again");
+      return rows_.fault(angle.line, angle.text,
+                         fmt::format("stands where {:.6g} degrees are due: {} lines are {:.6g} degrees apart", due,
+                                     angles_.size(), step),
+                         "give equal angles from 0 on, and 360 not again");
     }
   }
 
-  std::string path_;
   std::vector<double> deviations_;
   std::vector<Angle> angles_;
-  std::vector<Fault> faults_;
-  CsvDialect dialect_;
+  CsvRows rows_;
   CsvNumbers numbers_;
-  std::size_t columns_{};
   std::optional<std::size_t> deviation_;
   std::optional<std::size_t> angle_;
   ColumnUnit unit_{};

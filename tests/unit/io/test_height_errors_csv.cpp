@@ -71,6 +71,21 @@ TEST_F(HeightErrorsCsv, KeepToOneDecimalSign) {
   expect_refused("bump;height_error_um\n1;1.234,5\n2;1\n3;0\n4;0\n", "has no finite number for the height");
 }
 
+TEST_F(HeightErrorsCsv, TellDecimalCommasBetweenCommasOnce) {
+  const std::string advice =
+      "; decimal commas in a comma-separated file? write numbers in quotes, or semicolons between columns";
+  EXPECT_TRUE(refusal("bump,height_error_um\n1,0\n2,0,2\n3,-1,5\n4,1,0\n")
+                  .ends_with("h.csv:3: line = 2,0,2: has 3 columns, separated by commas, and the header 2 (as 2 more "
+                             "lines)" +
+                             advice));
+  EXPECT_TRUE(refusal("bump,height_error_um\n1,0\n2,0,2\n3,-1\n4,1\n").ends_with("and the header 2" + advice));
+  EXPECT_TRUE(refusal("bump;height_error_um\n1;0\n2;0;2\n3;-1\n4;1\n").ends_with("write a value for every column"));
+  expect_refused(
+      "bump,height_error_um\n1\n2\n3,0\n4,0\n",
+      "h.csv:2: line = 1: has 1 column, separated by commas, and the header 2 (as 1 more line); write a value "
+      "for every column");
+}
+
 TEST_F(HeightErrorsCsv, SuggestTheColumnThatWasMeant) {
   expect_refused("bump,hieght_error_um\n1,1\n", "did you mean \"height_error_um\"?");
   expect_refused("bump,height\n1,1\n", "say its unit: height_um");
@@ -85,8 +100,20 @@ TEST_F(HeightErrorsCsv, AreJudgedInTheirOwnLines) {
                  "millimetres in a column of micrometres?");
   expect_refused("bump,height_mm\n1,510\n2,500\n3,490\n4,500\n", "micrometres in a column of millimetres?");
   expect_refused("bump,height_error_um\n1,1e-5\n2,0\n3,-2e-6\n4,0\n",
-                 "are within a nanometre of the nominal height; metres in a column of micrometres?");
+                 "and all others are less than 0.1 um from the nominal height; metres in a column of micrometres?");
+  expect_refused("bump,height_error_mm\n1,1e-5\n2,0\n3,-2e-6\n4,0\n", "metres in a column of millimetres?");
+  expect_refused("height_error_um\n0.012\n0.05\n-0.02\n0\n", "millimetres in a column of micrometres?");
+  expect_refused("height_error_nm\n12\n50\n-20\n0\n",
+                 "micrometres in a column of nanometres? Errors that are so small");
   EXPECT_EQ(read("height_error_um\n0\n0\n0\n0\n"), std::vector<double>(4, 0.0));
+  EXPECT_NEAR(read("height_error_nm\n120\n0\n0\n0\n")[0], 120e-9, 1e-20);
+}
+
+TEST_F(HeightErrorsCsv, MayBeHeightsThatAreAsTheyShouldBe) {
+  EXPECT_NEAR(read("height_mm\n0.5\n0.5\n0.5\n0.5\n")[0], 0.0, 1e-15);
+  EXPECT_NEAR(read("height_mm\n0.50002\n0.5\n0.5\n0.5\n")[0], 20e-9, 1e-15);
+  expect_refused("height_um\n0.5\n0.5\n0.5\n0.5\n", "millimetres in a column of micrometres?");
+  expect_refused("height_mm\n0.0005\n0.0005\n0.0005\n0.0005\n", "metres in a column of millimetres?");
 }
 
 TEST_F(HeightErrorsCsv, TellMissingBumpsAtOnce) {

@@ -41,7 +41,7 @@ TEST_F(ProfileFile, SaysWhatIsWrongAndWhere) {
             std::string::npos);
   EXPECT_NE(refusal("deviation_um,deviation_mm\n0,1\n").find("has 2 columns of deviations"), std::string::npos);
   const std::string lines = refusal("deviation_um,angle_deg\n1\nx,0\n");
-  EXPECT_NE(lines.find("profile.csv:2: line = 1: has 1 columns"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("profile.csv:2: line = 1: has 1 column,"), std::string::npos) << lines;
   EXPECT_NE(lines.find("profile.csv:3: line = x,0: has no finite number for the deviation"), std::string::npos)
       << lines;
   EXPECT_NE(refusal("deviation_um\n").find("holds no deviation"), std::string::npos);
