@@ -175,22 +175,20 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.file({"height_errors_file", optional, "File of height errors",
              "instead: a CSV file beside this one; columns bump, and height_error_um or height_mm", "\"heights.csv\""},
             "height_errors", [&foil](const std::string& path) {
-              const bool bumps = foil.bumps >= 1 && foil.bumps <= most_bumps;
+              if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
               const auto count = static_cast<std::size_t>(foil.bumps);
               const auto has_all = [count](const PerBump& one) { return !one.is_list() || one.values.size() == count; };
-              if (!bumps || !has_all(foil.pitch) || !has_all(foil.length) || !has_all(foil.height) ||
-                  !has_all(foil.thickness)) {
-                return;  // reported as such
+              // Where a list of dimensions is wrong, the file is read for its own faults.
+              const bool known =
+                  has_all(foil.pitch) && has_all(foil.length) && has_all(foil.height) && has_all(foil.thickness);
+              std::vector<double> heights(count);
+              std::vector<double> rises(count);
+              for (std::size_t n = 0; known && n < count; ++n) {
+                heights[n] = nominal_height(foil, n);
+                rises[n] = nominal_bump(foil, n).rise;
               }
-              std::vector<double> heights;
-              std::vector<double> rises;
-              heights.reserve(count);
-              rises.reserve(count);
-              for (std::size_t n = 0; n < count; ++n) {
-                heights.push_back(nominal_height(foil, n));
-                rises.push_back(nominal_bump(foil, n).rise);
-              }
-              foil.height_errors = read_height_errors(path, heights, rises);
+              std::vector<double> errors = read_height_errors(path, heights, rises);
+              if (known) foil.height_errors = std::move(errors);
             });
   keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
               "frame only: true gives a bump of another height a stiffness of its own, too"},

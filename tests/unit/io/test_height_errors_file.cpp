@@ -2,6 +2,7 @@
 
 #include "bumpfoil/io/case_reader.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -63,6 +64,35 @@ TEST(HeightErrorsFile, HasItsOwnLines) {
     EXPECT_EQ(lines, (std::vector<std::size_t>{3, 4, 5, 6, 7, 9, 10, 11, 13})) << error.what();
     EXPECT_NE(std::string(error.what()).find("repeats bump 1, given in line 2"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("bearing.radius"), std::string::npos);
+  }
+}
+
+TEST(HeightErrorsFile, IsReadBesideAWrongListOfDimensions) {
+  const TemporaryFolder folder;
+  folder.write("heights.csv", "height_mm\n0.505\n0.5x\n");
+  const std::string path = folder.write("case.toml", whole_case());
+  for (const std::string dimension : {"pitch", "length", "height", "thickness"}) {
+    try {
+      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv",
+                                     fmt::format("bump_foil.{}=[0.0001, 0.0001]", dimension)},
+                       .required_tables = {}});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      ASSERT_EQ(error.faults().size(), 2U) << error.what();
+      EXPECT_EQ(error.faults()[0].key, "bump_foil." + dimension);
+      EXPECT_EQ(error.faults()[1].line, 3U) << error.what();
+    }
+  }
+  // Without nominal heights nothing is said of those that are right.
+  std::string heights = "height_mm\n";
+  for (int bump = 0; bump < 26; ++bump) heights += "0.505\n";
+  folder.write("heights.csv", heights);
+  try {
+    read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv", "bump_foil.pitch=[0.004, 0.004]"},
+                     .required_tables = {}});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.faults().size(), 1U) << error.what();
   }
 }
 
