@@ -12,7 +12,7 @@ do for [row = 0:1] {
   set yrange [-50:1100]
   set xtics 20
   set ytics 200
-  set xlabel "displacement of the journal to +X (µm)"
+  set xlabel "displacement to +X (µm)"
   set ylabel "direct force (N)"
   do for [i = 3 * row + 1:3 * row + 3] {
     set title panel(sprintf("bearing %d", i))
@@ -30,7 +30,7 @@ do for [row = 0:1] {
     unset key
   }
   set xrange [0:27]
-  set yrange [440:680]
+  set yrange [440:640]
   set boxwidth 0.9 absolute
   set xtics 1, 5
   set ytics 40

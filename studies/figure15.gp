@@ -1,7 +1,7 @@
 
 eval panels(2, 1, 1)
 set xrange [0.5:6.5]
-set yrange [-3:59]
+set yrange [-3:43]
 set xtics 1
 set ytics 10
 set xlabel "bearing"

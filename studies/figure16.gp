@@ -75,7 +75,7 @@ set ytics nomirror 0, 5, 25
 set size noratio
 set xrange [0:80]
 set yrange [0:26]
-set xlabel "displacement of the journal to +X (µm)"
+set xlabel "displacement to +X (µm)"
 set ylabel "closed contacts"
 count(branch, interface) = on_branch(branch, 100) ? column("closed_" . interface) : NaN
 # Marks as in the legend, here and there along the lines.

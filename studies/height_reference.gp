@@ -1,7 +1,7 @@
 
 eval panels(2, 2, 2)
 set xrange [30:82]
-set yrange [0:1350]
+set yrange [0:1100]
 set xtics 10
 set ytics 250
 set xlabel "displacement of the journal (µm)"

@@ -17,7 +17,7 @@ do for [j = 1:2] {
   }
   set logscale xy
   set xrange [4:1200]
-  set yrange [1e-4:100]
+  set yrange [1e-3:100]
   set title panel(labels[j])
   plot for [i = 1:4] quantities using "steps":(deviation(i, columns[j])) with linespoints ls 100 + i title direction_names[i]
   unset key

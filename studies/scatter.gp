@@ -22,7 +22,7 @@ do for [j = 1:2] {
     set title panel("bump heights scattered by " . scatter . " µm")
     set ylabel labels[j]
     set xrange [0.5:6.5]
-    set yrange [0:(j == 1 ? 1500 : 18)]
+    set yrange [0:(j == 1 ? 1200 : 12)]
     plot perfect[j] with lines lw 1.5 dt (2, 3) lc rgb black title "truss, no height errors", \
          quantities using (number(strcol("run"))):(of(family, "truss", scales[j], columns[j])) with points ls 101 ps 1 \
            title "truss", \

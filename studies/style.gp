@@ -24,17 +24,17 @@ black = "#000000"; blue = "#0b4f9c"; red = "#b8420f"; green = "#2f8f4e"; grey = 
 um = 1e6
 
 # Opens a picture of panels, with one legend of so many rows above them: eval panels(columns, rows, legend). In print,
-# 190 mm wide, its type has 7.4 pt. The first panel has the legend; after it: unset key.
+# 190 mm wide, its type has 7.4 pt, and four rows fill a page. The first panel has the legend; after it: unset key.
 picture_width = 875.0
-panel_height = 300.0
-picture_height(rows, legend) = rows * panel_height + 24 * legend
+panel_height(rows) = rows == 4 ? 250.0 : 300.0
+picture_height(rows, legend) = rows * panel_height(rows) + 24 * legend
 panels(columns, rows, legend) = sprintf("set terminal svg size %d, %d font 'DejaVu Sans,12' background 'white' enhanced; ", \
                                         picture_width, picture_height(rows, legend)) . \
   sprintf("set output picture; set multiplot layout %d, %d margins screen %g, %g, %g, %g ", rows, columns, \
-          70.0 / picture_width, 1 - 15.0 / picture_width, \
+          76.0 / picture_width, 1 - 15.0 / picture_width, \
           55.0 / picture_height(rows, legend), 1 - (28.0 + 24 * legend) / picture_height(rows, legend)) . \
-  sprintf("spacing screen %g, %g; ", 75.0 / picture_width, 88.0 / picture_height(rows, legend)) . \
-  sprintf("set key at screen 0.5, %g center top vertical maxrows %d samplen 2.5", 1 - 6.0 / picture_height(rows, legend), legend)
+  sprintf("spacing screen %g, %g; ", 81.0 / picture_width, 88.0 / picture_height(rows, legend)) . \
+  sprintf("set key at screen 0.5, %g center top vertical maxrows %d samplen 2.5 width 1", 1 - 6.0 / picture_height(rows, legend), legend)
 
 # The title of a panel, behind its letter: set title panel("+X").
 panel_number = 0
