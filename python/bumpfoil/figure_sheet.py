@@ -41,6 +41,8 @@ STYLE: Mapping[str, Any] = {
 _MM = 1 / 25.4  # inches
 _LEGEND_ROW = 4.5  # mm
 _LEFT, _BOTTOM, _TITLE, _RIGHT = 15.0, 10.0, 5.5, 3.0  # mm round a panel
+_PAGE = 234.0 - 14.0  # mm, a page less a caption of three lines
+_LOWEST = 15.0  # mm, of a panel in which anything can be read
 
 _Drawn = TypeVar("_Drawn", bound=Callable[..., Any])
 
@@ -58,36 +60,38 @@ def styled(draw: _Drawn) -> _Drawn:
     return drawn  # type: ignore[return-value]
 
 
+def arranged(width: str, panels: int) -> tuple[int, int]:
+    """Columns and rows of panels."""
+    columns = min(panels, 2 if width == "double" else 1)
+    return columns, -(-panels // columns)
+
+
 class Sheet:
-    """Panels of one size, row by row."""
+    """Panels of one size, row by row; lower than wanted where they would not fit on a page."""
 
     def __init__(self, width: str, columns: int, rows: int, panel_height: float) -> None:
         from matplotlib.figure import Figure
 
         if width not in WIDTHS:
             raise ValueError(f"width is {width!r}; it is one of {', '.join(WIDTHS)}")
-        self._width = WIDTHS[width]
-        self._pitch = panel_height + _BOTTOM + _TITLE
-        self._height = rows * self._pitch
-        panel_width = self._width / columns - _LEFT - _RIGHT
-        self.figure: Figure = Figure(figsize=(self._width * _MM, self._height * _MM))
-        self._places: list[tuple[Axes, tuple[float, float, float, float]]] = []
-        for panel in range(columns * rows):
-            row, column = divmod(panel, columns)
-            left = column * self._width / columns + _LEFT
-            bottom = (rows - 1 - row) * self._pitch + _BOTTOM
-            self._places.append((self.figure.add_axes((0, 0, 1, 1)), (left, bottom, panel_width, panel_height)))
-        self._arrange()
+        self._width, self._columns, self._rows, self._panel_height = WIDTHS[width], columns, rows, panel_height
+        self.figure: Figure = Figure()
+        self.panels: list[Axes] = [self.figure.add_axes((0, 0, 1, 1), label=str(panel)) for panel in range(columns * rows)]
+        self._arrange(0)
 
-    def _arrange(self) -> None:
-        for ax, (left, bottom, width, height) in self._places:
-            ax.set_position(
-                (left / self._width, bottom / self._height, width / self._width, height / self._height)
-            )
-
-    @property
-    def panels(self) -> list[Axes]:
-        return [ax for ax, _ in self._places]
+    def _arrange(self, legend: float) -> float:
+        """Puts the panels below a legend of this height (mm). @return height of the sheet (mm)"""
+        highest = (_PAGE - legend) / self._rows - _BOTTOM - _TITLE
+        panel = min(self._panel_height, max(highest, _LOWEST))
+        height = self._rows * (panel + _BOTTOM + _TITLE) + legend
+        self.figure.set_size_inches(self._width * _MM, height * _MM)
+        pitch = self._width / self._columns
+        for number, ax in enumerate(self.panels):
+            row, column = divmod(number, self._columns)
+            bottom = (self._rows - 1 - row) * (panel + _BOTTOM + _TITLE) + _BOTTOM
+            ax.set_position(((column * pitch + _LEFT) / self._width, bottom / height,
+                             (pitch - _LEFT - _RIGHT) / self._width, panel / height))
+        return height
 
     def entitle(self, titles: list[str]) -> None:
         """Letters, where there are several panels, and titles."""
@@ -107,17 +111,15 @@ class Sheet:
         """With one legend above all panels, in as few rows as the width allows; of the first panel without `handles`."""
         shown = self.panels[0].get_legend_handles_labels()[0] if handles is None else handles
         if len(shown) > 1:
-            for columns in range(len(shown), 0, -1):
+            for rows in range(1, len(shown) + 1):
                 legend = self.figure.legend(
-                    handles=shown, loc="upper center", ncol=columns, frameon=False, borderpad=0, columnspacing=1.2
+                    handles=shown, loc="upper center", ncol=-(-len(shown) // rows), frameon=False, borderpad=0, columnspacing=1.2
                 )
-                if columns == 1 or legend.get_window_extent().width <= self._width * _MM * self.figure.dpi:
+                if rows == len(shown) or legend.get_window_extent().width <= (self._width - 2) * _MM * self.figure.dpi:
                     break
                 legend.remove()
-            self._height += -(-len(shown) // columns) * _LEGEND_ROW + 1
-            self.figure.set_size_inches(self._width * _MM, self._height * _MM)
-            self._arrange()
-            legend.set_bbox_to_anchor((0.5, 1 - 1 / self._height), transform=self.figure.transFigure)
+            height = self._arrange(rows * _LEGEND_ROW + 1)
+            legend.set_bbox_to_anchor((0.5, 1 - 1 / height), transform=self.figure.transFigure)
         return self.figure
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .figure_sheet import Sheet, save, styled
+from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
 from .plots import _style, _words, demand, demand_fields, direction_name, draw_states, known, running_lines
@@ -33,12 +33,7 @@ _INTERFACES = {"journal_top": "journal on top foil", "top_bump": "top foil on bu
 
 #: Rows of the matrices of coefficients: forces, with their direct and their cross entry.
 _FORCES = ("Fx: xx, xy", "Fy: yy, yx")
-
-
-def _arranged(width: str, panels: int) -> tuple[int, int]:
-    """Columns and rows."""
-    columns = min(panels, 2 if width == "double" else 1)
-    return columns, -(-panels // columns)
+_DASHES = ("-", "--")
 
 
 @styled
@@ -55,7 +50,7 @@ def loops(result: Result, *, width: str = "single") -> Figure:
     demand(result, "loops")
     apart = width == "double" and len(result.cycles) > 1
     least, most = (extreme(float(extreme(cycle.force_direct)) for cycle in result.cycles) for extreme in (min, max))
-    sheet = Sheet(width, *_arranged(width, len(result.cycles) if apart else 1), panel_height=50)
+    sheet = Sheet(width, *arranged(width, len(result.cycles) if apart else 1), panel_height=50)
     for number, cycle in enumerate(result.cycles):
         ax = sheet.panels[number if apart else 0]
         ax.plot(1e6 * cycle.displacement, cycle.force_direct, label=_words(cycle), **_style(0 if apart else number))
@@ -79,7 +74,7 @@ def bump_loads(result: Result, *, width: str = "single") -> Figure:
     """
     demand(result, "bump loads")
     shown = [cycle for cycle in result.cycles if "bump_loads" in cycle.quantities]
-    sheet = Sheet(width, *_arranged(width, len(shown)), panel_height=35)
+    sheet = Sheet(width, *arranged(width, len(shown)), panel_height=35)
     most = max(float(np.max(cycle.bump_loads)) for cycle in shown)
     for ax, cycle in zip(sheet.panels, shown):
         places = Places(cycle.bump_pad)
@@ -176,7 +171,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
         ("clearance_5N", "clearance at 5 N (µm)", 1e-6),
     ]
     shown = [entry for entry in quantities if entry[0] in data]
-    sheet = Sheet(width, *_arranged(width, len(shown)), panel_height=38)
+    sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
         values = {float(one.direction): one.values[np.isfinite(one.values)] / size
                   for one in data[name].transpose("direction", "sample")}
@@ -204,30 +199,48 @@ def _lines(sheet: Sheet, count: int) -> list[Any]:
     return [*(Line2D([], [], label=label, **_style(number)) for number, label in enumerate(labels[:count])), mean]
 
 
+def _coefficients_drawn(width: str, panels: Sequence[tuple[str, str, Sequence[Any]]], words: str,
+                        lines: Sequence[tuple[str, Any, Any]]) -> Figure:
+    """Panels of title, ordinate and the values of both forces; lines of label, abscissa and rows of the values. Marks and
+    colours tell lines apart, dashes and filled marks forces, so that the legend has an entry for each and not for all pairs."""
+    from matplotlib.lines import Line2D
+
+    sheet = Sheet(width, *arranged(width, len(panels)), panel_height=40 if width == "double" else 36)
+    for ax, (_, ordinate, both) in zip(sheet.panels, panels):
+        for dash, values in zip(_DASHES, both):
+            for number, (_, over, rows) in enumerate(lines):
+                style = {**_style(number, marked=True), "linestyle": dash}
+                ax.plot(over, values[rows], **{**style, "markerfacecolor": style["color"] if dash == "-" else "white"})
+        ax.set_xlabel(words)
+        ax.set_ylabel(ordinate)
+    sheet.entitle([title for title, *_ in panels])
+    several = len(lines) > 1
+    colour = "black" if several else _style(0)["color"]
+    handles = [
+        Line2D([], [], color=colour, linestyle=dash, marker="o", markerfacecolor=colour if dash == "-" else "white", label=force)
+        for dash, force in zip(_DASHES, _FORCES)
+    ]
+    if several:
+        handles += [
+            Line2D([], [], label=label, **{**_style(number, marked=True), "linestyle": "none", "markersize": 5})
+            for number, (label, *_) in enumerate(lines)
+        ]
+    return sheet.finish(handles)
+
+
 def _running_coefficients(result: Result, width: str, contacts: str) -> Figure:
-    words, lines = running_lines(result.to_dataframe("coefficients"))
+    table = result.to_dataframe("coefficients")
+    words, lines = running_lines(table)
     behind = "_stuck" if contacts == "stuck" else ""
     panels = [
-        (title, f"{symbol} ({unit})", size, [f"{symbol.lower()}{axes}{behind}_{ending}" for axes in pair])
+        (title, f"{symbol} ({unit})", [size * table[f"{symbol.lower()}{axes}{behind}_{ending}"] for axes in pair])
         for symbol, unit, size, ending, kind in (
             ("K", "MN/m", 1e-6, "N_per_m", "stiffness"),
             ("C", "kN s/m", 1e-3, "N_s_per_m", "damping"),
         )
         for title, pair in ((f"direct {kind}", ("xx", "yy")), (f"cross {kind}", ("xy", "yx")))
     ]
-    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40 if width == "double" else 36)
-    for ax, (_, ordinate, size, columns) in zip(sheet.panels, panels):
-        for component, column in enumerate(columns):
-            for number, (label, over, rows) in enumerate(lines):
-                style = _style(number, marked=True)
-                style["linestyle"] = ("-", "--")[component]
-                style["markerfacecolor"] = (style["color"], "white")[component]
-                force = _FORCES[component]
-                ax.plot(over, size * rows[column], label=f"{force}, {label}" if label else force, **style)
-        ax.set_xlabel(words)
-        ax.set_ylabel(ordinate)
-    sheet.entitle([title for title, *_ in panels])
-    return sheet.finish()
+    return _coefficients_drawn(width, panels, words, [(label, over, rows.index) for label, over, rows in lines])
 
 
 @styled
@@ -254,25 +267,15 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
     table = result.to_dataframe("coefficients")
     # Stiffness and frequency times damping are those of every frequency: friction knows no rates.
     table = table.drop_duplicates(["load_x_N", "load_y_N", "amplitude_m"])
-    loads = list(table.groupby(["load_x_N", "load_y_N"], sort=False))
-    turn = table.frequency_rad_per_s
-    panels: list[tuple[str, str, list[tuple[str, Any]]]] = [
-        ("direct stiffness", "K (MN/m)", [(f"k{a}", 1e-6 * table[f"k{a}_N_per_m"]) for a in ("xx", "yy")]),
-        ("cross stiffness", "K (MN/m)", [(f"k{a}", 1e-6 * table[f"k{a}_N_per_m"]) for a in ("xy", "yx")]),
-        ("direct damping times frequency", "ωC (MN/m)", [(f"c{a}", 1e-6 * turn * table[f"c{a}_N_s_per_m"]) for a in ("xx", "yy")]),
-        ("loss factor", "loss factor", [(a, table[f"loss_factor_{a[0]}"]) for a in ("xx", "yy")]),
+    turn = 1e-6 * table.frequency_rad_per_s
+    panels = [
+        ("direct stiffness", "K (MN/m)", [1e-6 * table[f"k{axes}_N_per_m"] for axes in ("xx", "yy")]),
+        ("cross stiffness", "K (MN/m)", [1e-6 * table[f"k{axes}_N_per_m"] for axes in ("xy", "yx")]),
+        ("direct damping times frequency", "ωC (MN/m)", [turn * table[f"c{axes}_N_s_per_m"] for axes in ("xx", "yy")]),
+        ("loss factor", "loss factor", [table[f"loss_factor_{axis}"] for axis in "xy"]),
     ]
-    sheet = Sheet(width, *_arranged(width, len(panels)), panel_height=40 if width == "double" else 36)
-    for ax, (_, words, columns) in zip(sheet.panels, panels):
-        for component, (_, values) in enumerate(columns):
-            for number, ((load_x, load_y), rows) in enumerate(loads):
-                style = _style(number, marked=True)
-                style["linestyle"] = ("-", "--")[component]
-                style["markerfacecolor"] = (style["color"], "white")[component]
-                label = _FORCES[component]
-                behind = f", load ({load_x:g}, {load_y:g}) N".replace("-", "−") if len(loads) > 1 else ""
-                ax.plot(1e6 * rows.amplitude_m, values[rows.index], label=label + behind, **style)
-        ax.set_xlabel("amplitude (µm)")
-        ax.set_ylabel(words)
-    sheet.entitle([title for title, *_ in panels])
-    return sheet.finish()
+    lines = [
+        (f"load ({load_x:g}, {load_y:g}) N".replace("-", "−"), 1e6 * rows.amplitude_m, rows.index)
+        for (load_x, load_y), rows in table.groupby(["load_x_N", "load_y_N"], sort=False)
+    ]
+    return _coefficients_drawn(width, panels, "amplitude (µm)", lines)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .errors import FileError
-from .figure_sheet import Sheet, styled
+from .figure_sheet import Sheet, arranged, styled
 from .plots import _style
 
 if TYPE_CHECKING:
@@ -24,31 +26,45 @@ _BLUE, _RED, _GREEN, _BLACK = ("#0072B2", "#D55E00", "#009E73", "#000000")
 
 
 @styled
-def paper(folder: str | os.PathLike[str]) -> Figure:
-    """A figure of the source paper, 190 mm wide, from a folder of ``bumpfoil reproduce``: ``paper/figure10``, ... 16.
+def paper(folder: str | os.PathLike[str], *, width: str = "double") -> Figure:
+    """A figure of the source paper, from a folder of ``bumpfoil reproduce``: ``paper/figure10``, ... 16.
 
     Parameters
     ----------
     folder : path
         Of one study.
+    width : {"single", "double"}
+        90 or 190 mm. Figures 10, 11 and 15 fit in one column, 11 with and without friction in the same panels.
 
     Raises
     ------
     FileError
         There is no study of a figure in the folder.
+    ValueError
+        The figure does not fit in one column.
     """
     place = Path(folder)
-    try:
+    with _of_a_study(place):
         study = json.loads((place / "study.json").read_text(encoding="utf-8"))["study"]
-        return _FIGURES[study](place)
+        draw = _FIGURES[study]
+    if width == "single" and study not in _NARROW:
+        raise ValueError(f"{study} has more panels than fit in one column; it is drawn with width=\"double\"")
+    return draw(place, width)
+
+
+@contextlib.contextmanager
+def _of_a_study(folder: Path) -> Iterator[None]:
+    try:
+        yield
     except (OSError, ValueError, KeyError) as error:
-        raise FileError(f"{place}: holds no figure of `bumpfoil reproduce`: {error}") from None
+        raise FileError(f"{folder}: holds no figure of `bumpfoil reproduce`: {error}") from None
 
 
 def _table(folder: Path, name: str) -> pandas.DataFrame:
     import pandas
 
-    return pandas.read_csv(folder / f"{name}.csv")
+    with _of_a_study(folder):
+        return pandas.read_csv(folder / f"{name}.csv")
 
 
 def _of(table: pandas.DataFrame, run: str, direction: int = 0) -> pandas.DataFrame:
@@ -71,9 +87,9 @@ def _marks(ax: Axes, rows: pandas.DataFrame, label: str, colour: str, marker: st
             color=colour, markerfacecolor=colour if filled else "white", label=label)
 
 
-def _figure10(folder: Path) -> Figure:
+def _figure10(folder: Path, width: str) -> Figure:
     table = _table(folder, "loops")
-    sheet = Sheet("double", 2, 2, panel_height=48)
+    sheet = Sheet(width, *arranged(width, 4), panel_height=48 if width == "double" else 36)
     titles = []
     for panel, ax in enumerate(sheet.panels):
         axis, friction = "XY"[panel // 2], ("friction", "frictionless")[panel % 2]
@@ -90,28 +106,33 @@ def _figure10(folder: Path) -> Figure:
     return sheet.finish(sheet.panels[0].get_legend_handles_labels()[0][:3])
 
 
-def _figure11(folder: Path) -> Figure:
+def _figure11(folder: Path, width: str) -> Figure:
     table = _table(folder, "loads")
-    sheet = Sheet("double", 2, 4, panel_height=36)
-    titles = []
-    for panel, ax in enumerate(sheet.panels):
-        direction, friction = list(_DIRECTIONS)[panel // 2], ("friction", "frictionless")[panel % 2]
-        titles.append(f"{_DIRECTIONS[direction]}, {'friction 0.1' if panel % 2 == 0 else 'no friction'}")
-        for model, style in (("present", _style(0, marked=True)), ("former", _style(1, marked=True))):
-            rows = _of(table, f"{model}-{friction}", direction)
-            if model == "former":
-                style["markerfacecolor"] = "white"
-            ax.plot(rows.bump, rows.bump_load_N, label=f"{model} model", **style)
-        ax.set(xlim=(0.3, table.bump.max() + 0.7), ylim=(0, 1.05 * table.bump_load_N.max()))
+    together = width == "single"
+    frictions = {"friction": "friction 0.1", "frictionless": "no friction"}
+    shown = [(direction, list(frictions) if together else [one]) for direction in _DIRECTIONS for one in frictions]
+    shown = shown[::2] if together else shown
+    sheet = Sheet(width, *arranged(width, len(shown)), panel_height=36)
+    for ax, (direction, both) in zip(sheet.panels, shown):
+        for number, friction in enumerate(both):
+            for former, model in enumerate(("present", "former")):
+                rows = _of(table, f"{model}-{friction}", direction)
+                style = _style(2 * number + former, marked=True)
+                if former:
+                    style["markerfacecolor"] = "white"
+                label = f"{model} model, {frictions[friction]}" if together else f"{model} model"
+                ax.plot(rows.bump, rows.bump_load_N, label=label, **style)
+        most = table.bump_load_N.max()
+        ax.set(xlim=(0.3, table.bump.max() + 0.7), ylim=(-0.04 * most, 1.05 * most))
         ax.set_xlabel("bump, counted from the weld")
         ax.set_ylabel("bump load (N)")
-    sheet.entitle(titles)
+    sheet.entitle([_DIRECTIONS[direction] + ("" if together else f", {frictions[both[0]]}") for direction, both in shown])
     return sheet.finish()
 
 
-def _figure12(folder: Path) -> Figure:
+def _figure12(folder: Path, width: str) -> Figure:
     table, elements = _table(folder, "loops"), _table(folder, "finite_elements")
-    sheet = Sheet("double", 2, 4, panel_height=40)
+    sheet = Sheet(width, 2, 4, panel_height=40)
     titles = []
     for panel, ax in enumerate(sheet.panels):
         direction, behind = list(_DIRECTIONS)[panel // 2], ("", "-midsurface")[panel % 2]
@@ -123,7 +144,7 @@ def _figure12(folder: Path) -> Figure:
         for name, rows, colour, marker, start in others:
             for branch, filled in (("loading", True), ("unloading", False)):
                 _marks(ax, rows[rows.branch == branch], f"{name}, {branch}", colour, marker, start=start, filled=filled)
-        ax.set(xlim=(25, 82), ylim=(0, 1100))
+        ax.set(xlim=(22, 82), ylim=(-30, 1100))
         ax.set_xlabel("displacement (µm)")
         ax.set_ylabel("direct force (N)")
     sheet.entitle(titles)
@@ -131,11 +152,11 @@ def _figure12(folder: Path) -> Figure:
     return sheet.finish([*handles, *sheet.panels[1].get_legend_handles_labels()[0][4:]])
 
 
-def _bearings(folder: Path) -> Figure:
+def _bearings(folder: Path, width: str) -> Figure:
     """Figures 13 and 14: six bearings, the loop of each above its heights."""
     loops, heights = _table(folder, "loops"), _table(folder, "heights")
     runs = [run for run in loops.run.unique() if run != "perfect"]
-    sheet = Sheet("double", 3, 4, panel_height=38)
+    sheet = Sheet(width, 3, 4, panel_height=38)
     titles = []
     for row in range(4):
         for column in range(3):
@@ -162,9 +183,9 @@ def _bearings(folder: Path) -> Figure:
     return sheet.finish([handle for ax in (sheet.panels[0], sheet.panels[3]) for handle in ax.get_legend_handles_labels()[0]])
 
 
-def _figure15(folder: Path) -> Figure:
+def _figure15(folder: Path, width: str) -> Figure:
     table = _table(folder, "quantities")
-    sheet = Sheet("double", 2, 1, panel_height=45)
+    sheet = Sheet(width, *arranged(width, 2), panel_height=45)
     scatters = ("10", "20")
     for ax, scatter in zip(sheet.panels, scatters):
         rows = table[table.run.str.startswith(f"scatter{scatter}-")]
@@ -180,9 +201,9 @@ def _figure15(folder: Path) -> Figure:
     return sheet.finish()
 
 
-def _figure16(folder: Path) -> Figure:
+def _figure16(folder: Path, width: str) -> Figure:
     table = _table(folder, "foils")
-    sheet = Sheet("double", 2, 5, panel_height=29)
+    sheet = Sheet(width, 2, 5, panel_height=29)
     increments, titles = (0, 25, 50, 75, 100), []
     from matplotlib.lines import Line2D
 
@@ -228,3 +249,6 @@ _FIGURES = {
     "figure15": _figure15,
     "figure16": _figure16,
 }
+
+#: Those that fit in one column.
+_NARROW = ("figure10", "figure11", "figure15")

@@ -33,7 +33,9 @@ _STATE_COLOURS = ("#FFFFFF", "#BBBBBB", "#D55E00", "#0072B2")
 
 
 def _style(number: int, *, marked: bool = False) -> dict[str, Any]:
-    style: dict[str, Any] = dict(_STYLES[number % len(_STYLES)])
+    """Of a line: where colours come again, they come with another dash and mark."""
+    style: dict[str, Any] = dict(_STYLES[(number + number // len(_STYLES)) % len(_STYLES)])
+    style["color"] = _STYLES[number % len(_STYLES)]["color"]
     if not marked:
         del style["marker"]
     return style
@@ -219,7 +221,7 @@ def coefficients(result: Result, ax: Axes | None) -> Axes:
     loads = list(table.groupby(["load_x_N", "load_y_N"], sort=False))
     for (load_x, load_y), rows in loads:
         for name in ("kxx", "kyy"):
-            behind = f", ({load_x:g}, {load_y:g}) N" if len(loads) > 1 else ""
+            behind = f", ({load_x:g}, {load_y:g}) N".replace("-", "−") if len(loads) > 1 else ""
             values = 1e-6 * rows[f"{name}_N_per_m"]
             label = f"{name}{behind}"
             ax.plot(1e6 * rows.amplitude_m, values, label=label, markersize=4, **_style(number, marked=True))

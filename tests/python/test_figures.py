@@ -37,7 +37,7 @@ def inspect(figure, *, width, panels):
     """Size, type, letters, and that nothing lies on or outside of anything else."""
     FigureCanvasAgg(figure).draw()
     assert figure.get_size_inches()[0] == pytest.approx(width * MM)
-    assert figure.get_size_inches()[1] <= 240 * MM  # a page, with room for a caption
+    assert figure.get_size_inches()[1] <= 220.01 * MM  # a page of 234 mm with a caption of three lines
     assert len(figure.axes) == panels
     drawn = [text for text in texts(figure) if shown(figure, text)]
     assert min(text.get_fontsize() for text in drawn) >= 7
@@ -131,6 +131,27 @@ def test_ensembles_and_coefficients(width, size):
         assert {ax.get_xlabel() for ax in figure.axes} == {"load (N)"}
 
 
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+@pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
+def test_many_curves_fit_on_a_page_and_differ(width, size):
+    many = {"speeds": ["20000 rpm", "30000 rpm", "45000 rpm", "60000 rpm"], "loads": [["10 N", 0], ["20 N", 0]],
+            "frequencies": ["200 Hz", "1000 Hz"]}
+    figure = figures.coefficients(bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=many), width=width)
+    inspect(figure, width=size, panels=4)
+    for ax in figure.axes:
+        shown = {(line.get_color(), line.get_marker(), line.get_linestyle(), line.get_markerfacecolor()) for line in ax.lines}
+        assert len(shown) == len(ax.lines) == 16
+        assert ax.get_position().height * figure.get_size_inches()[1] > 20 * MM
+    # An entry for each of two forces and eight lines, and every line looks like its entries.
+    (legend,) = figure.legends
+    entries = {text.get_text(): mark for text, mark in zip(legend.get_texts(), legend.get_lines())}
+    assert len(entries) == 10
+    line = figure.axes[0].lines[8]
+    assert line.get_linestyle() == entries["Fy: yy, yx"].get_linestyle()
+    first = entries["20000 rpm, (10, 0) N"]
+    assert (line.get_color(), line.get_marker()) == (first.get_color(), first.get_marker())
+
+
 @pytest.fixture(scope="module")
 def paper(tmp_path_factory):
     folder = tmp_path_factory.mktemp("paper")
@@ -138,9 +159,15 @@ def paper(tmp_path_factory):
     return folder
 
 
-@pytest.mark.parametrize("number, panels", [(10, 4), (11, 8), (12, 8), (13, 12), (14, 12), (15, 2), (16, 10)])
-def test_paper(paper, number, panels):
+@pytest.mark.parametrize("number, panels, narrow", [(10, 4, 4), (11, 8, 4), (12, 8, 0), (13, 12, 0), (14, 12, 0), (15, 2, 2),
+                                                    (16, 10, 0)])
+def test_paper(paper, number, panels, narrow):
     inspect(figures.paper(paper / f"figure{number}"), width=190, panels=panels)
+    if narrow:
+        inspect(figures.paper(paper / f"figure{number}", width="single"), width=90, panels=narrow)
+    else:
+        with pytest.raises(ValueError, match=f"figure{number} .*width=\"double\""):
+            figures.paper(paper / f"figure{number}", width="single")
 
 
 def test_paper_shows_its_tables(paper):

@@ -94,7 +94,7 @@ def test_coefficients():
     lines = drawn(result.plot_coefficients())
     table = result.to_dataframe("coefficients")
     first = table[(table.load_y_N == -50) & (table.amplitude_m == 1e-6)].iloc[0]
-    np.testing.assert_allclose(lines["kxx, (0, -50) N"][0], [1, 1e-6 * first.kxx_N_per_m], rtol=1e-12)
+    np.testing.assert_allclose(lines["kxx, (0, −50) N"][0], [1, 1e-6 * first.kxx_N_per_m], rtol=1e-12)
 
 
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
