@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -18,13 +19,13 @@ _HEADLINES = (
     ("loaded_stiffness", "loaded stiffness", "MN/m", 1e6),
     ("loop_energy", "loop energy", "mJ", 1e-3),
     ("loss_factor", "loss factor", "", 1.0),
-    ("first_contact", "first contact", "um", 1e-6),
+    ("first_contact", "first contact", "µm", 1e-6),
 )
 
 #: Of a path, whose cycle has no turning point: series at its last increment.
 _ENDS = (
-    ("x", "x at the end", "um", 1e-6),
-    ("y", "y at the end", "um", 1e-6),
+    ("x", "x at the end", "µm", 1e-6),
+    ("y", "y at the end", "µm", 1e-6),
     ("force_x", "force along X at the end", "N", 1.0),
     ("force_y", "force along Y at the end", "N", 1.0),
     ("dissipated_energy", "dissipated energy", "mJ", 1e-3),
@@ -49,8 +50,9 @@ _MOST_ROWS = 12
 
 
 def table(rows: Sequence[Sequence[str]]) -> str:
-    """Rows of texts; nothing of none."""
-    cells = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
+    """Rows of texts, whose numbers and directions have true minus signs; nothing of none."""
+    signed = [[re.sub("^-(?=[0-9XY])", "−", cell) for cell in row] for row in rows]
+    cells = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in signed)
     return f"<table>{cells}</table>" if rows else ""
 
 

@@ -52,7 +52,7 @@ class State:
         return self._native.fields() if self.converged else {}
 
     def _repr_html_(self) -> str:
-        rows = [["status", self.status], ["position (um)", *(f"{1e6 * place:.4g}" for place in self.position)]]
+        rows = [["status", self.status], ["position (µm)", *(f"{1e6 * place:.4g}" for place in self.position)]]
         if self.converged:
             rows += [
                 ["force (N)", *(f"{force:.4g}" for force in self.force)],

@@ -54,6 +54,15 @@ class Documents(unittest.TestCase):
         self.assertIn("Arghir2019", cited)
         self.assertEqual(cited, known)
 
+    def test_pages_write_folders_of_their_own(self):
+        """Who goes through all pages in one place is refused nowhere."""
+        pages = {}
+        for document in documents():
+            for code in re.findall(r"^```sh\n(.*?)^```", document.read_text(encoding="utf-8"), re.M | re.S):
+                for folder in re.findall(r"^ *bumpfoil (?!init|report).* -o (\S+)", code.replace("\\\n", " "), re.M):
+                    self.assertEqual(pages.setdefault(folder, document), document, folder)
+        self.assertGreater(len(pages), 20)
+
     def test_folders_of_contributing_are_there(self):
         """A row of the table names folders and what is in them; folders in the text are at the top or modules."""
         text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")

@@ -135,18 +135,18 @@ def test_files_of_several_threads(tmp_path):
 def test_shown_in_a_notebook(result):
     page = result._repr_html_()
     assert "<td>maximum force (N)</td><td>73" in page
-    assert "<td>-X</td>" in page
+    assert "<td>−X</td>" in page
 
 
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
 @pytest.mark.parametrize(
     ("command", "cells"),
     [
-        ("vibration", ["load_y_N", "amplitude_m", "loss_factor", "-50", "1e-06"]),
+        ("vibration", ["load_y_N", "amplitude_m", "loss_factor", "−50", "1e-06"]),
         ("equilibrium", ["speed_rad_per_s", "h_min_m", "4712", "10", "converged"]),
         ("sweep", ["friction_coefficient", "direction_deg", "max_force_N", "520.5", "738.6"]),
         ("montecarlo", ["+X", "maximum force (N)", "loss factor"]),
-        ("path", ["path", "x at the end (um)", "50", "force along X at the end (N)"]),
+        ("path", ["path", "x at the end (µm)", "50", "force along X at the end (N)"]),
     ],
 )
 def test_every_command_shows_a_table(command, cells):
@@ -180,7 +180,7 @@ def test_others_are_shown_in_a_notebook(result):
     assert result.case.toml.splitlines()[2] in result.case._repr_html_()
     assert f"<td>{result.cycles[1].max_force:.4g}</td>" in result.cycles[1]._repr_html_()
     page = bumpfoil.Stepper(GEN1, position=(0, -40e-6)).state._repr_html_()
-    assert "<td>converged</td>" in page and "<td>position (um)</td><td>0</td><td>-40</td>" in page
+    assert "<td>converged</td>" in page and "<td>position (µm)</td><td>0</td><td>−40</td>" in page
 
 
 def test_package_runs_the_program():
