@@ -56,7 +56,7 @@ deb: ## a Debian package: program, library, headers, Python package, documentati
 	echo "Package: $$(ls -t build/release/bumpfoil_*.deb | head -1) (install it: apt-get install ./FILE)"
 
 test-deb: deb ## as root: install that package, use it, remove it; lintian judges it
-	@scripts/require_packages.sh package test
+	@scripts/require_packages.sh package plot test
 	scripts/check_deb.sh "$$(ls -t build/release/bumpfoil_*.deb | head -1)"
 
 dist: ## the sources of the last commit as a tarball, which builds and is tested without git

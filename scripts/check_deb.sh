@@ -34,6 +34,9 @@ dpkg -L bumpfoil > installed
 bumpfoil --version
 bumpfoil cycle files/usr/share/doc/bumpfoil/examples/gen1.toml -o results --quiet
 bumpfoil report results --quiet
+bumpfoil designer -o designer.html --quiet
+bumpfoil reproduce -o studies --study increments --quiet
+grep -q "</svg>" studies/increments/picture.svg
 man --where bumpfoil
 bash -c 'source /usr/share/bash-completion/completions/bumpfoil && complete -p bumpfoil'
 /usr/bin/python3 -c 'import bumpfoil; print("bumpfoil", bumpfoil.__version__, bumpfoil.__file__)
