@@ -68,6 +68,16 @@ export async function type(page, key, text) {
   });
 }
 
+/** Moves a slider, and waits until that is answered. */
+export function slide(page, key, value) {
+  return answered(page, () =>
+    slider(page, key).evaluate((one, to) => {
+      one.value = to;
+      one.dispatchEvent(new Event('input', { bubbles: true }));
+    }, value),
+  );
+}
+
 export function textOf(page) {
   return page.locator('.editor').inputValue();
 }

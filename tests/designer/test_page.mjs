@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, statSync } from 'node:fs';
 import { test } from 'node:test';
-import { answered, field, file, modules, slider, textOf, tile, type, withPage } from './page.mjs';
+import { answered, field, file, modules, slide, slider, textOf, tile, type, withPage } from './page.mjs';
 import { due, largestDifference, loopsOfProgram, reference } from './support.mjs';
 
 test('the file is smaller than 6 MB', () => {
@@ -38,12 +38,7 @@ test('the four reference loops answer a slider within 100 ms', () =>
   withPage(async (page) => {
     const times = [];
     for (let i = 0; i < 40; i += 1) {
-      await answered(page, () =>
-        slider(page, 'friction.coefficient').evaluate((one, value) => {
-          one.value = String(value);
-          one.dispatchEvent(new Event('input', { bubbles: true }));
-        }, 0.11 + 0.01 * (i % 10)),
-      );
+      await slide(page, 'friction.coefficient', String(0.11 + 0.01 * (i % 10)));
       times.push(Number(await page.evaluate(() => document.documentElement.dataset.took)));
     }
     const settled = times.slice(20).sort((a, b) => a - b);
@@ -154,7 +149,7 @@ test('tables of lists are added, changed and taken out one by one', () =>
     { viewport: { width: 1366, height: 2000 } },
   ));
 
-test('of radius and diameter one is given', () =>
+test('of radius and diameter one is given, and the taper has a slider, too', () =>
   withPage(async (page) => {
     // With the charts of loads out of sight.
     await page.getByRole('tab', { name: 'Table' }).click();
@@ -162,9 +157,16 @@ test('of radius and diameter one is given', () =>
     assert.match(await textOf(page), /^diameter = "40 mm"$/m);
     assert.doesNotMatch(await textOf(page), /^radius/m);
     assert.equal(await field(page, 'bearing.radius').inputValue(), '20');
+    await slide(page, 'bearing.diameter', '36');
+    assert.match(await textOf(page), /^diameter = "36 mm"$/m);
     await type(page, 'bearing.radius', '19.05 mm');
     assert.doesNotMatch(await textOf(page), /^diameter/m);
+    assert.equal(await field(page, 'bearing.diameter').inputValue(), '38.1');
+    assert.equal(await slider(page, 'bearing.diameter').inputValue(), '38');
     assert.equal(await tile(page, 'max_force_N'), '739.3 N');
+    await slide(page, 'bearing.taper', '10');
+    assert.match(await textOf(page), /^taper = "10 um" /m);
+    assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
 
 test('the page fits from 768 px up and has no serious fault for those who cannot see it', async () => {

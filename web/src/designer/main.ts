@@ -184,6 +184,8 @@ class Page {
     } else {
       this.faults = [];
       this.understood = flatten(answer.run.summary.case);
+      const radius = this.understood.get('bearing.radius');
+      if (typeof radius === 'number') this.understood.set('bearing.diameter', 2 * radius);
       this.now = { answer, text };
       this.before ??= this.now;
       this.show();

@@ -39,9 +39,11 @@ const [um, mm, deg, GPa, MN] = [1e-6, 1e-3, Math.PI / 180, 1e9, 1e6];
 /** Ends of the slider, and its step where that is not a fine one; of tables of a list those of the first. */
 export const ranges: Record<string, [least: number, most: number, step?: number]> = {
   'bearing.radius': [5 * mm, 60 * mm],
+  'bearing.diameter': [10 * mm, 120 * mm, 0.5 * mm],
   'bearing.axial_length': [5 * mm, 120 * mm],
   'bearing.radial_clearance': [-40 * um, 160 * um],
   'bearing.weld_angle': [0, 360 * deg, 1 * deg],
+  'bearing.taper': [-50 * um, 50 * um],
   'bearing.sleeve_waviness[1].harmonic': [1, 12, 1],
   'bearing.sleeve_waviness[1].amplitude': [0, 30 * um],
   'bearing.sleeve_waviness[1].phase': [0, 360 * deg, 1 * deg],
