@@ -90,6 +90,32 @@ test('faults stand beside their fields in the words of the program', () =>
     assert.match(await page.locator('.general-faults').textContent(), /Line \d+: cycle\.parsnips = 1: is no known key/);
   }));
 
+test('decimal commas are understood, and lists without brackets', () =>
+  withPage(async (page) => {
+    const fault = (key) => page.locator(`[data-key="${key}"] .fault`).textContent();
+    const clearance = field(page, 'bearing.radial_clearance');
+    await clearance.fill('31,8 um');
+    await clearance.press('Tab');
+    assert.equal(await clearance.inputValue(), '31.8');
+    assert.equal(await textOf(page), reference);
+    await type(page, 'bearing.radial_clearance', '1,5');
+    assert.match(await textOf(page), /^radial_clearance = "1\.5 um" /m);
+    await type(page, 'bearing.radial_clearance', '1,500 um');
+    assert.match(await fault('bearing.radial_clearance'), /write one number with a decimal point, without separators/);
+    assert.equal(await clearance.inputValue(), '1,500 um');
+    await type(page, 'bearing.radial_clearance', '31.8 um');
+    await type(page, 'bump_foil.height_errors', '1 um, 2 um');
+    assert.match(await textOf(page), /^height_errors = \["1 um", "2 um"\]/m);
+    assert.match(await fault('bump_foil.height_errors'), /one value per bump, 26 in all/);
+    await type(page, 'bump_foil.height_errors', Array.from({ length: 26 }, (_, i) => `${i % 3},5`).join('; ').concat(' um'));
+    assert.equal(await fault('bump_foil.height_errors'), '');
+    assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
+    // What is no list stays a text: the fields around it are not touched.
+    await type(page, 'bump_foil.height_errors', '[1 um 2');
+    assert.match(await fault('bump_foil.height_errors'), /does not begin|has digits|is no|unit/);
+    assert.equal(await page.locator('.general-faults').textContent(), '');
+  }));
+
 test('units are changed without changing the bearing', () =>
   withPage(async (page) => {
     await answered(page, () => page.getByLabel('Unit of Radial clearance').selectOption('mm'));

@@ -6,6 +6,7 @@ import type { CaseKey, Fault, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
 import { groups, ranges, type Group } from './ranges';
 import { inList } from './toml';
+import { listOf, valueOf, withPoint } from './typed';
 
 /** What a field needs to know of the page. */
 interface Place {
@@ -78,6 +79,10 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
     const value = understood(path) ?? (key.presence === 'defaulted' ? key.value : undefined);
     return typeof value === 'number' ? converted({ number: value, unit: si }, usual, si, units) : undefined;
   };
+  const show = (): void => {
+    const now = current();
+    text.value = now ? String(now.number) : (design.written(path) ?? '').replace(/^"|"$/g, '');
+  };
   const set = (number: number, going: boolean): void => design.set(path, writeQuantity({ number, unit: plain ? '' : unit }), going);
 
   slider.addEventListener('input', () => {
@@ -91,12 +96,13 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
       if (design.written(path) !== undefined) design.remove(path);
       return;
     }
-    const read = readQuantity(typed);
-    // A unit may be typed, too, or a list; what is neither the solver refuses in its own words.
-    if (/^[[{]/.test(typed)) design.set(path, typed);
-    else if (!read) design.set(path, JSON.stringify(typed));
+    const read = readQuantity(withPoint(typed));
+    // A unit may be typed, too, or a list.
+    if (!read) design.set(path, valueOf(typed));
     else if (read.unit !== '') design.set(path, writeQuantity(read));
     else set(read.number, false);
+    // Where it means what the case says already, nothing else tells how it was understood.
+    show();
   });
   list.addEventListener('change', () => {
     const now = current();
@@ -116,8 +122,7 @@ function numberField(key: CaseKey, { design, units, understood }: Place): Field 
       plain = si === '' || (written !== undefined && now.unit === '');
       unit = now.unit === '' ? si : now.unit;
     }
-    const shown = now ? String(now.number) : (written ?? '').replace(/^"|"$/g, '');
-    if (text !== document.activeElement || now?.number !== Number(text.value)) text.value = shown;
+    if (text !== document.activeElement || now?.number !== Number(text.value)) show();
     if (si !== '') {
       const names = offered.includes(unit) ? offered : [...offered, unit];
       if (list.childElementCount !== names.length) list.replaceChildren(...names.map((name) => el('option', { value: name }, name)));
@@ -163,7 +168,7 @@ function textField(key: CaseKey, { design }: Place): Field {
   input.addEventListener('change', () => {
     const typed = input.value.trim();
     if (typed === '' && !isText) design.remove(path);
-    else design.set(path, isText ? JSON.stringify(typed) : typed);
+    else design.set(path, isText ? JSON.stringify(typed) : listOf(typed));
   });
   const { root, tell } = frame(key, [input], input);
   root.classList.add('wide');

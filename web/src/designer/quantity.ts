@@ -7,17 +7,17 @@ export interface Quantity {
   unit: string;
 }
 
-const quantity = /^\s*"?\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^"]*?)\s*"?\s*$/;
+const quantity = /^\s*"?\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*([^",]*?)\s*"?\s*$/;
 
 /** Nothing where the text is no number, with or without a unit. */
 export function readQuantity(written: string): Quantity | undefined {
   const [, number, unit] = quantity.exec(written.replaceAll('_', '')) ?? [];
-  return number === undefined ? undefined : { number: Number(number), unit: unit ?? '' };
+  return number === undefined || !Number.isFinite(Number(number)) ? undefined : { number: Number(number), unit: unit ?? '' };
 }
 
 /** As a case file has it. */
 export function writeQuantity({ number, unit }: Quantity): string {
-  return unit === '' ? String(number) : `"${number} ${unit}"`;
+  return unit === '' ? String(number) : JSON.stringify(`${number} ${unit}`);
 }
 
 /** Size of a unit in SI, where the page knows it. */

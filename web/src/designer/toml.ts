@@ -173,6 +173,14 @@ export function outlineOf(text: string): Outline {
   return reader.outline;
 }
 
+/** Whether a text by itself is a value: a text in quotes, a number, true or false, or a list or table of values. */
+export function isValue(text: string): boolean {
+  const { values } = outlineOf(`x = ${text}`);
+  const leaf = /^(["'[{]|true$|false$|[+-]?((0|[1-9](_?\d)*)(\.\d+)?([eE][+-]?\d+)?|inf|nan)$)/;
+  const whole = values.get('x');
+  return whole?.end === 4 + text.length && [...values.values()].every(({ start, end }) => leaf.test(text.slice(start - 4, end - 4)));
+}
+
 /** The value of a key as it is written; nothing where the text does not give it. */
 export function writtenValue(text: string, outline: Outline, path: string): string | undefined {
   const span = outline.values.get(path);

@@ -12,6 +12,7 @@ import type { Look } from '../ui/theme';
 import type { VibrationAnswer } from './format';
 import { isFaulty, type Solver } from './solver';
 import { isSeen } from './tabs';
+import { withPoint } from './typed';
 
 type Quantity = 'stiffness' | 'loss_factor';
 
@@ -49,7 +50,12 @@ export class VibrationView {
   constructor(private readonly solver: Solver) {
     this.panels = [this.panel('stiffness', 'Stiffness', 'N/m'), this.panel('loss_factor', 'Loss factor', '')];
     const controls = [...this.load, this.reach];
-    for (const { box } of controls) box.addEventListener('change', () => this.refresh());
+    for (const { box } of controls) {
+      box.addEventListener('change', () => {
+        box.value = withPoint(box.value);
+        this.refresh();
+      });
+    }
     this.root = el(
       'div',
       { class: 'vibration' },
@@ -71,7 +77,7 @@ export class VibrationView {
     const [x, y] = this.load.map(({ box }) => Number(box.value));
     const most = 1e-6 * Number(this.reach.box.value);
     if (![x, y, most].every(Number.isFinite) || !(most > 0)) {
-      this.told.textContent = 'Loads and amplitudes are numbers, amplitudes positive.';
+      this.told.textContent = 'Loads and amplitudes are numbers without separators, amplitudes positive.';
       return;
     }
     const amplitudes = Array.from({ length: points }, (_, i) => Number((most * least ** (1 - i / (points - 1))).toPrecision(4)));
