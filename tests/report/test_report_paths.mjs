@@ -70,6 +70,13 @@ test('every orbit has its energy, and what has not settled is told', () =>
     assert.ok((await page.locator('.warnings').textContent()).includes(warnings[0]));
   }));
 
+test('centre and axes of an orbit have their unit', () =>
+  withReport('orbit.html', async (page) => {
+    const row = (name) => page.locator('table.case tr', { has: page.getByRole('rowheader', { name, exact: true }) }).locator('td').textContent();
+    assert.equal(await row('Centre'), '0 m, −40 µm');
+    assert.equal(await row('Semi-axes'), '10 µm, 5 µm');
+  }));
+
 test('axe finds nothing serious, and the page fits screens and paper', async () => {
   await withReport('orbit.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme: 'dark' });
   await withReport('orbit.html', assertFits);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { stretchesOf } from '../src/charts/stretches';
 import { labelOffsets } from '../src/charts/label_offsets';
-import { flatten, labelOf, sweptKeys, titleOf, valueText } from '../src/data/case_values';
+import { flatten, labelOf, sweptKeys, titleOf, unitOf, valueText } from '../src/data/case_values';
 import { toCsv } from '../src/data/csv';
 import { decodeFlags, decodeNumbers } from '../src/data/decode';
 import type { CycleData, Quantity, RunData } from '../src/data/format';
@@ -227,4 +227,19 @@ it('counts the tables of a list, and keeps what goes along the foil in one piece
   const keys = { bump_foil: { title: 'Bump foil' }, 'bump_foil.shim[1]': { title: 'Shim' }, 'bump_foil.shim[1].from': { title: 'From bump' } };
   expect(labelOf(keys, 'bump_foil.shim[2].from')?.title).toBe('From bump');
   expect(['bump_foil', 'bump_foil.shim[2]', 'bump_foil.pad[1]'].map((table) => titleOf(keys, table))).toEqual(['Bump foil', 'Shim 2', undefined]);
+});
+
+it('knows the units of keys that take lengths or forces', () => {
+  const keys = { 'bearing.radius': { title: 'Radius', unit: 'm' } };
+  const text = (input: Parameters<typeof flatten>[0], key: string): string => {
+    const entries = flatten(input);
+    return valueText(entries.get(key), unitOf(keys, key, entries));
+  };
+  const [places, loads] = [{ path: { centre: [0, -4e-5], semi_axes: [1e-5, 5e-6] } }, { path: { centre: ['0 N', '-40 N'], semi_axes: [10, 5] } }];
+  expect([text(places, 'path.centre'), text(places, 'path.semi_axes')]).toEqual(['0 m, −40 µm', '10 µm, 5 µm']);
+  expect([text(loads, 'path.centre'), text(loads, 'path.semi_axes')]).toEqual(['0 N, −40 N', '10 N, 5 N']);
+  expect(text({ cycle: { amplitude: 8e-5, preload: [0, -5e-5] } }, 'cycle.preload')).toBe('0 m, −50 µm');
+  expect(text({ cycle: { amplitude: 8e-5, preload: ['0 N', '-50 N'] } }, 'cycle.preload')).toBe('0 N, −50 N');
+  expect(text({ strip: { load: 100, preload: 50 } }, 'strip.preload')).toBe('50 N');
+  expect(text({ bearing: { radius: 0.02 } }, 'bearing.radius')).toBe('20 mm');
 });

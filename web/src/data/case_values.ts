@@ -34,6 +34,16 @@ export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefi
   return keys[first] ?? keys[first.replace(/^pad\[1\]\./, '')];
 }
 
+/** SI unit of the numbers of a key; of one that takes lengths or forces, which of both the keys beside it are. */
+export function unitOf(keys: CaseKeys, path: string, entries: Map<string, CaseValue>): string {
+  const table = groupOf(path);
+  // A centre or a point that is a load is written as a text, with its unit.
+  if (path === 'path.centre' || path === 'path.points') return 'm';
+  if (path === 'path.semi_axes') return [entries.get('path.centre')].flat().some((one) => typeof one === 'string') ? 'N' : 'm';
+  if (path === `${table}.preload`) return entries.has(`${table}.load`) ? 'N' : 'm';
+  return labelOf(keys, path)?.unit ?? '';
+}
+
 /** The title of a table, counted where there may be several. */
 export function titleOf(keys: CaseKeys, table: string): string | undefined {
   const title = labelOf(keys, table)?.title;
@@ -48,7 +58,7 @@ export function valueText(value: CaseValue | undefined, unit: string): string {
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
-  if (typeof value !== 'number') return String(value).replaceAll('_', ' ');
+  if (typeof value !== 'number') return String(value).replaceAll('_', ' ').replace(/^-(?=\d)/, '−');
   if (unit === 'direction') return directionName(Number(((value * 180) / Math.PI).toPrecision(9)));
   if (unit === 'rad') return `${Number(((value * 180) / Math.PI).toPrecision(6))}°`.replace('-', '−');
   if (unit !== '') return trimmed(formatQuantity(value, unit, 5));

@@ -1,5 +1,5 @@
-import { flatten, groupOf, labelOf, titleOf, valueText } from '../data/case_values';
-import type { CaseKeys } from '../data/format';
+import { flatten, groupOf, labelOf, titleOf, unitOf, valueText } from '../data/case_values';
+import type { CaseKeys, CaseValue } from '../data/format';
 import type { Result } from '../data/result';
 import { toCsv } from '../data/csv';
 import { el } from '../ui/dom';
@@ -42,7 +42,10 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): H
         ),
       );
     }
-    const text = (run: Result): string => valueText(cases.get(run)?.get(key), labelOf(caseKeys, key)?.unit ?? '');
+    const text = (run: Result): string => {
+      const entries = cases.get(run) ?? new Map<string, CaseValue>();
+      return valueText(entries.get(key), unitOf(caseKeys, key, entries));
+    };
     const differs = new Set(shown.map(text)).size > 1;
     tables[tables.length - 1]?.append(
       el(
