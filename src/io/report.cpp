@@ -22,6 +22,7 @@
 #include "io/measured_run.hpp"
 #include "io/report_names.hpp"
 #include "io/result_reader.hpp"
+#include "io/shown_deviations.hpp"
 #include "io/shown_samples.hpp"
 #include "io/summary_reader.hpp"
 #include "io/vibration_quantities.hpp"
@@ -136,6 +137,20 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
           {"samples", run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples)}};
 }
 
+/// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version
+/// that had other keys.
+Json deviations_json(const Json& result) {
+  const Json& attributes = result["attributes"];
+  for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
+    if (command == name_of(Experiment::strip)) return nullptr;
+  }
+  try {
+    return shown_deviations(parse_case(attributes.value("case_understood", ""), ""));
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
 /// What of a summary a report shows.
 Json summary_shown(const Json& summary, const std::string& kind) {
   if (has_cycles(kind)) return summary;
@@ -199,6 +214,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   const auto kind = result["kind"].get<std::string>();
   Json run{{"summary", summary_shown(summary.json, kind)}};
   run.update(result);
+  if (Json deviations = deviations_json(result); !deviations.is_null()) run["deviations"] = std::move(deviations);
   if (has_distributions(kind)) {
     run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
   } else {

@@ -14,6 +14,7 @@
 #include "io/base64.hpp"
 #include "io/case_json.hpp"
 #include "io/result_layout.hpp"
+#include "io/shown_deviations.hpp"
 #include "io/summary_json.hpp"
 
 namespace bumpfoil {
@@ -111,6 +112,7 @@ Json shown_run(const Case& input, const CycleResult& result) {
            {"last_increment", layout.increments - 1},
            {"cycles", Json::array()},
            {"quantities", Json::array()}};
+  if (Json deviations = shown_deviations(input); !deviations.is_null()) run["deviations"] = std::move(deviations);
   const std::vector<IncrementQuantity> quantities = increment_quantities(result.experiment);
   for (const Cycle& cycle : result.cycles) run["cycles"].push_back(cycle_data(cycle, quantities));
   const auto explain = [&](const auto& quantity) {

@@ -3,18 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <netcdf>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -298,6 +301,50 @@ TEST(Report, TellsTheLossFactorOfTheFirstVersionFromThatOfNow) {
   results.folder().write("summary.json", summary.replace(schema, 18, "bumpfoil-summary/1"));
   netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::write).putAtt("schema", "bumpfoil-result/1");
   EXPECT_EQ(label(), "loss factor, definition of 0.1");
+}
+
+/// What a list of numbers at equal angles has at an angle, straight between them.
+double at_angle(const std::vector<float>& numbers, double phi) {
+  const double turns = phi / (2.0 * std::numbers::pi);
+  const double place = (turns - std::floor(turns)) * static_cast<double>(numbers.size() - 1);
+  const auto before = static_cast<std::size_t>(place);
+  return numbers[before] + (numbers[before + 1] - numbers[before]) * (place - static_cast<double>(before));
+}
+
+TEST(Report, TellsHowSleeveAndJournalDifferFromCircles) {
+  Case input = reference_case();
+  input.cycle.directions = {0.0};
+  input.cycle.amplitude.value = 5e-6;  // the journal stays away from the foils
+  input.cycle.steps = 1;
+  input.bearing.sleeve.waves = {{.harmonic = 3, .amplitude = 2e-6, .phase = 0.4}};
+  input.bearing.sleeve.deviations = {1e-6, -2e-6, 3e-6, 0.0};
+  input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 4e-6, .phase = 1.0}};
+  input.bearing.taper = 10e-6;
+  const CycleResult result = run_cycles(input);
+  const Results results(result, input);
+  const json deviations = json::parse(report_json({results.path()})).at("runs").at(0).at("deviations");
+  const auto [sleeve, journal, taper] = std::tuple(
+      numbers_of(deviations.at("sleeve")), numbers_of(deviations.at("journal")), numbers_of(deviations.at("taper")));
+  // The gaps say the same: over the crests they are C_r + w_s - w_j, less what the journal has moved towards the top
+  // foil.
+  const Vector phi = polar_angles(input.bearing, crest_angles(input));
+  const Cycle& cycle = result.cycles.front();
+  for (Eigen::Index bump = 0; bump < phi.size(); ++bump) {
+    const double moved = cycle.increments[1].x * std::cos(phi[bump]) - cycle.fields.top_displacement(1, bump);
+    const double deviation = cycle.fields.journal_top.gap(1, bump) - input.bearing.radial_clearance + moved;
+    // Straight over half degrees, waves are wrong by a k^2 (pi / 720)^2 / 2.
+    EXPECT_NEAR(at_angle(sleeve, phi[bump]) - at_angle(journal, phi[bump]), deviation, 1e-9) << bump;
+    EXPECT_NEAR(at_angle(taper, phi[bump]), 10e-6 * (static_cast<double>(bump) + 0.5) / 26.0, 1e-11);
+  }
+  // Between free end and weld, at 180 degrees, there are no foils.
+  EXPECT_TRUE(std::isnan(sleeve[361]) && std::isnan(taper[361]) && !std::isnan(journal[361]));
+
+  input.bearing = reference_case().bearing;
+  input.bearing.taper = 10e-6;
+  const json tapered = json::parse(report_json({Results(result, input).path()})).at("runs").at(0).at("deviations");
+  EXPECT_TRUE(tapered.size() == 1 && tapered.contains("sleeve")) << tapered;
+  input.bearing.taper = 0.0;
+  EXPECT_FALSE(json::parse(report_json({Results(result, input).path()})).at("runs").at(0).contains("deviations"));
 }
 
 TEST(Report, HasTheLargestStressOfEveryIncrement) {

@@ -23,6 +23,8 @@ export interface ResultData {
   summary: SummaryHead;
   /** What tables show, in their order. */
   quantities: Quantity[];
+  /** What radii are more than nominal, m, at equal angles from X on towards Y to X again; of bearings that are not round. */
+  deviations?: { sleeve?: string; journal?: string; taper?: string };
 }
 
 /** Cycles, increment by increment. */

@@ -1,3 +1,4 @@
+import { deviationChart } from '../charts/deviations';
 import { flatten, groupOf, labelOf, titleOf, unitOf, valueText } from '../data/case_values';
 import type { CaseKeys, CaseValue } from '../data/format';
 import type { Result } from '../data/result';
@@ -122,5 +123,5 @@ export function caseSection(comparison: ComparedCases, caseKeys: CaseKeys, words
   };
   comparison.onChange(fill);
   fill();
-  return el('div', {}, panel.root, origins);
+  return el('div', {}, ...deviationChart(comparison, comparison.shown), panel.root, origins);
 }
