@@ -59,6 +59,7 @@ ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& f
   add("bump_pitch", "distance from crest to crest along the foil", &BumpShape::pitch);
   add("bump_half_length", "half the chord of the arc of a bump", &BumpShape::half_length);
   add("bump_rise", "rise of the mid-surface of a nominal bump", &BumpShape::rise);
+  add("bump_thickness", "thickness of the bump foil at a bump", &BumpShape::thickness);
   if (offsets != errors) {
     layout.at_bumps.push_back({"crest_offset", "m",
                                "height of the crest over that of the tallest nominal bump before assembly: nominal, "

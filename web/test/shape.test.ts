@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BearingGeometry } from '../src/bearing/geometry';
-import { shapeAt, undeformedGap } from '../src/bearing/shape';
+import { foilPieces, shapeAt, undeformedGap } from '../src/bearing/shape';
 import { tickText } from '../src/data/counted';
 import type { CycleData, RunData } from '../src/data/format';
 import { Run } from '../src/data/run';
@@ -102,6 +102,24 @@ describe('shape', () => {
     // Lower than the first by its design, whatever its height error.
     expect(crests[1]!.moveIn).toBeCloseTo(-20e-6, 10);
     expect(crests[1]!.height).toBeCloseTo(0.4e-3, 10);
+  });
+
+  it('is in pieces where the sheet changes its thickness, from the middle of a flat on', () => {
+    const pieces = (thicknesses: number | number[]): ReturnType<typeof foilPieces> => {
+      const geometry = new BearingGeometry(run(2, { bump_thickness: thicknesses }));
+      return foilPieces(geometry, shapeAt(geometry, geometry.run.cycles[0]!, 0));
+    };
+    const [whole, ...others] = pieces(0.1e-3);
+    expect([whole!.weight, others.length]).toEqual([1, 0]);
+    expect(whole!.points).toEqual(shapeOf(2).pads[0]!.bumpFoil);
+    const [thin, thick, ...more] = pieces([0.09e-3, 0.11e-3]);
+    expect(more.length).toBe(0);
+    expect([thin!.weight, thick!.weight].map((weight) => Number(weight.toFixed(6)))).toEqual([0.729, 1.331]);
+    // They meet between the bumps, at 4 mm, where the first foot is.
+    const meeting = [thin!.points[thin!.points.length - 1]!, thick!.points[0]!];
+    for (const point of meeting) expect(point).toMatchObject({ along: 4e-3, height: 0 });
+    expect(thin!.points.length + thick!.points.length).toBe(whole!.points.length + 2);
+    expect(pieces([0.02e-3, 0.18e-3]).map(({ weight }) => weight)).toEqual([0.4, 2.6]);
   });
 
   it('has the gap of the journal that the conventions say', () => {

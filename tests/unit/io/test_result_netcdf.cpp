@@ -192,6 +192,7 @@ TEST(ResultNetcdf, HoldsWhatItTakesToDrawTheBearing) {
   EXPECT_EQ(file.at("bump_pitch"), input.bump_foil.pitch.values.front());
   EXPECT_EQ(file.at("bump_half_length"), 0.5 * input.bump_foil.length.values.front());
   EXPECT_EQ(file.at("bump_rise"), nominal_bump(input.bump_foil).rise);
+  EXPECT_EQ(file.at("bump_thickness"), input.bump_foil.thickness.values.front());
 }
 
 TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
@@ -216,6 +217,11 @@ TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
   ASSERT_EQ(values("crest_offset").size(), bumps);
   EXPECT_NEAR(values("crest_offset")[0], 6e-6, 1e-18);
   EXPECT_NEAR(values("crest_offset")[1], 1e-6, 1e-18);
+  EXPECT_EQ(values("bump_thickness"), std::vector<double>{});
+  input.bump_foil.sections = {{.from = 2, .to = 2, .thickness = 0.127e-3}};
+  ASSERT_EQ(values("bump_thickness").size(), bumps);
+  EXPECT_EQ(values("bump_thickness")[1], 0.127e-3);
+  EXPECT_EQ(values("bump_thickness")[2], 0.102e-3);
 }
 
 TEST(ResultNetcdf, HasADimensionForSeveralPads) {

@@ -84,6 +84,9 @@ function padsOf(run: Run): Pad[] {
   return pads;
 }
 
+/** Of lines of graded foils: all are to be seen, and none covers what is beside it. */
+const [leastWeight, mostWeight] = [0.4, 2.6];
+
 /** What does not change while the journal moves. */
 export class BearingGeometry {
   readonly radius: number;
@@ -96,6 +99,8 @@ export class BearingGeometry {
   readonly crestPlaces: number[];
   readonly footPlaces: number[];
   readonly crestOffsets: number[];
+  /** Of the bump foil at each bump; all 0 in results that do not tell. */
+  readonly thicknesses: number[];
   readonly sleeveGaps: number[];
   readonly twoFeet: boolean;
   readonly topFoil: boolean;
@@ -116,6 +121,7 @@ export class BearingGeometry {
     this.footPlaces = places('foot_position', 'foot_theta');
     const offsets = run.perNode('crest_offset');
     this.crestOffsets = offsets.length > 0 ? offsets : run.perNode('height_error');
+    this.thicknesses = ofBumps(run, 'bump_thickness');
     this.sleeveGaps = run.perNode('sleeve_gap');
     this.twoFeet = run.feet === 2 * run.bumps;
     this.topFoil = run.interfaces.some(({ name }) => name === 'journal_top');
@@ -149,6 +155,17 @@ export class BearingGeometry {
   /** By which the lobe of a pad brings its foils and the sleeve under them inwards. */
   lobeAt(pad: Pad, along: number): number {
     return pad.lobe === 0 ? 0 : pad.lobe * Math.cos((along - 0.5 * pad.length) / this.radius);
+  }
+
+  /** How wide the line of a bump is drawn against that of a foil that is as thick everywhere: with the stiffness of the sheet. */
+  lineWeight(bump: number): number {
+    const mean = this.thicknesses.reduce((sum, one) => sum + one, 0) / this.thicknesses.length;
+    return this.isGraded ? Math.min(Math.max(leastWeight, (at(this.thicknesses, bump) / mean) ** 3), mostWeight) : 1;
+  }
+
+  /** Whether the bump foil is not as thick everywhere. */
+  get isGraded(): boolean {
+    return new Set(this.thicknesses).size > 1;
   }
 
   /** Height of the arc of a bump at a distance from its crest. */

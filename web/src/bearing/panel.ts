@@ -1,4 +1,4 @@
-import { contactStates, largest, type Cycle } from '../data/run';
+import { capital, contactStates, largest, type Cycle } from '../data/run';
 import { toCsv } from '../data/csv';
 import { formatQuantity } from '../data/units';
 import { dropDown, el, svg, tickBox } from '../ui/dom';
@@ -8,6 +8,7 @@ import { fileName } from '../ui/save';
 import type { Selection } from '../ui/selection';
 import { look, onLookChange } from '../ui/theme';
 import { arrowPath } from './drawing';
+import { gradingOf } from './foil_lines';
 import { BearingGeometry } from './geometry';
 import { drawRound } from './round';
 import { fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
@@ -171,7 +172,8 @@ export class BearingPanels {
   /** What is seen, and how much larger than it is. */
   private subject(stretch: number): string {
     const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
-    return `${this.where}. Against true scale: height of bumps ${times(stretch)}, displacements and gaps ${times(stretch * this.inwards)}, slip ${times(this.along)}.`;
+    const grading = gradingOf(this.geometry);
+    return `${this.where}. Against true scale: height of bumps ${times(stretch)}, displacements and gaps ${times(stretch * this.inwards)}, slip ${times(this.along)}.${grading === '' ? '' : ` ${capital(grading)}.`}`;
   }
 
   private describe(): void {

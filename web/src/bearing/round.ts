@@ -2,6 +2,7 @@ import { at } from '../data/run';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import { foilLines } from './foil_lines';
 import type { Pad } from './geometry';
 import { partNames, type PartName } from './parts';
 import { onGround, type ShapePoint } from './shape';
@@ -69,8 +70,7 @@ const letters = 11;
 export function drawRound(root: SVGSVGElement, scene: Scene, current: Look, shown: number): number {
   const { geometry, shape, cycle, index } = scene;
   const layout = new RoundLayout(scene);
-  const lines = (part: 'bumpFoil' | 'topFoil', lift: number): string =>
-    shape.pads.map((pad) => pathOf(pad[part].map((point) => layout.place(point, lift)))).join('');
+  const topFoils = shape.pads.map(({ topFoil }) => pathOf(topFoil.map((point) => layout.place(point, foilGap)))).join('');
   const scale = scene.inwards * layout.perHeight;
   const journal = {
     x: centre + scale * cycle.value('x', index),
@@ -89,8 +89,8 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look, show
     svg('circle', { cx: journal.x, cy: journal.y, r: Math.max(0, journalRadius), fill: current.journal, stroke: current.line, 'stroke-width': 1.2 }),
     ...axes(current, font),
     svg('path', { d: welds.join(''), stroke: current.topFoil, 'stroke-width': 3.4 }),
-    svg('path', { d: lines('bumpFoil', 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
-    svg('path', { d: lines('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
+    ...foilLines(scene, (point) => layout.place(point), 1.7, current),
+    svg('path', { d: topFoils, fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
     ...shape.feet.map((foot, i) => stateMark(layout.place(foot), cycle, 'bump_sleeve', index, i, current, layout.forward(foot))),
     ...numbers(scene, current, font),

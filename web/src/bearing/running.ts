@@ -10,6 +10,7 @@ import { Panel } from '../ui/panel';
 import { fileName } from '../ui/save';
 import { look, onLookChange, type Look } from '../ui/theme';
 import { arrowPath, pathOf, text, type Place } from './drawing';
+import { gradingOf } from './foil_lines';
 import { BearingGeometry } from './geometry';
 import { marks } from './panel';
 import { drawRound } from './round';
@@ -63,7 +64,8 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
         if (!states.isFound(place)) return 'not known: no state was found';
         const [x, y] = ['x', 'y'].map((name) => formatQuantity(states.numberAt(name, place), 'm', 3));
         const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
-        return `journal at (${x ?? ''}, ${y ?? ''}), displacements and gaps ${times(stretch * inwards)}, height of bumps ${times(stretch)} true scale`;
+        const scales = `displacements and gaps ${times(stretch * inwards)}, height of bumps ${times(stretch)} true scale`;
+        return [`journal at (${x ?? ''}, ${y ?? ''})`, scales, gradingOf(geometry)].filter((words) => words !== '').join(', ');
       },
       legend: () => [
         { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current.force })], text: 'force of the sleeve on a foot' },

@@ -85,6 +85,31 @@ function bumpFoil(geometry: BearingGeometry, pad: Pad, cycle: Cycle, index: numb
   return points;
 }
 
+function middle(a: ShapePoint, b: ShapePoint): ShapePoint {
+  const of = (name: 'along' | 'height' | 'moveAlong' | 'moveIn'): number => 0.5 * (a[name] + b[name]);
+  return { pad: a.pad, along: of('along'), height: of('height'), moveAlong: of('moveAlong'), moveIn: of('moveIn') };
+}
+
+/** The bump foils of all pads in pieces that are drawn as wide: from the middle of a flat to that of another. */
+export function foilPieces(geometry: BearingGeometry, shape: Shape): { weight: number; points: ShapePoint[] }[] {
+  return shape.pads.flatMap(({ bumpFoil: points }) => {
+    const { firstBump, borders } = at(points, 0).pad;
+    const bumps = borders.length - 1;
+    const perBump = 2 * halfArcPoints + 1;
+    const before = geometry.welded || !geometry.twoFeet ? 1 : 0;
+    const start = (bump: number): number => before + bump * perBump;
+    const border = (bump: number): ShapePoint => middle(at(points, start(bump) - 1), at(points, start(bump)));
+    const pieces: { weight: number; points: ShapePoint[] }[] = [];
+    for (let first = 0, end = 1; first < bumps; first = end) {
+      const weight = geometry.lineWeight(firstBump + first);
+      for (end = first + 1; end < bumps && geometry.lineWeight(firstBump + end) === weight; ) end += 1;
+      const inner = points.slice(first === 0 ? 0 : start(first), end === bumps ? points.length : start(end));
+      pieces.push({ weight, points: [...(first === 0 ? [] : [border(first)]), ...inner, ...(end === bumps ? [] : [border(end)])] });
+    }
+    return pieces;
+  });
+}
+
 /** A smooth curve through what is known at the weld and over the crests. */
 function topFoil(geometry: BearingGeometry, pad: Pad, nodes: ShapePoint[]): ShapePoint[] {
   const first: ShapePoint = { pad, along: 0, height: geometry.rise, moveAlong: 0, moveIn: geometry.welded ? 0 : at(nodes, 0).moveIn };

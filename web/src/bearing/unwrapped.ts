@@ -3,6 +3,7 @@ import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
 import type { Look } from '../ui/theme';
 import { arrowPath, pathOf, stateMark, text, type Place } from './drawing';
+import { foilLines } from './foil_lines';
 import type { BearingGeometry } from './geometry';
 import { partNames, type PartName } from './parts';
 import { onGround, type PadShape, type Shape, type ShapePoint } from './shape';
@@ -101,7 +102,7 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
     svg('path', { d: stroke('ground', -foilGap / 2), fill: 'none', stroke: current.sleeve, 'stroke-width': 1.4 }),
     ...shims(scene, layout, current),
     ...welds(scene, layout, current),
-    svg('path', { d: stroke('bumpFoil', 0), fill: 'none', stroke: current.bumpFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
+    ...foilLines(scene, (point) => layout.place(point), 2, current),
     svg('path', { d: stroke('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, current) : []),
     ...marks(scene, layout, current),
