@@ -82,7 +82,7 @@ Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& 
   std::vector<Shorthand> given{{"--samples", "montecarlo.samples", options.samples},
                                {"--seed", "montecarlo.seed", options.seed}};
   std::erase_if(given, [](const Shorthand& one) { return one.value.empty(); });
-  CaseRequest request{.overrides = options.overrides, .required_tables = {"montecarlo", "cycle"}};
+  CaseRequest request{.overrides = options.overrides, .required_tables = {"montecarlo"}};
   for (const Shorthand& one : given) request.overrides.push_back(one.key + '=' + one.value);
   try {
     return parse_case(case_text, options.case_path, request);
@@ -122,7 +122,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
     ProgressBar bar(!session.quiet, static_cast<double>(before) / input.montecarlo->samples, has_log);
     const Rate rate(before);
     const auto enough = [&] {
-      return options.target_error && relative_error_of_force(layout, log) < *options.target_error;
+      return options.target_error && relative_error_of_mean(layout, log) < *options.target_error;
     };
     const auto progress = [&](double done) {
       bar.show(done / input.montecarlo->samples, rate.text(done));
@@ -167,7 +167,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
 void add_montecarlo_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MonteCarloOptions>();
   CLI::App* command = program.add_subcommand(
-      "montecarlo", "Run the cycles of many bearings that differ within the tolerances of [montecarlo]");
+      "montecarlo", "Run the cycles, or states, of many bearings that differ within the tolerances of [montecarlo]");
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command->add_option("-o,--output", options->folder, "Folder for summary.json and ensemble.nc")
       ->type_name("DIR")
@@ -180,13 +180,14 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
   add_overrides(*command, options->overrides);
   command
       ->add_option("--target-error", options->target_error,
-                   "Stop when the standard error of the mean of the maximum force is below this part of it in every "
-                   "direction; asked after every 1000 samples")
+                   "Stop when the standard error of the mean of the maximum force (of running bearings: of the least "
+                   "film thickness) is below this part of it everywhere; asked after every 1000 samples")
       ->check(positive_number())
       ->type_name("E");
   command
-      ->add_option("--limit", options->limits,
-                   "What a bearing is to keep in every direction, \"clearance_5N > 20 um\"; may be given again")
+      ->add_option(
+          "--limit", options->limits,
+          "What a bearing is to keep in every direction or state, \"clearance_5N > 20 um\"; may be given again")
       ->type_name("LIMIT")
       ->allow_extra_args(false)
       ->take_all();
@@ -198,6 +199,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
       "  bumpfoil montecarlo examples/tolerances.toml -o tolerances\n"
       "  bumpfoil montecarlo examples/tolerances.toml -o more --samples 10000 --seed 2\n"
       "  bumpfoil cycle examples/tolerances.toml --sample tolerances/ensemble.nc:17 -o seventeen\n"
+      "  bumpfoil montecarlo examples/running_tolerances.toml -o running --limit 'h_min > 3 um'\n"
       "A sample depends on its number and the seed alone: not on threads, nor on how many there are. One that fails is "
       "kept, with its status. Ctrl-C ends the run; the samples that are done by then are written, and --resume goes "
       "on. "

@@ -18,6 +18,7 @@ DRAWN = {
     "strip": lambda case: figures.loops(bumpfoil.run_strip(case)),
     "three_pads": lambda case: figures.bump_loads(bumpfoil.run_cycle(case), width="double"),
     "tolerances": lambda case: figures.ensemble(bumpfoil.run_montecarlo(case)),
+    "running_tolerances": lambda case: figures.ensemble(bumpfoil.run_montecarlo(case, samples=20)),
     "vibration": lambda case: figures.coefficients(bumpfoil.run_vibration(case)),
 }
 

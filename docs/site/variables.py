@@ -69,6 +69,8 @@ def small_results():
     yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)
     yield "sweep", "running bearings", bumpfoil.run_sweep(EXAMPLES / "running.toml", swept, command="equilibrium", **FILM)
     yield "montecarlo", "", bumpfoil.run_montecarlo(gen1, samples=2, limits=["max_force > 1 N"], montecarlo=drawn)
+    on_film = {"command": "equilibrium", "radial_clearance": {"std": "1 um"}}
+    yield "montecarlo", "running bearings", bumpfoil.run_montecarlo(EXAMPLES / "running.toml", samples=2, montecarlo=on_film, **FILM)
 
 
 def list_new(name, head, rows, listed):

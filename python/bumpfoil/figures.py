@@ -15,7 +15,7 @@ import numpy as np
 from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
-from .plots import _style, _words, demand, demand_fields, direction_name, draw_states, known, running_lines
+from .plots import _style, _words, demand, demand_fields, draw_states, known, place_of, running_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -155,6 +155,8 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
 def ensemble(result: Result, *, width: str = "double") -> Figure:
     """Distributions of maximum force, loaded stiffness, loss factor and estimated clearance, by direction, and their means.
 
+    Of running bearings: of least film thickness, eccentricity, power loss and highest stress, by state.
+
     Parameters
     ----------
     result : Result
@@ -170,16 +172,23 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
         ("loss_factor", "loss factor", 1),
         ("clearance_5N", "clearance at 5 N (µm)", 1e-6),
     ]
+    if place_of(data) == "state":
+        quantities = [
+            ("h_min", "least film thickness (µm)", 1e-6),
+            ("eccentricity_ratio", "eccentricity ratio", 1),
+            ("power", "power loss (W)", 1),
+            ("max_stress_top_foil", "stress, top foil (MPa)", 1e6),
+        ]
     shown = [entry for entry in quantities if entry[0] in data]
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
-        values = {float(one.direction): one.values[np.isfinite(one.values)] / size
-                  for one in data[name].transpose("direction", "sample")}
+        values = {place: one.values[np.isfinite(one.values)] / size
+                  for place, one in zip(result.summary["statistics"], data[name].transpose(place_of(data), "sample"))}
         together = np.concatenate(list(values.values()))
         edges = np.histogram_bin_edges(together, min(40, int(np.sqrt(len(together))) + 1))
-        for number, (direction, samples) in enumerate(values.items()):
+        for number, (place, samples) in enumerate(values.items()):
             style = _style(number)
-            ax.hist(samples, edges, histtype="step", linewidth=1.2, label=direction_name(direction), color=style["color"],
+            ax.hist(samples, edges, histtype="step", linewidth=1.2, label=place, color=style["color"],
                     linestyle=style["linestyle"])
             ax.axvline(samples.mean(), 0, 0.06, linewidth=2, color=style["color"])
         ax.set_xlabel(words)
@@ -187,7 +196,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
         ax.yaxis.get_major_locator().set_params(integer=True)
         ax.margins(y=0.08)
     sheet.entitle([""] * len(shown))
-    return sheet.finish(_lines(sheet, data.sizes["direction"]))
+    return sheet.finish(_lines(sheet, data.sizes[place_of(data)]))
 
 
 def _lines(sheet: Sheet, count: int) -> list[Any]:

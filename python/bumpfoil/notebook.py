@@ -22,6 +22,15 @@ _HEADLINES = (
     ("first_contact", "first contact", "µm", 1e-6),
 )
 
+#: Of running bearings.
+_RUNNING = (
+    ("h_min", "least film thickness", "um", 1e-6),
+    ("eccentricity_ratio", "eccentricity ratio", "", 1.0),
+    ("attitude_angle", "attitude angle", "deg", 1.0),
+    ("power", "power loss", "W", 1.0),
+    ("highest_bump_load", "highest bump load", "N", 1.0),
+)
+
 #: Of a path, whose cycle has no turning point: series at its last increment.
 _ENDS = (
     ("x", "x at the end", "µm", 1e-6),
@@ -83,9 +92,9 @@ def _end(cycle: Cycle) -> dict[str, float]:
 
 
 def of_ensemble(statistics: Mapping[str, Mapping[str, Any]]) -> str:
-    """Means and standard deviations of summary.json, a column for each direction."""
+    """Means and standard deviations of summary.json, a column for each direction or state."""
     rows = [["mean ± standard deviation", *statistics]]
-    for name, words, unit, size in _HEADLINES:
+    for name, words, unit, size in (*_HEADLINES, *_RUNNING):
         found = [next((entry for key, entry in one.items() if key.startswith(name)), None) for one in statistics.values()]
         if any(found):
             rows.append([_words(words, unit), *(_mean(entry, size) for entry in found)])

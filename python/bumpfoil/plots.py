@@ -180,13 +180,18 @@ def _place(coordinate: xarray.DataArray, number: float) -> str:
     return f"{coordinate.attrs.get('case_key', coordinate.name)} {number:.6g}" + (f" {unit}" if unit != "1" else "")
 
 
-def ensemble(result: Result, quantity: str, ax: Axes | None) -> Axes:
+def place_of(data: xarray.Dataset) -> str:
+    """The dimension of an ensemble beside its samples: directions of cycles, or states of running bearings."""
+    return "state" if "state" in data.dims else "direction"
+
+
+def ensemble(result: Result, quantity: str | None, ax: Axes | None) -> Axes:
     demand(result, "distributions")
-    data = _quantity(result, quantity, ["direction", "sample"])
+    place = place_of(result.to_xarray())
+    data = _quantity(result, quantity or ("h_min" if place == "state" else "max_force"), [place, "sample"])
     ax = _axes(ax)
     edges = np.histogram_bin_edges(data.values[np.isfinite(data.values)], min(40, int(np.sqrt(data.sizes["sample"])) + 1))
-    for number, samples in enumerate(data):
-        label = direction_name(float(samples.direction))
+    for number, (label, samples) in enumerate(zip(result.summary["statistics"], data)):
         ax.hist(samples.values[np.isfinite(samples.values)], edges, histtype="step", label=label, **_style(number))
     ax.set_xlabel(_named(data))
     ax.set_ylabel("bearings")

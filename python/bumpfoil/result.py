@@ -166,7 +166,7 @@ class Result:
         Returns
         -------
         DataFrame
-            Units are at the ends of the names of columns. Of an ensemble a row for each sample and direction.
+            Units are at the ends of the names of columns. Of an ensemble a row for each sample and direction, or state.
 
         Raises
         ------
@@ -221,13 +221,14 @@ class Result:
         """
         return plots.coefficients(self, ax)
 
-    def plot_ensemble(self, quantity: str = "max_force", *, ax: Axes | None = None) -> Axes:
-        """Draws the distribution of a quantity of an ensemble, by direction.
+    def plot_ensemble(self, quantity: str | None = None, *, ax: Axes | None = None) -> Axes:
+        """Draws the distribution of a quantity of an ensemble, by direction, or by state of running bearings.
 
         Parameters
         ----------
-        quantity : str
-            A variable of ensemble.nc over samples and directions, such as ``loss_factor``.
+        quantity : str, optional
+            A variable of ensemble.nc over samples and directions or states, such as ``loss_factor``; without, the maximum
+            force or the least film thickness.
         ax : matplotlib axes, optional
             To draw on; new ones without.
         """

@@ -237,7 +237,8 @@ def run_montecarlo(
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Runs the cycles of many bearings that differ within the tolerances of [montecarlo].
+    """Runs the cycles of many bearings that differ within the tolerances of [montecarlo], or their states on the film
+    (``montecarlo={"command": "equilibrium", ...}``).
 
     What is kept of every sample are its quantities, see :meth:`Result.to_xarray`, :meth:`Result.to_dataframe` and
     ``summary["statistics"]``."""

@@ -28,9 +28,11 @@ def of_csv(result: Result, name: str) -> pandas.DataFrame:
 
 
 def of_samples(ensemble: xarray.Dataset) -> pandas.DataFrame:
-    """A row for each sample and direction of an ensemble.nc, with columns named as those of CSV files."""
-    names = [name for name, values in ensemble.data_vars.items() if values.dims in (("sample",), ("sample", "direction"))]
-    table = ensemble[names].to_dataframe(dim_order=["sample", "direction"]).reset_index()
+    """A row for each sample and direction, or state, of an ensemble.nc, with columns named as those of CSV files."""
+    place = "state" if "state" in ensemble.dims else "direction"
+    shapes = (("sample",), (place,), ("sample", place))
+    names = [name for name, values in ensemble.data_vars.items() if values.dims in shapes]
+    table = ensemble[names].to_dataframe(dim_order=["sample", place]).reset_index()
     for name in names:
         words = ensemble[name].attrs.get("flag_meanings", "").split()
         if words:

@@ -35,7 +35,7 @@ FolderEnsemble::FolderEnsemble(const Case& input, const EnsembleRequest& request
 
 void FolderEnsemble::run(const std::function<bool(double)>& progress) {
   const auto enough = [&] {
-    return request_.target_error && relative_error_of_force(layout_, log_) < *request_.target_error;
+    return request_.target_error && relative_error_of_mean(layout_, log_) < *request_.target_error;
   };
   finished_ = run_ensemble(input_, layout_, log_,
                            {.threads = request_.threads.value_or(available_threads()),

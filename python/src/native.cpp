@@ -96,7 +96,7 @@ Run sweep(const CaseSource& source, const std::string& command, const std::vecto
 std::unique_ptr<FolderEnsemble> open_ensemble(const CaseSource& source, std::filesystem::path folder,
                                               std::optional<unsigned> threads, std::optional<double> target_error,
                                               std::vector<std::string> limits, bool resumes, bool force) {
-  const Case input = read_source(source, {"montecarlo", "cycle"});
+  const Case input = read_source(source, {"montecarlo"});
   return std::make_unique<FolderEnsemble>(
       input, EnsembleRequest{std::move(folder), threads, target_error, std::move(limits), resumes, force},
       provenance_of("montecarlo", kept_text(source, input)));

@@ -229,6 +229,14 @@ bool EquilibriumResult::converged() const {
   return std::all_of(states.begin(), states.end(), found) && std::all_of(limits.begin(), limits.end(), found);
 }
 
+std::vector<OperatingPoint> asked_points(const EquilibriumSettings& equilibrium) {
+  std::vector<OperatingPoint> points;
+  for (const auto& chain : chains_of(equilibrium.path, equilibrium)) {
+    points.insert(points.end(), chain.begin(), chain.end());
+  }
+  return points;
+}
+
 std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
   std::vector<FilmPath> paths{FilmPath::speed_ramp, FilmPath::position_ray, FilmPath::cold_start};
   if (!equilibrium.loads.empty()) paths.insert(paths.begin(), FilmPath::load_ramp);

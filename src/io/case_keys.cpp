@@ -414,6 +414,8 @@ void describe(CaseVisitor& keys, WavinessScatter& waves) {
 }
 
 void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
+  keys.choice({"command", defaulted, "Command", "what is run of each bearing; or \"equilibrium\": the running bearing"},
+              ensemble.command);
   keys.value({"samples", defaulted, "Samples", "bearings that are drawn"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
              &ensemble.seed);
@@ -477,12 +479,12 @@ void describe(CaseVisitor& keys, Case& input) {
         {"equilibrium", optional, "Equilibrium",
          "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
         input.equilibrium);
-  table(
-      keys,
-      {"montecarlo", optional, "Ensemble",
-       "bearings that differ within their tolerances, for the command montecarlo: a cycle in each direction of [cycle] "
-       "for each; deviations are from the values above"},
-      input.montecarlo);
+  table(keys,
+        {"montecarlo", optional, "Ensemble",
+         "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
+         "of "
+         "[cycle], or the states of [equilibrium]; deviations are from the values above"},
+        input.montecarlo);
 }
 
 }  // namespace bumpfoil

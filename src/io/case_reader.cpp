@@ -53,7 +53,12 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     missed("bearing.radius", "give it, or bearing.diameter");
     if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
   }
-  for (const std::string& table : request.required_tables) {
+  std::vector<std::string> tables = request.required_tables;
+  const bool runs_ensemble = std::find(tables.begin(), tables.end(), "montecarlo") != tables.end();
+  if (runs_ensemble && input.montecarlo && input.montecarlo->command == EnsembleCommand::cycle) {
+    tables.emplace_back("cycle");
+  }
+  for (const std::string& table : tables) {
     if (document.contains(table)) continue;
     // To add what is refused beside pads would lead nowhere.
     const bool knows_pads = table != "strip" && table != "equilibrium";

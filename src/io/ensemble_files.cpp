@@ -35,7 +35,9 @@ std::string message_of(const EnsembleLayout& layout, const EnsembleStatistics& s
   if (!statistics.failures.empty()) {
     std::vector<std::string> lines = failure_lines(layout, statistics);
     lines.resize(std::min(lines.size(), most_messages));
-    parts.push_back(fmt::format("{} cycles failed: {}", statistics.failures.size(), fmt::join(lines, "; ")));
+    parts.push_back(fmt::format("{} {} failed: {}", statistics.failures.size(),
+                                layout.command == EnsembleCommand::cycle ? "cycles" : "states",
+                                fmt::join(lines, "; ")));
   }
   if (interrupted) parts.push_back(fmt::format("{} of {} samples are there", statistics.samples, due));
   return fmt::format("{}", fmt::join(parts, "; "));

@@ -6,17 +6,63 @@
 #include <array>
 
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "io/absent.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// Quantities of a cycle that ensembles keep: those that need no fields, and do not depend on the machine.
-constexpr auto kept = std::to_array<std::string_view>(
+// Quantities that ensembles keep: those that need no fields, and do not depend on the machine.
+constexpr auto kept_of_cycles = std::to_array<std::string_view>(
     {"status", "max_force", "cross_force_at_max", "initial_force", "initial_journal_load", "initial_elastic_energy",
      "loaded_stiffness", "secant_stiffness", "tangent_stiffness_loading", "tangent_stiffness_unloading", "loop_energy",
      "elastic_energy_at_max", "loss_factor", "specific_damping_capacity", "first_contact", "take_up", "max_residual"});
+
+constexpr auto kept_of_states = std::to_array<std::string_view>({"status",
+                                                                 "x",
+                                                                 "y",
+                                                                 "force_x",
+                                                                 "force_y",
+                                                                 "eccentricity_ratio",
+                                                                 "attitude_angle",
+                                                                 "h_min",
+                                                                 "h_min_theta",
+                                                                 "h_min_vertex",
+                                                                 "h_min_crest",
+                                                                 "p_max",
+                                                                 "p_min",
+                                                                 "torque",
+                                                                 "power",
+                                                                 "flow_sides",
+                                                                 "loaded_bumps",
+                                                                 "lifted_bumps_at_entry",
+                                                                 "highest_bump_load",
+                                                                 "max_stress_top_foil",
+                                                                 "max_stress_bump_foil",
+                                                                 "kxx",
+                                                                 "kxy",
+                                                                 "kyx",
+                                                                 "kyy",
+                                                                 "kxx_whirl",
+                                                                 "kxy_whirl",
+                                                                 "kyx_whirl",
+                                                                 "kyy_whirl",
+                                                                 "cxx_whirl",
+                                                                 "cxy_whirl",
+                                                                 "cyx_whirl",
+                                                                 "cyy_whirl",
+                                                                 "residual"});
+
+/// A value of one of the cycles.
+template <typename Value>
+auto of_cycle(Value value) {
+  return [value](const SampleResult& result, std::size_t place, const Case& sampled) {
+    return value(std::get<CycleResult>(result).cycles[place], sampled);
+  };
+}
 
 EnsembleColumn column_of(const CycleQuantity& quantity, const Wording& wording) {
   EnsembleColumn column{.name = std::string(quantity.name),
@@ -27,7 +73,7 @@ EnsembleColumn column_of(const CycleQuantity& quantity, const Wording& wording) 
     column.label = quantity.label;
     column.shown = quantity.shown;
   }
-  column.value = quantity.value;
+  column.value = of_cycle(quantity.value);
   return column;
 }
 
@@ -39,9 +85,9 @@ EnsembleColumn clearance_column(double force, std::size_t i) {
           .label = fmt::format("clearance at {:.4g} N", force),
           .shown = {"um", 1e-6},
           .undefined = Undefined::largest,
-          .value = [i](const Cycle& cycle, const Case&) {
+          .value = of_cycle([i](const Cycle& cycle, const Case&) {
             return i < cycle.clearances.size() ? cycle.clearances[i].displacement.value_or(absent) : absent;
-          }};
+          })};
 }
 
 EnsembleColumn largest_load_column() {
@@ -52,38 +98,109 @@ EnsembleColumn largest_load_column() {
           .label = "largest bump load",
           .shown = {"N", 1.0},
           .undefined = Undefined::unknown,
-          .value = [](const Cycle& cycle, const Case&) {
+          .value = of_cycle([](const Cycle& cycle, const Case&) {
             return cycle.turning_point ? cycle.turning_point->bump_loads.maxCoeff() : absent;
-          }};
+          })};
+}
+
+EnsembleColumn column_of(const RunningQuantity& quantity) {
+  EnsembleColumn column{.name = std::string(quantity.name),
+                        .unit = std::string(quantity.unit),
+                        .long_name = std::string(quantity.long_name),
+                        .form = quantity.form};
+  if (quantity.form.kind == Form::real) {
+    column.label = quantity.label;
+    column.shown = quantity.shown;
+  }
+  column.value = [quantity](const SampleResult& result, std::size_t place, const Case&) {
+    const auto& running = std::get<EquilibriumResult>(result);
+    const RunningState& state = running.states[place];
+    // Of what makes no bearing the status alone is known.
+    if (!running.bearing) return quantity.name == "status" ? static_cast<double>(state.report.status) : absent;
+    return value_of(quantity, *running.bearing, state);
+  };
+  return column;
+}
+
+/// Descriptions of the quantities of these names.
+template <typename Quantities, typename Names, typename Add>
+void add_named(const Quantities& quantities, const Names& names, Add&& add) {
+  for (const std::string_view name : names) {
+    const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                    [name](const auto& quantity) { return quantity.name == name; });
+    BUMPFOIL_ASSERT(found != quantities.end());
+    add(*found);
+  }
+}
+
+void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
+  for (const double direction : input.cycle.directions) layout.places.push_back({direction_name(direction), direction});
+  const Wording wording = wording_of(input, Experiment::cycle);
+  add_named(cycle_quantities(Experiment::cycle), kept_of_cycles,
+            [&](const CycleQuantity& quantity) { layout.columns.push_back(column_of(quantity, wording)); });
+  const std::vector<double>& forces = input.cycle.clearance_forces;
+  for (std::size_t i = 0; i < forces.size(); ++i) layout.columns.push_back(clearance_column(forces[i], i));
+  layout.columns.push_back(largest_load_column());
+}
+
+void lay_out_states(const Case& input, EnsembleLayout& layout) {
+  for (const OperatingPoint& point : asked_points(*input.equilibrium)) {
+    layout.places.push_back({name_of_point(point), point});
+  }
+  const bool by_load = !input.equilibrium->loads.empty();
+  add_named(all_running_quantities(), kept_of_states, [&](const RunningQuantity& quantity) {
+    // What was asked for does not scatter.
+    const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
+    if (!asked) layout.columns.push_back(column_of(quantity));
+  });
+}
+
+/// Empty where they are not known.
+Vector bump_loads(const SampleResult& result, std::size_t place) {
+  if (const auto* cycles = std::get_if<CycleResult>(&result)) {
+    const auto& turning_point = cycles->cycles[place].turning_point;
+    return turning_point ? turning_point->bump_loads : Vector();
+  }
+  const auto& running = std::get<EquilibriumResult>(result);
+  const RunningState& state = running.states[place];
+  return state.found() ? running_bump_loads(*running.bearing, *state.last) : Vector();
 }
 
 }  // namespace
 
+std::string_view EnsembleLayout::status_name(int status) const {
+  return columns.front().form.words[static_cast<std::size_t>(status)];
+}
+
+std::string_view EnsembleLayout::status_reason(int status) const {
+  return command == EnsembleCommand::cycle ? explanation(static_cast<Status>(status))
+                                           : reason_of(static_cast<FilmStatus>(status));
+}
+
 EnsembleLayout make_ensemble_layout(const Case& input) {
-  EnsembleLayout layout{
-      .directions = input.cycle.directions, .columns = {}, .bumps = static_cast<std::size_t>(total_bumps(input))};
-  const Wording wording = wording_of(input, Experiment::cycle);
-  const std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::cycle);
-  for (const std::string_view name : kept) {
-    const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                    [name](const CycleQuantity& quantity) { return quantity.name == name; });
-    BUMPFOIL_ASSERT(found != quantities.end());
-    layout.columns.push_back(column_of(*found, wording));
+  EnsembleLayout layout{.command = input.montecarlo->command,
+                        .places = {},
+                        .columns = {},
+                        .bumps = static_cast<std::size_t>(total_bumps(input))};
+  if (layout.command == EnsembleCommand::cycle) {
+    lay_out_cycles(input, layout);
+  } else {
+    lay_out_states(input, layout);
   }
-  const std::vector<double>& forces = input.cycle.clearance_forces;
-  for (std::size_t i = 0; i < forces.size(); ++i) layout.columns.push_back(clearance_column(forces[i], i));
-  layout.columns.push_back(largest_load_column());
   return layout;
 }
 
-std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& sampled, const CycleResult& result) {
-  BUMPFOIL_ASSERT(result.cycles.size() == layout.directions.size());
+std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& sampled, const SampleResult& result) {
+  const auto* cycles = std::get_if<CycleResult>(&result);
+  BUMPFOIL_ASSERT((cycles ? cycles->cycles.size() : std::get<EquilibriumResult>(result).states.size()) ==
+                  layout.places.size());
   std::vector<double> row;
   row.reserve(layout.width());
-  for (const Cycle& cycle : result.cycles) {
-    for (const EnsembleColumn& column : layout.columns) row.push_back(column.value(cycle, sampled));
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
+    for (const EnsembleColumn& column : layout.columns) row.push_back(column.value(result, place, sampled));
+    const Vector loads = bump_loads(result, place);
     for (std::size_t bump = 0; bump < layout.bumps; ++bump) {
-      row.push_back(cycle.turning_point ? cycle.turning_point->bump_loads[static_cast<Eigen::Index>(bump)] : absent);
+      row.push_back(loads.size() > 0 ? loads[static_cast<Eigen::Index>(bump)] : absent);
     }
   }
   return row;

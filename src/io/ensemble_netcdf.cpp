@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -32,7 +33,7 @@ class EnsembleWriter {
         layout_(layout),
         log_(log),
         sample_(file.add_dim("sample", log.samples())),
-        direction_(file.add_dim("direction", layout.directions.size())),
+        place_(file.add_dim(std::string(layout.dimension()), layout.places.size())),
         bump_(file.add_dim("bump", layout.bumps)) {}
 
   void write_coordinates() {
@@ -40,9 +41,7 @@ class EnsembleWriter {
     std::iota(samples.begin(), samples.end(), 0.0);
     file_.put_all({"sample", "1", "number of the sample; its bearing is a function of seed and number", {Form::whole}},
                   {sample_}, samples);
-    std::vector<double> degrees;
-    for (const double direction : layout_.directions) degrees.push_back(to_degrees(direction));
-    file_.put_all({"direction", "degree", "direction of the push, from X towards Y"}, {direction_}, degrees);
+    write_places();
     std::vector<double> bumps(layout_.bumps);
     std::iota(bumps.begin(), bumps.end(), 1.0);
     file_.put_all({"bump",
@@ -54,6 +53,30 @@ class EnsembleWriter {
     for (const NamedNumbers& geometry : make_result_layout(input_, Experiment::cycle).at_bumps) {
       file_.put_all({geometry.name, geometry.unit, geometry.long_name}, {bump_}, geometry.values);
     }
+  }
+
+  void write_places() {
+    if (layout_.command == EnsembleCommand::cycle) {
+      file_.put_all({"direction", "degree", "direction of the push, from X towards Y"}, {place_},
+                    of_places([](const EnsemblePlace& place) { return to_degrees(std::get<double>(place.at)); }));
+      return;
+    }
+    const auto put = [this](const char* name, const char* unit, const char* long_name, const auto& value) {
+      file_.put_all({name, unit, long_name}, {place_},
+                    of_places([&](const EnsemblePlace& place) { return value(std::get<OperatingPoint>(place.at)); }));
+    };
+    std::vector<double> numbers(layout_.places.size());
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    file_.put_all({"state", "1", "state of the running bearing, in the order of its path", {Form::whole}}, {place_},
+                  numbers);
+    put("speed", "rad/s", "speed of the journal, positive from X to Y",
+        [](const OperatingPoint& point) { return point.speed; });
+    const bool by_load = std::get<OperatingPoint>(layout_.places.front().at).control == OperatingPoint::Control::load;
+    const char* const unit = by_load ? "N" : "m";
+    put(by_load ? "load_x" : "position_x", unit, by_load ? "load on the journal, X" : "position of the journal, X",
+        [](const OperatingPoint& point) { return point.journal.x(); });
+    put(by_load ? "load_y" : "position_y", unit, by_load ? "load on the journal, Y" : "position of the journal, Y",
+        [](const OperatingPoint& point) { return point.journal.y(); });
   }
 
   /// What was drawn is drawn again.
@@ -80,12 +103,15 @@ class EnsembleWriter {
   void write_quantities() {
     for (std::size_t k = 0; k < layout_.columns.size(); ++k) {
       const EnsembleColumn& column = layout_.columns[k];
-      in_pieces(file_.add({column.name, column.unit, column.long_name, column.form}, {sample_, direction_}),
-                {layout_.directions.size()}, of_each_cycle(k, 1));
+      in_pieces(file_.add({column.name, column.unit, column.long_name, column.form}, {sample_, place_}),
+                {layout_.places.size()}, of_each_place(k, 1));
     }
-    in_pieces(file_.add({"bump_load", "N", "load on the crest of the bump at full displacement"},
-                        {sample_, direction_, bump_}),
-              {layout_.directions.size(), layout_.bumps}, of_each_cycle(layout_.columns.size(), layout_.bumps));
+    in_pieces(
+        file_.add({"bump_load", "N",
+                   layout_.command == EnsembleCommand::cycle ? "load on the crest of the bump at full displacement"
+                                                             : "load on the crest of the bump"},
+                  {sample_, place_, bump_}),
+        {layout_.places.size(), layout_.bumps}, of_each_place(layout_.columns.size(), layout_.bumps));
   }
 
  private:
@@ -116,15 +142,22 @@ class EnsembleWriter {
     };
   }
 
-  /// So many columns of the log of each direction, from one on.
-  [[nodiscard]] Numbers of_each_cycle(std::size_t column, std::size_t columns) const {
+  template <typename Value>
+  [[nodiscard]] std::vector<double> of_places(const Value& value) const {
+    std::vector<double> all;
+    for (const EnsemblePlace& place : layout_.places) all.push_back(value(place));
+    return all;
+  }
+
+  /// So many columns of the log of each place, from one on.
+  [[nodiscard]] Numbers of_each_place(std::size_t column, std::size_t columns) const {
     return [this, column, columns](std::size_t first, std::size_t count) {
-      const std::size_t stride = layout_.directions.size() * columns;
+      const std::size_t stride = layout_.places.size() * columns;
       std::vector<double> all(count * stride);
-      for (std::size_t direction = 0; direction < layout_.directions.size(); ++direction) {
+      for (std::size_t place = 0; place < layout_.places.size(); ++place) {
         for (std::size_t k = 0; k < columns; ++k) {
-          const std::vector<double> values = log_.column(layout_.place(direction, column + k), first, count);
-          for (std::size_t i = 0; i < count; ++i) all[i * stride + direction * columns + k] = values[i];
+          const std::vector<double> values = log_.column(layout_.entry(place, column + k), first, count);
+          for (std::size_t i = 0; i < count; ++i) all[i * stride + place * columns + k] = values[i];
         }
       }
       return all;
@@ -135,7 +168,7 @@ class EnsembleWriter {
   const Case& input_;
   const EnsembleLayout& layout_;
   const EnsembleLog& log_;
-  NcDim sample_, direction_, bump_;
+  NcDim sample_, place_, bump_;
 };
 
 /// netCDF does not survive a full disk.

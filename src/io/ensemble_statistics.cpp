@@ -12,15 +12,15 @@
 namespace bumpfoil {
 namespace {
 
-/// Statistics of columns in one direction, of the samples that converged.
+/// Statistics of columns at one place, of the samples that reached it.
 class ConvergedSamples {
  public:
-  ConvergedSamples(const EnsembleLayout& layout, const EnsembleLog& log, std::size_t direction)
-      : layout_(layout), log_(log), direction_(direction), status_(log.column(layout.place(direction, 0))) {}
+  ConvergedSamples(const EnsembleLayout& layout, const EnsembleLog& log, std::size_t place)
+      : layout_(layout), log_(log), place_(place), status_(log.column(layout.entry(place, 0))) {}
 
   /// Of the first `count` samples.
   [[nodiscard]] std::vector<double> values(std::size_t column, std::size_t count) const {
-    const std::vector<double> all = log_.column(layout_.place(direction_, column), 0, count);
+    const std::vector<double> all = log_.column(layout_.entry(place_, column), 0, count);
     std::vector<double> good;
     good.reserve(all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -33,20 +33,18 @@ class ConvergedSamples {
     return statistics_of(values(column, log_.samples()), undefined);
   }
 
-  [[nodiscard]] bool converged(std::size_t sample) const { return status(sample) == Status::converged; }
+  [[nodiscard]] bool converged(std::size_t sample) const { return status_[sample] == 0.0; }
 
   void tell_failures(std::vector<SampleFailure>& failures) const {
     for (std::size_t i = 0; i < status_.size(); ++i) {
-      if (status(i) != Status::converged) failures.push_back({i, direction_, status(i)});
+      if (!converged(i)) failures.push_back({i, place_, static_cast<int>(status_[i])});
     }
   }
 
  private:
-  [[nodiscard]] Status status(std::size_t sample) const { return static_cast<Status>(status_[sample]); }
-
   const EnsembleLayout& layout_;
   const EnsembleLog& log_;
-  std::size_t direction_;
+  std::size_t place_;
   std::vector<double> status_;
 };
 
@@ -82,31 +80,31 @@ std::vector<std::vector<double>> sensitivities_of(const Case& input, const Ensem
 }  // namespace
 
 EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log) {
-  EnsembleStatistics found{.samples = log.samples(), .directions = {}, .failures = {}};
-  for (std::size_t direction = 0; direction < layout.directions.size(); ++direction) {
-    const ConvergedSamples samples(layout, log, direction);
+  EnsembleStatistics found{.samples = log.samples(), .places = {}, .failures = {}};
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
+    const ConvergedSamples samples(layout, log, place);
     samples.tell_failures(found.failures);
-    DirectionStatistics& of_direction = found.directions.emplace_back();
+    PlaceStatistics& of_place = found.places.emplace_back();
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
-      of_direction.columns.push_back(samples.statistics(k, layout.columns[k].undefined));
+      of_place.columns.push_back(samples.statistics(k, layout.columns[k].undefined));
     }
     for (std::size_t bump = 0; bump < layout.bumps; ++bump) {
-      of_direction.bump_loads.push_back(samples.statistics(layout.columns.size() + bump, Undefined::unknown));
+      of_place.bump_loads.push_back(samples.statistics(layout.columns.size() + bump, Undefined::unknown));
     }
-    of_direction.sensitivities = sensitivities_of(input, layout, samples, std::min(log.samples(), most_ranked_samples));
+    of_place.sensitivities = sensitivities_of(input, layout, samples, std::min(log.samples(), most_ranked_samples));
   }
   std::stable_sort(found.failures.begin(), found.failures.end(),
                    [](const SampleFailure& a, const SampleFailure& b) { return a.sample < b.sample; });
   return found;
 }
 
-double relative_error_of_force(const EnsembleLayout& layout, const EnsembleLog& log) {
-  const auto force = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                  [](const EnsembleColumn& column) { return column.name == "max_force"; });
-  const auto column = static_cast<std::size_t>(force - layout.columns.begin());
+double relative_error_of_mean(const EnsembleLayout& layout, const EnsembleLog& log) {
+  const auto leading = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                    [&](const EnsembleColumn& column) { return column.name == layout.leading(); });
+  const auto column = static_cast<std::size_t>(leading - layout.columns.begin());
   double largest = 0.0;
-  for (std::size_t direction = 0; direction < layout.directions.size(); ++direction) {
-    const Statistics found = ConvergedSamples(layout, log, direction).statistics(column, Undefined::unknown);
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
+    const Statistics found = ConvergedSamples(layout, log, place).statistics(column, Undefined::unknown);
     const double error = found.standard_error / std::abs(found.mean);
     // An unknown error is no small one.
     if (!std::isnan(largest) && !(error <= largest)) largest = error;

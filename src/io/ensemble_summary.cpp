@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <variant>
 
-#include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "io/summary_json.hpp"
 
@@ -26,7 +26,7 @@ Json statistics_json(const Statistics& found) {
   return json;
 }
 
-Json direction_json(const EnsembleLayout& layout, const DirectionStatistics& found) {
+Json place_json(const EnsembleLayout& layout, const PlaceStatistics& found) {
   Json json;
   for (std::size_t k = 1; k < layout.columns.size(); ++k) {
     const EnsembleColumn& column = layout.columns[k];
@@ -35,7 +35,7 @@ Json direction_json(const EnsembleLayout& layout, const DirectionStatistics& fou
   return json;
 }
 
-Json loads_json(const DirectionStatistics& found) {
+Json loads_json(const PlaceStatistics& found) {
   Json json{{"mean_N", Json::array()}, {"std_N", Json::array()}};
   for (const Statistics& load : found.bump_loads) {
     json["mean_N"].push_back(value_json(load.mean));
@@ -60,7 +60,7 @@ Json sensitivities_json(const Case& input, const std::vector<double>& found) {
   return json;
 }
 
-Json sensitivities_json(const Case& input, const EnsembleLayout& layout, const DirectionStatistics& found) {
+Json sensitivities_json(const Case& input, const EnsembleLayout& layout, const PlaceStatistics& found) {
   Json json = Json::object();
   for (std::size_t k = 1; k < layout.columns.size(); ++k) {
     if (found.sensitivities[k].empty()) continue;
@@ -84,11 +84,11 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
   json["statistics"] = Json::object();
   json["bump_loads"] = Json::object();
   json["sensitivities"] = Json::object();
-  for (std::size_t i = 0; i < layout.directions.size(); ++i) {
-    const std::string name = direction_name(layout.directions[i]);
-    json["statistics"][name] = direction_json(layout, statistics.directions[i]);
-    json["bump_loads"][name] = loads_json(statistics.directions[i]);
-    json["sensitivities"][name] = sensitivities_json(input, layout, statistics.directions[i]);
+  for (std::size_t i = 0; i < layout.places.size(); ++i) {
+    const std::string& name = layout.places[i].name;
+    json["statistics"][name] = place_json(layout, statistics.places[i]);
+    json["bump_loads"][name] = loads_json(statistics.places[i]);
+    json["sensitivities"][name] = sensitivities_json(input, layout, statistics.places[i]);
   }
   json["limits"] = Json::array();
   for (std::size_t i = 0; i < yields.limits.size(); ++i) {
@@ -99,10 +99,16 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
   if (!yields.limits.empty()) json["yield"] = yield_json(yields.all);
   json["failed"] = Json::array();
   for (const SampleFailure& failure : statistics.failures) {
-    json["failed"].push_back({{"sample", failure.sample},
-                              {"direction_deg", to_degrees(layout.directions[failure.direction])},
-                              {"status", name_of(failure.status)},
-                              {"reason", explanation(failure.status)}});
+    Json failed{{"sample", failure.sample}};
+    const EnsemblePlace& place = layout.places[failure.place];
+    if (const auto* direction = std::get_if<double>(&place.at)) {
+      failed["direction_deg"] = to_degrees(*direction);
+    } else {
+      failed["state"] = place.name;
+    }
+    failed["status"] = layout.status_name(failure.status);
+    failed["reason"] = layout.status_reason(failure.status);
+    json["failed"].push_back(std::move(failed));
   }
   return sealed_summary(json);
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/io/failures.hpp"
 #include "io/number_text.hpp"
 
 namespace bumpfoil {
@@ -19,9 +18,9 @@ constexpr std::size_t cell_width = 11;
 
 std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
   std::string out;
-  for (std::size_t direction = 0; direction < layout.directions.size(); ++direction) {
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
     if (!out.empty()) out += '\n';
-    out += fmt::format("{:<{}}{:<{}}", direction_name(layout.directions[direction]), name_width, "", unit_width);
+    out += fmt::format("{:<{}}", layout.places[place].name, name_width + unit_width);
     for (const std::string_view head : {"mean", "+-", "std", "5 %", "50 %", "95 %"}) {
       out += fmt::format("{:>{}}", head, cell_width);
     }
@@ -29,7 +28,7 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       const EnsembleColumn& column = layout.columns[k];
       if (column.label.empty()) continue;
-      const Statistics& found = statistics.directions[direction].columns[k];
+      const Statistics& found = statistics.places[place].columns[k];
       const double unit = column.shown.size;
       std::vector<std::string> cells;
       for (const double value : {found.mean, found.standard_error, found.deviation, found.percentile[1],
@@ -47,8 +46,8 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
 std::vector<std::string> failure_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
   std::vector<std::string> lines;
   for (const SampleFailure& failure : statistics.failures) {
-    lines.push_back(fmt::format("sample {}, {}: {}", failure.sample,
-                                direction_name(layout.directions[failure.direction]), explanation(failure.status)));
+    lines.push_back(fmt::format("sample {}, {}: {}", failure.sample, layout.places[failure.place].name,
+                                layout.status_reason(failure.status)));
   }
   return lines;
 }

@@ -21,7 +21,7 @@ constexpr std::string_view option = "--limit";
 
 /// The dimension of a quantity in this unit; absent where it has none, or one that cases know not.
 std::optional<Dimension> dimension_in(std::string_view unit) {
-  for (const Dimension dimension : {Dimension::length, Dimension::force, Dimension::stiffness}) {
+  for (const Dimension dimension : {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure}) {
     if (si_unit(dimension) == unit) return dimension;
   }
   return std::nullopt;
@@ -93,13 +93,13 @@ std::vector<EnsembleLimit> parse_limits(const std::vector<std::string>& texts, c
 
 EnsembleYields make_yields(std::vector<EnsembleLimit> limits, const EnsembleLayout& layout, const EnsembleLog& log) {
   const auto keep = [&](std::vector<bool>& passes, std::size_t column, const auto& passing) {
-    for (std::size_t direction = 0; direction < layout.directions.size(); ++direction) {
-      const std::vector<double> values = log.column(layout.place(direction, column));
+    for (std::size_t place = 0; place < layout.places.size(); ++place) {
+      const std::vector<double> values = log.column(layout.entry(place, column));
       for (std::size_t i = 0; i < values.size(); ++i) passes[i] = passes[i] && passing(values[i]);
     }
   };
   std::vector<bool> converged(log.samples(), true);
-  keep(converged, 0, [](double status) { return static_cast<Status>(status) == Status::converged; });
+  keep(converged, 0, [](double status) { return status == 0.0; });
   std::vector<bool> all = converged;
   EnsembleYields yields{.limits = std::move(limits), .each = {}, .all = {}};
   for (const EnsembleLimit& limit : yields.limits) {

@@ -82,9 +82,7 @@ double cost(const FilmBearing&, const RunningState& state) {
 }
 
 Vector bump_loads(const FilmBearing& bearing, const RunningState& state) {
-  const auto bumps = static_cast<Eigen::Index>(bearing.foil.supports.size());
-  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
-  return state.last->contact.normal_force(Eigen::seqN(0, bumps, pairs));
+  return running_bump_loads(bearing, *state.last);
 }
 
 // What tells some quantities from others.
@@ -301,6 +299,8 @@ std::string_view reason_of(FilmStatus status) {
       return "not looked for, since an earlier state of its path was not found";
     case FilmStatus::interrupted:
       return "interrupted";
+    case FilmStatus::not_physical:
+      return "what was drawn makes no bearing";
   }
   return "";
 }
@@ -336,12 +336,22 @@ Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) 
   return bearing.scales.gas.ambient_pressure * state.foil.film.pressure;
 }
 
-std::string name_of_state(const RunningState& state) {
-  const bool by_load = state.asked.control == OperatingPoint::Control::load;
+Vector running_bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
+  const auto bumps = static_cast<Eigen::Index>(bearing.foil.supports.size());
+  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
+  return state.contact.normal_force(Eigen::seqN(0, bumps, pairs));
+}
+
+std::string name_of_point(const OperatingPoint& point) {
+  const bool by_load = point.control == OperatingPoint::Control::load;
   const double unit = by_load ? 1.0 : 1e-6;
-  return fmt::format("{}, {:.6g} rpm, {} ({:.6g}, {:.6g}) {}", name_of(state.path),
-                     state.asked.speed / shown::revolutions.size, by_load ? "load" : "position",
-                     state.asked.journal.x() / unit, state.asked.journal.y() / unit, by_load ? "N" : "um");
+  return fmt::format("{:.6g} rpm, {} ({:.6g}, {:.6g}) {}", point.speed / shown::revolutions.size,
+                     by_load ? "load" : "position", point.journal.x() / unit, point.journal.y() / unit,
+                     by_load ? "N" : "um");
+}
+
+std::string name_of_state(const RunningState& state) {
+  return fmt::format("{}, {}", name_of(state.path), name_of_point(state.asked));
 }
 
 std::string running_failure(const FilmBearing& bearing, const RunningState& state) {

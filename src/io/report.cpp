@@ -123,7 +123,8 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
   }();
   if (!input.montecarlo) refuse_damaged(name, "the case in it has no ensemble");
   Json quantities = Json::array();
-  for (const EnsembleColumn& column : make_ensemble_layout(input).columns) {
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  for (const EnsembleColumn& column : layout.columns) {
     if (column.label.empty()) continue;
     quantities.push_back({{"name", column.name},
                           {"key", key_of(column.name, column.unit)},
@@ -133,8 +134,15 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
                           {"of_solver", false},
                           {"meaning", column.long_name}});
   }
-  return {{"quantities", quantities},
-          {"samples", run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples)}};
+  Json json{{"quantities", quantities}, {"samples", Json::array()}};
+  if (layout.command == EnsembleCommand::cycle) {
+    json["samples"] = run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples);
+  } else {
+    // Not run again, which would take minutes.
+    json["states"] = Json::array();
+    for (const EnsemblePlace& place : layout.places) json["states"].push_back(place.name);
+  }
+  return json;
 }
 
 /// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version

@@ -92,7 +92,7 @@ class SummaryChecker {
           directions.is_object() && std::all_of(directions.begin(), directions.end(), [](const Json& one) {
             return std::all_of(one.begin(), one.end(), [](const Json& part) { return part.is_structured(); });
           });
-      if (!tables) refuse(key, "is no table by direction");
+      if (!tables) refuse(key, "is no table by direction or state");
     }
     if (!at(summary, "limits").is_array()) refuse("limits", "is no list");
     for (const Json& limit : summary["limits"]) {
@@ -193,7 +193,7 @@ void match_runs(const StoredSummary& summary, Json& result, const std::string& n
   require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
   const auto kind = result["kind"].get<std::string>();
   if (has_distributions(kind)) {
-    require(summary.json["statistics"].size() == result["directions"].size(), "statistics");
+    require(summary.json["statistics"].size() == result["directions"].size() + result["states"].size(), "statistics");
     require(summary.json["samples"] == result["sample_count"], "samples");
   }
   if (!has_cycles(kind)) return;

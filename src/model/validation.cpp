@@ -296,6 +296,9 @@ void judge_combination(Judge& judge, const Case& input) {
   judge.require(!input.montecarlo || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "is no model for ensembles: its loops have no area",
                 "set model = \"truss\" or \"frame\", or remove [montecarlo]");
+  judge.require(!input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
+                "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),
+                "needs the table [equilibrium], which is missing", "add [equilibrium], or set command = \"cycle\"");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
   judge.require(

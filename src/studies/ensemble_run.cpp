@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "bumpfoil/ensemble/running_sample.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 
 namespace bumpfoil {
@@ -56,10 +57,13 @@ std::optional<std::vector<double>> run_ensemble_sample(const Case& input, const 
                                                        std::size_t number, const ProgressCallback& progress) {
   const Case sampled = sampled_case(input, draw_sample(input, number));
   bool stopped = false;
-  const CycleResult result = run_sample(sampled, [&](double fraction) {
+  const ProgressCallback goes_on = [&](double fraction) {
     stopped = stopped || !progress(fraction);
     return !stopped;
-  });
+  };
+  const SampleResult result = layout.command == EnsembleCommand::cycle
+                                  ? SampleResult(run_sample(sampled, goes_on))
+                                  : SampleResult(run_running_sample(sampled, goes_on));
   if (stopped) return std::nullopt;
   return make_ensemble_row(layout, sampled, result);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <random>
 #include <string>
 #include <thread>
@@ -72,6 +73,42 @@ TEST_F(MonteCarloProgram, ScattersEveryBumpOfEveryPad) {
                              "--set", "pad[2].lobe=0 um"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.errors.find("pad[2].lobe"), std::string::npos) << other.errors;
+}
+
+TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
+  const std::vector<std::string> film{"--set",
+                                      "film.columns_per_pitch=4",
+                                      "film.rows=6",
+                                      "equilibrium.steps=2",
+                                      "equilibrium.speeds=[\"45000 rpm\"]",
+                                      "equilibrium.loads=[[\"20 N\", \"5 N\"]]"};
+  const std::vector<std::string> scatter{"--set", "montecarlo.radial_clearance.std=1 um"};
+  const std::vector<std::string> command{"montecarlo.command=equilibrium", "--limit", "h_min > 1 um"};
+  const Outcome ensemble = run(montecarlo("results", 4) + scatter + film + command);
+  ASSERT_EQ(ensemble.exit_code, 0) << ensemble.errors;
+  EXPECT_NE(ensemble.output.find("\nleast film thickness "), std::string::npos) << ensemble.output;
+  EXPECT_NE(ensemble.output.find("yield: 4 of 4 bearings"), std::string::npos) << ensemble.output;
+  const json found = summary();
+  const json& state = found.at("statistics").at("45000 rpm, load (20, 5) N");
+  EXPECT_EQ(state.at("h_min_m").at("count"), 4);
+  EXPECT_GT(state.at("h_min_m").at("std"), 0.0);
+
+  // A sample by itself is what an ensemble keeps of it.
+  ASSERT_EQ(run(montecarlo("first", 1) + scatter + film + command).exit_code, 0);
+  const std::vector<std::string> alone{
+      "equilibrium", case_path_, "-o", (folder_.path() / "alone").string(), "--sample", results_ + "/ensemble.nc:0"};
+  ASSERT_EQ(run(alone + film).exit_code, 0);
+  const json single = json::parse(folder_.read("alone/summary.json")).at("states").at(0);
+  const json& mean = summary_of("first").at("statistics").begin().value();
+  for (const char* name : {"h_min_m", "power_W", "kxy_N_per_m", "max_stress_top_foil_Pa"}) {
+    EXPECT_NEAR(mean.at(name).at("mean").get<double>(), single.at(name).get<double>(),
+                1e-9 * std::abs(single.at(name).get<double>()))
+        << name;
+  }
+  const Outcome none =
+      run(montecarlo("other", 4) + scatter + std::vector<std::string>{"--set", "montecarlo.command=equilibrium"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.errors.find("needs the table [equilibrium]"), std::string::npos) << none.errors;
 }
 
 TEST_F(MonteCarloProgram, KeepsSamplesThatFail) {

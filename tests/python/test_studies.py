@@ -67,6 +67,27 @@ def test_number_of_samples_may_stand_in_the_table():
     assert (result.summary["samples"], result.summary["seed"]) == (3, 8)
 
 
+def test_ensemble_of_running_bearings(program):
+    film = {"film": {"columns_per_pitch": 4, "rows": 4}, "equilibrium": {"loads": [[10, 0], [20, 0]], "steps": 1}}
+    scatter = {"command": "equilibrium", "samples": 3, "radial_clearance": {"std": "1 um"}}
+    result = bumpfoil.run_montecarlo(EXAMPLES / "running.toml", montecarlo=scatter, **film)
+    data = result.to_xarray()
+    assert dict(data.sizes) == {"sample": 3, "state": 2, "bump": 26}
+    assert list(data.load_x.values) == [10, 20] and np.all(data.status == 0)
+    for sample, state in ((1, 0), (2, 1)):
+        radial_clearance = 31.8e-6 + float(data.radial_clearance_deviation[sample])
+        alone = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", bearing={"radial_clearance": radial_clearance}, **film)
+        for name in ("h_min", "power", "kyx", "cxx_whirl", "highest_bump_load"):
+            np.testing.assert_allclose(data[name][sample, state], alone.to_xarray()[name][state], rtol=1e-9)
+        np.testing.assert_allclose(data.bump_load[sample, state].max(), data.highest_bump_load[sample, state])
+    table = result.to_dataframe()
+    assert list(table.h_min_m) == list(data.h_min.values.ravel()) and set(table.state) == {1, 2}
+    texts = [text.get_text() for text in result.plot_ensemble().get_legend().get_texts()]
+    assert texts == ["45000 rpm, load (10, 0) N", "45000 rpm, load (20, 0) N"]
+    assert "least film thickness" in bumpfoil.figures.ensemble(result, width="single").axes[0].get_xlabel()
+    assert "power loss (W)" in result._repr_html_()
+
+
 def test_ensemble_goes_on_where_it_was_stopped(tmp_path):
     with pytest.warns(bumpfoil.RunWarning, match="interrupted"):
         stopped = bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=200, progress=lambda fraction: False)

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
+import { assertFits, axeFindings, caseFile, folder, near, paper, plotsIn, print, quantity, report, rowsOf, run, runningFile, saved, summaryOf, withReport } from './support.mjs';
 
 const samples = 60;
 const settings = ['montecarlo.bump_height.distribution="normal"', 'montecarlo.bump_height.std="10 um"', 'montecarlo.friction_top_bump.distribution="uniform"', 'montecarlo.friction_top_bump.lower=-0.05', 'montecarlo.friction_top_bump.upper=0.05', 'cycle.directions=["+X", "+Y"]', 'cycle.steps=20'];
@@ -18,6 +18,9 @@ before(() => {
   run(['montecarlo', caseFile, '-o', join(folder, 'few'), '--samples', '8', '--set', 'montecarlo.friction_top_bump.std=0.2', '--set', 'cycle.steps=10', '--set', 'cycle.directions=["+X"]'], 3);
   run(['cycle', caseFile, '-o', join(folder, 'alone'), '--set', 'cycle.steps=10']);
   report('few.html', 'few', 'alone');
+  const film = ['montecarlo.command=equilibrium', 'montecarlo.radial_clearance.std=1 um', 'film.columns_per_pitch=4', 'film.rows=6', 'equilibrium.steps=2', 'equilibrium.loads=[["20 N", "0 N"], ["40 N", "0 N"]]'];
+  run(['montecarlo', runningFile, '-o', join(folder, 'running'), '--samples', '12', '--limit', 'h_min > 5 um', ...film.flatMap((pair) => ['--set', pair])]);
+  report('running.html', 'running');
 });
 
 const panelOf = (page, name) => page.getByRole('region', { name, exact: true });
@@ -155,3 +158,23 @@ test('axe finds nothing serious, and the page fits screens and paper', async () 
     }
   });
 });
+
+test('running bearings are looked at state by state', () =>
+  withReport('running.html', async (page) => {
+    const { statistics } = summaryOf('running');
+    const states = ['45000 rpm, load (20, 0) N', '45000 rpm, load (40, 0) N'];
+    assert.deepEqual(Object.keys(statistics), states);
+    for (const state of states) {
+      await page.getByRole('combobox', { name: 'State looked at' }).selectOption(state);
+      const subject = await panelOf(page, 'Least film thickness').locator('.subject').textContent();
+      assert.ok(subject.includes(` · ${state} · `), subject);
+      near(quantity(subject.match(/mean (\S+ \S+) ±/)[1], 'm'), statistics[state].h_min_m.mean, 1e-3, 'mean');
+      const shown = await page.locator('tr[data-key="power_W"] > *').allTextContents();
+      near(quantity(`${shown[2]} ${shown[1]}`, 'W'), statistics[state].power_W.mean, 1e-3, 'mean');
+    }
+    const bars = await csvOf(page, 'Least film thickness');
+    assert.equal(bars[0].state, states[1]);
+    assert.equal(bars.reduce((sum, row) => sum + Number(row.bearings), 0), 12);
+    assert.equal(await page.getByRole('region', { name: /^The first/ }).count(), 0);
+    assert.ok((await panelOf(page, 'Bump loads').locator('.subject').textContent()).startsWith('Mean and standard deviation · '));
+  }));

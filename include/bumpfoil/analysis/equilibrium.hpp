@@ -97,6 +97,9 @@ struct EquilibriumResult {
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
                                   const std::function<bool(double)>& progress = {});
 
+/// Speeds with loads or positions that a case asks for, in the order in which its path comes to them.
+std::vector<OperatingPoint> asked_points(const EquilibriumSettings& equilibrium);
+
 /// Paths that lead to the states of a case: a ramp of loads needs loads.
 std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium);
 

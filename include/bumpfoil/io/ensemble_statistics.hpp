@@ -4,21 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/core/status.hpp"
 #include "bumpfoil/io/ensemble_layout.hpp"
 #include "bumpfoil/io/ensemble_log.hpp"
 
 namespace bumpfoil {
 
-/// A cycle of a sample that ended before its time.
+/// A place of a sample that was not reached.
 struct SampleFailure {
   std::size_t sample{};
-  std::size_t direction{};  ///< place in the case
-  Status status{};
+  std::size_t place{};  ///< of EnsembleLayout::places
+  int status{};         ///< see EnsembleLayout::status_name
 };
 
-/// What an ensemble is like in one direction: of the cycles that converged.
-struct DirectionStatistics {
+/// What an ensemble is like at one place: of the samples that reached it.
+struct PlaceStatistics {
   std::vector<Statistics> columns;     ///< one for each of the layout; of the status it means nothing
   std::vector<Statistics> bump_loads;  ///< one per bump
   /// For each column one for each of the factors, see PartialRankCorrelations; not numbers where the column is not
@@ -31,15 +30,15 @@ inline constexpr std::size_t most_ranked_samples = 100'000;
 
 struct EnsembleStatistics {
   std::size_t samples{};  ///< that are there
-  std::vector<DirectionStatistics> directions;
+  std::vector<PlaceStatistics> places;
   std::vector<SampleFailure> failures;  ///< by number
 };
 
 /// Reads a log column by column, one in memory at a time, and draws the samples of sensitivities again.
 EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log);
 
-/// Standard error of the mean of the maximum force over that mean, the largest of all directions; not a number where
-/// there are too few samples.
-double relative_error_of_force(const EnsembleLayout& layout, const EnsembleLog& log);
+/// Standard error of the mean of EnsembleLayout::leading() over that mean, the largest of all places; not a number
+/// where there are too few samples.
+double relative_error_of_mean(const EnsembleLayout& layout, const EnsembleLog& log);
 
 }  // namespace bumpfoil

@@ -11,9 +11,8 @@
 namespace bumpfoil {
 
 template <>
-inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>({"converged", "not_converged",
-                                                                                "touchdown", "no_room", "fold",
-                                                                                "not_reached", "interrupted"});
+inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>(
+    {"converged", "not_converged", "touchdown", "no_room", "fold", "not_reached", "interrupted", "not_physical"});
 
 /// Of one state; values that are not known are not numbers.
 struct RunningQuantity {
@@ -46,8 +45,14 @@ std::span<const ColumnQuantity> column_quantities();
 /// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end.
 Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state);
 
+/// Compressions between top foil and crests, N, one per bump.
+Vector running_bump_loads(const FilmBearing& bearing, const FilmBearingState& state);
+
 /// Bumps in a row, from where gas enters, that the foil of a state is lifted off; 0 for a state that was not found.
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
+
+/// What is asked for as messages call it: "45000 rpm, load (50, 0) N".
+std::string name_of_point(const OperatingPoint& point);
 
 /// A state as messages call it: "load_ramp, 45000 rpm, load (50, 0) N".
 std::string name_of_state(const RunningState& state);

@@ -58,7 +58,7 @@ struct ReadingOptions {
 /// `sample_count`, and `distributions` by the names of quantities: `unit`, `text`, `from` and `to` (the least and the
 /// largest number of all directions), for each direction `counts` (samples in intervals of equal width between these)
 /// and `first` (numbers of the first samples, null where they are not known). `samples` are these first bearings as
-/// cycles, run again.
+/// cycles, run again. Of running bearings `states` has names in place of directions, and there are no samples.
 ///
 /// Variables go by their dimensions, so that new ones need no code here.
 ///

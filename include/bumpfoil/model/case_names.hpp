@@ -39,5 +39,7 @@ inline constexpr auto enum_names<FilmWall> = std::to_array<std::string_view>({"r
 template <>
 inline constexpr auto enum_names<FilmPath> = std::to_array<std::string_view>({"load_ramp", "speed_ramp", "position_ray",
                                                                               "cold_start"});
+template <>
+inline constexpr auto enum_names<EnsembleCommand> = std::to_array<std::string_view>({"cycle", "equilibrium"});
 
 }  // namespace bumpfoil

@@ -54,9 +54,16 @@ struct WavinessScatter {
   bool operator==(const WavinessScatter&) const = default;
 };
 
+/// What is run of each bearing of an ensemble.
+enum class EnsembleCommand : std::uint8_t {
+  cycle,        ///< a cycle in each direction of [cycle]
+  equilibrium,  ///< the running bearing, along the path of [equilibrium] to all its states
+};
+
 /// An ensemble of bearings that differ within their tolerances. Deviations are from what the case says, and those other
 /// than of heights are common to a bearing.
 struct MonteCarloSettings {
+  EnsembleCommand command{EnsembleCommand::cycle};
   int samples{1000};
   int seed{1};
   std::optional<HeightScatter> bump_height{};          ///< m

@@ -21,7 +21,7 @@ class EnsembleStatisticsOfRows : public ::testing::Test {
         rows.push_back(100.0 * static_cast<double>(place) + std::pow(2.0, sample));
       }
       for (const std::size_t direction : {0U, 1U}) {
-        rows[static_cast<std::size_t>(sample) * layout_.width() + layout_.place(direction, 0)] =
+        rows[static_cast<std::size_t>(sample) * layout_.width() + layout_.entry(direction, 0)] =
             static_cast<double>(sample == 1 && direction == 1 ? Status::no_modes : Status::converged);
       }
     }
@@ -37,15 +37,15 @@ class EnsembleStatisticsOfRows : public ::testing::Test {
 TEST_F(EnsembleStatisticsOfRows, AreOfTheCyclesThatConverged) {
   const EnsembleStatistics found = make_ensemble_statistics(input_, layout_, log_);
   EXPECT_EQ(found.samples, 3U);
-  ASSERT_EQ(found.directions.size(), 2U);
-  EXPECT_EQ(found.directions[0].columns[3].count, 3U);
-  EXPECT_DOUBLE_EQ(found.directions[0].columns[3].mean, 300.0 + 7.0 / 3.0);
-  const auto place = static_cast<double>(layout_.place(1, 3));
-  EXPECT_EQ(found.directions[1].columns[3].count, 2U);
-  EXPECT_DOUBLE_EQ(found.directions[1].columns[3].mean, 100.0 * place + 2.5);
-  const auto load = static_cast<double>(layout_.place(1, layout_.columns.size() + 4));
-  EXPECT_DOUBLE_EQ(found.directions[1].bump_loads.at(4).mean, 100.0 * load + 2.5);
-  EXPECT_EQ(found.directions[1].bump_loads.size(), layout_.bumps);
+  ASSERT_EQ(found.places.size(), 2U);
+  EXPECT_EQ(found.places[0].columns[3].count, 3U);
+  EXPECT_DOUBLE_EQ(found.places[0].columns[3].mean, 300.0 + 7.0 / 3.0);
+  const auto place = static_cast<double>(layout_.entry(1, 3));
+  EXPECT_EQ(found.places[1].columns[3].count, 2U);
+  EXPECT_DOUBLE_EQ(found.places[1].columns[3].mean, 100.0 * place + 2.5);
+  const auto load = static_cast<double>(layout_.entry(1, layout_.columns.size() + 4));
+  EXPECT_DOUBLE_EQ(found.places[1].bump_loads.at(4).mean, 100.0 * load + 2.5);
+  EXPECT_EQ(found.places[1].bump_loads.size(), layout_.bumps);
   ASSERT_EQ(found.failures.size(), 1U);
   EXPECT_EQ(found.failures[0].sample, 1U);
   EXPECT_EQ(found.failures[0].direction, 1U);
@@ -60,13 +60,12 @@ TEST_F(EnsembleStatisticsOfRows, SensitivitiesAreToFactorsOfTheSamplesThatConver
     std::vector<double> row(layout_.width(), 0.0);
     const Sample sample = draw_sample(input_, i);
     for (const std::size_t direction : {0U, 1U}) {
-      row[layout_.place(direction, 1)] = -std::exp(100.0 * sample.deviations[3]) + (i == 7 ? 1e9 : 0.0);
-      row[layout_.place(direction, 0)] = static_cast<double>(i == 7 ? Status::no_modes : Status::converged);
+      row[layout_.entry(direction, 1)] = -std::exp(100.0 * sample.deviations[3]) + (i == 7 ? 1e9 : 0.0);
+      row[layout_.entry(direction, 0)] = static_cast<double>(i == 7 ? Status::no_modes : Status::converged);
     }
     log.append(row);
   }
-  const std::vector<std::vector<double>> found =
-      make_ensemble_statistics(input_, layout_, log).directions[1].sensitivities;
+  const std::vector<std::vector<double>> found = make_ensemble_statistics(input_, layout_, log).places[1].sensitivities;
   ASSERT_EQ(found[1].size(), 2U);
   EXPECT_NEAR(found[1][0], -1.0, 1e-7);  // falls throughout; the root of a rounding is left
   EXPECT_NEAR(found[1][1], 0.0, 0.72);   // five standard errors, 1 / sqrt(48)
@@ -76,12 +75,12 @@ TEST_F(EnsembleStatisticsOfRows, SensitivitiesAreToFactorsOfTheSamplesThatConver
 TEST_F(EnsembleStatisticsOfRows, ErrorOfTheForceIsTheLargestOfAllDirections) {
   ASSERT_EQ(layout_.columns[1].name, "max_force");
   // Of 101, 102, 104 and of place + 1, place + 4.
-  const auto place = static_cast<double>(layout_.place(1, 1));
+  const auto place = static_cast<double>(layout_.entry(1, 1));
   const double first = std::sqrt(7.0 / 9.0) / (100.0 + 7.0 / 3.0);
   const double second = 1.5 / (100.0 * place + 2.5);
-  EXPECT_NEAR(relative_error_of_force(layout_, log_), std::max(first, second), 1e-15);
+  EXPECT_NEAR(relative_error_of_mean(layout_, log_), std::max(first, second), 1e-15);
   const EnsembleLog empty(folder_.path() / "empty", "", layout_.width());
-  EXPECT_TRUE(std::isnan(relative_error_of_force(layout_, empty)));
+  EXPECT_TRUE(std::isnan(relative_error_of_mean(layout_, empty)));
 }
 
 }  // namespace

@@ -9,10 +9,11 @@ namespace {
 
 TEST(EnsembleTable, ShowsEveryDirectionAndEveryFailure) {
   const EnsembleLayout layout = make_ensemble_layout(testing::ensemble_case(3));
-  EnsembleStatistics statistics{
-      .samples = 2, .directions = {}, .failures = {{.sample = 17, .direction = 1, .status = Status::no_modes}}};
+  EnsembleStatistics statistics{.samples = 2,
+                                .places = {},
+                                .failures = {{.sample = 17, .place = 1, .status = static_cast<int>(Status::no_modes)}}};
   for (int direction = 0; direction < 2; ++direction) {
-    DirectionStatistics& of_direction = statistics.directions.emplace_back();
+    PlaceStatistics& of_direction = statistics.places.emplace_back();
     of_direction.columns.assign(layout.columns.size(), statistics_of({}));
     of_direction.columns[1] = statistics_of({100.0, 200.0});
   }

@@ -50,7 +50,7 @@ TEST(EnsembleYield, BearingsPassInEveryDirection) {
   // Five bearings: good; never touched along +X; tight along -X; stiff along +X; failed along -X.
   std::vector<double> rows(5 * layout.width(), 0.0);
   const auto at = [&](std::size_t sample, std::size_t direction, std::size_t column) -> double& {
-    return rows[sample * layout.width() + layout.place(direction, column)];
+    return rows[sample * layout.width() + layout.entry(direction, column)];
   };
   for (std::size_t sample = 0; sample < 5; ++sample) {
     for (std::size_t direction = 0; direction < 2; ++direction) {

@@ -114,9 +114,9 @@ export class FactorPanel {
   private csv(): string {
     const { ensemble } = this;
     return toCsv(
-      ['factor', 'direction_deg', ...ensemble.quantities.map(({ name }) => name)],
-      ensemble.data.directions.flatMap((degrees, direction) =>
-        this.factors.map(({ text, correlation }) => [text, degrees, ...ensemble.quantities.map(({ name }) => correlation(name, direction))]),
+      ['factor', ensemble.placeColumn.name, ...ensemble.quantities.map(({ name }) => name)],
+      ensemble.placeColumn.cells.flatMap((place, direction) =>
+        this.factors.map(({ text, correlation }) => [text, place, ...ensemble.quantities.map(({ name }) => correlation(name, direction))]),
       ),
     );
   }

@@ -179,7 +179,7 @@ export class HistogramPanel {
 
   private csv(): string {
     const unit = this.quantity.unit === '' ? '' : `_${this.quantity.unit}`;
-    return toCsv(['direction_deg', `from${unit}`, `to${unit}`, 'bearings'], this.bars.map((bar) => [this.ensemble.data.directions[this.selection.direction], ...bar]));
+    return toCsv([this.ensemble.placeColumn.name, `from${unit}`, `to${unit}`, 'bearings'], this.bars.map((bar) => [at(this.ensemble.placeColumn.cells, this.selection.direction), ...bar]));
   }
 }
 

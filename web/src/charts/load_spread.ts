@@ -10,7 +10,7 @@ import type { Look } from '../ui/theme';
 import { axis, roundAbove, tooltip, tooltipBox, type Option, type RenderApi } from './chart';
 import { ChartPanel } from './chart_panel';
 
-/** The load of every bump at full displacement: its mean over the bearings of an ensemble, and how it scatters. */
+/** The load of every bump, of cycles at full displacement: its mean over the bearings of an ensemble, and how it scatters. */
 export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement {
   const loads = (): { mean: number[]; deviation: number[] } => ensemble.bumpLoads(selection.direction);
   const most = largest(...ensemble.directions.map((_, i) => {
@@ -19,6 +19,7 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
   }));
   const scale: Scale = scaleFor(most, 'N');
   const direction = (): string => at(ensemble.directions, selection.direction);
+  const where = ensemble.hasStates ? '' : ' at full displacement';
   const words = (bump: number): string => {
     const { mean, deviation } = loads();
     return `${formatQuantity(mean[bump], 'N')} ± ${formatQuantity(deviation[bump], 'N')}`;
@@ -54,7 +55,7 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
   };
   const panel = new ChartPanel({
     title: 'Bump loads',
-    subject: () => `Mean and standard deviation at full displacement · ${direction()} · ${ensemble.label}`,
+    subject: () => `Mean and standard deviation${where} · ${direction()} · ${ensemble.label}`,
     legend: () => [
       { width: 12, draw: (current) => [svg('rect', { x: 2, y: 1, width: 8, height: 11, fill: current.accent, 'fill-opacity': 0.8 })], text: 'mean' },
       { width: 12, draw: (current) => [svg('path', { d: 'M2 1H10M6 1V11M2 11H10', stroke: current.text, 'stroke-width': 1.4, fill: 'none' })], text: 'one standard deviation up and down' },
@@ -62,15 +63,15 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
     file: () => fileName('bump-loads', ensemble.label, direction()),
     csv: () =>
       toCsv(
-        ['bump', 'direction_deg', 'mean_N', 'std_N'],
-        ensemble.data.directions.flatMap((degrees, i) => {
+        ['bump', ensemble.placeColumn.name, 'mean_N', 'std_N'],
+        ensemble.placeColumn.cells.flatMap((place, i) => {
           const { mean, deviation } = ensemble.bumpLoads(i);
-          return mean.map((load, bump) => [bump + 1, degrees, load, deviation[bump]]);
+          return mean.map((load, bump) => [bump + 1, place, load, deviation[bump]]);
         }),
       ),
     description: () => {
       const bump = heaviest();
-      return `Loads of the bumps at full displacement, ${direction()}: ${bump < 0 ? 'not known' : `on average most on bump ${numberText(ensemble.counted(bump))}, ${words(bump)}`}`;
+      return `Loads of the bumps${where}, ${direction()}: ${bump < 0 ? 'not known' : `on average most on bump ${numberText(ensemble.counted(bump))}, ${words(bump)}`}`;
     },
     option,
   });

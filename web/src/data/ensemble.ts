@@ -31,8 +31,24 @@ export class Ensemble extends Result<EnsembleData> {
     });
   }
 
+  /** Whether the bearings run: then places are states. */
+  get hasStates(): boolean {
+    return this.data.states.length > 0;
+  }
+
+  /** Of running bearings their states. */
   get directions(): string[] {
-    return this.data.directions.map(directionName);
+    return this.hasStates ? this.data.states : this.data.directions.map(directionName);
+  }
+
+  /** What directions() are. */
+  get placeWord(): string {
+    return this.hasStates ? 'State' : 'Direction';
+  }
+
+  /** Directions in files of numbers. */
+  get placeColumn(): { name: string; cells: (number | string)[] } {
+    return this.hasStates ? { name: 'state', cells: this.data.states } : { name: 'direction_deg', cells: this.data.directions };
   }
 
   get quantities(): Quantity[] {

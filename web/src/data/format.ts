@@ -51,8 +51,10 @@ export interface GridData extends ResultData {
 /** Bearings within their tolerances. */
 export interface EnsembleData extends ResultData {
   summary: EnsembleSummary;
-  /** Degrees, in the order of the case; all else by direction is in the same order. */
+  /** Degrees, in the order of the case; all else by direction is in the same order. Empty of running bearings. */
   directions: number[];
+  /** Of running bearings, names of the states that stand in place of directions; else none. */
+  states: string[];
   sample_count: number;
   /** By the names of quantities. */
   distributions: Record<string, DistributionData>;

@@ -100,6 +100,7 @@ export class EnsembleView {
         summary: { ...summary, samples: 0, samples_due: bearings, statistics: {}, bump_loads: {}, sensitivities: {}, limits: [] },
         quantities,
         directions,
+        states: [],
         sample_count: bearings,
         distributions,
         samples: [],

@@ -35,7 +35,7 @@ function row(ensemble: Ensemble, quantity: Quantity, direction: number): HTMLEle
   );
 }
 
-/** Mean, scatter and percentiles of every quantity in the direction that is looked at. */
+/** Mean, scatter and percentiles of every quantity in the direction, or state, that is looked at. */
 export function statisticsTable(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement {
   const place = el('div', { class: 'scroller', tabindex: 0, role: 'group', 'aria-label': 'Table of statistics' });
   const direction = (): string => at(ensemble.directions, selection.direction);
@@ -70,11 +70,11 @@ export function statisticsTable(ensemble: Ensemble, selection: EnsembleSelection
 
 function csv(ensemble: Ensemble): string {
   return toCsv(
-    ['quantity', 'label', 'unit', 'direction_deg', 'count', 'undefined', ...columns.map(({ key }) => key)],
-    ensemble.data.directions.flatMap((degrees, direction) =>
+    ['quantity', 'label', 'unit', ensemble.placeColumn.name, 'count', 'undefined', ...columns.map(({ key }) => key)],
+    ensemble.placeColumn.cells.flatMap((place, direction) =>
       ensemble.quantities.map((quantity): Cell[] => {
         const { count, undefined: missing } = ensemble.statistics(quantity, direction) ?? { count: 0, undefined: 0 };
-        return [quantity.key, capital(quantity.label), quantity.unit, degrees, count, missing, ...columns.map(({ key }) => numberOf(ensemble, quantity, direction, key))];
+        return [quantity.key, capital(quantity.label), quantity.unit, place, count, missing, ...columns.map(({ key }) => numberOf(ensemble, quantity, direction, key))];
       }),
     ),
   );
@@ -105,7 +105,7 @@ export function yieldTable(ensemble: Ensemble): HTMLElement[] {
   const panel = new Panel(
     {
       title: 'Yield',
-      subject: () => `Bearings that keep the limits in every direction, with the 95 % interval · ${ensemble.label}`,
+      subject: () => `Bearings that keep the limits in every ${ensemble.placeWord.toLowerCase()}, with the 95 % interval · ${ensemble.label}`,
       file: () => fileName('yield', ensemble.label),
       csv: () => toCsv(['limit', 'passed', 'samples', 'low', 'high'], rows.map(({ text, passed, samples, interval_95: [low, high] }) => [text, passed, samples, low, high])),
     },

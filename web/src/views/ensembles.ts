@@ -24,9 +24,9 @@ import { part, type View } from './view';
 function directionChooser(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement[] {
   const { directions } = ensemble;
   if (directions.length < 2) return [];
-  const list = dropDown('Direction looked at', directions.map((text, value) => ({ value, text })), (direction) => selection.show({ direction }));
+  const list = dropDown(`${ensemble.placeWord} looked at`, directions.map((text, value) => ({ value, text })), (direction) => selection.show({ direction }));
   selection.onChange(() => void (list.selectedIndex = selection.direction));
-  return [el('div', { class: 'tools', role: 'group', 'aria-label': 'What is shown' }, el('label', { class: 'control' }, 'Direction', list))];
+  return [el('div', { class: 'tools', role: 'group', 'aria-label': 'What is shown' }, el('label', { class: 'control' }, ensemble.placeWord, list))];
 }
 
 /** Direction and bearing are those that the reader looks at everywhere. */

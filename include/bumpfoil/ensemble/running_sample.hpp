@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Runs the bearing of a sampled case on its film: all states of [equilibrium], along its path. Failures are reported
+/// in the states; of a case that makes no bearing they are `not_physical`.
+/// @pre  the case has [equilibrium]
+EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress = {});
+
+}  // namespace bumpfoil
