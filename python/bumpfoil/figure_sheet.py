@@ -113,7 +113,8 @@ class Sheet:
         if len(shown) > 1:
             for rows in range(1, len(shown) + 1):
                 legend = self.figure.legend(
-                    handles=shown, loc="upper center", ncol=-(-len(shown) // rows), frameon=False, borderpad=0, columnspacing=1.2
+                    handles=shown, loc="upper center", ncol=-(-len(shown) // rows), frameon=False, borderpad=0, columnspacing=1.2,
+                    handlelength=2.6,
                 )
                 if rows == len(shown) or legend.get_window_extent().width <= (self._width - 2) * _MM * self.figure.dpi:
                     break

@@ -35,6 +35,9 @@ _INTERFACES = {"journal_top": "journal on top foil", "top_bump": "top foil on bu
 _FORCES = ("Fx: xx, xy", "Fy: yy, yx")
 _DASHES = ("-", "--")
 
+#: A mark on the axis of a histogram.
+_MEAN = {"linestyle": "none", "markersize": 5, "markeredgecolor": "white", "markeredgewidth": 0.4}
+
 
 @styled
 def loops(result: Result, *, width: str = "single") -> Figure:
@@ -190,7 +193,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
             style = _style(number)
             ax.hist(samples, edges, histtype="step", linewidth=1.2, label=place, color=style["color"],
                     linestyle=style["linestyle"])
-            ax.axvline(samples.mean(), 0, 0.06, linewidth=2, color=style["color"])
+            ax.plot(samples.mean(), 0.04, transform=ax.get_xaxis_transform(), **{**_style(number, marked=True), **_MEAN})
         ax.set_xlabel(words)
         ax.set_ylabel("bearings")
         ax.yaxis.get_major_locator().set_params(integer=True)
@@ -200,12 +203,13 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
 
 
 def _lines(sheet: Sheet, count: int) -> list[Any]:
-    """Lines in place of the frames that stand for histograms, and the ticks on the axis."""
+    """Lines in place of the frames that stand for histograms, with the marks of their means."""
     from matplotlib.lines import Line2D
 
     labels = sheet.panels[0].get_legend_handles_labels()[1]
-    mean = Line2D([], [], label="mean", color="black", linestyle="none", marker="|", markersize=6, markeredgewidth=2)
-    return [*(Line2D([], [], label=label, **_style(number)) for number, label in enumerate(labels[:count])), mean]
+    mean = Line2D([], [], label="mark: mean", linestyle="none")
+    shown = enumerate(labels[:count])
+    return [*(Line2D([], [], label=label, markersize=5, **_style(number, marked=True)) for number, label in shown), mean]
 
 
 def _coefficients_drawn(width: str, panels: Sequence[tuple[str, str, Sequence[Any]]], words: str,

@@ -107,6 +107,17 @@ def test_show_what_results_hold(result):
     np.testing.assert_allclose(np.subtract(journal, bars), 1e6 * (cycle.gap_journal_top + cycle.gap_top_bump)[20], atol=1e-9)
 
 
+def test_means_read_in_grey():
+    cycle = {"steps": 5, "directions": ["+X", "-X", "+Y", "-Y"]}
+    ensemble = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=8, cycle=cycle)
+    figure = figures.ensemble(ensemble)
+    marks = figure.axes[0].lines
+    np.testing.assert_allclose([mark.get_xdata()[0] for mark in marks], ensemble.to_xarray().max_force.mean("sample"))
+    (legend,) = figure.legends
+    assert [mark.get_marker() for mark in marks] == [line.get_marker() for line in legend.get_lines()[:4]]
+    assert len({mark.get_marker() for mark in marks}) == 4
+
+
 def test_read_in_grey(result):
     states = [grey(patch.get_facecolor()[:3]) for patch in figures.contacts(result.cycles[0]).legends[0].get_patches()]
     assert min(abs(one - other) for one, other in itertools.combinations(states, 2)) > 0.1
@@ -120,7 +131,7 @@ def test_ensembles_and_coefficients(width, size):
     ensemble = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", montecarlo={"samples": 8}, cycle={"steps": 10})
     figure = figures.ensemble(ensemble, width=width)
     inspect(figure, width=size, panels=4)
-    assert [text.get_text() for text in figure.legends[0].get_texts()][-1] == "mean"
+    assert [text.get_text() for text in figure.legends[0].get_texts()][-1] == "mark: mean"
     assert sum(patch.get_path().vertices.size > 0 for ax in figure.axes for patch in ax.patches) == 4
     vibration = bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]})
     inspect(figures.coefficients(vibration, width=width), width=size, panels=4)
