@@ -159,6 +159,20 @@ Json deviations_json(const Json& result) {
   }
 }
 
+/// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version
+/// that had other keys.
+Json deviations_json(const Json& result) {
+  const Json& attributes = result["attributes"];
+  for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
+    if (command == name_of(Experiment::strip)) return nullptr;
+  }
+  try {
+    return shown_deviations(parse_case(attributes.value("case_understood", ""), ""));
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
 /// What of a summary a report shows.
 Json summary_shown(const Json& summary, const std::string& kind) {
   if (has_cycles(kind)) return summary;

@@ -34,10 +34,10 @@ struct ReadingOptions {
 /// `name` (the last parts of its path, as many as it takes to tell the folders apart), `kind` (the command that wrote
 /// it), `attributes` (global texts of result.nc, without paths of the machine), `summary`, and `quantities` (`name`,
 /// `key` in the summary, `label`, `unit`, `whole`, `of_solver`, `meaning` of each that tables show). Values are base64
-/// of little-endian binary32, flags of signed bytes; NaN and -127 stand for what is absent. Where sleeve or journal of a
-/// bearing are no circles, `deviations` has what their radii are more than nominal, m, at equal angles from X on towards
-/// Y to X again: `sleeve` (with the taper, under the foils), `journal`, and `taper` alone where the sleeve has more than
-/// it; without those that are circles. The rest is one of three:
+/// of little-endian binary32, flags of signed bytes; NaN and -127 stand for what is absent. Where sleeve or journal of
+/// a bearing are no circles, `deviations` has what their radii are more than nominal, m, at equal angles from X on
+/// towards Y to X again: `sleeve` (with the taper, under the foils), `journal`, and `taper` alone where the sleeve has
+/// more than it; without those that are circles. The rest is one of three:
 ///
 /// Cycles (`cycle`, `strip`): `summary` is summary.json as it is; `meanings` (`unit` and `text` of the variables of
 /// cycles and increments, as result.nc says them), `geometry` (variables without increments: a number, or one per bump,
