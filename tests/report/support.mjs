@@ -151,14 +151,13 @@ export async function print(page) {
   assert.equal(await page.locator('select').evaluateAll((all) => all.filter((one) => one.getClientRects().length > 0).length), 0);
 }
 
-/** What axe-core finds of some weight. */
+/** What axe-core finds, be it minor. */
 export async function axeFindings(page) {
   await page.evaluate(readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8'));
   // Pictures are one thing for readers of the screen, and by far the most elements.
   const { violations, passes } = await page.evaluate(() => globalThis.axe.run({ exclude: [['.plot'], ['.round > *'], ['.unwrapped > *']] }));
   assert.ok(passes.length > 20);
-  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-  return serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
+  return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
 }
 
 /** Whether the page has room for all that is on it, at widths from that of a phone to that of a large screen. */

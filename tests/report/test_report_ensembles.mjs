@@ -60,7 +60,7 @@ test('the tables are those of summary.json', () =>
     const shown = await page.locator('tr[data-key="loop_energy_J"] > *').allTextContents();
     near(quantity(`${shown[2]} ${shown[1]}`, 'J'), statistics['+Y'].loop_energy_J.mean, 1e-3, 'mean');
     near(quantity(`${shown[11]} ${shown[1]}`, 'J'), statistics['+Y'].loop_energy_J.p99, 1e-3, 'p99');
-    const saidOfAll = await csvOf(page, 'Statistics');
+    const saidOfAll = await csvOf(page, 'Statistics of the bearings');
     const force = saidOfAll.find((row) => row.quantity === 'max_force_N' && row.direction_deg === '90');
     near(Number(force.std), statistics['+Y'].max_force_N.std, 1e-6, 'std');
   }));
@@ -145,7 +145,7 @@ test('pictures are complete', () =>
     assert.doesNotMatch(picture.bytes.toString(), /NaN|undefined/);
   }));
 
-test('axe finds nothing serious, and the page fits screens and paper', async () => {
+test('axe finds nothing, and the page fits screens and paper', async () => {
   for (const colorScheme of ['light', 'dark']) {
     await withReport('many.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
   }

@@ -159,7 +159,7 @@ test('a click on a curve looks at its state, and pictures are complete', () =>
     }
   }));
 
-test('axe finds nothing serious, and the page fits screens and paper', async () => {
+test('axe finds nothing, and the page fits screens and paper', async () => {
   for (const colorScheme of ['light', 'dark']) {
     await withReport('grid.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
   }

@@ -44,7 +44,7 @@ test('each pad is drawn round where it is, from its weld', () =>
     // Along +X the journal touches pad 2, and no other: from its surface to the foils it is the thickness of lines.
     const journal = page.locator('.round circle').nth(1);
     const [x, y, radius] = await Promise.all(['cx', 'cy', 'r'].map(async (name) => Number(await journal.getAttribute(name))));
-    const foils = await piecesOf(page.locator('.round path[stroke-width="1.7"]').nth(1));
+    const foils = await piecesOf(page.locator('.round .top-foil'));
     assert.equal(foils.length, pads.length);
     // Six pieces lead to each crest; before the first one nothing bears.
     const apart = foils.map((points) => Math.min(...points.slice(6).map(([px, py]) => Math.hypot(px - x, py - y) - radius)));
@@ -70,7 +70,7 @@ test('pads are laid flat one after the other, and bumps are told by them', () =>
     const flat = page.locator('.unwrapped');
     for (const pad of pads) assert.equal(await flat.locator('.part-name', { hasText: `weld of pad ${pad}` }).count(), 1);
     assert.equal((await flat.locator('text', { hasText: /^1$/ }).count()), pads.length);
-    const foils = await piecesOf(flat.locator('path[stroke-width="2"]').first());
+    const foils = await piecesOf(flat.locator('.top-foil'));
     const [ends, begins] = [foils.map((points) => points.at(-1)[0]), foils.map((points) => points[0][0])];
     assert.ok(ends[0] < begins[1] && ends[1] < begins[2], `${begins} ${ends}`);
     await flat.focus();

@@ -77,7 +77,7 @@ test('centre and axes of an orbit have their unit', () =>
     assert.equal(await row('Semi-axes'), '10 µm, 5 µm');
   }));
 
-test('axe finds nothing serious, and the page fits screens and paper', async () => {
+test('axe finds nothing, and the page fits screens and paper', async () => {
   await withReport('orbit.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme: 'dark' });
   await withReport('orbit.html', assertFits);
   await withReport('orbit.html', async (page) => {

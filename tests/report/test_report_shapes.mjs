@@ -1,4 +1,4 @@
-// Bearings that are not round: how reports show them.
+// Bearings that are not round, and foils whose sheet changes its thickness: how reports show them.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -11,9 +11,9 @@ const panelName = 'Sleeve and journal, not round';
 const few = ['--set', 'cycle.steps=4', '--set', 'cycle.directions=["+X"]'];
 
 before(() => {
-  for (const name of ['out_of_round', 'gen1']) run(['cycle', join(examples, `${name}.toml`), '-o', join(folder, name), ...few]);
+  for (const name of ['out_of_round', 'graded', 'gen1']) run(['cycle', join(examples, `${name}.toml`), '-o', join(folder, name), ...few]);
   report('out_of_round.html', 'out_of_round');
-  report('round.html', 'gen1');
+  report('graded.html', 'graded');
   report('compared.html', 'gen1', 'out_of_round');
 });
 
@@ -91,10 +91,44 @@ test('compared with a round one its lines have its name, and round ones have no 
     const panel = page.getByRole('region', { name: panelName });
     assert.deepEqual(await panel.locator('.legend li').allTextContents(), ['sleeve, out_of_round', 'journal, out_of_round', 'taper of the sleeve alone, out_of_round']);
   });
-  await withReport('round.html', async (page) => assert.equal(await page.getByRole('region', { name: panelName }).count(), 0));
+  await withReport('graded.html', async (page) => assert.equal(await page.getByRole('region', { name: panelName }).count(), 0));
 });
 
-test('axe finds nothing serious, and the page fits screens', async () => {
+test('where the sheet is thicker the line of the foil is wider, in both views', () =>
+  withReport('graded.html', async (page) => {
+    const mean = (5 * 0.127 + 21 * 0.102) / 26;
+    for (const [view, width] of [['.round', 1.7], ['.unwrapped', 2]]) {
+      const lines = await page.locator(`${view} path.bump-foil`).evaluateAll((all) => all.map((one) => ({ width: Number(one.getAttribute('stroke-width')), ...(({ x, width }) => ({ from: x, to: x + width }))(one.getBBox()) })));
+      assert.deepEqual(lines.map((one) => one.width), [0.127, 0.102].map((thickness) => Number((width * (thickness / mean) ** 3).toFixed(2))));
+      const panel = page.locator('.panel', { has: page.locator(view) });
+      assert.match(await panel.locator('.subject').textContent(), /Bump foil 102 µm to 127 µm thick, the width of its line goes with the cube\.$/);
+      if (view === '.round') continue;
+      // The change is between the numbers of bumps 5 and 6.
+      const number = (bump) => page.locator('.unwrapped text', { hasText: new RegExp(`^${bump}$`) }).first().evaluate((one) => Number(one.getAttribute('x')));
+      const [[thick, thin], before, behind] = [lines, await number(5), await number(6)];
+      assert.ok(thick.from < before && Math.abs(thick.to - thin.from) < 0.1 && thick.to > before && thick.to < behind, JSON.stringify(lines));
+    }
+  }));
+
+test('axe finds nothing, and the page fits screens', async () => {
   for (const colorScheme of ['light', 'dark']) await withReport('out_of_round.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
   await withReport('out_of_round.html', assertFits);
 });
+
+test('foils of many bumps fit screens of half a laptop, and scroll to the bump that is chosen where they do not', () =>
+  withReport('graded.html', async (page) => {
+    const place = page.locator('.scroller', { has: page.locator('.unwrapped') });
+    const excess = () => place.evaluate((one) => one.scrollWidth - one.clientWidth);
+    for (const width of [1366, 768, 400]) {
+      await page.setViewportSize({ width, height: 768 });
+      await page.waitForFunction((most) => document.querySelector('.unwrapped').getBoundingClientRect().width < most, width);
+      assert.equal(await excess(), 0, `at ${width}`);
+    }
+    await page.setViewportSize({ width: 300, height: 768 });
+    await page.waitForFunction(() => document.querySelector('.unwrapped').parentElement.clientWidth < 290);
+    assert.ok((await excess()) > 20);
+    await page.locator('.unwrapped').focus();
+    await page.keyboard.press('ArrowLeft');
+    assert.match(await page.locator('.bump-values').textContent(), /^Bump 26:/);
+    assert.equal(await place.evaluate((one) => Math.round(one.scrollLeft)), await excess());
+  }));

@@ -288,7 +288,7 @@ test('the keyboard reaches every choice', () =>
     assert.notEqual(await page.getByRole('region', { name: 'Loops' }).locator('.subject').textContent(), before);
   }));
 
-test('axe finds nothing serious, and the page fits screens and paper', async () => {
+test('axe finds nothing, and the page fits screens and paper', async () => {
   for (const colorScheme of ['light', 'dark']) {
     await withReport('both.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
   }

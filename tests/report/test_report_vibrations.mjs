@@ -118,7 +118,7 @@ test('what failed or did not settle is told', () =>
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
   }));
 
-test('axe finds nothing serious, and the page fits screens and paper', async () => {
+test('axe finds nothing, and the page fits screens and paper', async () => {
   for (const colorScheme of ['light', 'dark']) {
     await withReport('vib.html', async (page) => assert.deepEqual(await axeFindings(page), []), { colorScheme });
   }

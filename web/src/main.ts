@@ -115,6 +115,17 @@ function folded(items: HTMLElement[]): HTMLElement[] {
   return [more];
 }
 
+/** Panels of several kinds of results that have the same title are told apart by that of their section, too. */
+function tellApart(panels: HTMLElement[]): void {
+  const titles = panels.map((panel) => panel.getAttribute('aria-label'));
+  panels.forEach((panel, i) => {
+    const [heading, section] = [panel.querySelector('h3'), panel.closest('.part')?.querySelector('h2')];
+    if (!heading || !section || titles.filter((title) => title === titles[i]).length < 2) return;
+    heading.id = `panel-${i + 1}`;
+    panel.setAttribute('aria-labelledby', `${heading.id} ${section.id}`);
+  });
+}
+
 function start(): void {
   const report = JSON.parse(document.getElementById('bumpfoil-data')?.textContent ?? '') as ReportData;
   const runs = report.runs.map((data) => new Result(data));
@@ -134,6 +145,7 @@ function start(): void {
     el('main', { id: 'contents', tabindex: -1 }, ...warnings(warned), ...parts.map(({ view }) => el('div', { class: 'view' }, ...view.sections)), words),
     el('footer', {}, 'Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
   );
+  tellApart([...document.querySelectorAll<HTMLElement>('.panel')]);
 }
 
 start();

@@ -12,7 +12,7 @@ export function foilLines({ geometry, shape }: Scene, place: (point: ShapePoint)
   const paths = new Map<number, string>();
   for (const { weight, points } of foilPieces(geometry, shape)) paths.set(weight, `${paths.get(weight) ?? ''}${pathOf(points.map(place))}`);
   return [...paths].map(([weight, d]) =>
-    svg('path', { d, class: 'bump-foil', fill: 'none', stroke: current.bumpFoil, 'stroke-width': Number((width * weight).toFixed(2)), 'stroke-linejoin': 'round' }),
+    svg('path', { d, class: 'foil bump-foil', fill: 'none', stroke: current.bumpFoil, 'stroke-width': Number((width * weight).toFixed(2)), 'stroke-linejoin': 'round' }),
   );
 }
 

@@ -12,7 +12,7 @@ import { gradingOf } from './foil_lines';
 import { BearingGeometry } from './geometry';
 import { drawRound } from './round';
 import { fittingAlong, fittingInwards, magnifications, shapeAt } from './shape';
-import { drawUnwrapped, frictionFactor, type Scene, type UnwrappedLayout } from './unwrapped';
+import { drawUnwrapped, frictionFactor, leastWidth, type Scene, type UnwrappedLayout } from './unwrapped';
 
 /** What the scales of the drawings follow: the whole of a run, whatever the increment. */
 interface Extent {
@@ -154,8 +154,7 @@ export class BearingPanels {
       bump: this.bump,
     };
     if (this.room > 0) {
-      // Bumps narrower than some pixels are no use: small screens scroll.
-      this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.room, 24 * (run.bumps + run.pads - 1) + 28));
+      this.layout = drawUnwrapped(this.flatDrawing, scene, current, Math.max(this.room, leastWidth(this.geometry)));
       this.flatDrawing.style.width = `${this.layout.width}px`;
     }
     if (!run.kind.flat) this.roundStretch = drawRound(this.roundDrawing, scene, current, this.roundSize);
@@ -215,7 +214,10 @@ export class BearingPanels {
       if (step === undefined) return;
       event.preventDefault();
       const last = this.selection.run.bumps - 1;
-      this.choose(Math.min(Math.max(0, (this.bump ?? (step > 0 ? -1 : last + 1)) + step), last));
+      const bump = Math.min(Math.max(0, (this.bump ?? (step > 0 ? -1 : last + 1)) + step), last);
+      this.choose(bump);
+      // Where the foils scroll, it stays in sight.
+      this.flatPlace.scrollLeft = (this.layout?.placeOfBump(bump) ?? 0) - 0.5 * this.flatPlace.clientWidth;
     });
   }
 

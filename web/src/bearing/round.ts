@@ -90,7 +90,7 @@ export function drawRound(root: SVGSVGElement, scene: Scene, current: Look, show
     ...axes(current, font),
     svg('path', { d: welds.join(''), stroke: current.topFoil, 'stroke-width': 3.4 }),
     ...foilLines(scene, (point) => layout.place(point), 1.7, current),
-    svg('path', { d: topFoils, fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
+    svg('path', { d: topFoils, class: 'foil top-foil', fill: 'none', stroke: current.topFoil, 'stroke-width': 1.7, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, journal, current) : []),
     ...shape.feet.map((foot, i) => stateMark(layout.place(foot), cycle, 'bump_sleeve', index, i, current, layout.forward(foot))),
     ...numbers(scene, current, font),

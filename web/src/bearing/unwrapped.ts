@@ -26,8 +26,10 @@ export interface Scene {
 
 const height = 270;
 const margin = 14;
-/** At the right, for the names of the foils. */
+/** At the right, for the names of the foils; where there is little of it they stand in the drawing. */
 const room = 74;
+/** Width of a bump that is enough for that, and the least that tells the marks of its contacts from those beside it, px. */
+const [roomyBump, leastBump] = [24, 10.5];
 /** Heights that moving parts stay between. */
 const [ceiling, floor] = [44, 222];
 /** Height of an undeformed bump on the drawing, at most. */
@@ -40,11 +42,22 @@ const longestArrow = 44;
 /** Friction is a small part of the normal force. */
 export const frictionFactor = 4;
 
+function widthOf({ run }: BearingGeometry, perBump: number): number {
+  return perBump * (run.bumps + run.pads - 1) + 2 * margin + 2 * rim;
+}
+
+/** Of a drawing, px; where there is less, it scrolls. */
+export function leastWidth(geometry: BearingGeometry): number {
+  return widthOf(geometry, leastBump);
+}
+
 /** The bearing cut open at the welds and laid flat, pad after pad: sleeve below, journal above. */
 export class UnwrappedLayout {
   /** Ends of the sleeve on the drawing. */
   readonly left: number;
   readonly right: number;
+  /** Whether the names of the foils stand beside them. */
+  readonly roomy: boolean;
   private readonly perLength: number;
   private readonly perHeight: number;
   private readonly sleeveLevel: number;
@@ -56,7 +69,8 @@ export class UnwrappedLayout {
     const { geometry, inwards, along } = scene;
     // However much displacements are magnified, all of the foils stays on the drawing.
     const beyond = along * geometry.reach.along;
-    this.perLength = (width - margin - room - 2 * rim) / (geometry.length + 2 * beyond);
+    this.roomy = width >= widthOf(geometry, roomyBump);
+    this.perLength = (width - margin - (this.roomy ? room : margin) - 2 * rim) / (geometry.length + 2 * beyond);
     this.left = margin + rim + beyond * this.perLength;
     this.right = this.left + geometry.length * this.perLength;
     const above = geometry.rise + inwards * geometry.reach.inwards;
@@ -75,6 +89,12 @@ export class UnwrappedLayout {
   /** How much larger heights are drawn than lengths along the foil. */
   get stretch(): number {
     return this.perHeight / this.perLength;
+  }
+
+  /** Where a bump is on the drawing. */
+  placeOfBump(bump: number): number {
+    const { geometry } = this.scene;
+    return this.place(onGround(geometry.padOfBump(bump), at(geometry.crestPlaces, bump))).x;
   }
 
   /** Bump at a place on the drawing. */
@@ -103,7 +123,7 @@ export function drawUnwrapped(root: SVGSVGElement, scene: Scene, current: Look, 
     ...shims(scene, layout, current),
     ...welds(scene, layout, current),
     ...foilLines(scene, (point) => layout.place(point), 2, current),
-    svg('path', { d: stroke('topFoil', foilGap), fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
+    svg('path', { d: stroke('topFoil', foilGap), class: 'foil top-foil', fill: 'none', stroke: current.topFoil, 'stroke-width': 2, 'stroke-linejoin': 'round' }),
     ...(scene.forces ? forceArrows(scene, layout, current) : []),
     ...marks(scene, layout, current),
     ...numbers(scene, layout, current),
@@ -120,11 +140,13 @@ function names({ shape, geometry }: Scene, layout: UnwrappedLayout): PartName[] 
   const bump = layout.place(lastOf(last.bumpFoil));
   const top = layout.place(lastOf(geometry.topFoil ? last.topFoil : last.mover), foilGap);
   const topName = Math.min(Math.max(top.y - 14, 30), bump.y - 26);
+  const foil = (content: string, level: number, inner: Place, to: Place): PartName =>
+    layout.roomy ? { content, at: { x: aside, y: level }, to } : { content, at: inner, to, anchor: 'end' };
   return [
     { content: mover, at: { x: layout.left + 10, y: 18 } },
     { content: ground, at: { x: layout.right - 10, y: height - 28 }, anchor: 'end' },
-    { content: 'bump foil', at: { x: aside, y: bump.y - 6 }, to: bump },
-    ...(geometry.topFoil ? [{ content: 'top foil', at: { x: aside, y: topName }, to: top }] : []),
+    foil('bump foil', bump.y - 6, { x: layout.right - 64, y: height - 28 }, bump),
+    ...(geometry.topFoil ? [foil('top foil', topName, { x: layout.right - 10, y: 18 }, top)] : []),
     ...geometry.shims.map(({ pad, begin, end, thickness }): PartName => {
       const { x, y } = layout.place(onGround(pad, 0.5 * (begin + end)));
       return { content: `shim ${formatQuantity(thickness, 'm')}`, at: { x, y: y + 22 }, anchor: 'middle' };

@@ -47,7 +47,7 @@ class Page {
   private readonly views = el('div', { class: 'results' });
   private readonly bar = el('div', { class: 'bar' });
   private readonly state = el('p', { class: 'state', role: 'status' });
-  private readonly general = el('ul', { class: 'general-faults', role: 'alert' });
+  private readonly general = el('ul', { class: 'general-faults' });
   private readonly fields;
   private readonly vibration;
   private readonly ensemble;
@@ -71,8 +71,8 @@ class Page {
       el(
         'div',
         { class: 'sides' },
-        el('aside', { class: 'side', 'aria-label': 'The case' }, this.general, this.fields.root),
-        el('main', { id: 'contents', tabindex: -1 }, this.views),
+        el('aside', { class: 'side', 'aria-label': 'The case' }, el('div', { role: 'alert' }, this.general), this.fields.root),
+        el('main', { id: 'contents', tabindex: -1 }, el('h2', { class: 'unseen' }, 'Results'), this.views),
       ),
       this.bar,
       el('footer', {}, 'Computed in this page: nothing is sent. Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),

@@ -41,7 +41,7 @@ export function statisticsTable(ensemble: Ensemble, selection: EnsembleSelection
   const direction = (): string => at(ensemble.directions, selection.direction);
   const panel = new Panel(
     {
-      title: 'Statistics',
+      title: 'Statistics of the bearings',
       subject: () => `${direction()} · ${ensemble.label} · of the bearings that converged; percentiles count what is never reached as largest`,
       file: () => fileName('statistics', ensemble.label),
       csv: () => csv(ensemble),
