@@ -19,7 +19,7 @@ test('vibrations about a load are those of the program', () =>
     await drawn(() => Promise.resolve());
     const load = page.getByLabel('along Y, N');
     await drawn(async () => {
-      await load.fill('-80');
+      await load.fill('-80,0');
       await load.press('Tab');
     });
     assert.match(await page.locator('.vibration > .note').textContent(), /the journal stands at x = .* µm/);
