@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <csignal>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -26,16 +28,28 @@ namespace bumpfoil {
 
 namespace {
 
+/// What the parser says of a command line, in the words of other messages.
+std::string in_our_words(std::string message) {
+  const std::array ours{std::pair{"^A subcommand is required$", "a command is missing"},
+                        std::pair{" is required$", " is missing"},
+                        std::pair{": 1 required (.*) missing$", " lacks its value, $1"}};
+  for (const auto& [theirs, own] : ours) message = std::regex_replace(message, std::regex(theirs), own);
+  return message;
+}
+
 /// Prints the help that was asked for, or what is wrong with the command line.
 ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   std::ostringstream output;
   std::ostringstream errors;
-  const int code = program.exit(error, output, errors);
-  print_output(output.str());
-  std::string message = errors.str();
-  while (message.ends_with('\n')) message.pop_back();
-  if (!message.empty()) print_message(message);
-  return code == 0 ? ExitCode::done : ExitCode::wrong_input;
+  if (program.exit(error, output, errors) == 0) {
+    print_output(output.str());
+    return ExitCode::done;
+  }
+  const std::string message = in_our_words(error.what());
+  const auto commands = program.get_subcommands();
+  print_message(fmt::format("bumpfoil: {}{} 'bumpfoil {}--help' says more", message, message.ends_with('?') ? "" : ";",
+                            commands.empty() ? "" : commands.front()->get_name() + ' '));
+  return ExitCode::wrong_input;
 }
 
 /// "did you mean 'a', 'b' or 'c'? " of these names; empty without any.
@@ -105,6 +119,13 @@ bool tell_unknown_words(const CLI::App& program) {
                               suggestion(nearest_of(words.front(), names))));
   } else {
     const std::string& command = program.get_subcommands().front()->get_name();
+    if (words.front().starts_with('=')) {
+      print_message(
+          fmt::format("bumpfoil: '{}' stands alone; write --set KEY=VALUE without spaces round the sign, in "
+                      "quotes if the value has any",
+                      printable(words.front())));
+      return true;
+    }
     print_message(fmt::format("bumpfoil: '{}' is one word more than '{}' takes; 'bumpfoil {} --help' lists them",
                               printable(words.front()), command, command));
   }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "ranks.hpp"
 
@@ -42,6 +43,9 @@ void add_film_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 void add_designer_command(CLI::App& program, Session& session);
+
+/// That a value is one of some words.
+CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Adds the option --set, which changes keys of the case file.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);

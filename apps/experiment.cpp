@@ -127,7 +127,7 @@ CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCo
       ->type_name("DIR")
       ->required();
   command->add_option("--solver", options->solver, "The same as --set solver.name=...")
-      ->check(CLI::IsMember(std::vector<std::string>(enum_names<SolverName>.begin(), enum_names<SolverName>.end())))
+      ->check(one_of({enum_names<SolverName>.begin(), enum_names<SolverName>.end()}))
       ->type_name("NAME");
   if (experiment.takes_samples) {
     command->add_option("--sample", options->sample, "Of an ensemble, the bearing of this number; CASE is its case")

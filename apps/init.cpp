@@ -30,7 +30,7 @@ void add_init_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<InitOptions>();
   CLI::App* command = program.add_subcommand("init", "Write a commented case file to start from");
   command->add_option("--preset", options->preset, "Bearing to start from")
-      ->check(CLI::IsMember(preset_names()))
+      ->check(one_of(preset_names()))
       ->capture_default_str();
   command->add_option("-o,--output", options->path, "File to write; standard output without it")->type_name("FILE");
   command->add_flag("--keys", options->keys, "A reference of all keys in place of a case file, in Markdown");

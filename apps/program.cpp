@@ -1,17 +1,33 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "commands.hpp"
 
 namespace bumpfoil {
 
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto refuse = [words](const std::string& value) -> std::string {
+    if (std::find(words.begin(), words.end(), value) != words.end()) return "";
+    const auto longer =
+        std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.starts_with(value); });
+    const auto nearest = longer != words.end() && !value.empty() ? std::optional(*longer) : nearest_name(value, words);
+    return nearest ? fmt::format("'{}' is not known; did you mean '{}'?", value, *nearest)
+                   : fmt::format("'{}' is none of {}", value, fmt::join(words, ", "));
+  };
+  return {refuse, fmt::format("{{{}}}", fmt::join(words, ","))};
+}
+
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
   command
-      .add_option("--set", overrides, "Change a key of the case: friction.coefficient=0.2, bump_foil.height=\"0.5 mm\"")
-      ->type_name("KEY=VALUE ...")
+      .add_option("--set", overrides, "Change keys of the case: friction.coefficient=0.2 bump_foil.height=\"0.5 mm\"")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->take_all();
 }

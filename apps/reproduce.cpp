@@ -211,10 +211,10 @@ ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) 
   return plotted == PlotStatus::failed ? ExitCode::file_error : ExitCode::done;
 }
 
-std::vector<int> figure_numbers() {
-  std::vector<int> numbers;
+std::vector<std::string> figure_numbers() {
+  std::vector<std::string> numbers;
   for (const std::string& name : study_names()) {
-    if (const std::optional<int> number = figure_number(name)) numbers.push_back(*number);
+    if (const std::optional<int> number = figure_number(name)) numbers.push_back(std::to_string(*number));
   }
   return numbers;
 }
@@ -230,10 +230,10 @@ void add_reproduce_command(CLI::App& program, Session& session) {
       ->required();
   command->add_option("--figure", options->figures, "Only this figure of the paper; may be given again")
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(figure_numbers()));
+      ->check(one_of(figure_numbers()));
   command->add_option("--study", options->studies, "Only this study; may be given again")
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(study_names()));
+      ->check(one_of(study_names()));
   command->add_flag("--all", options->all, "All figures and all further studies");
   command->add_flag("--force", options->force, "Replace results that the folders hold");
   std::string footer = "Studies:\n";

@@ -101,7 +101,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
       ->type_name("DIR")
       ->required();
   command->add_option("--command", options->command, "What is run at every point")
-      ->check(CLI::IsMember(std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end())))
+      ->check(one_of({enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()}))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Points that are run at a time; results do not depend on it")
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))

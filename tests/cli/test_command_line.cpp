@@ -86,6 +86,24 @@ TEST_F(Program, KnowsTheSlipsOfAllOptionsOfAllCommands) {
   EXPECT_GE(options, 60U);
 }
 
+TEST_F(Program, SaysWhatIsMissingInOneLine) {
+  expect_says({}, "bumpfoil: a command is missing; 'bumpfoil --help' says more\n");
+  expect_says({"cycle", case_path_}, "bumpfoil: --output is missing; 'bumpfoil cycle --help' says more\n");
+  expect_says({"check"}, "bumpfoil: CASE is missing; 'bumpfoil check --help' says more\n");
+  expect_says({"cycle", case_path_, "-o"},
+              "bumpfoil: --output lacks its value, DIR; 'bumpfoil cycle --help' says more");
+  expect_says({"cycle", case_path_, "-o", results_, "--set", "friction.coefficient", "=", "0.2"},
+              "bumpfoil: '=' stands alone; write --set KEY=VALUE without spaces");
+}
+
+TEST_F(Program, NamesTheWordsThatAValueMayBe) {
+  expect_says({"init", "--preset", "gen3"}, "--preset: 'gen3' is not known; did you mean 'gen3-three-pad'? 'bumpfoil");
+  expect_says({"init", "--preset", "gne1"}, "did you mean 'gen1'?");
+  expect_says({"cycle", case_path_, "-o", results_, "--solver", "secant"},
+              "--solver: 'secant' is none of newton, uzawa, events; 'bumpfoil cycle --help' says more");
+  expect_says({"reproduce", "-o", results_, "--figure", "9"}, "--figure: '9' is none of 10, 11, 12, 13, 14, 15, 16");
+}
+
 TEST_F(Program, HelpsWithCommandsThatThereAre) {
   expect_says({"help", "cylce"}, "'cylce' is no command; did you mean 'cycle'?");
   expect_says({"cylce", "--help"}, "'cylce' is no command");
