@@ -50,4 +50,7 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 /// Adds the option --set, which changes keys of the case file.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
 
+/// Adds the option --solver, short for one of them, behind --set.
+void add_solver(CLI::App& command, std::vector<std::string>& overrides);
+
 }  // namespace bumpfoil

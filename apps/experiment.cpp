@@ -27,7 +27,6 @@ namespace {
 struct ExperimentOptions {
   std::string case_path;
   std::string folder;
-  std::string solver;
   std::string sample;
   std::vector<std::string> overrides;
   bool force{};
@@ -38,20 +37,18 @@ Case sampled_case(const std::string& sample, const Case& input) {
   const std::size_t colon = sample.rfind(':');
   std::size_t number = 0;
   if (colon == std::string::npos || !CLI::detail::lexical_cast(sample.substr(colon + 1), number)) {
-    throw Error(ErrorKind::input, {{"--sample", 0, "", sample, "does not end with the number of a sample",
+    throw Error(ErrorKind::input, {{"", 0, "--sample", sample, "does not end with the number of a sample",
                                     "write it behind the file: results/ensemble.nc:17"}});
   }
   return read_sampled_case(sample.substr(0, colon), number, input);
 }
 
 ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& options, const Session& session) {
-  std::vector<std::string> overrides = options.overrides;
-  if (!options.solver.empty()) overrides.push_back("solver.name=" + options.solver);
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
-  Case input = parse_case(
-      case_text, options.case_path,
-      {.overrides = overrides, .required_tables = {experiment.table.empty() ? experiment.name : experiment.table}});
+  Case input = parse_case(case_text, options.case_path,
+                          {.overrides = options.overrides,
+                           .required_tables = {experiment.table.empty() ? experiment.name : experiment.table}});
   if (!options.sample.empty()) input = sampled_case(options.sample, input);
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
@@ -126,14 +123,12 @@ CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCo
   command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
       ->required();
-  command->add_option("--solver", options->solver, "The same as --set solver.name=...")
-      ->check(one_of({enum_names<SolverName>.begin(), enum_names<SolverName>.end()}))
-      ->type_name("NAME");
   if (experiment.takes_samples) {
     command->add_option("--sample", options->sample, "Of an ensemble, the bearing of this number; CASE is its case")
         ->type_name("ENSEMBLE.NC:NUMBER");
   }
   add_overrides(*command, options->overrides);
+  add_solver(*command, options->overrides);
   command->add_flag("--force", options->force, "Replace results that the folder holds");
   command->footer("Examples:\n" + experiment.examples +
                   "Ctrl-C, or a limit of a batch system, ends the run; what there is by then is written and flagged as "

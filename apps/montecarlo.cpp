@@ -178,6 +178,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
   add_overrides(*command, options->overrides);
+  add_solver(*command, options->overrides);
   command
       ->add_option("--target-error", options->target_error,
                    "Stop when the standard error of the mean of the maximum force (of running bearings: of the least "

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/core/nearest_name.hpp"
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "commands.hpp"
 
 namespace bumpfoil {
@@ -30,6 +31,15 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->take_all();
+}
+
+void add_solver(CLI::App& command, std::vector<std::string>& overrides) {
+  command
+      .add_option_function<std::string>(
+          "--solver", [&overrides](const std::string& name) { overrides.push_back("solver.name=" + name); },
+          "The same as --set solver.name=...")
+      ->check(one_of({enum_names<SolverName>.begin(), enum_names<SolverName>.end()}))
+      ->type_name("NAME");
 }
 
 namespace {

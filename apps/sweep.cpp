@@ -107,6 +107,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
   add_overrides(*command, options->overrides);
+  add_solver(*command, options->overrides);
   command->add_flag("--force", options->force, "Replace results that the folder holds");
   command->footer(fmt::format(
       "Examples:\n"

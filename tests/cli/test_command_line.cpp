@@ -51,7 +51,7 @@ TEST_F(Program, GuessesOptionsFromTheirBeginning) {
   expect_says(cycle("-O"), "'-O' is no option of 'cycle'; did you mean '-o/--output'?");
   expect_says(cycle("-q"), "did you mean '--quiet'?");
   expect_says(cycle("-H"), "did you mean '-h/--help'?");
-  expect_says(cycle("--s=newton"), "'--s' is no option of 'cycle'; did you mean '--solver', '--sample' or '--set'?");
+  expect_says(cycle("--s=newton"), "'--s' is no option of 'cycle'; did you mean '--sample', '--set' or '--solver'?");
   expect_says({"montecarlo", case_path_, "--thr", "2"}, "did you mean '--threads'?");
   expect_says({"cycle", case_path_, "-output", results_}, "-output: is no option; did you mean -o or --output?");
 }
@@ -84,6 +84,15 @@ TEST_F(Program, KnowsTheSlipsOfAllOptionsOfAllCommands) {
     }
   }
   EXPECT_GE(options, 60U);
+}
+
+TEST_F(Program, TakesASolverWhereverCasesAreRun) {
+  const std::vector<std::string> swept{
+      "sweep", case_path_,      "-o",       results_, "--over", "friction.coefficient=[0.1]",
+      "--set", "cycle.steps=2", "--solver", "events"};
+  EXPECT_EQ(run(swept).exit_code, 0);
+  EXPECT_EQ(summary()["solver"], "events");
+  expect_says({"montecarlo", case_path_, "-o", results_, "--solver", "newtn"}, "did you mean 'newton'?");
 }
 
 TEST_F(Program, SaysWhatIsMissingInOneLine) {
