@@ -63,7 +63,8 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     // To add what is refused beside pads would lead nowhere.
     const bool knows_pads = table != "strip" && table != "equilibrium";
     if (knows_pads || input.pads.empty()) {
-      log.fault(table, "this table is missing", fmt::format("add [{}]: this command needs it", table));
+      log.fault(table, "this table is missing",
+                fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));
     } else {
       log.fault("pad", "is not known to this command, which takes one foil all around",
                 fmt::format("run cycle, path or vibration, which know pads, or remove [[pad]] and add [{}]", table));

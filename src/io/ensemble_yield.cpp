@@ -30,7 +30,7 @@ std::optional<Dimension> dimension_in(std::string_view unit) {
 /// @throws Error (input)
 EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout) {
   const auto refuse = [&text](std::string what, std::string advice) {
-    throw Error(ErrorKind::input, {{std::string(option), 0, "", text, std::move(what), std::move(advice)}});
+    throw Error(ErrorKind::input, {{"", 0, std::string(option), text, std::move(what), std::move(advice)}});
   };
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos) refuse("has no < and no >", "write a limit such as \"clearance_5N > 20 um\"");
@@ -55,7 +55,8 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
     if (const auto* fault = std::get_if<QuantityFault>(&quantity)) refuse(fault->what, fault->advice);
     limit.bound = std::get<double>(quantity);
   } else {
-    refuse("does not end with a number", fmt::format("write a number in {}", found->unit));
+    refuse("does not end with a number",
+           found->unit == "1" ? "write a number without a unit" : fmt::format("write a number in {}", found->unit));
   }
   if (!std::isfinite(limit.bound)) refuse("is not finite", "give a finite number");
   return limit;

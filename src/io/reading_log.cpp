@@ -74,8 +74,8 @@ void ReadingLog::later_fault(const Fault& fault) {
   placed.line = place != nullptr ? place->line : 0;
   const auto exact = origins_.find(placed.key);
   if (exact != origins_.end() && !exact->second.written.empty()) placed.value = exact->second.written;
-  if (exact != origins_.end() && exact->second.degrees) {
-    placed.advice += fmt::format("; numbers are radians: write \"{} deg\" if degrees are meant", placed.value);
+  if (exact != origins_.end() && !exact->second.unit_hint.empty()) {
+    placed.advice += "; " + fmt::format(fmt::runtime(exact->second.unit_hint), placed.value);
   }
   add(std::move(placed));
 }

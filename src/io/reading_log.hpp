@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,8 @@ struct Origin {
   std::string file;
   std::size_t line{};
   std::string written;
-  bool degrees{};  ///< an angle without a unit, of so many radians that degrees may be meant
-  bool implied{};  ///< a table that an override made for its key
+  std::string_view unit_hint{};  ///< of a plain number that may be meant in another unit than that of SI
+  bool implied{};                ///< a table that an override made for its key
 };
 
 /// What is known while a case file is read: its faults, and where its keys stand.
@@ -29,8 +30,9 @@ class ReadingLog {
   /// Remembers where a key stands and what it was given.
   void met(const std::string& key, const toml::node& node);
 
-  /// Remembers of a key that was met that its number may be meant in degrees.
-  void met_degrees(const std::string& key) { origins_[key].degrees = true; }
+  /// Remembers of a key that was met that its number may be meant in another unit: what its faults are to say of that,
+  /// where {} stands for the number. The text must stay.
+  void met_unlikely(const std::string& key, std::string_view hint) { origins_[key].unit_hint = hint; }
 
   /// A fault of a key, placed where the key, or the table that lacks it, stands. The first one of a key counts.
   void fault(const std::string& key, std::string what, std::string advice);

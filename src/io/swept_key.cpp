@@ -101,8 +101,9 @@ class SweptKeyParser {
 
  private:
   [[noreturn]] void refuse(std::string what, std::string advice) const {
-    throw Error(ErrorKind::input, {{"--over", 0, key_, std::string(key_.empty() ? argument_ : values_), std::move(what),
-                                    std::move(advice)}});
+    Fault fault{"--over", 0, key_, std::string(values_), std::move(what), std::move(advice)};
+    if (key_.empty()) fault = {"", 0, "--over", std::string(argument_), fault.what, fault.advice};
+    throw Error(ErrorKind::input, {std::move(fault)});
   }
 
   void require_few(double count) const {
@@ -200,7 +201,9 @@ class SweptKeyParser {
     const std::string_view number = number_in(text);
     const std::optional<Decimal> decimal = decimal_of(number);
     if (!decimal) refuse(fmt::format("has a number of more than {} digits", most_digits), "round it");
-    return {*decimal, std::string(trimmed(text.substr(number.size())))};
+    const std::string_view unit = trimmed(text.substr(number.size()));
+    if (unit.starts_with(',')) refuse("has a decimal comma", "write decimal points, such as 0:0.5:0.05");
+    return {*decimal, std::string(unit)};
   }
 
   std::string_view argument_;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "bumpfoil/model/validation.hpp"
+#include "io/number_text.hpp"
 #include "io/toml_document.hpp"
 
 namespace bumpfoil {
@@ -17,6 +18,9 @@ namespace {
 
 constexpr std::array axis_names{NamedNumber{"+X", 0.0}, NamedNumber{"+Y", 0.5 * std::numbers::pi},
                                 NamedNumber{"-X", std::numbers::pi}, NamedNumber{"-Y", 1.5 * std::numbers::pi}};
+
+/// Of bearings and their parts, m.
+constexpr double likely_length = 0.3;
 
 std::string_view kind_of(const toml::node& node) {
   switch (node.type()) {
@@ -35,6 +39,19 @@ std::string_view kind_of(const toml::node& node) {
     default:
       return "a date or time";
   }
+}
+
+/// What to write for what is no number, such as "0,2".
+std::string number_advice(const toml::node& node) {
+  std::string text = node.value_or(std::string());
+  const std::size_t comma = text.find(',');
+  double number = 0.0;
+  if (comma != std::string::npos) {
+    text[comma] = '.';
+    const auto [end, status] = read_number(text, number);
+    if (status == std::errc{} && end == text.data() + text.size()) return "write a decimal point: " + text;
+  }
+  return "write a number without quotes, such as 0.1";
 }
 
 constexpr Dimension dimension_of(Control control) {
@@ -89,9 +106,14 @@ void ValueReader::operator()(double* value) const {
 void ValueReader::operator()(std::optional<double>* value) const {
   if (node.is_number()) {
     *value = node.value<double>();
-    if (dimension == Dimension::angle && std::abs(**value) > 2.0 * std::numbers::pi) log.met_degrees(path);
+    const double size = std::abs(**value);
+    if (dimension == Dimension::angle && size > 2.0 * std::numbers::pi) {
+      log.met_unlikely(path, "numbers are radians: write \"{} deg\" if degrees are meant");
+    } else if (dimension == Dimension::length && size > likely_length) {
+      log.met_unlikely(path, "numbers are metres: write a unit if that is not meant, \"{} mm\"");
+    }
   } else if (!dimension) {
-    refuse("a number", "write a number without quotes, such as 0.1");
+    refuse("a number", number_advice(node));
   } else if (const auto* text = node.as_string()) {
     const auto quantity = parse_quantity(text->get(), *dimension);
     if (const auto* fault = std::get_if<QuantityFault>(&quantity)) {

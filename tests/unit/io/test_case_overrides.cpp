@@ -77,6 +77,13 @@ TEST(Overrides, AreToldTheWholeKeyThatWasMeant) {
       "--set: friction = 0.2: is a number where a table is due; set one of its keys, such as friction.coefficient");
 }
 
+TEST(Overrides, AreToldThatNumbersAreMetres) {
+  const std::string hint = "; numbers are metres: write a unit if that is not meant, \"31.8 mm\"";
+  EXPECT_TRUE(refusal({"bearing.radial_clearance=31.8"}).ends_with(hint));
+  EXPECT_EQ(refusal({"bearing.radial_clearance=0.0318"}).find("numbers are"), std::string::npos);
+  EXPECT_EQ(refusal({"bearing.radial_clearance=31.8 m"}).find("numbers are"), std::string::npos);
+}
+
 TEST(Overrides, WithNumbersThatAreNone) {
   for (const std::string number : {"99999999999999999999", "-99999999999999999999", "1e400"}) {
     EXPECT_EQ(refusal({"bump_foil.bumps=" + number}),
@@ -87,6 +94,9 @@ TEST(Overrides, WithNumbersThatAreNone) {
             "--set: bump_foil.bumps = 026: is not a whole number; write a whole number without quotes, such as 26");
   EXPECT_EQ(refusal({"friction.coefficient=.1"}),
             "--set: friction.coefficient = .1: is not a number; write a number without quotes, such as 0.1");
+  EXPECT_EQ(refusal({"friction.coefficient=0,2"}),
+            "--set: friction.coefficient = 0,2: is not a number; write a decimal point: 0.2");
+  EXPECT_NE(refusal({"friction.coefficient=0,2,3"}).find("such as 0.1"), std::string::npos);
   EXPECT_NE(refusal({"strip.displacement=20 um", "strip.top_foil=yes"}).find("is not true or false"),
             std::string::npos);
   EXPECT_NE(refusal({"cycle.directions=+X"}).find("cycle.directions = +X: is not a list"), std::string::npos);

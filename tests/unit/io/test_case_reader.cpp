@@ -294,7 +294,9 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
     parse_case(text, "case.toml", {.overrides = {}, .required_tables = {"cycle"}});
     ADD_FAILURE() << "the missing table went unnoticed";
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()), "case.toml: cycle: this table is missing; add [cycle]: this command needs it");
+    EXPECT_EQ(std::string(error.what()),
+              "case.toml: cycle: this table is missing; add [cycle], which this command needs; `bumpfoil init` shows "
+              "its keys");
   }
 }
 
