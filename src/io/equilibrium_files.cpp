@@ -72,24 +72,10 @@ std::string equilibrium_summary(const Case& input, const EquilibriumResult& resu
 
 }  // namespace
 
-std::string_view command_of(const EquilibriumResult& result) {
-  return result.foils ? "equilibrium" : "film";
-}
-
 std::vector<std::string> equilibrium_file_names(std::string_view command) {
   const std::string csv = fmt::format("{}.csv", command);
   if (command == "film") return {"summary.json", csv, "result.nc"};
   return {"summary.json", csv, "coefficients.csv", "coefficients.toml", "result.nc"};
-}
-
-RunStatus status_of(const EquilibriumResult& result) {
-  if (result.converged()) return RunStatus::complete;
-  const bool interrupted =
-      std::any_of(result.states.begin(), result.states.end(),
-                  [](const RunningState& state) { return state.report.status == FilmStatus::interrupted; }) ||
-      std::any_of(result.limits.begin(), result.limits.end(),
-                  [](const FilmLimit& limit) { return limit.status == FilmStatus::interrupted; });
-  return interrupted ? RunStatus::interrupted : RunStatus::failed;
 }
 
 std::string equilibrium_csv(const EquilibriumResult& result) {
@@ -153,53 +139,6 @@ std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
   }
   std::erase_if(spreads, [](const PathSpread& spread) { return spread.states.size() < 2; });
   return spreads;
-}
-
-std::vector<std::string> failure_lines(const EquilibriumResult& result) {
-  std::vector<std::string> lines;
-  for (const RunningState& state : result.states) {
-    if (state.found() || state.report.status == FilmStatus::interrupted) continue;
-    lines.push_back(running_failure(*result.bearing, state));
-  }
-  for (const FilmLimit& limit : result.limits) {
-    if (limit.found() || limit.status == FilmStatus::interrupted) continue;
-    lines.push_back(fmt::format("{}: {}", name_of_limit(limit), reason_of(limit.status)));
-  }
-  return lines;
-}
-
-std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result) {
-  std::vector<std::string> lines;
-  std::size_t lifted = 0;
-  std::string first_lifted;
-  for (const RunningState& state : result.states) {
-    if (!state.found()) continue;
-    if (state.report.jumps > 0) {
-      lines.push_back(fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another",
-                                  name_of_state(state),
-                                  state.report.jumps == 1 ? "once" : fmt::format("{} times", state.report.jumps)));
-    }
-    if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
-      first_lifted = fmt::format("{}: {} bumps", name_of_state(state), bumps);
-    }
-    const auto compare = [&](std::string_view foil, std::optional<double> stress, std::optional<double> yield_stress) {
-      if (!stress || !yield_stress || *stress <= *yield_stress) return;
-      lines.push_back(
-          fmt::format("{}: the {} yields: its bending stress reaches {:.4g} MPa, its yield stress is {:.4g} "
-                      "MPa",
-                      name_of_state(state), foil, 1e-6 * *stress, 1e-6 * *yield_stress));
-    };
-    compare("top foil", state.top_foil_stress, input.top_foil.yield_stress);
-    compare("bump foil", state.bump_foil_stress, input.bump_foil.yield_stress);
-  }
-  // One line for all: on most paths it is all states or none.
-  if (lifted > 0) {
-    lines.push_back(
-        fmt::format("in {} of {} states the foil is lifted where gas enters ({}); how far it is may depend "
-                    "on the path: compare with --paths",
-                    lifted, result.states.size(), first_lifted));
-  }
-  return lines;
 }
 
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,

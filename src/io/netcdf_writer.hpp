@@ -7,18 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bumpfoil/io/result_quantities.hpp"
 #include "io/posix_file.hpp"
+#include "io/variable_meaning.hpp"
 
 namespace bumpfoil {
-
-/// What readers are told about a variable.
-struct VariableMeaning {
-  std::string name;
-  std::string unit;
-  std::string long_name;
-  Form form{};
-};
 
 /// A new netCDF-4 file, in memory or on the disk. Its variables take numbers that are not finite for absent; what is
 /// absent or never put is the fill value of the variable. It throws what netCDF does.

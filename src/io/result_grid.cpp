@@ -1,7 +1,8 @@
 #include "io/result_grid.hpp"
 
 #include <map>
-#include <numeric>
+
+#include "io/netcdf_writer.hpp"
 
 namespace bumpfoil {
 
@@ -21,6 +22,7 @@ void write_grid(NewNetcdf& file, const ResultGrid& grid) {
     const NewNetcdf::Dims all = dims_of(variable);
     const netCDF::NcVar added = file.add(variable.meaning, all);
     if (!variable.coordinates.empty()) added.putAtt("coordinates", variable.coordinates);
+    if (variable.compressed) added.setCompression(true, true, 1);
     std::vector<std::size_t> extents;
     extents.reserve(all.size());
     for (const netCDF::NcDim& dim : all) extents.push_back(dim.getSize());
@@ -28,12 +30,6 @@ void write_grid(NewNetcdf& file, const ResultGrid& grid) {
       NewNetcdf::put(added, std::vector<std::size_t>(all.size()), extents, variable.values);
     }
   }
-}
-
-std::vector<double> numbers_from(double first, std::size_t count) {
-  std::vector<double> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), first);
-  return numbers;
 }
 
 }  // namespace bumpfoil

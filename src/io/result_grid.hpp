@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "bumpfoil/io/result_quantities.hpp"
-#include "io/netcdf_writer.hpp"
+#include "io/variable_meaning.hpp"
 
 namespace bumpfoil {
+
+class NewNetcdf;
 
 struct GridDim {
   std::string name;
@@ -22,6 +25,7 @@ struct GridVariable {
   std::string coordinates{};     ///< variables that say where its values lie, beside the dimensions
   std::string heading{};         ///< in tables of sweeps; empty where it is in the files only
   ShownUnit shown{"", 1.0};      ///< there
+  bool compressed{};             ///< in its own netCDF file
 };
 
 /// What a result is, described once: its own netCDF file holds it over its dimensions, that of a sweep over the swept
@@ -36,6 +40,10 @@ struct ResultGrid {
 void write_grid(NewNetcdf& file, const ResultGrid& grid);
 
 /// Numbers from `first` on.
-std::vector<double> numbers_from(double first, std::size_t count);
+inline std::vector<double> numbers_from(double first, std::size_t count) {
+  std::vector<double> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), first);
+  return numbers;
+}
 
 }  // namespace bumpfoil

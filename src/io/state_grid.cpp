@@ -1,0 +1,195 @@
+#include "io/state_grid.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/analysis/film_fields.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "io/absent.hpp"
+#include "io/result_layout.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Dims = std::vector<std::string>;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::vector<double> to_vector(const Vector& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+class StateGrid {
+ public:
+  StateGrid(const Case& input, const EquilibriumResult& result)
+      : input_(input),
+        result_(result),
+        mesh_(result.bearing->foil.mesh),
+        layout_(make_result_layout(input, Experiment::cycle)),
+        wording_(wording_of(input, Experiment::cycle)) {
+    grid_.dims = {{"state", result.states.size()},
+                  {"row", static_cast<std::size_t>(mesh_.rows) + 1},
+                  {"column", static_cast<std::size_t>(mesh_.nodes())},
+                  {"bump", layout_.bumps},
+                  {"foot", layout_.feet}};
+  }
+
+  void add_geometry() {
+    const auto count = [&](const std::string& name, const std::string& meaning, std::size_t size) {
+      put({name, "1", meaning, {Form::whole}}, {name}, numbers_from(1.0, size));
+    };
+    count("state", "state of the running bearing, in the order in which they were looked for", result_.states.size());
+    count("bump", "bump, counted from the weld", layout_.bumps);
+    count("foot", "foot of the bump foil on the sleeve, counted from the weld", layout_.feet);
+    const Vector theta = mesh_.angles();
+    put({"column_theta", "rad", "angle of the column from the weld along the foil"}, {"column"}, to_vector(theta));
+    put({"column_phi", "rad", "polar angle of the column from X towards Y"}, {"column"},
+        to_vector(polar_angles(input_.bearing, theta)));
+    put({"z", "m", "distance of the row from the mid-plane of the bearing; the last row is its side"}, {"row"},
+        to_vector(Vector::LinSpaced(mesh_.rows + 1, 0.0, 0.5 * input_.bearing.axial_length)));
+    for (const NamedNumbers& scalar : layout_.scalars) put(scalar, {});
+    for (const NamedNumbers& numbers : layout_.at_bumps) put(numbers, {"bump"});
+    for (const NamedNumbers& numbers : layout_.at_feet) put(numbers, {"foot"});
+    const Gas& gas = result_.bearing->scales.gas;
+    put({"gas_viscosity", "Pa s", "viscosity of the gas", {gas.viscosity}}, {});
+    put({"ambient_pressure", "Pa", "pressure at the edges of the film and behind the foils", {gas.ambient_pressure}},
+        {});
+  }
+
+  void add_quantities() {
+    const auto of_all = [&](auto&& value) {
+      std::vector<double> values;
+      std::transform(result_.states.begin(), result_.states.end(), std::back_inserter(values), value);
+      return values;
+    };
+    for (const RunningQuantity& quantity : running_quantities(*result_.bearing)) {
+      add(meaning(quantity, quantity.form), {"state"},
+          of_all([&](const RunningState& state) { return value_of(quantity, *result_.bearing, state); }));
+    }
+    const auto asked = [&](int axis) {
+      return of_all([axis](const RunningState& state) {
+        return state.asked.control == OperatingPoint::Control::position ? state.asked.journal[axis] : absent;
+      });
+    };
+    add({"position_x", "m", "position of the journal that was asked for, X"}, {"state"}, asked(0));
+    add({"position_y", "m", "position of the journal that was asked for, Y"}, {"state"}, asked(1));
+  }
+
+  void add_film() {
+    add_nodes({"pressure", "Pa", "pressure of the film"}, film_pressure);
+    if (!result_.foils) return add_thickness();
+    for (const ColumnQuantity& quantity : column_quantities()) {
+      GridVariable& variable =
+          add(meaning(quantity), {"state", "column"},
+              of_states([&](const FilmBearingState& state) { return quantity.values(*result_.bearing, state); }));
+      variable.coordinates = "column_theta column_phi";
+      variable.compressed = true;
+    }
+  }
+
+  /// What is known of the foils without a film, too, but for the contact with the journal, which there is none of.
+  void add_foils() {
+    const Foils& foils = *result_.foils;
+    FoilFields fields = make_fields(foils, static_cast<int>(result_.states.size()));
+    for_each_found([&](std::size_t i, const FilmBearingState& state) {
+      record(foils, foil_state(foils, *result_.bearing, state), static_cast<Eigen::Index>(i), fields);
+    });
+    for (const FieldQuantity& quantity : field_quantities()) {
+      if (quantity.name.ends_with("journal_top")) continue;
+      const FieldMatrix values = quantity.values(fields);
+      if (values.cols() == 0) continue;
+      Dims dims{"state"};
+      const bool of_all = quantity.node == Node::foil || quantity.node == Node::weld;
+      if (!of_all) dims.emplace_back(quantity.node == Node::foot ? "foot" : "bump");
+      std::vector<double> found(static_cast<std::size_t>(values.size()), absent);
+      for_each_found([&](std::size_t i, const FilmBearingState&) {
+        const auto row = values.row(static_cast<Eigen::Index>(i));
+        std::copy(row.begin(), row.end(), found.begin() + static_cast<Eigen::Index>(i) * values.cols());
+      });
+      GridVariable& variable = add({std::string(quantity.name), std::string(quantity.unit),
+                                    spelled(quantity.long_name, wording_), quantity.form},
+                                   std::move(dims), std::move(found));
+      if (of_all) continue;
+      variable.coordinates = quantity.node == Node::foot ? layout_.foot_coordinates : layout_.bump_coordinates;
+    }
+  }
+
+  ResultGrid take() { return std::move(grid_); }
+
+ private:
+  template <typename Quantity>
+  [[nodiscard]] static VariableMeaning meaning(const Quantity& quantity, const Form& form = {}) {
+    return {std::string(quantity.name), std::string(quantity.unit), std::string(quantity.long_name), form};
+  }
+
+  /// Over a wall that yields it is not the same over the width.
+  void add_thickness() {
+    add_nodes({"film_thickness", "m", "film thickness"},
+              [](const FilmBearing& bearing, const FilmBearingState& state) -> Matrix {
+                return bearing.scales.thickness * state.foil.film.thickness;
+              });
+  }
+
+  /// Values at all nodes of every state.
+  template <typename Values>
+  void add_nodes(VariableMeaning nodes, Values&& values_of) {
+    add(std::move(nodes), {"state", "row", "column"},
+        of_states([&](const FilmBearingState& state) { return values_of(*result_.bearing, state); }))
+        .compressed = true;
+  }
+
+  /// The values of every state, one after the other; of those that were not found as many that are absent.
+  template <typename Values>
+  [[nodiscard]] std::vector<double> of_states(Values&& values_of) const {
+    std::vector<double> all;
+    for_each_found([&](std::size_t i, const FilmBearingState& state) {
+      const RowMajor values = values_of(state);
+      all.resize(result_.states.size() * static_cast<std::size_t>(values.size()), absent);
+      std::copy(values.data(), values.data() + values.size(),
+                all.begin() + static_cast<Eigen::Index>(i) * values.size());
+    });
+    return all;
+  }
+
+  template <typename Visitor>
+  void for_each_found(Visitor&& visit) const {
+    for (std::size_t i = 0; i < result_.states.size(); ++i) {
+      if (result_.states[i].found()) visit(i, *result_.states[i].last);
+    }
+  }
+
+  void put(const NamedNumbers& numbers, Dims dims) {
+    put({numbers.name, numbers.unit, numbers.long_name}, std::move(dims), numbers.values);
+  }
+
+  void put(VariableMeaning meaning, Dims dims, std::vector<double> values) {
+    grid_.coordinates.push_back({std::move(meaning), std::move(dims), std::move(values)});
+  }
+
+  GridVariable& add(VariableMeaning meaning, Dims dims, std::vector<double> values) {
+    return grid_.variables.emplace_back(GridVariable{std::move(meaning), std::move(dims), std::move(values)});
+  }
+
+  const Case& input_;
+  const EquilibriumResult& result_;
+  const FilmMesh& mesh_;
+  ResultLayout layout_;
+  Wording wording_;
+  ResultGrid grid_;
+};
+
+}  // namespace
+
+ResultGrid state_grid(const Case& input, const EquilibriumResult& result) {
+  StateGrid grid(input, result);
+  grid.add_geometry();
+  grid.add_quantities();
+  grid.add_film();
+  if (result.foils) grid.add_foils();
+  return grid.take();
+}
+
+}  // namespace bumpfoil
