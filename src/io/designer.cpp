@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/equilibrium.hpp"
 #include "bumpfoil/analysis/properties.hpp"
 #include "bumpfoil/analysis/vibration.hpp"
 #include "bumpfoil/core/error.hpp"
@@ -23,9 +24,11 @@
 #include "bumpfoil/io/properties_report.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "bumpfoil/io/summary.hpp"
+#include "io/equilibrium_json.hpp"
 #include "io/key_list.hpp"
 #include "io/presets.hpp"
 #include "io/shown_run.hpp"
+#include "io/shown_states.hpp"
 #include "io/summary_json.hpp"
 #include "io/units.hpp"
 
@@ -177,6 +180,31 @@ Json answer_vibration(const Json& request) {
   return json;
 }
 
+/// The settings of the case, where it has any, at one speed with one load or at one position.
+EquilibriumSettings operating_point(const Json& request, const Case& input) {
+  EquilibriumSettings settings = input.equilibrium.value_or(EquilibriumSettings{});
+  const auto vectors = [&request](const char* key) {
+    std::vector<Eigen::Vector2d> all;
+    if (!request.contains(key)) return all;
+    const auto [x, y] = request.at(key).get<std::array<double, 2>>();
+    all.emplace_back(x, y);
+    return all;
+  };
+  settings.speeds = {request.at("speed").get<double>()};
+  settings.loads = vectors("load");
+  settings.positions = vectors("position");
+  // Positions have no load to ramp.
+  if (settings.loads.empty() && settings.path == FilmPath::load_ramp) settings.path = FilmPath::position_ray;
+  return settings;
+}
+
+Json answer_equilibrium(const Json& request) {
+  Case input = read(request, {});
+  input.equilibrium = operating_point(request, input);
+  const EquilibriumResult result = run_equilibrium(input);
+  return {{"run", shown_states(input, result)}, {"state", state_json(*result.bearing, result.states.front())}};
+}
+
 /// Of the quantities of a cycle, those that ensembles are shown by.
 constexpr std::array shown_of_samples{"loaded_stiffness", "secant_stiffness", "max_force",    "loop_energy",
                                       "loss_factor",      "take_up",          "first_contact"};
@@ -226,6 +254,7 @@ Json answer_json(const Json& request) {
   if (what == "csv") return answer_csv(request);
   if (what == "properties") return answer_properties(request);
   if (what == "vibration") return answer_vibration(request);
+  if (what == "equilibrium") return answer_equilibrium(request);
   if (what == "samples") return answer_samples(request);
   throw Error(ErrorKind::input, {{"", 0, "what", what, "is no request", ""}});
 }

@@ -23,6 +23,7 @@
 #include "io/report_names.hpp"
 #include "io/result_reader.hpp"
 #include "io/shown_deviations.hpp"
+#include "io/shown_run.hpp"
 #include "io/shown_samples.hpp"
 #include "io/summary_reader.hpp"
 #include "io/vibration_quantities.hpp"
@@ -73,15 +74,11 @@ Json quantity_json(const Quantity& quantity, const std::string& label, const Jso
           {"meaning", meaning_of(result, std::string(quantity.name))}};
 }
 
-/// Labels that belong under another one on the terminal are told by their names here.
 template <typename Quantities>
 Json grid_quantities_json(const Quantities& quantities, const Json& result) {
   Json json = Json::array();
   for (const auto& quantity : quantities) {
-    const bool own = !quantity.label.empty() && !quantity.label.starts_with(' ');
-    std::string label(own ? quantity.label : quantity.name);
-    std::replace(label.begin(), label.end(), '_', ' ');
-    json.push_back(quantity_json(quantity, label, result));
+    json.push_back(quantity_json(quantity, shown_label(quantity.label, quantity.name), result));
     json.back()["of_solver"] = false;
   }
   return json;
@@ -143,20 +140,6 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
     for (const EnsemblePlace& place : layout.places) json["states"].push_back(place.name);
   }
   return json;
-}
-
-/// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version
-/// that had other keys.
-Json deviations_json(const Json& result) {
-  const Json& attributes = result["attributes"];
-  for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
-    if (command == name_of(Experiment::strip)) return nullptr;
-  }
-  try {
-    return shown_deviations(parse_case(attributes.value("case_understood", ""), ""));
-  } catch (const Error&) {
-    return nullptr;
-  }
 }
 
 /// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version

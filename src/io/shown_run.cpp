@@ -99,6 +99,13 @@ Json shown_quantity(std::string_view name, std::string_view unit, std::string_vi
           {"whole", false}, {"meaning", meaning}};
 }
 
+std::string shown_label(std::string_view label, std::string_view name) {
+  const bool own = !label.empty() && !label.starts_with(' ');
+  std::string shown(own ? label : name);
+  std::replace(shown.begin(), shown.end(), '_', ' ');
+  return shown;
+}
+
 Json shown_run(const Case& input, const CycleResult& result) {
   BUMPFOIL_ASSERT(result.experiment == Experiment::cycle);
   const ResultLayout layout = make_result_layout(input, result.experiment);

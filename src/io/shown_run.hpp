@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 #include "bumpfoil/analysis/cycle.hpp"
@@ -11,6 +12,10 @@ namespace bumpfoil {
 /// What tables on a page say of a quantity of a cycle. @param meaning  in words, empty where there are none
 nlohmann::ordered_json shown_quantity(std::string_view name, std::string_view unit, std::string_view label,
                                       std::string_view meaning);
+
+/// What tables on a page call a quantity of states or vibrations. Labels that belong under another one on the terminal,
+/// which they begin with blanks for, are told by the name of the quantity.
+std::string shown_label(std::string_view label, std::string_view name);
 
 /// Fields that the page does not show; gaps follow from displacements.
 bool is_left_out(std::string_view field);

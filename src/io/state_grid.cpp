@@ -18,7 +18,7 @@ namespace {
 using Dims = std::vector<std::string>;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-std::vector<double> to_vector(const Vector& numbers) {
+std::vector<double> node_values(const Vector& numbers) {
   return {numbers.begin(), numbers.end()};
 }
 
@@ -45,11 +45,11 @@ class StateGrid {
     count("bump", "bump, counted from the weld", layout_.bumps);
     count("foot", "foot of the bump foil on the sleeve, counted from the weld", layout_.feet);
     const Vector theta = mesh_.angles();
-    put({"column_theta", "rad", "angle of the column from the weld along the foil"}, {"column"}, to_vector(theta));
+    put({"column_theta", "rad", "angle of the column from the weld along the foil"}, {"column"}, node_values(theta));
     put({"column_phi", "rad", "polar angle of the column from X towards Y"}, {"column"},
-        to_vector(polar_angles(input_.bearing, theta)));
+        node_values(polar_angles(input_.bearing, theta)));
     put({"z", "m", "distance of the row from the mid-plane of the bearing; the last row is its side"}, {"row"},
-        to_vector(Vector::LinSpaced(mesh_.rows + 1, 0.0, 0.5 * input_.bearing.axial_length)));
+        node_values(Vector::LinSpaced(mesh_.rows + 1, 0.0, 0.5 * input_.bearing.axial_length)));
     for (const NamedNumbers& scalar : layout_.scalars) put(scalar, {});
     for (const NamedNumbers& numbers : layout_.at_bumps) put(numbers, {"bump"});
     for (const NamedNumbers& numbers : layout_.at_feet) put(numbers, {"foot"});

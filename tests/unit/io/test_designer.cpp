@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/equilibrium.hpp"
 #include "bumpfoil/analysis/properties.hpp"
 #include "bumpfoil/analysis/vibration.hpp"
 #include "bumpfoil/core/version.hpp"
@@ -15,9 +16,12 @@
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/cycle_csv.hpp"
 #include "bumpfoil/io/cycle_files.hpp"
+#include "bumpfoil/io/equilibrium_files.hpp"
 #include "bumpfoil/io/properties_report.hpp"
 #include "bumpfoil/io/report.hpp"
+#include "io/equilibrium_json.hpp"
 #include "io/shown_run.hpp"
+#include "io/shown_states.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -168,6 +172,85 @@ TEST(DesignerAnswer, VibratesAboutALoad) {
   }
   // Larger motions slip more, and are held less stiffly.
   EXPECT_LT(answer["directions"][1]["stiffness"][1], answer["directions"][1]["stiffness"][0]);
+}
+
+/// A bearing that runs, on a coarse mesh.
+std::string running_text() {
+  Case input = reference_case();
+  input.film.columns_per_pitch = 4;
+  input.film.rows = 4;
+  input.equilibrium = EquilibriumSettings{.speeds = {3000.0, 4000.0}, .loads = {{20.0, 0.0}}, .steps = 4};
+  return case_to_toml(input);
+}
+
+TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
+  Case input = parse_case(running_text(), "case");
+  input.equilibrium->loads = {{20.0, 0.0}, {5000.0, 0.0}};  // of which the second is too much
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_EQ(status_of(result), RunStatus::failed);
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& file : equilibrium_files(input, result, status_of(result), {}))
+    folder.write(file.name, file.contents);
+  const json expected = json::parse(report_json({folder.path()}))["runs"][0];
+  const json run = json::parse(shown_states(input, result).dump());
+  for (const char* part : {"kind", "dimensions", "left_out", "quantities"})
+    EXPECT_EQ(run[part], expected[part]) << part;
+  for (const auto& [name, variable] : expected["variables"].items())
+    EXPECT_EQ(run["variables"][name], variable) << name;
+  EXPECT_EQ(run["variables"].size(), expected["variables"].size());
+  for (const auto& [name, text] : run["attributes"].items())
+    EXPECT_EQ(text, expected["attributes"].value(name, "")) << name;
+  for (const char* part : {"case", "status"}) EXPECT_EQ(run["summary"][part], expected["summary"][part]) << part;
+}
+
+TEST(DesignerAnswer, RunsTheBearingAtOnePoint) {
+  Case input = parse_case(running_text(), "case");
+  const auto ask_at = [](const json& journal) {
+    json request{{"what", "equilibrium"}, {"text", running_text()}, {"speed", 2500.0}};
+    request.update(journal);
+    json answer = ask(request);
+    answer["state"].erase("wall_time_s");
+    return answer;
+  };
+  const auto state_of = [&input] {
+    const EquilibriumResult result = run_equilibrium(input);
+    json state = json::parse(state_json(*result.bearing, result.states.front()).dump());
+    state.erase("wall_time_s");
+    return state;
+  };
+  input.equilibrium->speeds = {2500.0};
+  input.equilibrium->loads = {{30.0, -10.0}};
+  const json loaded = ask_at({{"load", {30.0, -10.0}}});
+  EXPECT_EQ(loaded["state"], state_of());
+  EXPECT_EQ(loaded["state"]["status"], "converged");
+  EXPECT_EQ(loaded["run"]["dimensions"]["state"], 1);
+  // Of all that the case says of paths, a ramp of loads leads to no position.
+  input.equilibrium->loads.clear();
+  input.equilibrium->positions = {{10e-6, 5e-6}};
+  input.equilibrium->path = FilmPath::position_ray;
+  EXPECT_EQ(ask_at({{"position", {10e-6, 5e-6}}})["state"], state_of());
+  const json touching = ask_at({{"load", {5000.0, 0.0}}});
+  EXPECT_EQ(touching["state"]["status"], "touchdown");
+  EXPECT_EQ(touching["state"]["reason"], touching["run"]["attributes"]["status_message"]);
+  EXPECT_NE(touching["state"]["reason"].get<std::string>().find("the journal touches"), std::string::npos);
+}
+
+TEST(DesignerAnswer, RunsWhatSaysNothingOfRunning) {
+  const json request{{"what", "equilibrium"}, {"text", case_text()}, {"speed", 4000.0}, {"load", {50.0, 0.0}}};
+  EXPECT_EQ(ask(request)["state"]["status"], "converged");
+}
+
+TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
+  const auto fault = [](const std::string& text, double speed) {
+    return ask({{"what", "equilibrium"}, {"text", text}, {"speed", speed}, {"load", {50.0, 0.0}}})["faults"][0];
+  };
+  EXPECT_EQ(fault(running_text(), 0.0)["what"], "a journal at rest has no film");
+  EXPECT_EQ(fault(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
+  const std::string unequal = running_text() + "\n[[bump_foil.section]]\nfirst = 1\nlast = 2\npitch = \"5 mm\"\n";
+  EXPECT_EQ(fault(unequal, 3000.0)["key"], "bump_foil.pitch");
+  Case events = parse_case(running_text(), "case");
+  events.solver.name = SolverName::events;
+  EXPECT_EQ(fault(case_to_toml(events), 3000.0)["key"], "solver.name");
 }
 
 TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
