@@ -38,6 +38,13 @@ export async function answered(page, act) {
   await page.waitForFunction((before) => Number(document.documentElement.dataset.answered) > before, count);
 }
 
+/** Does something that a view with answers of its own, such as `.vibration`, then answers. */
+export async function answeredIn(page, view, act = () => Promise.resolve()) {
+  const count = Number((await page.locator(view).getAttribute('data-answered')) ?? 0);
+  await act();
+  await page.waitForFunction(([one, before]) => Number(document.querySelector(one).dataset.answered ?? 0) > before, [view, count]);
+}
+
 /** The page, and everything that goes wrong or out while it is shown. */
 export async function withPage(check, { fragment = '', ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1366, height: 768 }, ...options });

@@ -195,6 +195,11 @@ test('of radius and diameter one is given, and the taper has a slider, too', () 
     assert.notEqual(await tile(page, 'max_force_N'), '739.3 N');
   }));
 
+/** What a tab shows is judged when it is there. */
+async function settled(page, tab) {
+  if ((await tab.textContent()) === 'Running') await page.waitForFunction(() => document.querySelector('.running').dataset.answered);
+}
+
 test('the page fits from 768 px up and has no fault for those who cannot see it', async () => {
   for (const width of [768, 1366, 1920]) {
     await withPage(
@@ -203,6 +208,7 @@ test('the page fits from 768 px up and has no fault for those who cannot see it'
         const tabs = await page.getByRole('tab').all();
         for (const tab of width === 768 ? tabs : tabs.slice(0, 1)) {
           await tab.click();
+          await settled(page, tab);
           const excess = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
           assert.ok(excess <= 0, `${excess} px too wide at ${width}: ${await tab.textContent()}`);
         }
@@ -217,6 +223,7 @@ test('the page fits from 768 px up and has no fault for those who cannot see it'
         const tabs = await page.getByRole('tab').all();
         for (const tab of colorScheme === 'light' ? tabs : tabs.slice(0, 1)) {
           await tab.click();
+          await settled(page, tab);
           const { violations, passes } = await page.evaluate(() => globalThis.axe.run({ exclude: [['.plot'], ['.round > *'], ['.unwrapped > *']] }));
           assert.ok(passes.length > 20);
           assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);

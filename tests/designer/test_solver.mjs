@@ -105,3 +105,29 @@ test('properties, samples and vibrations are those of the program', () => {
     near(answer.directions[1].loss_factor[0], Number(row[header.indexOf('loss_factor_y')]), 'loss factor');
   });
 });
+
+test('running bearings are those of the program', () => {
+  const file = join(examples, 'running.toml');
+  const text = readFileSync(file, 'utf8');
+  const points = [
+    [{ load: [50, -10] }, ['equilibrium.loads=[["50 N", "-10 N"]]']],
+    [{ position: [20e-6, 5e-6] }, ['equilibrium.loads=[]', 'equilibrium.positions=[["20 um", "5 um"]]', 'equilibrium.path=position_ray']],
+  ];
+  for (const [point, keys] of points) {
+    const { state } = ask({ what: 'equilibrium', text, speed: (40000 * Math.PI) / 30, ...point });
+    withFolder((place) => {
+      run('equilibrium', file, '-o', join(place, 'e'), '--set', 'equilibrium.speeds=["40000 rpm"]', ...keys);
+      const [expected] = JSON.parse(readFileSync(join(place, 'e', 'summary.json'), 'utf8')).states;
+      assert.equal(state.status, 'converged');
+      assert.equal(state.loaded_bumps, expected.loaded_bumps);
+      // What is a small part of the others has their roundings.
+      const scales = { y_m: Math.abs(expected.x_m), force_y_N: Math.abs(expected.force_x_N), kyx_N_per_m: expected.kxx_N_per_m };
+      let most = 0;
+      for (const key of ['x_m', 'y_m', 'force_x_N', 'force_y_N', 'attitude_angle_deg', 'h_min_m', 'h_min_theta_deg', 'p_max_Pa', 'torque_N_m', 'power_W', 'highest_bump_load_N', 'kxx_N_per_m', 'kyx_N_per_m', 'kyy_stuck_N_per_m', 'cxx_whirl_N_s_per_m']) {
+        most = Math.max(most, Math.abs(state[key] - expected[key]) / Math.max(Math.abs(expected[key]), scales[key] ?? 0));
+        assert.ok(most <= 1e-9, `${key}: ${state[key]}, not ${expected[key]}`);
+      }
+      console.log(`${JSON.stringify(point)}: running bearings differ by ${most.toExponential(1)}`);
+    });
+  }
+});

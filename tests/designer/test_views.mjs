@@ -1,24 +1,19 @@
-// What the page of `bumpfoil designer` shows and saves beside loops: vibrations, ensembles, reports, charts out of sight.
+// What the page of `bumpfoil designer` shows and saves beside loops: vibrations, running bearings, ensembles, reports, charts out of sight.
 
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { answered, folder, slider, textOf, type, withPage } from './page.mjs';
+import { answered, answeredIn, folder, slider, textOf, type, withPage } from './page.mjs';
 import { reference, run, withFolder } from './support.mjs';
 
 test('vibrations about a load are those of the program', () =>
   withPage(async (page) => {
     await page.getByRole('tab', { name: 'Vibration' }).click();
-    const drawn = async (act) => {
-      const count = Number((await page.locator('.vibration').getAttribute('data-answered')) ?? 0);
-      await act();
-      await page.waitForFunction((before) => Number(document.querySelector('.vibration').dataset.answered ?? 0) > before, count);
-    };
-    await drawn(() => Promise.resolve());
-    const load = page.getByLabel('along Y, N');
-    await drawn(async () => {
+    await answeredIn(page, '.vibration');
+    const load = page.locator('.vibration').getByLabel('along Y, N');
+    await answeredIn(page, '.vibration', async () => {
       await load.fill('-80,0');
       await load.press('Tab');
     });
@@ -43,6 +38,60 @@ test('vibrations about a load are those of the program', () =>
     }
     await type(page, 'friction.coefficient', '0.2');
     await page.waitForFunction(() => document.querySelectorAll('.vibration .legend li').length === 8);
+  }));
+
+/** Puts a text in the place of the case. */
+async function write(page, text) {
+  await answered(page, () => page.locator('.editor').evaluate((one, now) => {
+    one.value = now;
+    one.dispatchEvent(new Event('input', { bubbles: true }));
+  }, text));
+}
+
+test('the running bearing is that of the program, beside the design before', () =>
+  withPage(async (page) => {
+    const view = page.locator('.running');
+    // A coarse mesh, on which the tests need not wait.
+    await write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n`);
+    await page.getByRole('button', { name: 'Compare from here' }).click();
+    await page.getByRole('tab', { name: 'Running' }).click();
+    await page.waitForFunction(() => document.querySelector('.running').dataset.answered === '1');
+    assert.match(await view.locator('> .note').textContent(), /^45000 rpm, load \(50, 0\) N: the journal runs at x = /);
+    await answeredIn(page, '.running', async () => {
+      await view.getByLabel('Speed, rpm').fill('40000');
+      await view.getByLabel('Speed, rpm').press('Tab');
+    });
+    const shown = async (key) => (await view.locator(`tr[data-key="${key}"] td:not(.unit)`).allTextContents()).map((text) => text.replace('−', '-'));
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Pressure over the unwrapped foil: save the data as CSV' }).click();
+    const pressures = readFileSync(await (await download).path(), 'utf8').trim().split('\r\n').slice(1).map((line) => Number(line.split(',')[2]));
+    let state;
+    withFolder((place) => {
+      run('equilibrium', process.env.BUMPFOIL_CASE, '-o', join(place, 'e'), '--set', 'film.columns_per_pitch=4', 'film.rows=6', 'equilibrium.speeds=["40000 rpm"]', 'equilibrium.loads=[["50 N", "0 N"]]');
+      [state] = JSON.parse(readFileSync(join(place, 'e', 'summary.json'), 'utf8')).states;
+    });
+    assert.ok(Math.abs(Math.max(...pressures) - state.p_max_Pa) <= 1e-6 * state.p_max_Pa);
+    for (const [key, size] of [['h_min_m', 1e-6], ['torque_N_m', 1e-3], ['kxx_stuck_N_per_m', 1e6], ['attitude_angle_deg', 1]]) {
+      const [value] = await shown(key);
+      assert.ok(Math.abs(Number(value) * size - state[key]) <= 5e-4 * Math.abs(state[key]), `${key}: ${value}, not ${state[key]}`);
+    }
+    // Another design: the one before stays beside it.
+    await answeredIn(page, '.running', () => type(page, 'bearing.radial_clearance', '25 um'));
+    const [before, now, difference] = await shown('h_min_m');
+    assert.ok(Math.abs(Number(before) * 1e-6 - state.h_min_m) <= 5e-4 * state.h_min_m);
+    assert.ok(Math.abs(Number(now) - Number(before) - Number(difference)) < 0.01, `${now} - ${before} is not ${difference}`);
+    assert.ok((await view.locator('.legend li').allTextContents()).includes('film thickness before'));
+    // What fails, and what is refused, is told in the words of the program.
+    await answeredIn(page, '.running', async () => {
+      await view.getByLabel('Load along X, N').fill('5000');
+      await view.getByLabel('Load along X, N').press('Tab');
+    });
+    assert.match(await view.locator('.remarks').textContent(), /load \(5000, 0\) N: the journal touches: the film is thinner than film\.h_floor; the last state/);
+    await answeredIn(page, '.running', () => page.locator('[data-key="solver.name"] select').selectOption('events', { force: true }));
+    assert.match(await view.locator('.remarks').textContent(), /solver\.name = events: cannot solve contacts under a film; use newton/);
+    // A case that says where it runs is run there.
+    await answeredIn(page, '.running', () => write(page, `${reference}\n[film]\ncolumns_per_pitch = 4\nrows = 6\n[equilibrium]\nspeeds = ["30000 rpm"]\npositions = [["5 um", "0 um"]]\n`));
+    assert.match(await view.locator('> .note').textContent(), /^30000 rpm, position \(5, 0\) µm: the journal runs at x = 5\.00 µm, y = 0/);
   }));
 
 test('a hundred bearings are those of the program', () =>

@@ -1,6 +1,7 @@
 import { toCsv } from '../data/csv';
 import { numbersOf } from '../data/grid';
-import { largest } from '../data/run';
+import type { GridData } from '../data/format';
+import { largest, type Cycle } from '../data/run';
 import type { States } from '../data/states';
 import { formatQuantity } from '../data/units';
 import { svg } from '../ui/dom';
@@ -46,14 +47,29 @@ function drawnPanel(
   return panel.root;
 }
 
-/** The journal among the foils at the state; nothing without foils. */
-export function runningBearing(states: States, selection: GridSelection): HTMLElement[] {
+/** What the bearing is drawn from. */
+interface Drawn {
+  data: GridData;
+  cycle: Cycle;
+  geometry: BearingGeometry;
+  inwards: number;
+  largestForce: number;
+}
+
+function drawnOf(states: States): Drawn | undefined {
   const run = states.bearing;
   const cycle = run?.cycles[0];
-  if (!run || !cycle) return [];
+  if (!run || !cycle) return undefined;
   const geometry = new BearingGeometry(run);
-  const inwards = fittingInwards(geometry);
-  const largestForce = largest(cycle.field('normal_force_bump_sleeve').values) || 1;
+  return { data: states.data, cycle, geometry, inwards: fittingInwards(geometry), largestForce: largest(cycle.field('normal_force_bump_sleeve').values) || 1 };
+}
+
+/** The journal among the foils at the state; nothing without foils. */
+export function runningBearing(states: States, selection: GridSelection): HTMLElement[] {
+  let drawn = drawnOf(states);
+  if (!drawn) return [];
+  /** Of the states as they are. */
+  const current = (): Drawn | undefined => (drawn?.data === states.data ? drawn : (drawn = drawnOf(states)));
   let stretch = 1;
   return [
     drawnPanel(states, selection, {
@@ -64,8 +80,10 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
         if (!states.isFound(place)) return 'not known: no state was found';
         const [x, y] = ['x', 'y'].map((name) => formatQuantity(states.numberAt(name, place), 'm', 3));
         const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
-        const scales = `displacements and gaps ${times(stretch * inwards)}, height of bumps ${times(stretch)} true scale`;
-        return [`journal at (${x ?? ''}, ${y ?? ''})`, scales, gradingOf(geometry)].filter((words) => words !== '').join(', ');
+        const bearing = current();
+        const scales = `displacements and gaps ${times(stretch * (bearing?.inwards ?? 1))}, height of bumps ${times(stretch)} true scale`;
+        const grading = bearing ? gradingOf(bearing.geometry) : '';
+        return [`journal at (${x ?? ''}, ${y ?? ''})`, scales, grading].filter((words) => words !== '').join(', ');
       },
       legend: () => [
         { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current.force })], text: 'force of the sleeve on a foot' },
@@ -77,12 +95,14 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
           ['bump', 'crest_outward_m', 'top_foil_outward_m', 'load_N'],
           numbersOf(states, 'bump').map((bump, i) => [bump, ...['crest_v', 'top_displacement', 'normal_force_top_bump'].map((name) => states.along(name, 'bump', selection.place)[i])]),
         ),
-      draw: (root, current) => {
+      draw: (root, colours) => {
         const index = states.stateAt(selection.place);
         root.replaceChildren();
-        if (!states.isFound(selection.place)) return;
+        const bearing = current();
+        if (!bearing || !states.isFound(selection.place)) return;
+        const { cycle, geometry, inwards, largestForce } = bearing;
         const shape = shapeAt(geometry, cycle, index);
-        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, current, Math.min(root.clientWidth, root.clientHeight));
+        stretch = drawRound(root, { geometry, cycle, index, shape, inwards, along: fittingAlong(geometry), largestForce, forces: true, bump: undefined }, colours, Math.min(root.clientWidth, root.clientHeight));
       },
     }),
   ];
@@ -96,15 +116,15 @@ const reach = 88;
 
 /** Pressure in the mid-plane outwards, film thickness inwards, around the journal. */
 export function polarPlot(states: States, selection: GridSelection): HTMLElement {
-  const phi = numbersOf(states, 'column_phi');
-  const ambient = states.variable('ambient_pressure')?.at({}) ?? NaN;
+  const angles = (): number[] => numbersOf(states, 'column_phi');
   const pressure = (): number[] => {
     const state = states.stateAt(selection.place);
-    return phi.map((_, column) => (state < 0 ? NaN : (states.variable('pressure')?.at({ state, row: 0, column }) ?? NaN) - ambient));
+    const ambient = states.variable('ambient_pressure')?.at({}) ?? NaN;
+    return angles().map((_, column) => (state < 0 ? NaN : (states.variable('pressure')?.at({ state, row: 0, column }) ?? NaN) - ambient));
   };
   const film = (): number[] => states.along('film_thickness', 'column', selection.place);
   const onCircle = (angle: number, radius: number): Place => ({ x: centre + radius * Math.cos(angle), y: centre - radius * Math.sin(angle) });
-  const around = (values: number[], perUnit: number): Place[] => phi.map((angle, i) => onCircle(angle, circle + (values[i] ?? 0) * perUnit));
+  const around = (values: number[], perUnit: number): Place[] => angles().map((angle, i) => onCircle(angle, circle + (values[i] ?? 0) * perUnit));
   return drawnPanel(states, selection, {
     title: 'Film around the journal',
     what: 'film-polar',
@@ -117,7 +137,10 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
       { width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.accent, 'stroke-width': 2.4, 'stroke-dasharray': '6 3' })], text: 'film thickness, inwards' },
       { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.text })], text: 'force that holds the journal' },
     ],
-    csv: () => toCsv(['phi_deg', 'pressure_beyond_ambient_Pa', 'film_thickness_m'], phi.map((angle, i) => [(angle * 180) / Math.PI, pressure()[i], film()[i]])),
+    csv: () => {
+      const [p, h] = [pressure(), film()];
+      return toCsv(['phi_deg', 'pressure_beyond_ambient_Pa', 'film_thickness_m'], angles().map((angle, i) => [(angle * 180) / Math.PI, p[i], h[i]]));
+    },
     draw: (root, current) => {
       root.setAttribute('viewBox', `0 0 ${size} ${size}`);
       const found = states.isFound(selection.place);
@@ -125,7 +148,7 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
       const force = ['force_x', 'force_y'].map((name) => states.numberAt(name, selection.place));
       const length = Math.hypot(force[0] ?? 0, force[1] ?? 0) || 1;
       const tip = { x: centre + (0.25 * circle * (force[0] ?? 0)) / length, y: centre - (0.25 * circle * (force[1] ?? 0)) / length };
-      const weld = phi[0] ?? 0;
+      const weld = angles()[0] ?? 0;
       root.replaceChildren(
         svg('circle', { cx: centre, cy: centre, r: circle, fill: 'none', stroke: current.muted, 'stroke-width': 1 }),
         ...[0, 0.5, 1, 1.5].map((turn) => {

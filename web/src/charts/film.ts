@@ -3,7 +3,7 @@ import { toCsv } from '../data/csv';
 import { numbersOf } from '../data/grid';
 import { at, largest } from '../data/run';
 import type { States } from '../data/states';
-import { axisTitle, formatQuantity, scaleFor } from '../data/units';
+import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { svg } from '../ui/dom';
 import type { GridSelection } from '../ui/grid_selection';
 import { fileName } from '../ui/save';
@@ -39,13 +39,13 @@ const shades = 24;
 
 /** Pressure at every node, over the unwrapped foil and its whole width. */
 export function pressureMap(states: States, selection: GridSelection): HTMLElement {
-  const theta = columnsOf(states);
-  const z = numbersOf(states, 'z');
-  const ambient = states.variable('ambient_pressure')?.at({}) ?? NaN;
-  const pressure = states.variable('pressure');
+  const across = (): number[] => numbersOf(states, 'z');
+  const ambient = (): number => states.variable('ambient_pressure')?.at({}) ?? NaN;
   const read = (): number[][] => {
     const state = states.stateAt(selection.place);
-    return z.map((_, row) => theta.map((_angle, column) => (state < 0 ? NaN : (pressure?.at({ state, row, column }) ?? NaN))));
+    const pressure = states.variable('pressure');
+    const columns = [...Array(states.size('column')).keys()];
+    return across().map((_, row) => columns.map((column) => (state < 0 ? NaN : (pressure?.at({ state, row, column }) ?? NaN))));
   };
   const range = (): [number, number] => {
     const all = read().flat().filter(Number.isFinite);
@@ -55,8 +55,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     const value = at(values, i);
     return [i === 0 ? value : 0.5 * (value + at(values, i - 1)), i === values.length - 1 ? value : 0.5 * (value + at(values, i + 1))];
   };
-  const scale = scaleFor(largest(z), 'm');
-  const cells = (): number[][] => {
+  const cells = (theta: number[], z: number[], scale: Scale): number[][] => {
     const [least, most] = range();
     return read().flatMap((row, j) =>
       row.flatMap((value, i) => {
@@ -70,7 +69,10 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     );
   };
   const option = (current: Look): Option => {
-    const drawn = cells();
+    const theta = columnsOf(states);
+    const z = across();
+    const scale = scaleFor(largest(z), 'm');
+    const drawn = cells(theta, z, scale);
     const side = largest(z) * scale.factor;
     return {
       grid: { left: 62, right: 18, top: 12, bottom: 48 },
@@ -83,7 +85,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
           return tooltipBox(formatQuantity(value, 'Pa'), [
             ['Angle from the weld', `${(0.5 * (left + right)).toFixed(1)}°`],
             ['Across the width', formatQuantity((0.5 * (lower + upper)) / scale.factor, 'm', 3)],
-            ['Beyond ambient', formatQuantity((value ?? NaN) - ambient, 'Pa', 3)],
+            ['Beyond ambient', formatQuantity((value ?? NaN) - ambient(), 'Pa', 3)],
           ]);
         },
       }),
@@ -108,7 +110,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
   return statePanel(states, selection, {
     title: 'Pressure over the unwrapped foil',
     what: 'pressure',
-    told: () => (states.isFound(selection.place) ? `${range().map((value) => formatQuantity(value, 'Pa')).join(' to ')}, ambient ${formatQuantity(ambient, 'Pa')}` : unknown),
+    told: () => (states.isFound(selection.place) ? `${range().map((value) => formatQuantity(value, 'Pa')).join(' to ')}, ambient ${formatQuantity(ambient(), 'Pa')}` : unknown),
     legend: () => [
       {
         width: 5 * shades,
@@ -116,15 +118,20 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
         text: states.isFound(selection.place) ? range().map((value) => formatQuantity(value, 'Pa')).join(' to ') : 'pressure',
       },
     ],
-    csv: () => toCsv(['theta_deg', 'z_m', 'pressure_Pa'], read().flatMap((row, j) => row.map((value, i) => [theta[i], z[j], value]))),
+    csv: () => {
+      const [theta, z] = [columnsOf(states), across()];
+      return toCsv(['theta_deg', 'z_m', 'pressure_Pa'], read().flatMap((row, j) => row.map((value, i) => [theta[i], z[j], value])));
+    },
     option,
   });
 }
 
-/** Film thickness at every column, with the sag of the top foil between the crests. */
-export function thicknessChart(states: States, selection: GridSelection): HTMLElement {
-  const theta = columnsOf(states);
-  const crests = numbersOf(states, 'theta').map((angle) => angle * degrees);
+/**
+ * Film thickness at every column, with the sag of the top foil between the crests.
+ * @param before  a state of another bearing to compare with, if there is one
+ */
+export function thicknessChart(states: States, selection: GridSelection, before: () => States | undefined = () => undefined): HTMLElement {
+  const crests = (): number[] => numbersOf(states, 'theta').map((angle) => angle * degrees);
   // Over walls that yield it is not the same over the width: that of the mid-plane is drawn.
   const film = (): number[] => states.along('film_thickness', 'column', selection.place);
   const foil = (): number[] => states.along('film_top_displacement', 'column', selection.place);
@@ -132,7 +139,12 @@ export function thicknessChart(states: States, selection: GridSelection): HTMLEl
     { text: states.variable('film_thickness')?.has('row') ? 'film thickness in the mid-plane' : 'film thickness', values: film, colour: (current: Look) => at(current.series, 0), dash: 'solid' as const },
     { text: 'top foil, outward', values: foil, colour: (current: Look) => at(current.series, 1), dash: [6, 3] },
   ].filter(({ text }) => text !== 'top foil, outward' || states.variable('film_top_displacement') !== undefined);
-  const scale = (): { factor: number; unit: string } => scaleFor(largest(...lines.map(({ values }) => values())), 'm');
+  const filmBefore = (): number[] => before()?.along('film_thickness', 'column', {}) ?? [];
+  const scale = (): Scale => scaleFor(largest(filmBefore(), ...lines.map(({ values }) => values())), 'm');
+  const pointsOf = (one: States, values: number[]): number[][] => {
+    const [theta, { factor }] = [columnsOf(one), scale()];
+    return values.map((value, i) => [at(theta, i), value * factor]);
+  };
   return statePanel(states, selection, {
     title: lines.length > 1 ? 'Film thickness and sag of the top foil' : 'Film thickness',
     what: 'film-thickness',
@@ -146,18 +158,22 @@ export function thicknessChart(states: States, selection: GridSelection): HTMLEl
         draw: (current: Look) => [svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: colour(current), 'stroke-width': 2, 'stroke-dasharray': dash === 'solid' ? 'none' : dash.join(' ') })],
         text,
       })),
-      ...(crests.length > 0 ? [{ width: 12, draw: (current: Look) => [svg('line', { x1: 6, y1: 1, x2: 6, y2: 11, stroke: current.muted, 'stroke-width': 1.4 })], text: 'crests' }] : []),
+      ...(filmBefore().length > 0 ? [{ width: 30, draw: (current: Look) => [svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: current.muted, 'stroke-width': 1.4 })], text: 'film thickness before' }] : []),
+      ...(crests().length > 0 ? [{ width: 12, draw: (current: Look) => [svg('line', { x1: 6, y1: 1, x2: 6, y2: 11, stroke: current.muted, 'stroke-width': 1.4 })], text: 'crests' }] : []),
     ],
-    csv: () => toCsv(['theta_deg', 'film_thickness_m', 'film_top_displacement_m'], theta.map((angle, i) => [angle, film()[i], foil()[i]])),
+    csv: () => {
+      const [thickness, displacement] = [film(), foil()];
+      return toCsv(['theta_deg', 'film_thickness_m', 'film_top_displacement_m'], columnsOf(states).map((angle, i) => [angle, thickness[i], displacement[i]]));
+    },
     option: (current) => ({
       grid: { left: 62, right: 18, top: 12, bottom: 48 },
-      xAxis: axis(current, 'Angle from the weld (°)', { min: 0, max: Math.ceil(largest(theta)), interval: 45 }),
+      xAxis: axis(current, 'Angle from the weld (°)', { min: 0, max: Math.ceil(largest(columnsOf(states))), interval: 45 }),
       yAxis: axis(current, axisTitle('Thickness, displacement', scale()), { nameGap: 42 }),
       tooltip: tooltip(current, {
         trigger: 'axis',
         formatter: (items: { dataIndex: number }[]) => {
           const i = items[0]?.dataIndex ?? 0;
-          return tooltipBox(`${(theta[i] ?? NaN).toFixed(1)}° from the weld`, lines.map(({ text, values }) => [text, formatQuantity(values()[i], 'm')]));
+          return tooltipBox(`${(columnsOf(states)[i] ?? NaN).toFixed(1)}° from the weld`, lines.map(({ text, values }) => [text, formatQuantity(values()[i], 'm')]));
         },
       }),
       series: [
@@ -167,14 +183,15 @@ export function thicknessChart(states: States, selection: GridSelection): HTMLEl
           symbol: 'none',
           lineStyle: { color: colour(current), width: 1.8, type: dash },
           itemStyle: { color: colour(current) },
-          data: values().map((value, i) => [at(theta, i), value * scale().factor]),
+          data: pointsOf(states, values()),
         })),
+        ...[before()].flatMap((one) => (one ? [{ type: 'line', name: 'film thickness before', symbol: 'none', silent: true, z: 1, lineStyle: { color: current.muted, width: 1.4 }, itemStyle: { color: current.muted }, data: pointsOf(one, filmBefore()) }] : [])),
         {
           type: 'custom',
           name: 'crests',
           silent: true,
           tooltip: { show: false },
-          data: crests.map((angle) => [angle, 0]),
+          data: crests().map((angle) => [angle, 0]),
           renderItem: ({ coordSys: { y, height } }: { coordSys: { y: number; height: number } }, api: RenderApi) => {
             const [x] = api.coord([api.value(0), 0]);
             return { type: 'line', shape: { x1: x, y1: y + height - 7, x2: x, y2: y + height }, style: { stroke: current.muted, lineWidth: 1.4 } };
@@ -188,7 +205,7 @@ export function thicknessChart(states: States, selection: GridSelection): HTMLEl
 /** Loads on the bumps; those that the foil is lifted off have none. */
 export function runningLoads(states: States, selection: GridSelection): HTMLElement {
   const loads = (): number[] => states.along('normal_force_top_bump', 'bump', selection.place);
-  const scale = (): { factor: number; unit: string } => scaleFor(largest(loads()), 'N');
+  const scale = (): Scale => scaleFor(largest(loads()), 'N');
   const lifted = (): number => loads().filter((load) => load <= 0).length;
   return statePanel(states, selection, {
     title: 'Bump loads',

@@ -68,15 +68,23 @@ export class Variable {
   }
 }
 
+function variablesOf({ variables, dimensions }: GridData): Map<string, Variable> {
+  return new Map(Object.entries(variables).map(([name, one]) => [name, new Variable(name, one, one.dims.map((dim) => dimensions[dim] ?? 0))]));
+}
+
 /** Results over coordinates: the keys of a sweep, the loads and amplitudes of vibrations. */
 export class Grid extends Result<GridData> {
-  private readonly variables = new Map<string, Variable>();
+  private variables: Map<string, Variable>;
 
   constructor(data: GridData) {
     super(data);
-    for (const [name, one] of Object.entries(data.variables)) {
-      this.variables.set(name, new Variable(name, one, one.dims.map((dim) => this.size(dim))));
-    }
+    this.variables = variablesOf(data);
+  }
+
+  /** Takes others in the place of these, which charts draw when they are told to. */
+  replace(data: GridData): void {
+    this.data = data;
+    this.variables = variablesOf(data);
   }
 
   size(dimension: string): number {

@@ -40,4 +40,13 @@ export const kinds: Record<string, Kind> = {
     force: 'Load',
     flat: true,
   },
+  equilibrium: {
+    name: 'running bearing',
+    title: 'Running bearing',
+    cycles: { title: 'State', column: 'state', name: () => 'at work' },
+    mover: 'journal',
+    ground: 'sleeve',
+    force: 'Force',
+    flat: false,
+  },
 };

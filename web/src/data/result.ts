@@ -2,7 +2,7 @@ import type { ResultData } from './format';
 
 /** The results of one folder. */
 export class Result<Data extends ResultData = ResultData> {
-  constructor(readonly data: Data) {}
+  constructor(public data: Data) {}
 
   /** Tells it from the others of the report. */
   get label(): string {

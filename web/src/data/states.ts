@@ -10,44 +10,68 @@ export function speedText(radiansPerSecond: number): string {
   return `${Number((radiansPerSecond * revolutions).toPrecision(6))} rpm`.replace('-', '−');
 }
 
+/** What states are told apart by. */
+interface Points {
+  speed: Coordinate;
+  /** The loads or the positions that were asked for. */
+  journal: Coordinate;
+  path: Coordinate;
+  /** State of each combination of their values. */
+  places: Map<string, number>;
+}
+
+function pointsOf(grid: Grid): Points {
+  const states = [...Array(grid.size('state')).keys()];
+  const value = (name: string, state: number): number => grid.variable(name)?.at({ state }) ?? NaN;
+  const byLoad = states.some((state) => Number.isFinite(value('load_x', state)));
+  const [x, y] = byLoad ? ['load_x', 'load_y'] : ['position_x', 'position_y'];
+  const unit = byLoad ? 'N' : 'm';
+  const speeds = states.map((state) => Number((value('speed', state) * revolutions).toPrecision(7)));
+  const vectors = states.map((state): [number, number] => [value(x, state), value(y, state)]);
+  const words = grid.variable('path')?.words ?? [];
+  const paths = states.map((state) => (words[value('path', state)] ?? 'path').replaceAll('_', ' '));
+  // A way there and back comes to the same load again.
+  const times = new Map<string, number>();
+  const texts = vectors.map(([along, across], state) => {
+    const text = vectorText(along, across, unit);
+    const key = [speeds[state], text, paths[state]].join();
+    const time = (times.get(key) ?? 0) + 1;
+    times.set(key, time);
+    return time > 1 ? `${text}, time ${time}` : text;
+  });
+  const rpm = [...new Set(speeds)];
+  const each = [...new Set(texts)];
+  const ways = [...new Set(paths)];
+  const places = states.map((state): [string, number] => [[rpm.indexOf(speeds[state] ?? NaN), each.indexOf(texts[state] ?? ''), ways.indexOf(paths[state] ?? '')].join(), state]);
+  return {
+    speed: { name: 'speed', title: 'Speed', texts: rpm.map((number) => speedText(number / revolutions)), numbers: rpm, unit: 'rpm' },
+    journal: journalOf(vectors, texts, byLoad, unit),
+    path: { name: 'path', title: 'Path', texts: ways, unit: '' },
+    places: new Map(places),
+  };
+}
+
 /** States of a running bearing: at speeds, under loads or at positions, by paths. */
 export class States extends Grid {
-  readonly speed: Coordinate;
-  /** The loads or the positions that were asked for. */
-  readonly journal: Coordinate;
-  readonly path: Coordinate;
-  /** State of each combination of their values. */
-  private readonly places = new Map<string, number>();
+  private points: Points;
 
   constructor(data: GridData) {
     super(data);
-    const states = [...Array(this.size('state')).keys()];
-    const value = (name: string, state: number): number => this.variable(name)?.at({ state }) ?? NaN;
-    const byLoad = states.some((state) => Number.isFinite(value('load_x', state)));
-    const [x, y] = byLoad ? ['load_x', 'load_y'] : ['position_x', 'position_y'];
-    const unit = byLoad ? 'N' : 'm';
-    const speeds = states.map((state) => Number((value('speed', state) * revolutions).toPrecision(7)));
-    const vectors = states.map((state): [number, number] => [value(x, state), value(y, state)]);
-    const words = this.variable('path')?.words ?? [];
-    const paths = states.map((state) => (words[value('path', state)] ?? 'path').replaceAll('_', ' '));
-    // A way there and back comes to the same load again.
-    const times = new Map<string, number>();
-    const texts = vectors.map(([along, across], state) => {
-      const text = vectorText(along, across, unit);
-      const key = [speeds[state], text, paths[state]].join();
-      const time = (times.get(key) ?? 0) + 1;
-      times.set(key, time);
-      return time > 1 ? `${text}, time ${time}` : text;
-    });
-    const rpm = [...new Set(speeds)];
-    this.speed = { name: 'speed', title: 'Speed', texts: rpm.map((number) => speedText(number / revolutions)), numbers: rpm, unit: 'rpm' };
-    this.journal = journalOf(vectors, texts, byLoad, unit);
-    this.path = { name: 'path', title: 'Path', texts: [...new Set(paths)], unit: '' };
-    const each = [...new Set(texts)];
-    states.forEach((state) => {
-      const place = [rpm.indexOf(speeds[state] ?? NaN), each.indexOf(texts[state] ?? ''), this.path.texts.indexOf(paths[state] ?? '')];
-      this.places.set(place.join(), state);
-    });
+    this.points = pointsOf(this);
+  }
+
+  override replace(data: GridData): void {
+    super.replace(data);
+    this.points = pointsOf(this);
+  }
+
+  get speed(): Coordinate {
+    return this.points.speed;
+  }
+
+  /** The loads or the positions that were asked for. */
+  get journal(): Coordinate {
+    return this.points.journal;
   }
 
   /** Lift-off speeds and load capacities; none where they were not asked for. */
@@ -56,12 +80,12 @@ export class States extends Grid {
   }
 
   get coordinates(): Coordinate[] {
-    return [this.journal, this.path, this.speed];
+    return [this.points.journal, this.points.path, this.points.speed];
   }
 
   /** The state there; -1 where none was looked for. */
   stateAt(place: Place): number {
-    return this.places.get([place['speed'] ?? 0, place['journal'] ?? 0, place['path'] ?? 0].join()) ?? -1;
+    return this.points.places.get([place['speed'] ?? 0, place['journal'] ?? 0, place['path'] ?? 0].join()) ?? -1;
   }
 
   /** A number of the state at a place. */

@@ -4,7 +4,7 @@ import { el } from '../ui/dom';
 import type { Design } from './design';
 import type { CaseKey, Fault, Units } from './format';
 import { converted, readQuantity, sizeOf, writeQuantity, type Quantity } from './quantity';
-import { groups, ranges, type Group } from './ranges';
+import { groups, ranges, without, type Group } from './ranges';
 import { inList } from './toml';
 import { listOf, valueOf, withPoint } from './typed';
 
@@ -200,7 +200,7 @@ function section(group: Group, keys: CaseKey[], place: Place): Section {
   const { design } = place;
   const head = keys.find(({ path }) => path === group.path);
   const inner = keys.filter(({ path }) => path.startsWith(`${group.path}.`) && !path.slice(group.path.length).includes('[') && !groups.some((other) => other !== group && other.path.startsWith(group.path) && (path === other.path || path.startsWith(`${other.path}.`))));
-  const fields = inner.flatMap((key) => fieldOf(key, place) ?? []);
+  const fields = inner.filter(({ path }) => !without.includes(path)).flatMap((key) => fieldOf(key, place) ?? []);
   const body = el('div', { class: 'fields' }, ...fields.map(({ root }) => root));
   const title = el('summary', {}, head?.title ?? group.path);
   const root = el('details', { class: 'group', 'data-table': group.path, open: group.open }, title);

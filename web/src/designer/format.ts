@@ -1,5 +1,5 @@
 /** What the solver answers; include/bumpfoil/io/designer.hpp describes it. */
-import type { CaseValue, Quantity, RunData } from '../data/format';
+import type { CaseValue, GridData, Quantity, RunData } from '../data/format';
 
 export interface CaseKey {
   path: string;
@@ -54,6 +54,12 @@ export interface VibrationAnswer {
   position_m: [number, number];
   status: string;
   directions: Record<'stiffness' | 'loss_factor' | 'dissipation', (number | null)[]>[];
+}
+
+export interface EquilibriumAnswer {
+  run: Omit<GridData, 'name'>;
+  /** As summary.json has it; with a `reason` where it was not found. */
+  state: Record<string, string | number | null>;
 }
 
 export interface SamplesAnswer {

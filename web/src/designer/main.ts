@@ -12,6 +12,7 @@ import type { CyclesAnswer, Fault, KeysAnswer } from './format';
 import { askLoops } from './loops';
 import { reportOf } from './report';
 import { layoutOf, results, type Results } from './results';
+import { RunningView } from './running';
 import { caseIn, fragmentOf } from './share';
 import { isFaulty, makeSolvers, type Request, type Solver } from './solver';
 import { tabs } from './tabs';
@@ -50,6 +51,7 @@ class Page {
   private readonly general = el('ul', { class: 'general-faults' });
   private readonly fields;
   private readonly vibration;
+  private readonly running;
   private readonly ensemble;
   private readonly editor = el('textarea', { class: 'editor', spellcheck: 'false', 'aria-label': 'Case file', rows: 28 });
   private readonly undo = button('Undo', 'Undo (Ctrl+Z)', () => this.design.undo());
@@ -63,6 +65,7 @@ class Page {
   ) {
     this.design = new Design(text);
     this.vibration = new VibrationView(slow);
+    this.running = new RunningView(slow);
     this.ensemble = new EnsembleView(slow, () => this.design.change(withTable(this.design.text, 'montecarlo', keys.keys), false));
     this.fields = form(keys.keys, { design: this.design, units: keys.units, understood: (path) => this.understood.get(path) });
     document.getElementById('designer')?.append(
@@ -214,6 +217,7 @@ class Page {
     if (this.results && layout === this.layout) this.results.show(runs);
     else this.layOut(runs, layout);
     this.vibration.show(this.now.text, this.before.text);
+    this.running.show(this.now, this.before);
     this.ensemble.show(this.now);
   }
 
@@ -228,6 +232,7 @@ class Page {
         { name: 'loads', title: 'Bump loads', body: this.results.loads },
         { name: 'table', title: 'Table', body: this.results.table },
         { name: 'vibration', title: 'Vibration', body: this.vibration.root, shown: () => this.vibration.refresh() },
+        { name: 'running', title: 'Running', body: this.running.root, shown: () => this.running.refresh() },
         { name: 'ensemble', title: 'Ensemble', body: this.ensemble.root, shown: () => this.ensemble.refresh() },
         { name: 'case', title: 'Case file', body: el('div', { class: 'panel' }, this.editor) },
       ]),

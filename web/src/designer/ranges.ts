@@ -21,6 +21,8 @@ export const groups: Group[] = [
   { path: 'bump_foil.section', optional: true, open: false, list: true },
   { path: 'bump_foil.shim', optional: true, open: false, list: true },
   { path: 'bump_foil.truss', optional: true, open: false },
+  { path: 'gas', optional: false, open: false },
+  { path: 'film', optional: false, open: false },
   { path: 'solver', optional: false, open: false },
   { path: 'montecarlo', optional: true, open: false },
 ];
@@ -29,7 +31,11 @@ export const groups: Group[] = [
 export const alternatives = [
   ['bearing.radius', 'bearing.diameter'],
   ['cycle.amplitude', 'cycle.load'],
+  ['gas.preset', 'gas.viscosity'],
 ];
+
+/** Keys of the tables above that nothing here answers to: of films over walls in place of foils. */
+export const without = ['film.wall', 'film.wall_stiffness', 'film.closed'];
 
 /** One key that stands for several: whoever sets one of these gives the others what it was, and takes it out. */
 export const commons = [{ once: 'friction.coefficient', each: ['friction.top_bump', 'friction.bump_sleeve'] }];
@@ -68,6 +74,13 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'cycle.load': [1, 500],
   'cycle.steps': [10, 200, 5],
   'cycle.cycles': [1, 20, 1],
+  'gas.temperature': [200, 900, 1],
+  'gas.viscosity': [5e-6, 50e-6],
+  'gas.ambient_pressure': [1e4, 1e6],
+  'gas.mean_free_path': [0, 0.5 * um],
+  'film.columns_per_pitch': [4, 12, 2],
+  'film.rows': [4, 24, 1],
+  'film.h_floor': [0, 2 * um],
   'bump_foil.truss.k1': [1 * MN, 500 * MN],
   'bump_foil.truss.k2': [0.1 * MN, 50 * MN],
   'bump_foil.truss.k3': [0.1 * MN, 20 * MN],

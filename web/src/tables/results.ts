@@ -136,14 +136,12 @@ export function resultTable(comparison: Comparison, keys: number[]): HTMLElement
   );
   if (several) {
     const options = keys.map((value) => ({ value, text: kind.cycles.name(value) }));
-    controls.push(
-      choice(`${kind.cycles.title} of the results`, options, key, (chosen) => {
-        key = chosen;
-        panel.refresh();
-        fill();
-      }),
-      el('label', { class: 'control' }, 'Reference', references),
-    );
+    const keyChoice = choice(`${kind.cycles.title} of the results`, options, key, (chosen) => {
+      key = chosen;
+      panel.refresh();
+      fill();
+    });
+    controls.push(...(keys.length > 1 ? [keyChoice] : []), el('label', { class: 'control' }, 'Reference', references));
   }
   const fill = (): void => {
     references.selectedIndex = comparison.runs.indexOf(comparison.reference);
