@@ -19,10 +19,9 @@ namespace bumpfoil {
 /// * `properties`: what `bumpfoil properties --json` writes.
 /// * `vibration`: `load` (N, along X and Y), `amplitudes` (m) and `steps` in the request. `directions`, for +X and +Y
 ///   the `stiffness` (N/m), `loss_factor` and `dissipation` (J per loop) at each amplitude, null where unknown.
-/// * `equilibrium`: `speed` (rad/s) and `load` (N) or `position` (m), each along X and Y, in the request; gas, film,
-/// path
-///   and steps are those of the case. `run`, the running bearing as report_json describes it, and its `state` as
-///   summary.json has it, with all digits; where it was not found, with the `reason`.
+/// * `equilibrium`: `speed` (rad/s) and `load` (N) or `position` (m), each along X and Y, in the request; the rest is
+///   as the case says. `run`, the running bearing as report_json describes it, and its `state` as summary.json has it,
+///   with all digits; where it was not found, with the `reason`.
 /// * `samples`: `first` and `count` in the request. `quantities` that ensembles are shown by, and `samples`: for each
 ///   of the numbers from `first` on, per direction, their values. The case must have an ensemble.
 ///

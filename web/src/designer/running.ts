@@ -14,6 +14,7 @@ import { Selection } from '../ui/selection';
 import type { CyclesAnswer, EquilibriumAnswer, Faults } from './format';
 import { isFaulty, type Solver } from './solver';
 import { isSeen } from './tabs';
+import { withPoint } from './typed';
 
 /** A change is taken for settled when no other follows for so long, ms. */
 const settled = 300;
@@ -62,6 +63,7 @@ class NumberControl {
       change();
     });
     this.box.addEventListener('change', () => {
+      this.box.value = withPoint(this.box.value);
       this.slider.value = this.box.value;
       change();
     });
