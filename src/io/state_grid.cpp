@@ -135,8 +135,8 @@ class StateGrid {
 
   /// Values at all nodes of every state.
   template <typename Values>
-  void add_nodes(VariableMeaning nodes, Values&& values_of) {
-    add(std::move(nodes), {"state", "row", "column"},
+  void add_nodes(const VariableMeaning& nodes, Values&& values_of) {
+    add(nodes, {"state", "row", "column"},
         of_states([&](const FilmBearingState& state) { return values_of(*result_.bearing, state); }))
         .compressed = true;
   }

@@ -75,6 +75,15 @@ test('the running bearing is that of the program, beside the design before', () 
       const [value] = await shown(key);
       assert.ok(Math.abs(Number(value) * size - state[key]) <= 5e-4 * Math.abs(state[key]), `${key}: ${value}, not ${state[key]}`);
     }
+    // What is no number is said, and what was there comes back.
+    await view.getByLabel('Speed, rpm').fill('fast');
+    await view.getByLabel('Speed, rpm').press('Tab');
+    assert.match(await view.locator('> .note').textContent(), /are numbers/);
+    await answeredIn(page, '.running', async () => {
+      await view.getByLabel('Speed, rpm').fill('40000');
+      await view.getByLabel('Speed, rpm').press('Tab');
+    });
+    assert.match(await view.locator('> .note').textContent(), /^40000 rpm, load \(50, 0\) N: the journal runs at x = /);
     // Another design: the one before stays beside it.
     await answeredIn(page, '.running', () => type(page, 'bearing.radial_clearance', '25 um'));
     const [before, now, difference] = await shown('h_min_m');

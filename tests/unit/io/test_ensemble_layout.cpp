@@ -68,6 +68,9 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
   ASSERT_EQ(layout.places.size(), 2U);
   EXPECT_EQ(layout.places[1].name, "44996.3 rpm, load (40, 0) N");
   EXPECT_EQ(layout.columns.front().name, "status");
+  // Loads are asked for, and do not scatter.
+  EXPECT_TRUE(std::none_of(layout.columns.begin(), layout.columns.end(),
+                           [](const EnsembleColumn& column) { return column.name == "force_x"; }));
 
   const Case sampled = sampled_case(input, draw_sample(input, 0));
   const EquilibriumResult result = run_running_sample(sampled);
@@ -76,11 +79,13 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
   for (std::size_t place = 0; place < 2; ++place) {
     const RunningState& state = result.states[place];
     ASSERT_TRUE(state.found());
-    for (std::size_t k = 0; k < layout.columns.size(); ++k) {
-      const std::string& name = layout.columns[k].name;
-      if (name == "power") EXPECT_EQ(row[layout.entry(place, k)], state.outcome->power);
-      if (name == "kyx") EXPECT_EQ(row[layout.entry(place, k)], (*state.stiffness)(1, 0));
-    }
+    const auto value = [&](std::string_view name) {
+      const auto column = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                       [name](const EnsembleColumn& one) { return one.name == name; });
+      return row[layout.entry(place, static_cast<std::size_t>(column - layout.columns.begin()))];
+    };
+    EXPECT_EQ(value("power"), state.outcome->power);
+    EXPECT_EQ(value("kyx"), (*state.stiffness)(1, 0));
     const Vector loads = running_bump_loads(*result.bearing, *state.last);
     EXPECT_GT(loads.maxCoeff(), 1.0);
     for (std::size_t bump = 0; bump < layout.bumps; ++bump) {

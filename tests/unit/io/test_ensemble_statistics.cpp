@@ -48,8 +48,8 @@ TEST_F(EnsembleStatisticsOfRows, AreOfTheCyclesThatConverged) {
   EXPECT_EQ(found.places[1].bump_loads.size(), layout_.bumps);
   ASSERT_EQ(found.failures.size(), 1U);
   EXPECT_EQ(found.failures[0].sample, 1U);
-  EXPECT_EQ(found.failures[0].direction, 1U);
-  EXPECT_EQ(found.failures[0].status, Status::no_modes);
+  EXPECT_EQ(found.failures[0].place, 1U);
+  EXPECT_EQ(layout_.status_name(found.failures[0].status), "no_modes");
 }
 
 TEST_F(EnsembleStatisticsOfRows, SensitivitiesAreToFactorsOfTheSamplesThatConverged) {

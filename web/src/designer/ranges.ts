@@ -34,8 +34,8 @@ export const alternatives = [
   ['gas.preset', 'gas.viscosity'],
 ];
 
-/** Keys of the tables above that nothing here answers to: of films over walls in place of foils. */
-export const without = ['film.wall', 'film.wall_stiffness', 'film.closed'];
+/** Keys of the tables above that nothing here answers to: of films over walls in place of foils, of limits. */
+export const without = ['film.wall', 'film.wall_stiffness', 'film.closed', 'film.h_lift_off'];
 
 /** One key that stands for several: whoever sets one of these gives the others what it was, and takes it out. */
 export const commons = [{ once: 'friction.coefficient', each: ['friction.top_bump', 'friction.bump_sleeve'] }];
@@ -75,7 +75,6 @@ export const ranges: Record<string, [least: number, most: number, step?: number]
   'cycle.steps': [10, 200, 5],
   'cycle.cycles': [1, 20, 1],
   'gas.temperature': [200, 900, 1],
-  'gas.viscosity': [5e-6, 50e-6],
   'gas.ambient_pressure': [1e4, 1e6],
   'gas.mean_free_path': [0, 0.5 * um],
   'film.columns_per_pitch': [4, 12, 2],

@@ -213,6 +213,9 @@ export class RunningView {
     const point = this.point;
     if (!point) {
       this.told.textContent = 'Speed, loads and positions are numbers.';
+      this.begun = '';
+      window.clearTimeout(this.waiting);
+      this.root.setAttribute('aria-busy', 'false');
       return;
     }
     const { now, before } = this.designs;
