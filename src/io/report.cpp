@@ -125,7 +125,7 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
     if (column.label.empty()) continue;
     quantities.push_back({{"name", column.name},
                           {"key", key_of(column.name, column.unit)},
-                          {"label", column.label},
+                          {"label", shown_label(column.label, column.name)},
                           {"unit", column.unit == "1" ? "" : column.unit},
                           {"whole", false},
                           {"of_solver", false},

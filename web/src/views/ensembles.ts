@@ -84,7 +84,7 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
   const looked = new EnsembleSelection(runs[0]);
   const histograms = quantities.flatMap((quantity) => {
     const distribution = ensemble.distribution(quantity.name);
-    return distribution ? [new HistogramPanel(ensemble, quantity, distribution, looked).root] : [];
+    return distribution && distribution.from !== null ? [new HistogramPanel(ensemble, quantity, distribution, looked).root] : [];
   });
   const factors = [
     { name: 'Sensitivity to bump heights', along: axisText('bump', ensemble.hasPads), of: ensemble.heightFactors },
