@@ -15,7 +15,7 @@ import numpy as np
 from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
-from .plots import _style, _words, demand, demand_fields, draw_states, known, place_of, running_lines
+from .plots import _style, _words, demand, demand_fields, draw_states, known, place_of, places_of, running_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -186,7 +186,7 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
         values = {place: one.values[np.isfinite(one.values)] / size
-                  for place, one in zip(result.summary["statistics"], data[name].transpose(place_of(data), "sample"))}
+                  for place, one in zip(places_of(result, data), data[name].transpose(place_of(data), "sample"))}
         together = np.concatenate(list(values.values()))
         edges = np.histogram_bin_edges(together, min(40, int(np.sqrt(len(together))) + 1))
         for number, (place, samples) in enumerate(values.items()):

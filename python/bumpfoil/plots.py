@@ -185,13 +185,21 @@ def place_of(data: xarray.Dataset) -> str:
     return "state" if "state" in data.dims else "direction"
 
 
+def places_of(result: Result, data: xarray.Dataset) -> list[str]:
+    """What legends call these places, in their order."""
+    if place_of(data) == "direction":
+        return [direction_name(float(degrees)) for degrees in data.direction]
+    return [name.replace("-", "−") for name in result.summary["statistics"]]
+
+
 def ensemble(result: Result, quantity: str | None, ax: Axes | None) -> Axes:
     demand(result, "distributions")
-    place = place_of(result.to_xarray())
+    every = result.to_xarray()
+    place = place_of(every)
     data = _quantity(result, quantity or ("h_min" if place == "state" else "max_force"), [place, "sample"])
     ax = _axes(ax)
     edges = np.histogram_bin_edges(data.values[np.isfinite(data.values)], min(40, int(np.sqrt(data.sizes["sample"])) + 1))
-    for number, (label, samples) in enumerate(zip(result.summary["statistics"], data)):
+    for number, (label, samples) in enumerate(zip(places_of(result, every), data)):
         ax.hist(samples.values[np.isfinite(samples.values)], edges, histtype="step", label=label, **_style(number))
     ax.set_xlabel(_named(data))
     ax.set_ylabel("bearings")

@@ -82,31 +82,36 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
                                       "equilibrium.steps=2",
                                       "equilibrium.speeds=[\"45000 rpm\"]",
                                       "equilibrium.loads=[[\"20 N\", \"5 N\"]]"};
-  const std::vector<std::string> scatter{"--set", "montecarlo.radial_clearance.std=1 um"};
-  const std::vector<std::string> command{"montecarlo.command=equilibrium", "--limit", "h_min > 1 um"};
-  const Outcome ensemble = run(montecarlo("results", 4) + scatter + film + command);
-  ASSERT_EQ(ensemble.exit_code, 0) << ensemble.errors;
-  EXPECT_NE(ensemble.output.find("\nleast film thickness "), std::string::npos) << ensemble.output;
-  EXPECT_NE(ensemble.output.find("yield: 4 of 4 bearings"), std::string::npos) << ensemble.output;
+  const auto ensemble = [&](const char* folder, const char* samples) {
+    return std::vector<std::string>{"montecarlo", case_path_, "-o",      (folder_.path() / folder).string(),
+                                    "--samples",  samples,    "--limit", "h_min > 1 um"} +
+           film +
+           std::vector<std::string>{"montecarlo.command=equilibrium", "montecarlo.radial_clearance.std=1 um",
+                                    "montecarlo.bump_height.std=1 um"};
+  };
+  const Outcome four = run(ensemble("results", "4"));
+  ASSERT_EQ(four.exit_code, 0) << four.errors;
+  EXPECT_NE(four.output.find("\nleast film thickness "), std::string::npos) << four.output;
+  EXPECT_NE(four.output.find("yield: 4 of 4 bearings"), std::string::npos) << four.output;
   const json found = summary();
   const json& state = found.at("statistics").at("45000 rpm, load (20, 5) N");
   EXPECT_EQ(state.at("h_min_m").at("count"), 4);
   EXPECT_GT(state.at("h_min_m").at("std"), 0.0);
 
   // A sample by itself is what an ensemble keeps of it.
-  ASSERT_EQ(run(montecarlo("first", 1) + scatter + film + command).exit_code, 0);
+  ASSERT_EQ(run(ensemble("first", "1")).exit_code, 0);
   const std::vector<std::string> alone{
       "equilibrium", case_path_, "-o", (folder_.path() / "alone").string(), "--sample", results_ + "/ensemble.nc:0"};
   ASSERT_EQ(run(alone + film).exit_code, 0);
   const json single = json::parse(folder_.read("alone/summary.json")).at("states").at(0);
-  const json& mean = summary_of("first").at("statistics").begin().value();
+  const json first = summary_of("first");
+  const json& kept = first.at("statistics").begin().value();
   for (const char* name : {"h_min_m", "power_W", "kxy_N_per_m", "max_stress_top_foil_Pa"}) {
-    EXPECT_NEAR(mean.at(name).at("mean").get<double>(), single.at(name).get<double>(),
-                1e-9 * std::abs(single.at(name).get<double>()))
-        << name;
+    const auto value = single.at(name).get<double>();
+    EXPECT_NEAR(kept.at(name).at("mean").get<double>(), value, 1e-9 * std::abs(value)) << name;
   }
-  const Outcome none =
-      run(montecarlo("other", 4) + scatter + std::vector<std::string>{"--set", "montecarlo.command=equilibrium"});
+  const Outcome none = run({"montecarlo", case_path_, "-o", results_, "--force", "--set",
+                            "montecarlo.command=equilibrium", "--set", "montecarlo.bump_height.std=1 um"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.errors.find("needs the table [equilibrium]"), std::string::npos) << none.errors;
 }

@@ -1,0 +1,36 @@
+#include "bumpfoil/ensemble/running_sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/ensemble/sample.hpp"
+#include "support/ensemble_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+TEST(RunningSample, ComesToTheStatesOfItsCase) {
+  const Case input = testing::running_ensemble_case(1);
+  const EquilibriumResult result = run_running_sample(sampled_case(input, draw_sample(input, 0)));
+  ASSERT_EQ(result.states.size(), 2U);
+  EXPECT_TRUE(result.converged());
+  EXPECT_EQ(result.states[1].asked, asked_points(*input.equilibrium)[1]);
+}
+
+TEST(RunningSample, OfWhatMakesNoBearingSaysSo) {
+  Case sampled = testing::running_ensemble_case(1);
+  sampled.bump_foil.thickness = -0.1e-3;
+  const EquilibriumResult result = run_running_sample(sampled);
+  ASSERT_EQ(result.states.size(), 2U);
+  EXPECT_EQ(result.states[1].report.status, FilmStatus::not_physical);
+  EXPECT_EQ(result.states[1].asked.journal.x(), 40.0);
+}
+
+TEST(RunningSample, CanBeStopped) {
+  const Case input = testing::running_ensemble_case(1);
+  const EquilibriumResult result =
+      run_running_sample(sampled_case(input, draw_sample(input, 0)), [](double) { return false; });
+  EXPECT_EQ(result.states[0].report.status, FilmStatus::interrupted);
+}
+
+}  // namespace
+}  // namespace bumpfoil
