@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <csignal>
 #include <cstdio>
@@ -9,7 +8,6 @@
 #include <exception>
 #include <new>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -29,12 +27,19 @@ namespace bumpfoil {
 namespace {
 
 /// What the parser says of a command line, in the words of other messages.
-std::string in_our_words(std::string message) {
-  const std::array ours{std::pair{"^A subcommand is required$", "a command is missing"},
-                        std::pair{" is required$", " is missing"},
-                        std::pair{": 1 required (.*) missing$", " lacks its value, $1"}};
-  for (const auto& [theirs, own] : ours) message = std::regex_replace(message, std::regex(theirs), own);
-  return message;
+std::string in_our_words(std::string_view message) {
+  constexpr std::string_view required = " is required";
+  constexpr std::string_view one = ": 1 required ";
+  constexpr std::string_view missing = " missing";
+  if (message == "A subcommand is required") return "a command is missing";
+  if (message.ends_with(required)) {
+    message.remove_suffix(required.size());
+    return fmt::format("{} is missing", message);
+  }
+  const std::size_t at = message.find(one);
+  if (at == std::string_view::npos || !message.ends_with(missing)) return std::string(message);
+  message.remove_suffix(missing.size());
+  return fmt::format("{} lacks its value, {}", message.substr(0, at), message.substr(at + one.size()));
 }
 
 /// Prints the help that was asked for, or what is wrong with the command line.
