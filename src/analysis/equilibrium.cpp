@@ -243,8 +243,7 @@ std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
   return paths;
 }
 
-EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
-                                  const std::function<bool(double)>& progress) {
+FilmBearing require_running_bearing(const Case& input) {
   if (!input.equilibrium) {
     throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
   }
@@ -252,11 +251,16 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
     throw Error(ErrorKind::input, {{"", 0, "solver.name", std::string(name_of(input.solver.name)),
                                     "cannot solve contacts under a film", "use newton"}});
   }
+  return make_film_bearing(input);
+}
+
+EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
+                                  const std::function<bool(double)>& progress) {
+  EquilibriumResult result;
+  result.bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
+  result.foils = make_bearing_foils(input);
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   if (paths.empty()) paths.push_back(equilibrium.path);
-  EquilibriumResult result;
-  result.bearing = std::make_shared<const FilmBearing>(make_film_bearing(input));
-  result.foils = make_bearing_foils(input);
   const std::size_t states =
       paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
   PathWalker walker(input, result, progress, states);

@@ -110,6 +110,11 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
     const auto value = single.at(name).get<double>();
     EXPECT_NEAR(kept.at(name).at("mean").get<double>(), value, 1e-9 * std::abs(value)) << name;
   }
+  // What is wrong with the case is no fault of a sample.
+  const Outcome events = run(ensemble("other", "4") + std::vector<std::string>{"--solver", "events"});
+  EXPECT_EQ(events.exit_code, 2);
+  EXPECT_NE(events.errors.find("cannot solve contacts under a film"), std::string::npos) << events.errors;
+  EXPECT_FALSE(has("other/ensemble.checkpoint"));
   const Outcome none = run({"montecarlo", case_path_, "-o", results_, "--force", "--set",
                             "montecarlo.command=equilibrium", "--set", "montecarlo.bump_height.std=1 um"});
   EXPECT_EQ(none.exit_code, 2);

@@ -73,6 +73,10 @@ struct EquilibriumResult {
   [[nodiscard]] bool converged() const;
 };
 
+/// The bearing that the states of a case are of.
+/// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
+FilmBearing require_running_bearing(const Case& input);
+
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
 ///
 /// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first
@@ -93,7 +97,7 @@ struct EquilibriumResult {
 ///
 /// @param paths     which to take, one after the other; empty: the one of the case
 /// @param progress  called with the fraction that is done; returning false ends the run
-/// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
+/// @throws Error (input) as require_running_bearing() does
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
                                   const std::function<bool(double)>& progress = {});
 

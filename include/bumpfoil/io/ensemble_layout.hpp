@@ -58,6 +58,7 @@ struct EnsembleLayout {
 };
 
 /// The layout of the ensemble of a case.
+/// @throws Error (input) if it is one of running bearings, and the case makes none
 EnsembleLayout make_ensemble_layout(const Case& input);
 
 /// The row of a sample, not a number where something is not known.
