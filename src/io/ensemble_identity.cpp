@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/vector_instructions.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_reader.hpp"
 #include "bumpfoil/io/case_writer.hpp"
@@ -16,11 +17,13 @@
 namespace bumpfoil {
 namespace {
 
-/// The mathematical library chooses among its functions by what the processor has, and their roundings differ.
+/// The mathematical library chooses among its functions by what the processor has, as our inner loops do, and their
+/// roundings differ.
 std::string instruction_set() {
 #if defined(__x86_64__)
-  return fmt::format("x86-64{}{}", __builtin_cpu_supports("fma") != 0 ? " fma" : "",
-                     __builtin_cpu_supports("avx2") != 0 ? " avx2" : "");
+  return fmt::format("x86-64{}{}{}", __builtin_cpu_supports("fma") != 0 ? " fma" : "",
+                     __builtin_cpu_supports("avx2") != 0 ? " avx2" : "",
+                     widest_vector_instructions() == VectorInstructions::avx512 ? " avx512" : "");
 #elif defined(__aarch64__)
   return "aarch64";
 #else
