@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "bumpfoil/model/geometry.hpp"
@@ -12,7 +11,6 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 /// Half a degree: waves of any number that a bearing is drawn with stay smooth.
 constexpr std::size_t parts = 720;
 

@@ -4,17 +4,15 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
-
-inline constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Values past these are slips of units, and could overflow what is computed from them.
 struct Range {

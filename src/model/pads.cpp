@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Makes all pitches of a foil longer by a factor.
 void stretch(BumpFoil& foil, double factor) {

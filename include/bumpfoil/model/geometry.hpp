@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "bumpfoil/core/block_tridiagonal.hpp"
@@ -9,6 +10,9 @@
 #include "bumpfoil/model/foil_design.hpp"
 
 namespace bumpfoil {
+
+/// Once round, rad.
+inline constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Height h_b of a bump of a foil (from 0) without its height error, m, read as `height_reference` says.
 double nominal_height(const BumpFoil& foil, std::size_t bump);
