@@ -12,8 +12,8 @@ namespace {
 
 /// An unsymmetric matrix without any zero in its band, the diagonal heavy enough for pivoting inside the blocks.
 template <int B>
-BlockTridiagonalLU<B> example(int blocks, int size) {
-  BlockTridiagonalLU<B> lu(blocks, size);
+BlockTridiagonalLU<B> example(int blocks, int size, VectorInstructions instructions = widest_vector_instructions()) {
+  BlockTridiagonalLU<B> lu(blocks, size, instructions);
   for (int b = 0; b < blocks; ++b) {
     for (int i = 0; i < size; ++i) {
       for (int j = 0; j < size; ++j) {
@@ -63,6 +63,18 @@ TEST(BlockTridiagonalLU, SolvesLikeADenseMatrixOfBlocksOfAnySize) {
     auto lu = example<Eigen::Dynamic>(7, size);
     ASSERT_TRUE(lu.factor());
     expect_solves_like_dense(lu, size);
+  }
+}
+
+TEST(BlockTridiagonalLU, SolvesLargeBlocksWithEachOfTheInstructionsOfThisProcessor) {
+  for (const VectorInstructions instructions : vector_instructions()) {
+    SCOPED_TRACE(name_of(instructions));
+    auto fixed = example<22>(7, 22, instructions);
+    ASSERT_TRUE(fixed.factor());
+    expect_solves_like_dense(fixed, 22);
+    auto any = example<Eigen::Dynamic>(7, 13, instructions);
+    ASSERT_TRUE(any.factor());
+    expect_solves_like_dense(any, 13);
   }
 }
 

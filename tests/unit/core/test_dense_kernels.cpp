@@ -1,0 +1,150 @@
+#include "bumpfoil/core/dense_kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Heavy one place off the diagonal: without row exchanges the pivots would be poor.
+RowMajor example(int n, double seed) {
+  RowMajor a(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) a(i, j) = std::sin(seed + 3 * i + 7 * i * j) + (j == (i + 1) % n ? 4.0 * n : 0.0);
+  }
+  return a;
+}
+
+/// A block as the kernels take it, zeros behind every row.
+template <int B>
+LineVector stored(const RowMajor& a) {
+  const Eigen::Index stride = row_stride<B>(a.rows());
+  LineVector numbers(static_cast<std::size_t>(a.rows() * stride), 0.0);
+  for (Eigen::Index r = 0; r < a.rows(); ++r) {
+    for (Eigen::Index c = 0; c < a.cols(); ++c) numbers[static_cast<std::size_t>(r * stride + c)] = a(r, c);
+  }
+  return numbers;
+}
+
+template <int B>
+RowMajor read(const LineVector& numbers, int n) {
+  return Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(numbers.data(), n, n,
+                                                             Eigen::OuterStride<>(row_stride<B>(n)));
+}
+
+void expect_near(const RowMajor& found, const RowMajor& expected) {
+  // All matrices of the examples have condition numbers near 1.
+  EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+}
+
+/// Calls check(kernels) with the instructions that blocks of B rows may have.
+template <int B, typename Check>
+void with_each(int n, Check&& check) {
+  for (const VectorInstructions instructions : vector_instructions()) {
+    SCOPED_TRACE(testing::Message() << n << " rows, " << name_of(instructions));
+    if constexpr (has_wide_rows<B>) {
+      with_vectors(instructions,
+                   [&](auto lanes) BUMPFOIL_ALWAYS_INLINE { check(DenseKernels<B, decltype(lanes)::value>(n)); });
+    } else {
+      check(DenseKernels<B, 2>(n));
+    }
+  }
+}
+
+template <int B>
+void expect_products(int n) {
+  const RowMajor a = example(n, 0.1), b = example(n, 0.2), c = example(n, 0.3);
+  const LineVector A = stored<B>(a), rows = stored<B>(b), before = stored<B>(c);
+  with_each<B>(n, [&](const auto& kernels) {
+    LineVector C = before;
+    kernels.products(A.data(), kernels.stride(), rows.data(), n, C.data(), n);
+    expect_near(read<B>(C, n), c - a * b);
+    kernels.template products<Products::assign>(A.data(), kernels.stride(), rows.data(), n, C.data(), n);
+    expect_near(read<B>(C, n), a * b);
+    kernels.template products<Products::negate>(A.data(), kernels.stride(), rows.data(), n, C.data(), n);
+    expect_near(read<B>(C, n), -a * b);
+
+    RowMajor sparse = RowMajor::Zero(n, n);
+    sparse.diagonal() = a.diagonal();
+    sparse.col(n - 1) = a.col(n - 1);
+    C = before;
+    kernels.template products<Products::subtract, true>(stored<B>(sparse).data(), kernels.stride(), rows.data(), n,
+                                                        C.data(), n);
+    expect_near(read<B>(C, n), c - sparse * b);
+
+    C = before;
+    kernels.products_of_row(A.data(), rows.data(), 2.0, A.data() + kernels.stride(), -3.0,
+                            rows.data() + kernels.stride(), C.data());
+    const RowMajor row = c.row(0) - a.row(0).cwiseProduct(b.row(0)) - 2.0 * a.row(1) + 3.0 * b.row(1);
+    expect_near(read<B>(C, n).row(0), row);
+    expect_near(read<B>(C, n).bottomRows(n - 1), c.bottomRows(n - 1));
+  });
+}
+
+template <int B>
+void expect_solutions(int n) {
+  const RowMajor a = example(n, 0.1), b = example(n, 0.2);
+  std::vector<int> pivots(static_cast<std::size_t>(n));
+  std::vector<double> room(static_cast<std::size_t>(n));
+  const RowMajor solution = a.partialPivLu().solve(b);
+  with_each<B>(n, [&](const auto& kernels) {
+    LineVector A = stored<B>(a), X = stored<B>(b);
+    ASSERT_TRUE(kernels.factor(A.data(), pivots.data()));
+    kernels.solve(A.data(), pivots.data(), X.data());
+    expect_near(read<B>(X, n), solution);
+    A = stored<B>(a);
+    ASSERT_TRUE(kernels.invert(A.data(), room.data(), pivots.data()));
+    expect_near(read<B>(A, n), a.inverse());
+
+    RowMajor broken = a;
+
+    broken.row(n - 1).setZero();
+    A = stored<B>(broken);
+    EXPECT_FALSE(kernels.factor(A.data(), pivots.data()));
+    A = stored<B>(broken);
+    EXPECT_FALSE(kernels.invert(A.data(), room.data(), pivots.data()));
+    broken = a;
+    broken(n - 1, n - 1) = std::numeric_limits<double>::quiet_NaN();
+    A = stored<B>(broken);
+    EXPECT_FALSE(kernels.factor(A.data(), pivots.data()));
+    A = stored<B>(broken);
+    EXPECT_FALSE(kernels.invert(A.data(), room.data(), pivots.data()));
+  });
+}
+
+TEST(DenseKernels, AddProductsUpAsMatricesDo) {
+  expect_products<6>(6);
+  expect_products<10>(10);
+  expect_products<11>(11);
+  expect_products<18>(18);
+  expect_products<22>(22);
+  for (const int n : {2, 8, 13, 17}) expect_products<Eigen::Dynamic>(n);
+}
+
+TEST(DenseKernels, SolveAndInvertAsMatricesDo) {
+  expect_solutions<6>(6);
+  expect_solutions<10>(10);
+  expect_solutions<11>(11);
+  expect_solutions<18>(18);
+  expect_solutions<22>(22);
+  for (const int n : {2, 8, 13, 17}) expect_solutions<Eigen::Dynamic>(n);
+}
+
+TEST(DenseKernels, TakeRowsFromTheBeginningOfALineOn) {
+  const LineVector numbers(3);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(numbers.data()) % 64, 0U);
+  EXPECT_EQ(row_stride<22>(22), 24);
+  EXPECT_EQ(row_stride<6>(6), 6);
+  EXPECT_EQ(row_stride<Eigen::Dynamic>(13), 13);
+}
+
+}  // namespace
+}  // namespace bumpfoil
