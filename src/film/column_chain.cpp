@@ -53,12 +53,8 @@ std::unique_ptr<ColumnChain> make_column_chain(int columns, int block_size) {
   switch (block_size) {
     case 8:
       return std::make_unique<ColumnChainOf<8>>(columns, block_size);
-    case 10:
-      return std::make_unique<ColumnChainOf<10>>(columns, block_size);
     case 16:
       return std::make_unique<ColumnChainOf<16>>(columns, block_size);
-    case 18:
-      return std::make_unique<ColumnChainOf<18>>(columns, block_size);
     default:
       return std::make_unique<ColumnChainOf<Eigen::Dynamic>>(columns, block_size);
   }

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
-#include "film/column_chain.hpp"
 #include "film/foil_columns.hpp"
+#include "film/foil_span.hpp"
 
 namespace bumpfoil {
 
@@ -61,24 +61,26 @@ void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, 
 struct FoilFilmSystem::Workspace {
   explicit Workspace(const FoilFilm& foil_film);
 
-  void assemble(int k, ColumnChain::Block before, ColumnChain::Block own, ColumnChain::Block after);
+  template <typename Own>
+  void assemble(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const;
   void read_column(int k, const FoilFilmResidual& residual, Eigen::Ref<Vector> values) const;
 
   /// Columns between two blocks, or between the weld and the first.
   struct Span {
     int first{};  ///< column
-    std::unique_ptr<ColumnChain> chain;
-    ColumnChain::Response to_before, to_after;
-    Vector right;     ///< minus the residuals
-    Vector solution;  ///< with both neighbours held, then with them as they are
+    std::unique_ptr<FoilSpan> columns;
+    FoilSpan::Condensed condensed;
+    Matrix right;  ///< minus the residuals
+    Matrix solution;
+    Vector before, after;  ///< the right-hand side, as the neighbours see it
   };
 
   FoilFilm foil;
   int rows;  ///< unknowns of a column
   std::vector<Span> spans;
-  std::vector<int> columns;                        ///< of the blocks
-  std::vector<Block> lower, diagonal, upper;       ///< condensed
-  std::vector<std::pair<Block, Block>> couplings;  ///< before and after, of every block
+  std::vector<int> columns;                   ///< of the blocks
+  std::vector<Block> lower, diagonal, upper;  ///< condensed
+  ColumnCoupling nothing;                     ///< beyond the free end
   FilmJacobian jacobian;
   Matrix film_residual;
   Matrix condensed;
@@ -93,65 +95,70 @@ FoilFilmSystem::Workspace::Workspace(const FoilFilm& foil_film)
     BUMPFOIL_ASSERT(length >= 1);
     Span span;
     span.first = first;
-    span.chain = make_column_chain(length, rows);
-    span.right.resize(Eigen::Index{length} * rows);
+    span.columns = make_foil_span(length, rows, first > 0);
+    span.right.resize(rows, length);
+    span.before.resize(rows);
+    span.after.resize(rows);
     spans.push_back(std::move(span));
     first = column + 1;
   }
   const Block zero = Block::Zero(rows, rows);
   lower.assign(columns.size(), zero);
   diagonal = upper = lower;
-  couplings.assign(columns.size(), {zero, zero});
+  nothing.resize(rows);
   condensed.resize(rows, static_cast<Eigen::Index>(columns.size()));
 }
 
 /// Rows of column k: the film per area of a cell, balance, compatibility. Where an unknown is given, its own row says
-/// that it does not move.
-void FoilFilmSystem::Workspace::assemble(int k, ColumnChain::Block to_before, ColumnChain::Block to_own,
-                                         ColumnChain::Block to_after) {
+/// that it does not move. Entries of couplings that are always zero are left so.
+template <typename Own>
+void FoilFilmSystem::Workspace::assemble(int k, ColumnCoupling& before, Own&& own, ColumnCoupling& after) const {
   const FilmMesh& mesh = foil.mesh;
   const int n = mesh.unknown_rows();
   const int u = n;
   const int m = n + 1;
-  to_before.setZero();
-  to_own.setZero();
-  to_after.setZero();
+  own.setZero();
   const bool weld = k == 0;
   const bool free_end = k == mesh.columns;
   if (weld || free_end) {
-    for (int j = 0; j < n; ++j) to_own(j, j) = 1.0;
-    to_own(weld ? u : m, weld ? u : m) = 1.0;
+    for (int j = 0; j < n; ++j) own(j, j) = 1.0;
+    own(weld ? u : m, weld ? u : m) = 1.0;
   } else {
-    const double area = mesh.dtheta * mesh.dzeta;
+    const double per_area = 1.0 / (mesh.dtheta * mesh.dzeta);
     const FilmStencil& P = jacobian.by_pressure;
     const FilmStencil& H = jacobian.by_thickness;
+    const auto scale = [&](const Matrix& derivatives, LineVector& entries) {
+      for (int j = 0; j < n; ++j) entries[static_cast<std::size_t>(j)] = derivatives(j, k) * per_area;
+    };
+    scale(P.before, before.own);
+    scale(H.before, before.by_lift);
+    scale(P.after, after.own);
+    scale(H.after, after.by_lift);
     for (int j = 0; j < n; ++j) {
-      to_before(j, j) = P.before(j, k) / area;
-      to_before(j, u) = H.before(j, k) / area;
-      to_own(j, j) = P.own(j, k) / area;
-      if (j > 0) to_own(j, j - 1) = P.inside(j, k) / area;
-      if (j + 1 < n) to_own(j, j + 1) = P.outside(j, k) / area;
-      to_own(j, u) = (H.own(j, k) + H.inside(j, k) + H.outside(j, k)) / area;
-      to_after(j, j) = P.after(j, k) / area;
-      to_after(j, u) = H.after(j, k) / area;
+      own(j, j) = P.own(j, k) * per_area;
+      if (j > 0) own(j, j - 1) = P.inside(j, k) * per_area;
+      if (j + 1 < n) own(j, j + 1) = P.outside(j, k) * per_area;
+      own(j, u) = (H.own(j, k) + H.inside(j, k) + H.outside(j, k)) * per_area;
     }
   }
   const FoilColumn column(foil, k);
+  const auto U = static_cast<std::size_t>(u);
+  const auto M = static_cast<std::size_t>(m);
   if (!weld) {
-    to_before(u, m) = column.kink_before;
+    before.by_moment[U] = column.kink_before;
     if (!free_end) {
-      for (int j = 0; j < n; ++j) to_own(u, j) = -column.load * mesh.row_weight(j);
-      to_own(u, m) = column.own();
-      to_after(u, m) = column.kink_after;
+      for (int j = 0; j < n; ++j) own(u, j) = -column.load * mesh.row_weight(j);
+      own(u, m) = column.own();
+      after.by_moment[U] = column.kink_after;
     }
   }
   if (!free_end) {
-    to_before(m, u) = column.kink_before;
-    to_before(m, m) = -column.bend_before;
-    if (!weld) to_own(m, u) = column.own();
-    to_own(m, m) = -column.bend;
-    to_after(m, u) = column.kink_after;
-    to_after(m, m) = -column.bend_after;
+    before.by_lift[M] = column.kink_before;
+    before.by_moment[M] = -column.bend_before;
+    if (!weld) own(m, u) = column.own();
+    own(m, m) = -column.bend;
+    after.by_lift[M] = column.kink_after;
+    after.by_moment[M] = -column.bend_after;
   }
 }
 
@@ -180,24 +187,23 @@ const FoilFilmSystem::Block& FoilFilmSystem::upper(int i) const {
 bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmState& state) {
   Workspace& w = *workspace_;
   linearise_reynolds(equation, state.film, w.film_residual, w.jacobian);
-  for (Workspace::Span& span : w.spans) {
-    ColumnChain& chain = *span.chain;
-    for (int i = 0; i < chain.columns(); ++i) {
-      w.assemble(span.first + i, chain.lower(i), chain.diagonal(i), chain.upper(i));
-    }
-    if (!chain.factor()) return false;
-    chain.respond(span.to_before, span.to_after);
+  const std::size_t blocks = w.columns.size();
+  for (std::size_t i = 0; i < blocks; ++i) {
+    w.assemble(w.columns[i], w.spans[i].columns->of_after(), w.diagonal[i],
+               i + 1 < blocks ? w.spans[i + 1].columns->of_before() : w.nothing);
   }
-  const auto map = [](Block& block) { return ColumnChain::Block(block.data(), block.rows(), block.cols()); };
-  for (std::size_t i = 0; i < w.columns.size(); ++i) {
-    auto& [before, after] = w.couplings[i];
-    Block& own = w.diagonal[i];
-    w.assemble(w.columns[i], map(before), map(own), map(after));
-    own.noalias() -= before * w.spans[i].to_after.last;
-    w.lower[i].noalias() = -before * w.spans[i].to_before.last;
-    if (i + 1 == w.columns.size()) continue;
-    own.noalias() -= after * w.spans[i + 1].to_before.first;
-    w.upper[i].noalias() = -after * w.spans[i + 1].to_after.first;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    Workspace::Span& span = w.spans[i];
+    FoilSpan& columns = *span.columns;
+    for (int c = 0; c < columns.columns(); ++c) {
+      w.assemble(span.first + c, columns.to_before(c), columns.own(c), columns.to_after(c));
+    }
+    if (!columns.eliminate(span.condensed)) return false;
+    w.diagonal[i] += span.condensed.after;
+    if (i == 0) continue;
+    w.diagonal[i - 1] += span.condensed.before;
+    w.upper[i - 1] = span.condensed.before_by_after;
+    w.lower[i] = span.condensed.after_by_before;
   }
   return true;
 }
@@ -217,20 +223,15 @@ void FoilFilmSystem::Workspace::read_column(int k, const FoilFilmResidual& resid
 
 const Matrix& FoilFilmSystem::condense(const FoilFilmResidual& residual) {
   Workspace& w = *workspace_;
-  for (Workspace::Span& span : w.spans) {
-    for (int i = 0; i < span.chain->columns(); ++i) {
-      w.read_column(span.first + i, residual, span.right.segment(Eigen::Index{i} * w.rows, w.rows));
-    }
-    span.right *= -1.0;
-    span.solution = span.right;
-    span.chain->solve_in_place(span.solution);
-  }
   for (std::size_t i = 0; i < w.columns.size(); ++i) {
-    const auto& [before, after] = w.couplings[i];
-    auto column = w.condensed.col(static_cast<Eigen::Index>(i));
-    w.read_column(w.columns[i], residual, column);
-    column.noalias() += before * w.spans[i].solution.tail(w.rows);
-    if (i + 1 < w.columns.size()) column.noalias() += after * w.spans[i + 1].solution.head(w.rows);
+    const auto at = static_cast<Eigen::Index>(i);
+    Workspace::Span& span = w.spans[i];
+    for (int c = 0; c < span.columns->columns(); ++c) w.read_column(span.first + c, residual, span.right.col(c));
+    span.right *= -1.0;
+    span.columns->condense(span.right, span.before, span.after);
+    w.read_column(w.columns[i], residual, w.condensed.col(at));
+    w.condensed.col(at) -= span.after;
+    if (i > 0) w.condensed.col(at - 1) -= span.before;
   }
   return w.condensed;
 }
@@ -248,18 +249,13 @@ void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
     step.moment[k] = values[n + 1];
   };
   for (std::size_t i = 0; i < w.columns.size(); ++i) {
-    const auto own = support_step.col(static_cast<Eigen::Index>(i));
-    set_column(w.columns[i], own);
+    const auto at = static_cast<Eigen::Index>(i);
     Workspace::Span& span = w.spans[i];
-    span.solution = span.right;
-    if (i > 0) {
-      span.solution.head(w.rows).noalias() -= span.chain->lower(0) * support_step.col(static_cast<Eigen::Index>(i) - 1);
-    }
-    span.solution.tail(w.rows).noalias() -= span.chain->upper(span.chain->columns() - 1) * own;
-    span.chain->solve_in_place(span.solution);
-    for (int c = 0; c < span.chain->columns(); ++c) {
-      set_column(span.first + c, span.solution.segment(Eigen::Index{c} * w.rows, w.rows));
-    }
+    span.after = support_step.col(at);
+    set_column(w.columns[i], span.after);
+    if (i > 0) span.before = support_step.col(at - 1);
+    span.columns->expand(span.before, span.after, span.solution);
+    for (int c = 0; c < span.columns->columns(); ++c) set_column(span.first + c, span.solution.col(c));
   }
   step.film.thickness = step.lift.transpose().replicate(mesh.rows + 1, 1);
 }

@@ -65,7 +65,7 @@ void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmRes
 /// unknowns must be given as zero, and their rows mean nothing.
 class FoilFilmSystem {
  public:
-  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Block = Matrix;
 
   explicit FoilFilmSystem(const FoilFilm& foil);
   ~FoilFilmSystem();

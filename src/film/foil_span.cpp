@@ -1,0 +1,196 @@
+#include "film/foil_span.hpp"
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+namespace {
+
+template <int B>
+class FoilSpanOf final : public FoilSpan {
+ public:
+  FoilSpanOf(int columns, int block_size, bool has_before, VectorInstructions instructions)
+      : n_(block_size),
+        stride_(row_stride<B>(block_size)),
+        has_before_(has_before),
+        instructions_(instructions),
+        columns_(static_cast<std::size_t>(columns)),
+        pivots_(static_cast<std::size_t>(block_size)) {
+    for (Column& column : columns_) {
+      column.to_before.resize(stride_);
+      column.to_after.resize(stride_);
+      for (LineVector* block : {&column.G, &column.X, &column.Y, &column.W}) {
+        block->resize(static_cast<std::size_t>(block_size * stride_));
+      }
+      for (LineVector* row : {&column.g, &column.x}) row->resize(static_cast<std::size_t>(stride_));
+    }
+    of_before_.resize(stride_);
+    of_after_.resize(stride_);
+    for (LineVector* block : {&carried_, &added_}) block->resize(columns_.front().G.size());
+    for (LineVector* row : {&left_, &right_, &scratch_}) row->resize(static_cast<std::size_t>(stride_));
+  }
+
+  [[nodiscard]] int columns() const override { return static_cast<int>(columns_.size()); }
+  ColumnCoupling& to_before(int i) override { return columns_[static_cast<std::size_t>(i)].to_before; }
+  Block own(int i) override { return map(columns_[static_cast<std::size_t>(i)].G); }
+  ColumnCoupling& to_after(int i) override { return columns_[static_cast<std::size_t>(i)].to_after; }
+  ColumnCoupling& of_before() override { return of_before_; }
+  ColumnCoupling& of_after() override { return of_after_; }
+
+  bool eliminate(Condensed& condensed) override {
+    const bool regular = with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+      return eliminate_with(DenseKernels<B, decltype(lanes)::value>(n_), condensed);
+    });
+    return regular;
+  }
+
+  void condense(const Matrix& right, Eigen::Ref<Vector> before, Eigen::Ref<Vector> after) override {
+    with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+      const DenseKernels<B, decltype(lanes)::value> kernels(n_);
+      fill(left_);
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        Column& column = columns_[i];
+        std::copy_n(right.data() + static_cast<Eigen::Index>(i) * n_, n_, right_.data());
+        if (i > 0) couple(kernels, column.to_before, columns_[i - 1].g.data(), right_.data());
+        kernels.template products<Products::assign>(right_.data(), 0, column.G.data(), n_, column.g.data(), 1);
+        if (has_before_) kernels.products(right_.data(), 0, column.W.data(), n_, left_.data(), 1);
+      }
+      couple<Products::negate>(kernels, of_after_, columns_.back().g.data(), right_.data());
+    });
+    std::copy_n(left_.data(), n_, before.data());
+    std::copy_n(right_.data(), n_, after.data());
+  }
+
+  void expand(const Vector& before, const Vector& after, Matrix& solution) override {
+    std::copy_n(before.data(), n_, left_.data());
+    std::copy_n(after.data(), n_, right_.data());
+    with_vectors(instructions_, [&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+      const DenseKernels<B, decltype(lanes)::value> kernels(n_);
+      const double* next = right_.data();
+      for (std::size_t i = columns_.size(); i-- > 0;) {
+        Column& column = columns_[i];
+        std::copy_n(column.g.data(), stride_, column.x.data());
+        kernels.products(next, 0, column.X.data(), n_, column.x.data(), 1);
+        if (has_before_) kernels.products(left_.data(), 0, column.Y.data(), n_, column.x.data(), 1);
+        next = column.x.data();
+      }
+    });
+    solution.resize(n_, columns());
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      std::copy_n(columns_[i].x.data(), n_, solution.col(static_cast<Eigen::Index>(i)).data());
+    }
+  }
+
+ private:
+  /// Blocks are stored by columns, each of stride_ numbers.
+  struct Column {
+    ColumnCoupling to_before, to_after;
+    LineVector G;  ///< D, then its inverse
+    LineVector X, Y;
+    LineVector W;  ///< coupling of the neighbour before to this column, times G
+    LineVector g, x;
+  };
+
+  Block map(LineVector& block) { return {block.data(), n_, n_, Eigen::OuterStride<>(stride_)}; }
+  static void fill(LineVector& numbers) { std::fill(numbers.begin(), numbers.end(), 0.0); }
+
+  /// y -= S x, or another use of the product
+  template <Products Use = Products::subtract, typename Kernels>
+  BUMPFOIL_ALWAYS_INLINE void couple(const Kernels& kernels, const ColumnCoupling& S, const double* x,
+                                     double* y) const {
+    kernels.template products_of_row<Use>(S.own.data(), x, x[n_ - 2], S.by_lift.data(), x[n_ - 1], S.by_moment.data(),
+                                          y);
+  }
+
+  /// result -= S A
+  template <Products Use = Products::subtract, typename Kernels>
+  BUMPFOIL_ALWAYS_INLINE void couple_left(const Kernels& kernels, const ColumnCoupling& S, const LineVector& A,
+                                          LineVector& result) const {
+    for (Eigen::Index c = 0; c < n_; ++c) {
+      couple<Use>(kernels, S, A.data() + c * stride_, result.data() + c * stride_);
+    }
+  }
+
+  /// result -= A S
+  template <Products Use = Products::subtract, typename Kernels>
+  BUMPFOIL_ALWAYS_INLINE void couple_right(const Kernels& kernels, const LineVector& A, const ColumnCoupling& S,
+                                           LineVector& result) const {
+    double* to = result.data();
+    for (Eigen::Index c = 0; c < n_ - 2; ++c, to += stride_) {
+      kernels.template products<Use>(S.own.data() + c, 0, A.data() + c * stride_, 1, to, 1);
+    }
+    kernels.template products<Use>(S.by_lift.data(), 0, A.data(), n_, to, 1);
+    kernels.template products<Use>(S.by_moment.data(), 0, A.data(), n_, to + stride_, 1);
+  }
+
+  /// result -= A C
+  template <Products Use = Products::subtract, typename Kernels>
+  BUMPFOIL_ALWAYS_INLINE void multiply(const Kernels& kernels, const LineVector& A, const LineVector& C,
+                                       LineVector& result) const {
+    kernels.template products<Use>(C.data(), stride_, A.data(), n_, result.data(), n_);
+  }
+
+  template <typename Kernels>
+  BUMPFOIL_ALWAYS_INLINE bool eliminate_with(const Kernels& kernels, Condensed& condensed) {
+    fill(added_);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      Column& column = columns_[i];
+      if (i > 0) couple_left(kernels, column.to_before, columns_[i - 1].X, column.G);
+      if (!kernels.invert(column.G.data(), scratch_.data(), pivots_.data())) return false;
+      couple_right<Products::assign>(kernels, column.G, column.to_after, column.X);
+      if (!has_before_) continue;
+      if (i == 0) {
+        couple_left<Products::assign>(kernels, of_before_, column.G, column.W);
+        couple_right<Products::assign>(kernels, column.G, column.to_before, column.Y);
+        couple_right(kernels, column.W, column.to_before, added_);
+        continue;
+      }
+      // The neighbour reaches this column by -W U of the one before, and this column the neighbour by -L Y.
+      const Column& last = columns_[i - 1];
+      couple_right<Products::negate>(kernels, last.W, last.to_after, carried_);
+      multiply<Products::assign>(kernels, carried_, column.G, column.W);
+      couple_left<Products::negate>(kernels, column.to_before, last.Y, carried_);
+      multiply<Products::assign>(kernels, column.G, carried_, column.Y);
+      multiply(kernels, column.W, carried_, added_);
+    }
+    const Column& last = columns_.back();
+    condensed.before = map(added_);
+    if (has_before_) couple_right<Products::negate>(kernels, last.W, last.to_after, added_);
+    condensed.before_by_after = map(added_);
+    if (has_before_) couple_left<Products::negate>(kernels, of_after_, last.Y, added_);
+    condensed.after_by_before = map(added_);
+    couple_left<Products::negate>(kernels, of_after_, last.X, added_);
+    condensed.after = map(added_);
+    return true;
+  }
+
+  Eigen::Index n_, stride_;
+  bool has_before_;
+  VectorInstructions instructions_;
+  std::vector<Column> columns_;
+  ColumnCoupling of_before_, of_after_;
+  LineVector carried_;  ///< coupling of this column and the neighbour before
+  LineVector added_;    ///< to the equations of a neighbour
+  LineVector left_, right_, scratch_;
+  std::vector<int> pivots_;
+};
+
+}  // namespace
+
+void ColumnCoupling::resize(Eigen::Index length) {
+  for (LineVector* part : {&own, &by_lift, &by_moment}) part->assign(static_cast<std::size_t>(length), 0.0);
+}
+
+std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, bool has_before,
+                                         VectorInstructions instructions) {
+  BUMPFOIL_ASSERT(columns >= 1 && block_size >= 2);
+  switch (block_size) {
+    case 10:
+      return std::make_unique<FoilSpanOf<10>>(columns, block_size, has_before, instructions);
+    case 18:
+      return std::make_unique<FoilSpanOf<18>>(columns, block_size, has_before, instructions);
+    default:
+      return std::make_unique<FoilSpanOf<Eigen::Dynamic>>(columns, block_size, has_before, instructions);
+  }
+}
+
+}  // namespace bumpfoil

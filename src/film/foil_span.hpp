@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+#include "bumpfoil/core/dense_kernels.hpp"
+
+namespace bumpfoil {
+
+/// How the equations of a column depend on a neighbouring one: on each unknown by its own alone, and all on its last
+/// two, U and M,
+///
+///     diag(own) + by_lift e_U^T + by_moment e_M^T
+///
+/// with the entries of U and M counted once, in `by_lift` and `by_moment`.
+struct ColumnCoupling {
+  LineVector own, by_lift, by_moment;
+
+  void resize(Eigen::Index length);  ///< to zeros
+};
+
+/// Columns of film and foil between two others, the neighbours: eliminated from their equations, in one sweep that
+/// carries the coupling to the neighbour before along. With G = D^-1 of the column with those before it eliminated,
+///
+///     x_i = g_i - X_i x_{i+1} - Y_i x_before,     X_i = G U_i,     Y_i = -G L_i Y_{i-1}
+///
+/// G is formed, as couplings times G cost little then.
+class FoilSpan {
+ public:
+  using Block = Eigen::Map<Matrix, 0, Eigen::OuterStride<>>;
+
+  virtual ~FoilSpan() = default;
+
+  [[nodiscard]] virtual int columns() const = 0;
+
+  /// Coupling of column i to the one before it, itself, and the one after it; and of the neighbours to the first and
+  /// the last column. To be filled before eliminate(); `own` is overwritten by it.
+  virtual ColumnCoupling& to_before(int i) = 0;
+  virtual Block own(int i) = 0;
+  virtual ColumnCoupling& to_after(int i) = 0;
+  virtual ColumnCoupling& of_before() = 0;
+  virtual ColumnCoupling& of_after() = 0;
+
+  /// What the span adds to the equations of its neighbours.
+  struct Condensed {
+    Matrix before, before_by_after, after_by_before, after;
+  };
+  /// Eliminates the columns.
+  /// @return false if their equations are singular
+  [[nodiscard]] virtual bool eliminate(Condensed& condensed) = 0;
+
+  /// The same for a right-hand side.
+  /// @param right   a column for each of the span's
+  /// @param before  what is added to that of the neighbour before, if there is one
+  /// @param after   of the one after
+  virtual void condense(const Matrix& right, Eigen::Ref<Vector> before, Eigen::Ref<Vector> after) = 0;
+
+  /// The unknowns of the columns for the right-hand side that was condensed last.
+  /// @param before, after  unknowns of the neighbours
+  virtual void expand(const Vector& before, const Vector& after, Matrix& solution) = 0;
+};
+
+/// @param has_before    false: the first column has none before it
+/// @param instructions  that this processor has
+std::unique_ptr<FoilSpan> make_foil_span(int columns, int block_size, bool has_before,
+                                         VectorInstructions instructions = widest_vector_instructions());
+
+}  // namespace bumpfoil
