@@ -13,11 +13,15 @@ namespace {
 constexpr Gas air{.viscosity = 1.85e-5, .ambient_pressure = 101325.0};
 constexpr double speed = 45000.0 * std::numbers::pi / 30.0;
 
-FilmBearing frictionless_bearing(const benchmark::State& bench) {
+FilmBearing bearing_with_friction(double coefficient, const benchmark::State& bench) {
   Case input = reference_case();
-  input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
+  input.friction = {.top_bump = coefficient, .bump_sleeve = coefficient};
   return make_film_bearing(
       input, air, {.columns_per_pitch = static_cast<int>(bench.range(0)), .rows = static_cast<int>(bench.range(1))});
+}
+
+FilmBearing frictionless_bearing(const benchmark::State& bench) {
+  return bearing_with_friction(0.0, bench);
 }
 
 /// The journal pushed to +X by a part of the clearance, from a cold start.
@@ -60,8 +64,7 @@ void condense_film(benchmark::State& bench) {
 BENCHMARK(condense_film)->Apply(meshes);
 
 /// One step of a path: a twentieth of the clearance.
-void warm_step(benchmark::State& bench) {
-  const FilmBearing bearing = frictionless_bearing(bench);
+void step_of_a_path(const FilmBearing& bearing, benchmark::State& bench) {
   const FilmBearingState start = cold_state(bearing, 0.5, bench);
   FilmBearingSolver solver(bearing);
   int iterations = 0;
@@ -74,7 +77,16 @@ void warm_step(benchmark::State& bench) {
   }
   bench.counters["iterations"] = iterations;
 }
+
+void warm_step(benchmark::State& bench) {
+  step_of_a_path(frictionless_bearing(bench), bench);
+}
 BENCHMARK(warm_step)->Apply(meshes);
+
+void warm_step_with_friction(benchmark::State& bench) {
+  step_of_a_path(bearing_with_friction(0.1, bench), bench);
+}
+BENCHMARK(warm_step_with_friction)->Apply(meshes);
 
 /// The same on 6 x 16 with film and foils in turn, the foils' answer relaxed to a part of range(0) thousandths, from
 /// the state at range(1) hundredths of the clearance to one that is range(2) thousandths further.

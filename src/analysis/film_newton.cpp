@@ -14,8 +14,13 @@ namespace {
 constexpr int max_halvings = 8;
 /// Part of a step that is taken where no halving lets the residual fall.
 constexpr double forced_fraction = 0.25;
-/// Longest displacement of the journal in one step, in units of c.
-constexpr double longest_displacement = 0.15;
+/// Longest displacement of the journal in one step, in units of c. Where it is held, the state comes along on its
+/// branch in steps this short; on the way to its load the residual sees to that.
+constexpr double longest_displacement = 0.00625;
+constexpr double longest_displacement_under_load = 0.15;
+/// Residual of a journal that is not yet where it is held, per c. The film's residual grows with the square of a step,
+/// and Newton's method takes it away in the next one: with a lesser weight it would keep steps far below the longest.
+constexpr double weight_of_way = 30.0;
 /// Displacements to a position that roundings have left, in units of c.
 constexpr double rounded_displacement = 1e-14;
 
@@ -57,7 +62,7 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 
 /// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
 /// of a cell, forces by EI' c / p^3, compatibility by c / p, what is missing of the load by pa R^2, of the position by
-/// c.
+/// c / weight_of_way.
 double FilmNewton::find_residual(const OperatingPoint& to, const ReynoldsEquation& equation,
                                  const FilmBearingState& state) {
   const FilmMesh& mesh = bearing_.foil.mesh;
@@ -82,7 +87,8 @@ double FilmNewton::find_residual(const OperatingPoint& to, const ReynoldsEquatio
     const Eigen::Vector2d missing = to.journal - film_force(bearing_, state.foil.film.pressure);
     square += missing.squaredNorm() / (bearing_.scales.force() * bearing_.scales.force());
   } else {
-    square += (to.journal - state.position).squaredNorm() / (bearing_.scales.thickness * bearing_.scales.thickness);
+    const double way = weight_of_way * (to.journal - state.position).norm() / bearing_.scales.thickness;
+    square += way * way;
   }
   return std::sqrt(square);
 }
@@ -273,7 +279,8 @@ Eigen::Vector2d FilmNewton::missing_displacement(const OperatingPoint& to, const
 void FilmNewton::move_journal(const OperatingPoint& to, const FilmBearingState& state) {
   Eigen::Vector2d displacement = missing_displacement(to, state);
   if (displacement.isZero(0.0)) return;
-  const double longest = longest_displacement * bearing_.scales.thickness;
+  const bool held = to.control == OperatingPoint::Control::position;
+  const double longest = (held ? longest_displacement : longest_displacement_under_load) * bearing_.scales.thickness;
   if (displacement.norm() > longest) displacement *= longest / displacement.norm();
   step_.displacement = displacement;
   for (const int axis : {0, 1}) {
