@@ -15,21 +15,32 @@ bool CycleResult::converged() const {
          std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged(); });
 }
 
-CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings) : stepper_(std::move(foils), settings) {}
+CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings)
+    : foils_(std::move(foils)), settings_(settings) {}
 
 Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recording recording,
                        const ProgressCallback& progress, const Excitation& centre) {
-  const Foils& foils = stepper_.foils();
-  const CycleCourse course{.direction = direction,
-                           .amplitude = settings.amplitude,
-                           .preload = settings.preload,
-                           .swings = settings.swings(),
-                           .steps = settings.steps,
-                           .reach = foils.clearance + foils.rise};
   std::vector<Clearance> clearances;
   for (const double force : settings.clearance_forces) clearances.push_back({force, {}});
-  CycleSeries series(stepper_, course, centre, step_);
-  return series.until_settled(settings.cycles, recording, progress, clearances);
+  const auto run_with = [&](std::optional<FoilStepper>& stepper, Rates rates, int steps) {
+    if (!stepper) stepper.emplace(foils_, settings_, rates);
+    const CycleCourse course{.direction = direction,
+                             .amplitude = settings.amplitude,
+                             .preload = settings.preload,
+                             .swings = settings.swings(),
+                             .steps = steps,
+                             .reach = foils_->clearance + foils_->rise};
+    CycleSeries series(*stepper, course, centre, step_);
+    return series.until_settled(settings.cycles, recording, progress, clearances);
+  };
+  const bool needs_no_steps = recording == Recording::quantities && settings_.name == SolverName::events &&
+                              !settings.preload && settings.amplitude.control == Control::displacement;
+  if (needs_no_steps) {
+    Cycle cycle = run_with(fast_, Rates::by_tableau, 1);
+    const bool came_through = cycle.converged() && cycle.substeps == 0;
+    if (came_through || cycle.status == Status::interrupted) return cycle;
+  }
+  return run_with(exact_, Rates::by_solves, settings.steps);
 }
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {

@@ -28,12 +28,12 @@ Excitation between(const Excitation& begin, const Excitation& end, double fracti
 }  // namespace
 
 std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
-                                                 const std::shared_ptr<ModeSystem>& modes) {
+                                                 const std::shared_ptr<ModeSystem>& modes, Rates rates) {
   switch (settings.name) {
     case SolverName::newton:
       return make_increment_follower(std::make_unique<NewtonSolver>(problem, modes));
     case SolverName::events:
-      return make_event_stepper(problem, modes);
+      return make_event_stepper(problem, modes, rates);
     case SolverName::uzawa:
       break;
   }
@@ -54,10 +54,10 @@ FoilState FoilState::unstressed(const Foils& foils) {
   return state;
 }
 
-FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings)
+FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings, Rates rates)
     : foils_(std::move(foils)),
       modes_(make_mode_system(foils_->problem)),
-      follower_(make_path_follower(SharedProblem({foils_, &foils_->problem}), settings, modes_)),
+      follower_(make_path_follower(SharedProblem({foils_, &foils_->problem}), settings, modes_, rates)),
       follows_events_(settings.name == SolverName::events),
       rate_(ContactState::unstressed(foils_->problem)) {}
 
@@ -106,9 +106,12 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
       step.waypoints.push_back({position_at(part.fraction), holding_force(*foils_, end), pad_forces(*foils_, end)});
     }
     step.state.work += gap_work(problem, part.begin, part.end);
-    step.state.dissipated_energy += part.linear
-                                        ? friction_dissipation(problem, 0.5 * (begin + end), part.begin.x, part.end.x)
-                                        : friction_dissipation(problem, end, part.begin.x, part.end.x);
+    if (part.linear) {
+      mean_force_ = 0.5 * (begin + end);
+      step.state.dissipated_energy += friction_dissipation(problem, mean_force_, part.begin.x, part.end.x);
+    } else {
+      step.state.dissipated_energy += friction_dissipation(problem, end, part.begin.x, part.end.x);
+    }
   };
   events_.clear();
   const FollowReport report = follower_->follow_to(fraction, step.state.contacts, visit, events_);

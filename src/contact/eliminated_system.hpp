@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
+#include "bumpfoil/core/vector_instructions.hpp"
 
 namespace bumpfoil {
 
@@ -53,6 +56,27 @@ inline std::vector<Elimination> elimination_order(const std::vector<ContactPair>
   return order;
 }
 
+/// Coordinates of a contact among those of its block, in the order of contacts: a normal one and, with friction, a
+/// tangential one behind it; -1 is none.
+struct Coordinates {
+  Eigen::Index normal, tangential;
+};
+
+inline std::vector<Coordinates> coordinates_of(const std::vector<ContactPair>& pairs) {
+  std::vector<Coordinates> coordinates;
+  Eigen::Index next = 0;
+  for (const ContactPair& pair : pairs) {
+    const Eigen::Index normal = next++;
+    coordinates.push_back({normal, is_frictionless(pair) ? -1 : next++});
+  }
+  return coordinates;
+}
+
+inline Eigen::Index coordinate_count(const std::vector<ContactPair>& pairs) {
+  return std::ssize(pairs) +
+         std::count_if(pairs.begin(), pairs.end(), [](const ContactPair& pair) { return !is_frictionless(pair); });
+}
+
 /// K in blocks of fixed size.
 template <int B>
 struct Stiffness {
@@ -88,6 +112,32 @@ struct Stiffness {
       if (b > 0 && lower.empty()) row.noalias() += upper[b - 1].transpose() * segment(x, b - 1);
       if (b > 0 && !lower.empty()) row.noalias() += lower[b - 1] * segment(x, b - 1);
     }
+  }
+
+  /// Y <- K X - Y for many columns.
+  template <typename Panel>
+  void multiply_panel(const Panel& X, Panel& Y) const {
+    static_assert(Panel::IsRowMajor);
+    with_widest_vectors([&](auto) BUMPFOIL_ALWAYS_INLINE {
+      const Eigen::Index columns = X.cols();
+      const auto add = [&](double factor, Eigen::Index from, double* row) BUMPFOIL_ALWAYS_INLINE {
+        if (factor == 0.0) return;  // as most are
+        const double* other = X.data() + from * columns;
+        for (Eigen::Index c = 0; c < columns; ++c) row[c] += factor * other[c];
+      };
+      for (std::size_t b = 0; b < diagonal.size(); ++b) {
+        const Eigen::Index first = static_cast<Eigen::Index>(b) * block_size;
+        for (Eigen::Index r = 0; r < block_size; ++r) {
+          double* row = Y.data() + (first + r) * columns;
+          for (Eigen::Index c = 0; c < columns; ++c) row[c] = -row[c];
+          for (Eigen::Index k = 0; k < block_size; ++k) {
+            add(diagonal[b](r, k), first + k, row);
+            if (b + 1 < diagonal.size()) add(upper[b](r, k), first + block_size + k, row);
+            if (b > 0) add(lower.empty() ? upper[b - 1](k, r) : lower[b - 1](r, k), first - block_size + k, row);
+          }
+        }
+      }
+    });
   }
 
   /// The block below the diagonal, in row b + 1.

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "contact/contact_tableau.hpp"
 #include "contact/piece_energy.hpp"
 #include "contact/pivoting.hpp"
 #include "contact/straight_piece.hpp"
@@ -43,8 +44,12 @@ struct EventFollower::Workspace {
     mode.reserve(contacts);
     changes.reserve(contacts);
     flipped.reserve(contacts);
+    if (options.rates == Rates::by_tableau && ContactTableau::pays(problem)) {
+      tableau = std::make_unique<ContactTableau>(problem, modes);
+    }
   }
 
+  bool find_target(SolveCost& cost);
   bool settle_modes(SolveCost& cost);
   bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
                    EventProgress& report);
@@ -57,6 +62,8 @@ struct EventFollower::Workspace {
   const ContactProblem& problem;  ///< the shared one
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
+  std::unique_ptr<ContactTableau> tableau;  ///< null where rates are found by solves
+  bool by_rates{};                          ///< the target was found with it
   LoadingPath path;
   ContactLoading here;  ///< at `reached`
   double reached{};     ///< fraction of the path that lies behind
@@ -88,11 +95,27 @@ void EventFollower::Workspace::keep_changes_nearby() {
   if (far != changes.begin()) changes.erase(far, changes.end());
 }
 
+/// Finds where the piece leads in its modes: from a begin that obeys them by rates, from another, which is no part of
+/// the piece, by a solve.
+bool EventFollower::Workspace::find_target(SolveCost& cost) {
+  if (tableau) {
+    piece.target.mode = mode;
+    piece.force_tolerance =
+        relative_force_tolerance * std::max(problem.least_reference_force(), piece.begin.normal_force.maxCoeff());
+    by_rates = piece.begin_obeys_new_modes(problem) && tableau->set_modes(mode);
+    if (by_rates) {
+      tableau->lead(piece.begin, 1.0 - reached, piece.target);
+      return true;
+    }
+  }
+  return solve_modes(*modes, mode, path.end, piece.begin.x, piece.target, cost);
+}
+
 /// Finds the modes of the piece, and where it leads.
 bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
-    if (!solve_modes(*modes, mode, path.end, piece.begin.x, piece.target, cost)) return false;
+    if (!find_target(cost)) return false;
     piece.measure_forces(problem);
     piece.find_changes(problem, changes);
     if (changes.empty()) return true;
@@ -112,9 +135,7 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
 /// @return false where that state contradicts its modes: then it was no jump that these contacts could make
 bool EventFollower::Workspace::solve_begin(const ContactState& state, SolveCost& cost) {
   path.at(reached, here);
-  modes->solve(here, state.x, piece.begin);
-  ++cost.iterations;
-  bool obeys = piece.begin.x.allFinite();
+  bool obeys = solve_modes(*modes, mode, here, state.x, piece.begin, cost);
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const ContactMode m = mode[static_cast<std::size_t>(contact.index)];
     const ContactTrial trial = trial_of(contact, piece.begin, state.x);
@@ -146,6 +167,7 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
   const bool cancels =
       largest_force(piece.target) > most_cancellation * std::max(problem.least_reference_force(), largest_force(state));
   const bool solved = (!fits || cancels) && solve_begin(state, report.cost);
+  if (solved && tableau && !find_target(report.cost)) return false;
   if (!fits && !(solved && jump(state, report))) return false;
   if (events != nullptr) {
     for (std::size_t c = 0; c < mode.size(); ++c) {
@@ -156,8 +178,10 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
   if (solved) {
     if (visit) visit({.begin = state, .end = piece.begin, .fraction = reached, .linear = true});
     state = piece.begin;
-  } else {
+  } else if (cancels) {
     piece.begin = state;
+  } else {
+    piece.begin.mode = mode;
   }
   piece.find_limits(problem);
   inside_piece = true;
@@ -168,7 +192,6 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
 void EventFollower::Workspace::flip_at_event(const ContactState& state) {
   flipped.clear();
   for (const ModeLimit& limit : piece.limits) {
-    if (limit.part > piece.end_part) continue;
     mode[static_cast<std::size_t>(limit.contact)] = limit.to;
     flipped.push_back(limit.contact);
   }
@@ -181,9 +204,14 @@ void EventFollower::Workspace::flip_at_event(const ContactState& state) {
   });
 }
 
+void EventFollower::forget() {
+  if (workspace_->tableau) workspace_->tableau->forget();
+}
+
 void EventFollower::set_out(const LoadingPath& path, const std::vector<ContactMode>& mode, double start) {
   Workspace& w = *workspace_;
   w.path = path;
+  if (w.tableau) w.tableau->set_path(path);
   w.mode = mode;
   w.reached = start;
   w.events_passed = 0;

@@ -20,6 +20,7 @@ struct EventProgress {
 /// Settings of following.
 struct FollowOptions {
   int max_events{100000};  ///< places of one path where contacts change their mode
+  Rates rates{Rates::by_solves};
 };
 
 /// Follows the response to a straight loading path from event to event. Unilateral contact and Coulomb friction in the
@@ -38,6 +39,9 @@ class EventFollower {
   EventFollower(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
                 const FollowOptions& options = FollowOptions());
   ~EventFollower();
+
+  /// Forgets the paths before: what follows is the same to the last bit as after construction.
+  void forget();
 
   /// Begins a path, or goes on along it with other modes.
   /// @param mode   modes to begin with: those of the state at `start`, or a better guess

@@ -25,6 +25,8 @@ constexpr double shortest_probe = 1e-10;
 /// Forces on a piece are exact to 1e-11 of the largest of them, results are to be to 1e-9: how many times less than the
 /// largest so far forces may be without a second look.
 constexpr double most_fallen = 30.0;
+/// The same where errors of rates have added up.
+constexpr double most_fallen_by_tableau = 3.0;
 /// Energy that a jump may seem to gain, in units of what is negligible: states at its ends are not exact.
 constexpr double most_gained = 100.0;
 
@@ -37,7 +39,7 @@ void add_events(const ContactState& from, const ContactState& to, double fractio
 
 class EventStepper final : public PathFollower {
  public:
-  EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes);
+  EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates);
 
   [[nodiscard]] SolverBounds bounds() const override { return newton_.bounds(); }
   [[nodiscard]] SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
@@ -59,19 +61,24 @@ class EventStepper final : public PathFollower {
   SharedProblem problem_;
   EventFollower follower_;
   NewtonSolver newton_;
+  double most_fallen_;
   LoadingPath path_;
   double fraction_{};       ///< of the path that lies behind
   Vector slip_origin_;      ///< unknowns where the last part of the response began
   double largest_force_{};  ///< since the assembly, N
 };
 
-EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes)
-    : problem_(problem), follower_(problem, modes), newton_(problem, modes) {
+EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates)
+    : problem_(problem),
+      follower_(problem, modes, {.rates = rates}),
+      newton_(problem, modes),
+      most_fallen_(rates == Rates::by_tableau ? most_fallen_by_tableau : most_fallen) {
   BUMPFOIL_ASSERT(!problem->law);  // between two events the response would not be linear
 }
 
 SolveReport EventStepper::assemble(const ContactLoading& loading, const ContactState& unstressed, ContactState& state) {
   largest_force_ = 0.0;
+  follower_.forget();
   return newton_.solve(loading, unstressed, state);
 }
 
@@ -107,7 +114,7 @@ bool EventStepper::stands(const ContactState& state, const ContactState& end, bo
 void EventStepper::settle(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
                           FollowReport& report) {
   const double left = std::max(1.0, state.normal_force.maxCoeff());  // N, as in ContactResiduals
-  if (largest_force_ <= most_fallen * left) return;
+  if (largest_force_ <= most_fallen_ * left) return;
   const ContactLoading loading = path_.at(fraction_);
   const SolverBounds bound = bounds();
   const auto is_exact = [&] {
@@ -205,9 +212,9 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
 
 }  // namespace
 
-std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem,
-                                                 const std::shared_ptr<ModeSystem>& modes) {
-  return std::make_unique<EventStepper>(problem, modes);
+std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes,
+                                                 Rates rates) {
+  return std::make_unique<EventStepper>(problem, modes, rates);
 }
 
 }  // namespace bumpfoil

@@ -80,6 +80,66 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     recover_forces(loading, state);
   }
 
+  void solve_units(RowMajor& x, RowMajor& force) override {
+    BUMPFOIL_ASSERT(factored_);
+    const std::vector<Coordinates> coordinates = coordinates_of(pairs_);
+    const Eigen::Index per_block = coordinate_count(pairs_);
+    const auto count = per_block * std::ssize(K_.diagonal);
+    const Eigen::Index n = K_.block_size;
+    // Loads first, carried through the rows as in solve().
+    RowMajor load = RowMajor::Zero(count / per_block * n, count);
+    for (Eigen::Index b = 0; b < count / per_block; ++b) {
+      for (std::size_t c = 0; c < pairs_.size(); ++c) {
+        const ContactPair& pair = pairs_[c];
+        const ContactMode mode = mode_[static_cast<std::size_t>(b) * pairs_.size() + c];
+        const Eigen::Index normal = b * per_block + coordinates[c].normal;
+        if (mode == ContactMode::open && pair.plus >= 0) load(b * n + pair.plus, normal) += 1.0;
+        if (mode == ContactMode::open && pair.minus >= 0) load(b * n + pair.minus, normal) -= 1.0;
+        if (!is_frictionless(pair) && mode != ContactMode::stick) {
+          load(b * n + pair.tangential, b * per_block + coordinates[c].tangential) += 1.0;
+        }
+      }
+    }
+    x = load;
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+      if (mode == ContactMode::open) return;
+      const Eigen::Index first = row / n * per_block;
+      const auto part = [&](int unknown) { return x.row(row + unknown).segment(first, per_block); };
+      const Eigen::RowVectorXd p = e.owner_sign * part(e.owner);
+      if (e.other >= 0) part(e.other) += e.owner_sign * p;
+      if (!is_frictionless(pair)) {
+        if (mode == ContactMode::stick) {
+          part(pair.tangential).setZero();
+          part(pair.tangential)[coordinates[e.pair].tangential] = constraint_scale_;
+        } else {
+          part(pair.tangential) -= friction_sign(mode) * pair.friction_coefficient * p;
+        }
+      }
+      part(e.owner).setZero();
+      part(e.owner)[coordinates[e.pair].normal] = constraint_scale_;
+    });
+    lu_.solve_panel_in_place(x);
+    RowMajor& imbalance = load;
+    K_.multiply_panel(x, imbalance);
+    force.setZero(count, count);
+    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+      if (mode == ContactMode::open) return;
+      const Eigen::Index first = row / n * per_block;
+      auto p = force.row(first + coordinates[e.pair].normal);
+      p = e.owner_sign * imbalance.row(row + e.owner);
+      if (e.other >= 0) imbalance.row(row + e.other) += e.owner_sign * p;
+      if (is_frictionless(pair)) return;
+      auto t = force.row(first + coordinates[e.pair].tangential);
+      if (mode == ContactMode::stick) {
+        t = imbalance.row(row + pair.tangential);
+      } else {
+        t = friction_sign(mode) * pair.friction_coefficient * p;
+      }
+    });
+  }
+
   void loading_of(const ContactState& state, ContactLoading& loading) override {
     loading.initial_gap = state.gap;
     loading.load.resize(state.x.size());

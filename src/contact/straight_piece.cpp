@@ -6,7 +6,7 @@
 namespace bumpfoil {
 
 StraightPiece::StraightPiece(const ContactProblem& problem) : begin(ContactState::unstressed(problem)), target(begin) {
-  limits.reserve(3 * begin.mode.size());  // a contact may open or leave its cone on either side
+  limits.reserve(begin.mode.size());
 }
 
 double StraightPiece::end_fraction() const {
@@ -36,41 +36,46 @@ void StraightPiece::find_changes(const ContactProblem& problem, std::vector<Mode
     const Eigen::Index c = contact.index;
     const double f = contact.f;
     const ContactMode m = target.mode[static_cast<std::size_t>(c)];
-    const bool loaded = begin.normal_force[c] > force_tolerance;
     if (m == ContactMode::open && begin.gap[c] > displacement_tolerance) return;
-    ContactTrial trial = trial_of(contact, target, begin.x);
-    if (loaded) {
-      trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
-      if (m == ContactMode::stick) {
-        // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may
-        // fall faster than the friction force.
-        const double side = std::copysign(1.0, begin.friction_force[c]);
-        const bool on_bound = f * begin.normal_force[c] - side * begin.friction_force[c] <= force_tolerance;
-        const bool leaves = f * target.normal_force[c] - side * target.friction_force[c] < -force_tolerance;
-        if (f > 0.0 && on_bound && leaves) changes.push_back({c, slip_mode(-side)});
-        return;
-      }
+    const bool loaded = begin.normal_force[c] > force_tolerance;
+    if (loaded && m == ContactMode::stick) {
+      // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may fall
+      // faster than the friction force.
+      const double side = std::copysign(1.0, begin.friction_force[c]);
+      const bool on_bound = f * begin.normal_force[c] - side * begin.friction_force[c] <= force_tolerance;
+      const bool leaves = f * target.normal_force[c] - side * target.friction_force[c] < -force_tolerance;
+      if (f > 0.0 && on_bound && leaves) changes.push_back({c, slip_mode(-side)});
+      return;
     }
+    ContactTrial trial = trial_of(contact, target, begin.x);
+    if (loaded) trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
     const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
     if (to != m) changes.push_back({c, to});
   });
 }
 
+/// Whether the forces and the gap of a contact are at the begin what its mode asks for.
+bool StraightPiece::begin_obeys(const CoulombContact& contact) const {
+  const Eigen::Index c = contact.index;
+  const double p = begin.normal_force[c];
+  const double t = begin.friction_force[c];
+  const ContactMode m = target.mode[static_cast<std::size_t>(c)];
+  if (m == ContactMode::open) return std::abs(p) <= force_tolerance && std::abs(t) <= force_tolerance;
+  if (std::abs(begin.gap[c]) > displacement_tolerance) return false;
+  return !slips(m) || contact.f == 0.0 || std::abs(t - friction_sign(m) * contact.f * p) <= force_tolerance;
+}
+
 bool StraightPiece::begin_obeys_modes(const ContactProblem& problem) const {
   bool obeys = true;
+  for_each_contact(problem, [&](const CoulombContact& contact) { obeys = obeys && begin_obeys(contact); });
+  return obeys;
+}
+
+bool StraightPiece::begin_obeys_new_modes(const ContactProblem& problem) const {
+  bool obeys = true;
   for_each_contact(problem, [&](const CoulombContact& contact) {
-    const Eigen::Index c = contact.index;
-    const double p = begin.normal_force[c];
-    const double t = begin.friction_force[c];
-    const ContactMode m = target.mode[static_cast<std::size_t>(c)];
-    if (m == ContactMode::open) {
-      obeys = obeys && std::abs(p) <= force_tolerance && std::abs(t) <= force_tolerance;
-      return;
-    }
-    obeys = obeys && std::abs(begin.gap[c]) <= displacement_tolerance;
-    if (slips(m) && contact.f > 0.0) {
-      obeys = obeys && std::abs(t - friction_sign(m) * contact.f * p) <= force_tolerance;
-    }
+    const auto c = static_cast<std::size_t>(contact.index);
+    if (target.mode[c] != begin.mode[c]) obeys = obeys && begin_obeys(contact);
   });
   return obeys;
 }
@@ -78,31 +83,30 @@ bool StraightPiece::begin_obeys_modes(const ContactProblem& problem) const {
 void StraightPiece::find_limits(const ContactProblem& problem) {
   limits.clear();
   end_part = 1.0;
-  const auto add = [&](Eigen::Index c, double now, double then, ContactMode to) {
+  const auto pass = [&](Eigen::Index c, double now, double then, ContactMode to) {
     const double part = now <= 0.0 ? 0.0 : now / (now - then);
-    limits.push_back({part, c, to});
-    end_part = std::min(end_part, part);
+    if (part > end_part) return;
+    if (part < end_part) limits.clear();
+    end_part = part;
+    limits.push_back({c, to});
   };
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const Eigen::Index c = contact.index;
-    const double f = contact.f;
     const ContactMode m = target.mode[static_cast<std::size_t>(c)];
     if (m == ContactMode::open) {
-      const ContactMode to =
-          next_mode(m, f, trial_of(contact, target, begin.x), displacement_tolerance, force_tolerance);
-      if (to != m) add(c, begin.gap[c], target.gap[c], to);
+      if (target.gap[c] >= -displacement_tolerance) return;
+      const ContactTrial trial = trial_of(contact, target, begin.x);
+      pass(c, begin.gap[c], target.gap[c], next_mode(m, contact.f, trial, displacement_tolerance, force_tolerance));
       return;
     }
-    if (target.normal_force[c] < -force_tolerance) {
-      add(c, begin.normal_force[c], target.normal_force[c], ContactMode::open);
-    }
-    if (m == ContactMode::stick && f > 0.0) {
-      for (const double side : {1.0, -1.0}) {
-        const double margin = f * target.normal_force[c] - side * target.friction_force[c];
-        if (margin < -force_tolerance) {
-          add(c, f * begin.normal_force[c] - side * begin.friction_force[c], margin, slip_mode(-side));
-        }
-      }
+    const double p = begin.normal_force[c];
+    const double p_then = target.normal_force[c];
+    if (p_then < -force_tolerance) pass(c, p, p_then, ContactMode::open);
+    if (m != ContactMode::stick || contact.f == 0.0) return;
+    for (const double side : {1.0, -1.0}) {
+      const double margin = contact.f * p_then - side * target.friction_force[c];
+      if (margin >= -force_tolerance) continue;
+      pass(c, contact.f * p - side * begin.friction_force[c], margin, slip_mode(-side));
     }
   });
 }

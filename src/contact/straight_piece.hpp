@@ -16,7 +16,6 @@ constexpr double relative_force_tolerance = 1e-11;
 
 /// A contact that reaches the limit of its mode on a piece.
 struct ModeLimit {
-  double part{};  ///< of the way to the target
   Eigen::Index contact{};
   ContactMode to{};
 };
@@ -30,7 +29,7 @@ struct StraightPiece {
   double begin_fraction{};        ///< of the path that lies behind `begin`
   ContactState target;            ///< where it would lead by the end of the path; its modes are those of the piece
   double force_tolerance{};       ///< a force below is none, N
-  std::vector<ModeLimit> limits;  ///< that contacts reach before the target, in the order of contacts
+  std::vector<ModeLimit> limits;  ///< that are reached first, and end it, in the order of contacts
   double end_part{1.0};           ///< of the way to the target, where the first of them lies; 1 if there is none
 
   /// Fraction of the path at which the piece ends.
@@ -52,8 +51,14 @@ struct StraightPiece {
   /// Whether the forces and gaps of `begin` are such as the modes of the piece ask for.
   [[nodiscard]] bool begin_obeys_modes(const ContactProblem& problem) const;
 
+  /// The same of those contacts alone whose modes were others so far.
+  [[nodiscard]] bool begin_obeys_new_modes(const ContactProblem& problem) const;
+
   /// Fills `limits` and `end_part`.
   void find_limits(const ContactProblem& problem);
+
+ private:
+  [[nodiscard]] bool begin_obeys(const CoulombContact& contact) const;
 };
 
 }  // namespace bumpfoil

@@ -178,13 +178,19 @@ class CycleRunner {
 
   /// Cycles along `direction` (rad) from the unstressed foils, until they settle. Numerical failures are reported in
   /// the result.
+  ///
+  /// For quantities alone the event-driven solver takes rates from a matrix of all contacts, and whole legs in one
+  /// increment: between two changes of contact the response is straight. What did not come through so is done again as
+  /// with all records. Quantities are the same to 1e-9.
   /// @param settings  all but their directions
   /// @param centre    excitation at the centred journal: its position is taken from there
   [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,
                           const ProgressCallback& progress = {}, const Excitation& centre = {});
 
  private:
-  FoilStepper stepper_;
+  SharedFoils foils_;
+  SolverSettings settings_;
+  std::optional<FoilStepper> exact_, fast_;  ///< made when they are needed first; `fast_` for quantities alone
   Step step_;
 };
 

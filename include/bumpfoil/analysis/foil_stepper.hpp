@@ -14,8 +14,10 @@ class ModeSystem;
 
 /// The solver of a case, made for a problem of its own or somebody else's.
 /// @param modes  linear system of the problem, which the follower shares with its caller
+/// @param rates  of the event-driven solver
 std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
-                                                 const std::shared_ptr<ModeSystem>& modes);
+                                                 const std::shared_ptr<ModeSystem>& modes,
+                                                 Rates rates = Rates::by_solves);
 
 /// Takes foils from state to state. It holds the solver of a case and its workspace, and nothing of the states: those
 /// belong to the caller, who keeps the new one or the old one. One thread at a time; as many steppers as threads share
@@ -24,7 +26,8 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
 /// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
 class FoilStepper {
  public:
-  FoilStepper(SharedFoils foils, const SolverSettings& settings);
+  /// @param rates  of the event-driven solver
+  FoilStepper(SharedFoils foils, const SolverSettings& settings, Rates rates = Rates::by_solves);
   ~FoilStepper();
 
   /// From the unstressed foils in one step. Work starts at zero; the dissipation is that of the assembly.
@@ -59,6 +62,7 @@ class FoilStepper {
   Excitation path_begin_, path_end_;
   std::vector<ContactEvent> events_;
   ContactState rate_;
+  Vector mean_force_;  ///< of a part of the response
 };
 
 }  // namespace bumpfoil

@@ -34,6 +34,15 @@ class ModeSystem {
   /// @param state       receives x, gap and forces; its modes are set to those of the system
   virtual void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) = 0;
 
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// Answers to unit changes of all that the modes give, one column for each, in the order of contacts: of a contact
+  /// its p if it is open, else its gap; behind it, if it has friction, its t if it is open, x[tangential] if it sticks,
+  /// t beyond that of its normal force if it slips.
+  /// @param x      receives all unknowns
+  /// @param force  receives p and, with friction, t of all contacts, in that order
+  virtual void solve_units(RowMajor& x, RowMajor& force) = 0;
+
   /// The loading that `state` is in balance with: g0 = g - x[plus] + x[minus], load = K x - contact forces.
   /// @param loading  result; its storage is reused
   virtual void loading_of(const ContactState& state, ContactLoading& loading) = 0;

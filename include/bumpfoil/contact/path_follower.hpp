@@ -50,6 +50,14 @@ struct FollowReport {
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
+/// How rates between two events are found.
+enum class Rates {
+  by_solves,  ///< states are exact to 1e-11 of the largest force
+  /// In a matrix of all contacts, some times faster for short foils. Errors of rates, some 1e-11, add up from piece to
+  /// piece. By solves all the same for long foils, and on processors without wide vectors, where it does not pay.
+  by_tableau,
+};
+
 /// Follows the response along straight paths of loading.
 class PathFollower {
  public:
@@ -89,7 +97,7 @@ std::unique_ptr<PathFollower> make_increment_follower(std::unique_ptr<ContactSol
 ///
 /// The elastic forces must be linear, and the problem must have contacts.
 /// @param modes  linear system of the problem; may be shared with others that are not at work meanwhile
-std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem,
-                                                 const std::shared_ptr<ModeSystem>& modes);
+std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes,
+                                                 Rates rates = Rates::by_solves);
 
 }  // namespace bumpfoil

@@ -136,28 +136,54 @@ TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   EXPECT_EQ(cycle.clearance_5N, std::nullopt);
 }
 
-/// An ensemble wants a few numbers of many cycles: the same ones, and nothing else.
+/// An ensemble wants a few numbers of many cycles: the same ones, and nothing else. To the last bit where they are
+/// found as with all records; where rates add up from piece to piece, to what is promised.
 TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
-  for (const SolverName solver : {SolverName::newton, SolverName::events}) {
+  const std::pair<SolverName, double> solvers[] = {{SolverName::newton, 0.0}, {SolverName::events, 1e-9}};
+  for (const auto& [solver, tolerance] : solvers) {
     const Case input = short_case(20);
     CycleRunner runner(make_bearing_foils(input), {.name = solver, .uzawa = {}});
     for (const double direction : input.cycle.directions) {
       const Cycle all = runner.run(direction, input.cycle);
       const Cycle few = runner.run(direction, input.cycle, Recording::quantities);
       EXPECT_TRUE(few.converged());
-      EXPECT_EQ(few.turning_point->max_force, all.turning_point->max_force);
-      EXPECT_EQ(few.turning_point->tangent.loading, all.turning_point->tangent.loading);
-      EXPECT_EQ(few.turning_point->bump_loads, all.turning_point->bump_loads);
-      EXPECT_EQ(few.loop_energy, all.loop_energy);
-      EXPECT_EQ(few.loss_factor, all.loss_factor);
-      EXPECT_EQ(few.clearance_5N, all.clearance_5N);
-      EXPECT_EQ(few.take_up, all.take_up);
+      const auto expect_same = [tolerance = tolerance](std::optional<double> found, std::optional<double> expected) {
+        ASSERT_EQ(found.has_value(), expected.has_value());
+        if (expected) EXPECT_NEAR(*found, *expected, tolerance * std::abs(*expected));
+      };
+      expect_same(few.turning_point->max_force, all.turning_point->max_force);
+      expect_same(few.turning_point->tangent.loading, all.turning_point->tangent.loading);
+      expect_same(few.turning_point->elastic_energy, all.turning_point->elastic_energy);
+      EXPECT_LE((few.turning_point->bump_loads - all.turning_point->bump_loads).cwiseAbs().maxCoeff(),
+                tolerance * all.turning_point->bump_loads.maxCoeff());
+      expect_same(few.loop_energy, all.loop_energy);
+      expect_same(few.loss_factor, all.loss_factor);
+      expect_same(few.clearance_5N, all.clearance_5N);
+      expect_same(few.take_up, all.take_up);
       EXPECT_EQ(few.first_contact, all.first_contact);
-      EXPECT_EQ(few.cost, all.cost);
+      if (solver == SolverName::newton) EXPECT_EQ(few.cost, all.cost);
       EXPECT_TRUE(few.increments.empty());
       EXPECT_EQ(few.fields.increments(), 0);
       EXPECT_LT(few.max_residual, 1e-9);
     }
+  }
+}
+
+/// Whatever ran before, and in whatever order directions are taken: ensembles are the same to the last bit.
+TEST(CycleRunner, RemembersNothing) {
+  Case input = short_case(20);
+  input.bump_foil.height_errors = random_case(3).bump_foil.height_errors;
+  input.bump_foil.height_errors.resize(26, 0.0);
+  const SharedFoils foils = make_bearing_foils(input);
+  const SolverSettings events{.name = SolverName::events, .uzawa = {}};
+  CycleRunner used(foils, events);
+  for (const double direction : {0.3, 2.0, 0.3}) {
+    const Cycle again = used.run(direction, input.cycle, Recording::quantities);
+    const Cycle fresh = CycleRunner(foils, events).run(direction, input.cycle, Recording::quantities);
+    ASSERT_TRUE(fresh.converged());
+    EXPECT_EQ(again.turning_point->max_force, fresh.turning_point->max_force);
+    EXPECT_EQ(again.loop_energy, fresh.loop_energy);
+    EXPECT_EQ(again.clearance_5N, fresh.clearance_5N);
   }
 }
 

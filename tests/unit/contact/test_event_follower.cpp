@@ -131,10 +131,12 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
 }
 
 /// What increments converge to: at every event all conditions hold, slip measured from the event before.
-TEST(EventFollower, EveryEventIsASolution) {
+class EventFollowerRates : public testing::TestWithParam<Rates> {};
+
+TEST_P(EventFollowerRates, EveryEventIsASolution) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const RandomProblem random = make_random_problem(seed, 5, 6, 0.3);
-    EventFollower follower(random.problem, make_mode_system(random.problem));
+    EventFollower follower(random.problem, make_mode_system(random.problem), {.rates = GetParam()});
     ContactState state = ContactState::unstressed(random.problem);
     NewtonSolver solver(random.problem);
     const ContactState start = state;
@@ -156,6 +158,8 @@ TEST(EventFollower, EveryEventIsASolution) {
     EXPECT_TRUE(follower.follow_to(1.0, state, visit).arrived) << seed;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Rates, EventFollowerRates, testing::Values(Rates::by_solves, Rates::by_tableau));
 
 TEST(EventFollower, WithoutFrictionThePathDoesNotMatter) {
   const RandomProblem random = make_random_problem(3, 6, 6, 0.0);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "support/dense_contacts.hpp"
 #include "support/random_problem.hpp"
 #include "support/toy_problems.hpp"
@@ -17,6 +18,54 @@ double distance(const Vector& a, const Vector& b) {
 
 /// Random problems with blocks of the fixed sizes and of another.
 class ModeSystemSizes : public testing::TestWithParam<int> {};
+
+/// Answers to unit changes add up to the answer to a loading.
+TEST_P(ModeSystemSizes, UnitAnswersAddUp) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const RandomProblem random = make_random_problem(seed, 5, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
+    const ContactProblem& problem = random.problem;
+    const std::vector<ContactMode> mode = random_modes(seed, problem);
+    const std::unique_ptr<ModeSystem> system = make_mode_system(problem);
+    ASSERT_TRUE(system->set_modes(mode));
+    ModeSystem::RowMajor x, force;
+    system->solve_units(x, force);
+
+    // A change of each coordinate, as a loading and as a combination of columns.
+    ContactLoading loading = ContactLoading::none(problem);
+    Vector previous_x = Vector::Zero(problem.K.rows());
+    std::vector<double> changes;
+    for_each_contact(problem, [&](const CoulombContact& contact) {
+      const ContactMode m = mode[static_cast<std::size_t>(contact.index)];
+      const double change = 1.0 + static_cast<double>(contact.index);
+      changes.push_back(m == ContactMode::open ? change : 1e-6 * change);
+      if (m == ContactMode::open) {
+        contact.add_forces(change, 0.0, 1.0, loading.load);
+      } else {
+        loading.initial_gap[contact.index] = -1e-6 * change;
+      }
+      if (contact.f == 0.0) return;
+      changes.push_back(m == ContactMode::stick ? 2e-6 * change : -change);
+      if (m == ContactMode::stick) {
+        previous_x[contact.row + contact.pair.tangential] = 2e-6 * change;
+      } else {
+        loading.load[contact.row + contact.pair.tangential] -= change;
+      }
+    });
+    ASSERT_EQ(x.cols(), std::ssize(changes));
+    const Vector sizes = Eigen::Map<const Vector>(changes.data(), std::ssize(changes));
+    ContactState state;
+    system->solve(loading, previous_x, state);
+    EXPECT_LT(distance(x * sizes, state.x), 1e-11 * state.x.cwiseAbs().maxCoeff()) << seed;
+    const Vector forces = force * sizes;
+    const double tolerance = 1e-10 * state.normal_force.cwiseAbs().maxCoeff() + 1e-9;
+    Eigen::Index row = 0;
+    for_each_contact(problem, [&](const CoulombContact& contact) {
+      EXPECT_NEAR(forces[row++], state.normal_force[contact.index], tolerance) << seed;
+      if (contact.f == 0.0) return;
+      EXPECT_NEAR(forces[row++], state.friction_force[contact.index], tolerance) << seed;
+    });
+  }
+}
 
 TEST_P(ModeSystemSizes, SolvesLikeDenseMultipliers) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {

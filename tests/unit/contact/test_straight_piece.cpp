@@ -57,7 +57,7 @@ TEST(StraightPiece, EndsWhereTheLastForceIsGone) {
   for (int again = 0; again < 2; ++again) piece.find_limits(toy::dragged_block());
   // Its cone ends there, too, and is left on both sides.
   ASSERT_EQ(piece.limits.size(), 3U);
-  for (const ModeLimit& limit : piece.limits) EXPECT_DOUBLE_EQ(limit.part, 0.5);
+  EXPECT_DOUBLE_EQ(piece.end_part, 0.5);
   EXPECT_EQ(piece.limits.front().to, ContactMode::open);
 }
 

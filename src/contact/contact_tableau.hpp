@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bumpfoil/contact/mode_system.hpp"
+#include "bumpfoil/contact/path_follower.hpp"
+#include "contact/eliminated_system.hpp"
+
+namespace bumpfoil {
+
+/// How the contacts of a problem answer each other, as one dense matrix. A contact that changes its mode costs one
+/// exchange in it, of rank one, and the rates along a path stand in it without a solve: in short foils much less than a
+/// factorisation and a solve.
+///
+/// A contact has a normal coordinate and, with friction, a tangential one: a force (p, t) and a displacement (the gap
+/// g, x[tangential]). In each mode one of the two is given, z, and the other, w, follows from all that are given:
+///
+///     w = T z + w' path,   open: z = (p, t),   sticking: z = (g, x_t),   slipping: z = (g, t - s f p), s = -+1
+///
+/// A contact that opens, closes, begins or ceases to slip exchanges its w_i and z_i: a principal pivot [Cottle1992],
+///
+///     T <- T - (u + a e_i) (v - a e_i)^T / T_ii,   column u, row v, a = |T_ii|,
+///
+/// after which w_i is in units of 1 / a and z_i of a: in this form no digits cancel. Several are carried out at once.
+class ContactTableau {
+ public:
+  /// Whether finding rates here is less work than solves: in short foils, on a processor with wide vectors.
+  [[nodiscard]] static bool pays(const ContactProblem& problem);
+
+  /// @param problem  with linear elastic forces; outlives the tableau
+  /// @param modes    its linear system
+  ContactTableau(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes);
+
+  /// Forgets all modes: what follows is the same to the last bit as after construction.
+  void forget() { valid_ = false; }
+
+  /// Takes the rates along another path from now on.
+  void set_path(const LoadingPath& path);
+
+  /// Takes other modes.
+  /// @return false if they leave a mechanism; then it must be called again before the next lead()
+  [[nodiscard]] bool set_modes(const std::vector<ContactMode>& mode);
+
+  /// Where the modes lead to from a state that obeys them.
+  /// @param part    of the path
+  /// @param target  result; its storage is reused
+  void lead(const ContactState& begin, double part, ContactState& target) const;
+
+ private:
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// A contact with all its places in the unknowns and among the coordinates; -1 is none.
+  struct Place {
+    Eigen::Index contact, owner, other, tangential;
+    double owner_sign, f;
+    Eigen::Index z_normal, z_tangential;
+  };
+
+  bool restart(const std::vector<ContactMode>& mode);
+  bool find_rates();
+  bool change(const Place& place, ContactMode to);
+  bool exchange(Eigen::Index i);
+  void add_row(Eigen::Index to, Eigen::Index from, double factor);
+  void add_column(Eigen::Index to, Eigen::Index from, double factor);
+  void carry_out();
+
+  const ContactProblem& problem_;
+  std::shared_ptr<ModeSystem> modes_;
+  std::vector<Place> places_;          ///< of all contacts, each after that of its `other` unknown
+  std::vector<std::size_t> place_of_;  ///< in places_, of each contact
+  std::vector<Eigen::Index> others_;   ///< unknowns that no coordinate tells: rows behind those of the coordinates
+  Eigen::Index coordinates_{};
+
+  std::vector<ContactMode> mode_;
+  std::vector<std::size_t> changed_;  ///< contacts, by the last call
+  bool valid_{};                      ///< the matrix is that of mode_
+  bool has_rates_{};                  ///< and so are the rates
+  int exchanges_{};                   ///< since the rates were compared with those of the linear system
+  RowMajor T_;                        ///< scaled: T_ij = s_i s_j times this; columns and rows fill whole vectors
+  Vector scale_;                      ///< s
+  Vector rate_;                       ///< w' of the whole path, not scaled
+  Eigen::Index pending_{};            ///< exchanges that are not carried out yet: T + left^T right
+  RowMajor left_, right_;
+  ContactLoading path_rate_;
+  ContactState answer_;
+};
+
+}  // namespace bumpfoil
