@@ -52,8 +52,8 @@ class PressedFoils {
 
 /// Of displacements u and moments M: D M are loads, D' u - T M = 0. Moments in units that make them lengths.
 void add_top_foil(const FilmBearing& bearing, Eigen::Index columns, Matrix& K) {
-  const TopFoilMoments& form = bearing.foil.top_foil;
-  const double unit = bearing.foil.stiffness * bearing.foil.pitch;  // N
+  const TopFoilMoments& form = bearing.pads.front().foil.top_foil;
+  const double unit = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch;  // N
   for (Eigen::Index k = 0; k < columns; ++k) {
     const Vector loads = unit * loads_of_moments(form, Vector::Unit(columns, k));
     K.block(0, columns + k, columns, 1) = loads;
@@ -65,7 +65,7 @@ void add_top_foil(const FilmBearing& bearing, Eigen::Index columns, Matrix& K) {
   }
 }
 
-PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.foil.top_foil.size()) {
+PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.front().foil.top_foil.size()) {
   const Matrix K = whole_matrix(bearing);
   coupling_ = K(hidden_, kept_);
   hidden_lu_.compute(K(hidden_, hidden_));
@@ -76,10 +76,10 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.foil.t
     return static_cast<int>(std::find(kept_.begin(), kept_.end(), place) - kept_.begin());
   };
   const int size = bearing.problem.K.block_size();
-  for (std::size_t b = 0; b < bearing.foil.supports.size(); ++b) {
+  for (std::size_t b = 0; b < bearing.pads.front().foil.supports.size(); ++b) {
     const auto moved = [&](int place) {
       if (place < 0) return -1;
-      if (place == bearing.dofs.top_u) return seen_at(bearing.foil.supports[b] - 1);
+      if (place == bearing.dofs.top_u) return seen_at(bearing.pads.front().foil.supports[b] - 1);
       return seen_at(2 * columns_ + static_cast<Eigen::Index>(b) * size + place);
     };
     for (const ContactPair& pair : bearing.problem.pairs) {
@@ -101,7 +101,7 @@ Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
   Matrix K = Matrix::Zero(size_, size_);
   add_top_foil(bearing, columns_, K);
   K.bottomRightCorner(foil.rows(), foil.rows()) = foil;
-  const std::vector<int>& supports = bearing.foil.supports;
+  const std::vector<int>& supports = bearing.pads.front().foil.supports;
   for (Eigen::Index i = 0; i < first; ++i) {
     const bool crest = std::find(supports.begin(), supports.end(), i + 1) != supports.end();
     (crest ? kept_ : hidden_).push_back(i);
@@ -117,7 +117,7 @@ Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
 
 /// Outward loads on the columns behind the weld, N.
 Vector loads_of(const FilmBearing& bearing, const Matrix& pressure) {
-  const FilmMesh& mesh = bearing.foil.mesh;
+  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
   Vector loads(mesh.columns);
   for (int k = 1; k <= mesh.columns; ++k) {
     double excess = 0.0;
@@ -135,8 +135,8 @@ AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& p
   const PressedFoils foils(bearing);
   const ContactProblem& problem = foils.problem();
   NewtonSolver contacts(problem);
-  FilmSolver films(bearing.foil.mesh, {});
-  const ReynoldsEquation equation = film_equation(bearing, speed);
+  FilmSolver films(bearing.pads.front().foil.mesh, {});
+  const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
   const Matrix undeformed = bearing.undeformed_thickness(position);
   ContactLoading loading{.initial_gap = bearing.initial_gap.head(problem.contacts()), .load = {}};
   const ContactState unstressed = ContactState::unstressed(problem);

@@ -41,7 +41,7 @@ void meshes(benchmark::internal::Benchmark* benchmark) {
 void linearise_film(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   const FilmBearingState state = cold_state(bearing, 0.5, bench);
-  const ReynoldsEquation equation = film_equation(bearing, speed);
+  const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
   Matrix residual;
   FilmJacobian jacobian;
   for (auto _ : bench) {
@@ -55,8 +55,8 @@ BENCHMARK(linearise_film)->Apply(meshes);
 void condense_film(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   const FilmBearingState state = cold_state(bearing, 0.5, bench);
-  const ReynoldsEquation equation = film_equation(bearing, speed);
-  FoilFilmSystem system(bearing.foil);
+  const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
+  FoilFilmSystem system(bearing.pads.front().foil);
   for (auto _ : bench) {
     if (!system.linearise(equation, state.foil)) bench.SkipWithError("singular");
   }

@@ -76,15 +76,26 @@ class PathWalker {
     found.stiffness = solver_.stiffness(*state_);
     found.stuck_stiffness = solver_.stiffness(*state_, true);
     found.whirls = whirls();
+    find_stresses(found);
+  }
+
+  /// The largest ones of all pads.
+  void find_stresses(RunningState& found) const {
     const Foils& foils = *result_.foils;
-    const FoilFilm& film = result_.bearing->foil;
-    const double moment = film.stiffness * film.pitch * result_.bearing->scales.thickness;
-    found.top_foil_stress =
-        moment * state_->foil.moment.cwiseAbs().maxCoeff() / foils.stress.front().top_section_modulus;
-    const FoilStress stress =
-        foil_stress(foils.stress.front(), foil_state(foils, *result_.bearing, *state_).contacts.x);
-    if (stress.bump_largest.size() > 0) {
-      found.bump_foil_stress = std::max(stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0));
+    const FilmBearing& bearing = *result_.bearing;
+    const Vector x = foil_state(foils, bearing, *state_).contacts.x;
+    const Eigen::Index size = foils.structure.dofs.size;
+    for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+      const FilmPad& pad = bearing.pads[k];
+      const StressModel& model = foils.stress[k];
+      const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
+      const double top = moment * state_->foil.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+      found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
+      const auto [first, count] = foils.structure.blocks_of(static_cast<int>(k));
+      const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
+      if (stress.bump_largest.size() == 0) continue;
+      found.bump_foil_stress = std::max(
+          {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});
     }
   }
 

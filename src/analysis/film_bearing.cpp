@@ -3,11 +3,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "bumpfoil/analysis/foils.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 
 namespace bumpfoil {
@@ -16,28 +19,34 @@ namespace {
 /// c of a bearing without clearance, m.
 constexpr double smallest_scale = 10e-6;
 
-/// Takes the bump foil out of K of all foils: the top foil has nodes at all columns instead.
-BlockTridiagonal bump_foil_alone(const FoilStructure& structure, int rows) {
+/// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.
+BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vector<FilmPad>& pads) {
   const BumpDofs& dofs = structure.dofs;
-  const int bumps = structure.K.blocks();
-  BlockTridiagonal K(bumps + 1, dofs.size + rows);
+  const int rows = pads.front().foil.mesh.rows;
+  BlockTridiagonal K(structure.K.blocks() + static_cast<int>(pads.size()), dofs.size + rows);
   const auto is_bump = [&](int i) { return i != dofs.top_u && i != dofs.top_moment; };
   double largest = 0.0;
-  for (int b = 0; b < bumps; ++b) {
-    const auto block = static_cast<std::size_t>(b);
-    for (int i = 0; i < dofs.size; ++i) {
-      for (int j = 0; j < dofs.size; ++j) {
-        if (!is_bump(i) || !is_bump(j)) continue;
-        K.diagonal[block](i, j) = structure.K.diagonal[block](i, j);
-        if (b + 1 < bumps) K.upper[block](i, j) = structure.K.upper[block](i, j);
-        largest = std::max(largest, K.diagonal[block](i, j));
+  for (std::size_t k = 0; k < pads.size(); ++k) {
+    const auto [first, count] = structure.blocks_of(static_cast<int>(k));
+    for (int b = 0; b < count; ++b) {
+      const auto from = static_cast<std::size_t>(first + b);
+      const auto to = static_cast<std::size_t>(pads[k].first_block + b);
+      for (int i = 0; i < dofs.size; ++i) {
+        for (int j = 0; j < dofs.size; ++j) {
+          if (!is_bump(i) || !is_bump(j)) continue;
+          K.diagonal[to](i, j) = structure.K.diagonal[from](i, j);
+          if (b + 1 < count) K.upper[to](i, j) = structure.K.upper[from](i, j);
+          largest = std::max(largest, K.diagonal[to](i, j));
+        }
       }
     }
   }
-  // What means nothing at the free end is held, the displacement there is not.
-  Matrix& last = K.diagonal.back();
-  last.diagonal().setConstant(largest);
-  last(dofs.size, dofs.size) = 0.0;
+  // What means nothing at the free ends is held, the displacement there is not.
+  for (const FilmPad& pad : pads) {
+    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block + pad.bumps())];
+    last.diagonal().setConstant(largest);
+    last(dofs.size, dofs.size) = 0.0;
+  }
   return K;
 }
 
@@ -68,50 +77,93 @@ double film_thickness_scale(double clearance) {
   return clearance != 0.0 ? std::abs(clearance) : smallest_scale;
 }
 
+int FilmBearing::columns() const {
+  return pads.empty() ? 0 : pads.back().first_column + pads.back().foil.mesh.nodes();
+}
+
+int FilmBearing::bumps() const {
+  return std::accumulate(pads.begin(), pads.end(), 0, [](int sum, const FilmPad& pad) { return sum + pad.bumps(); });
+}
+
+Matrix FilmBearing::field(double value) const {
+  return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
+}
+
 Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const {
-  Matrix H = foil.mesh.field(clearance / scales.thickness);
+  Matrix H = field(clearance / scales.thickness);
   H.rowwise() += (sleeve.transpose() - position.transpose() * normals) / scales.thickness;
   return H;
 }
 
+Matrix part_of(const FilmPad& pad, const Matrix& field) {
+  return field(Eigen::all, pad.columns());
+}
+
+void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part) {
+  part.film.pressure = all.film.pressure(Eigen::all, pad.columns());
+  part.film.thickness = all.film.thickness(Eigen::all, pad.columns());
+  part.lift = all.lift(pad.columns());
+  part.moment = all.moment(pad.columns());
+}
+
+void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all) {
+  all.film.pressure(Eigen::all, pad.columns()) = part.film.pressure;
+  all.film.thickness(Eigen::all, pad.columns()) = part.film.thickness;
+  all.lift(pad.columns()) = part.lift;
+  all.moment(pad.columns()) = part.moment;
+}
+
 void require_film_geometry(const Case& input) {
-  if (!input.pads.empty()) {
-    throw Error(
-        ErrorKind::input,
-        {{"", 0, "pad", "", "are parts of the sleeve: the gas film knows one foil all around only", "remove them"}});
-  }
   if (input.bearing.journal == RadiusProfile{}) return;
   throw Error(ErrorKind::input,
               {{"", 0, "bearing", "", "has a journal that is not round, under which no film is steady once it turns",
                 "remove journal_waviness and journal_profile"}});
 }
 
+namespace {
+
+/// Puts one more pad behind those there are.
+void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBearing& bearing) {
+  const Case& alone = placed.alone;
+  FilmPad pad;
+  pad.foil = make_foil(alone, bearing.scales, resolution);
+  pad.wrap_sign = alone.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  pad.first_column = bearing.columns();
+  if (!bearing.pads.empty()) pad.first_block = bearing.pads.back().first_block + bearing.pads.back().bumps() + 1;
+  const Vector angles = pad.foil.mesh.angles();
+  const Eigen::Matrix2Xd normals = outward_normals(polar_angles(alone.bearing, angles));
+  bearing.pads.push_back(std::move(pad));
+  bearing.normals.conservativeResize(Eigen::NoChange, bearing.columns());
+  bearing.normals.rightCols(angles.size()) = normals;
+  bearing.sleeve.conservativeResize(bearing.columns());
+  bearing.sleeve.tail(angles.size()) = sleeve_deviations(alone, angles) + normals.transpose() * placed.centre;
+}
+
+}  // namespace
+
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
   require_film_geometry(input);
   const SharedFoils shared = make_bearing_foils(input);
   const Foils& foils = *shared;
   FilmBearing bearing;
-  const double clearance = foils.clearance;
-  bearing.scales = {gas, input.bearing.radius, film_thickness_scale(clearance)};
-  bearing.foil = make_foil(input, bearing.scales, resolution);
+  bearing.clearance = foils.clearance;
+  bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
+  for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
   bearing.dofs = foils.structure.dofs;
-  bearing.problem.K = bump_foil_alone(foils.structure, resolution.rows);
+  bearing.problem.K = bump_foils_alone(foils.structure, bearing.pads);
   bearing.problem.force_scale = foils.problem.force_scale;
   bearing.problem.pairs.assign(foils.problem.pairs.begin() + foils.top_bump(), foils.problem.pairs.end());
 
-  // Gaps of the last block stay open.
+  // Gaps of the last blocks stay open.
   bearing.initial_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
   const Eigen::Index pairs = std::ssize(bearing.problem.pairs);
-  for (Eigen::Index b = 0; b < foils.bumps(); ++b) {
-    bearing.initial_gap.segment(b * pairs, pairs) =
-        foils.assembled_gap.segment(b * foils.contacts_per_block() + foils.top_bump(), pairs);
+  Eigen::Index bump = 0;
+  for (const FilmPad& pad : bearing.pads) {
+    for (Eigen::Index b = pad.first_block; b < pad.first_block + pad.bumps(); ++b, ++bump) {
+      bearing.initial_gap.segment(b * pairs, pairs) =
+          foils.assembled_gap.segment(bump * foils.contacts_per_block() + foils.top_bump(), pairs);
+    }
   }
-  bearing.clearance = clearance;
-  bearing.weld_angle = input.bearing.weld_angle;
-  bearing.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
-  const Vector angles = bearing.foil.mesh.angles();
-  bearing.normals = outward_normals(polar_angles(input.bearing, angles));
-  bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
 }
 
@@ -123,27 +175,62 @@ FilmBearing make_film_bearing(const Case& input) {
 FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed) {
   FilmBearingState state{.position = position,
                          .speed = speed,
-                         .foil = undeformed(bearing.foil, bearing.undeformed_thickness(position)),
+                         .foil = {.film = {bearing.field(1.0), bearing.undeformed_thickness(position)},
+                                  .lift = Vector::Zero(bearing.columns()),
+                                  .moment = Vector::Zero(bearing.columns())},
                          .contact = ContactState::unstressed(bearing.problem)};
   state.contact.gap = bearing.initial_gap;
   return state;
 }
 
-ReynoldsEquation film_equation(const FilmBearing& bearing, double speed) {
-  return {.mesh = bearing.foil.mesh,
-          .bearing_number = bearing.scales.bearing_number(bearing.surface_speed(speed)),
+ReynoldsEquation film_equation(const FilmBearing& bearing, const FilmPad& pad, double speed) {
+  return {.mesh = pad.foil.mesh,
+          .bearing_number = bearing.scales.bearing_number(bearing.surface_speed(pad, speed)),
           .knudsen = bearing.scales.knudsen()};
 }
 
-Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
-  const FilmMesh& mesh = bearing.foil.mesh;
+FilmEquations film_equations(const FilmBearing& bearing, double speed) {
+  FilmEquations equations;
+  equations.reserve(bearing.pads.size());
+  for (const FilmPad& pad : bearing.pads) equations.push_back(film_equation(bearing, pad, speed));
+  return equations;
+}
+
+void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& content, FilmEquations& equations) {
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    equations[k].squeeze_rate = squeeze_rate;
+    equations[k].previous_content = part_of(bearing.pads[k], content);
+  }
+}
+
+Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure) {
+  const FilmMesh& mesh = pad.foil.mesh;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   for (int k = 0; k < mesh.nodes(); ++k) {
+    const int column = pad.first_column + k;
     double excess = 0.0;
-    for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, k) - 1.0);
-    force += mesh.column_weight(k) * excess * bearing.normals.col(k);
+    for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, column) - 1.0);
+    force += mesh.column_weight(k) * excess * bearing.normals.col(column);
   }
   return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
+}
+
+Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  for (const FilmPad& pad : bearing.pads) force += pad_film_force(bearing, pad, pressure);
+  return force;
+}
+
+Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
+  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
+  Vector loads(bearing.bumps());
+  Eigen::Index bump = 0;
+  for (const FilmPad& pad : bearing.pads) {
+    loads.segment(bump, pad.bumps()) =
+        state.contact.normal_force(Eigen::seqN(pad.first_block * pairs, Eigen::Index{pad.bumps()}, pairs));
+    bump += pad.bumps();
+  }
+  return loads;
 }
 
 namespace {
@@ -166,28 +253,60 @@ double wrapped(double angle) {
   return angle - 2.0 * std::numbers::pi * std::ceil(angle / (2.0 * std::numbers::pi) - 0.5);
 }
 
-void find_drag(const FilmBearing& bearing, const FilmBearingState& state, const FilmIntegrals& sums,
-               FilmBearingOutcome& outcome) {
+/// What all pads make of drag, flow and dissipation.
+void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
-  const double couette = scales.couette_torque(state.speed * scales.radius);
-  outcome.couette_torque = couette * sums.couette;
-  outcome.torque = outcome.couette_torque + bearing.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
-  outcome.power = outcome.torque * state.speed;
-  outcome.couette_dissipation = outcome.couette_torque * state.speed;
-  outcome.dissipation = outcome.couette_dissipation + scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
-  const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
   // What the sleeve is wider, too.
   Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
-  const double slope =
-      scales.force() * scales.thickness * pressing_slope(bearing.foil.mesh, state.foil.film.pressure, wall);
-  outcome.torque_of_moments = outcome.couette_torque - 0.5 * (lever + bearing.wrap_sign * slope);
+  const double couette = scales.couette_torque(state.speed * scales.radius);
+  double poiseuille_torque = 0.0;
+  double pressure_dissipation = 0.0;
+  double slope = 0.0;
+  FoilFilmState part;
+  Matrix residual;
+  for (const FilmPad& pad : bearing.pads) {
+    read_part(pad, state.foil, part);
+    const ReynoldsEquation equation = film_equation(bearing, pad, state.speed);
+    const FilmIntegrals sums = film_integrals(equation, part.film);
+    outcome.couette_torque += couette * sums.couette;
+    poiseuille_torque += pad.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
+    pressure_dissipation += scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
+    slope += pad.wrap_sign * scales.force() * scales.thickness *
+             pressing_slope(pad.foil.mesh, part.film.pressure, part_of(pad, wall));
+    reynolds_residual(equation, part.film, residual);
+    const FilmFlows flows = film_flows(pad.foil.mesh, residual);
+    outcome.flows.start += scales.flow() * flows.start;
+    outcome.flows.end += scales.flow() * flows.end;
+    outcome.flows.sides += scales.flow() * flows.sides;
+  }
+  outcome.torque = outcome.couette_torque + poiseuille_torque;
+  outcome.power = outcome.torque * state.speed;
+  outcome.couette_dissipation = outcome.couette_torque * state.speed;
+  outcome.dissipation = outcome.couette_dissipation + pressure_dissipation;
+  const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
+  outcome.torque_of_moments = outcome.couette_torque - 0.5 * (lever + slope);
+}
+
+void find_thinnest(const FilmBearing& bearing, const Matrix& H, FilmBearingOutcome& outcome) {
+  outcome.thinnest.thickness = outcome.thinnest_crest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const FilmPad& pad = bearing.pads[k];
+    const ThinnestPlace place = thinnest_place(pad.foil.mesh, part_of(pad, H));
+    if (place.thickness < outcome.thinnest.thickness) {
+      outcome.thinnest = place;
+      outcome.thinnest_pad = static_cast<int>(k);
+    }
+    for (const int crest : pad.foil.supports) {
+      outcome.thinnest_crest = std::min(outcome.thinnest_crest, H.col(pad.first_column + crest).minCoeff());
+    }
+  }
 }
 
 void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
-  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
-  for (int b = 0; b < std::ssize(bearing.foil.supports); ++b) {
-    if (state.contact.normal_force[b * pairs] <= 0.0) continue;
+  const Vector loads = bump_loads(bearing, state);
+  for (int b = 0; b < loads.size(); ++b) {
+    if (loads[b] <= 0.0) continue;
     ++outcome.loaded_bumps;
     if (outcome.first_loaded < 0) outcome.first_loaded = b;
     outcome.last_loaded = b;
@@ -197,29 +316,24 @@ void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state
 }  // namespace
 
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state) {
-  const FilmMesh& mesh = bearing.foil.mesh;
-  const FilmScales& scales = bearing.scales;
-  const ReynoldsEquation equation = film_equation(bearing, state.speed);
   FilmBearingOutcome outcome;
   outcome.force = film_force(bearing, state.foil.film.pressure);
   outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
   const double turned =
       std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
   outcome.attitude_angle = wrapped(state.speed < 0.0 ? -turned : turned);
-  find_drag(bearing, state, film_integrals(equation, state.foil.film), outcome);
-  Matrix residual;
-  reynolds_residual(equation, state.foil.film, residual);
-  outcome.flows = film_flows(mesh, residual);
-  for (double* flow : {&outcome.flows.start, &outcome.flows.end, &outcome.flows.sides}) *flow *= scales.flow();
-  const Matrix& H = state.foil.film.thickness;
-  outcome.thinnest = thinnest_place(mesh, H);
-  outcome.thinnest_crest = std::numeric_limits<double>::infinity();
-  for (const int crest : bearing.foil.supports) {
-    outcome.thinnest_crest = std::min(outcome.thinnest_crest, H.col(crest).minCoeff());
-  }
+  find_drag(bearing, state, outcome);
+  find_thinnest(bearing, state.foil.film.thickness, outcome);
   outcome.max_pressure = state.foil.film.pressure.maxCoeff();
   outcome.min_pressure = state.foil.film.pressure.minCoeff();
   find_loaded_bumps(bearing, state, outcome);
+  if (bearing.pads.size() > 1) {
+    outcome.pad_forces.resize(2, std::ssize(bearing.pads));
+    for (Eigen::Index k = 0; k < outcome.pad_forces.cols(); ++k) {
+      outcome.pad_forces.col(k) =
+          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.foil.film.pressure);
+    }
+  }
   return outcome;
 }
 

@@ -33,7 +33,7 @@ struct FilmBearingSolver::Workspace {
   Workspace(const FilmBearing& film_bearing, const FilmBearingOptions& solver_options)
       : bearing(film_bearing), options(solver_options), newton(film_bearing, solver_options.newton) {}
 
-  FilmReport solve(const OperatingPoint& to, const ReynoldsEquation& equation, const ContactState& previous,
+  FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const ContactState& previous,
                    FilmBearingState& state);
   FilmReport settle(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
   [[nodiscard]] double steps_between(const OperatingPoint& from, const OperatingPoint& to) const;
@@ -43,19 +43,20 @@ struct FilmBearingSolver::Workspace {
   FilmNewton newton;
 };
 
-FilmReport FilmBearingSolver::Workspace::solve(const OperatingPoint& to, const ReynoldsEquation& equation,
+FilmReport FilmBearingSolver::Workspace::solve(const OperatingPoint& to, const FilmEquations& equations,
                                                const ContactState& previous, FilmBearingState& state) {
   if (options.keep_going && !options.keep_going()) return {.status = FilmStatus::interrupted};
   // A step in time is but a guess of the next.
-  const double tolerance = equation.squeeze_rate > 0.0 ? options.marching_tolerance : options.newton.step_tolerance;
-  return newton.solve(to, equation, tolerance, previous, state);
+  const double tolerance =
+      equations.front().squeeze_rate > 0.0 ? options.marching_tolerance : options.newton.step_tolerance;
+  return newton.solve(to, equations, tolerance, previous, state);
 }
 
 FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const ContactState& previous,
                                                 FilmBearingState& state) {
   const double T0 = bearing.scales.squeeze_time();
   const double first = options.first_time_step * T0;
-  ReynoldsEquation equation = film_equation(bearing, to.speed);
+  FilmEquations equations = film_equations(bearing, to.speed);
   FilmBearingState moving = state;
   FilmReport total;
   double dt = first;
@@ -64,12 +65,11 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
       total.status = FilmStatus::not_converged;
       return total;
     }
-    equation.squeeze_rate = T0 / dt;
-    equation.previous_content = film_content(moving.foil.film);
+    squeeze(bearing, T0 / dt, film_content(moving.foil.film), equations);
     const Matrix pressure = moving.foil.film.pressure;
     const Vector lift = moving.foil.lift;
     const Eigen::Vector2d position = moving.position;
-    total += solve(to, equation, previous, moving);
+    total += solve(to, equations, previous, moving);
     if (total.status == FilmStatus::interrupted) return total;
     if (total.status != FilmStatus::converged) {
       dt *= 0.25;
@@ -82,7 +82,7 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
     if (dt > options.last_time_step && change < options.resting_change) break;
     dt *= options.time_growth;
   }
-  total += solve(to, film_equation(bearing, to.speed), previous, moving);
+  total += solve(to, film_equations(bearing, to.speed), previous, moving);
   if (total.status == FilmStatus::converged) state = std::move(moving);
   return total;
 }
@@ -107,7 +107,7 @@ const FilmBearing& FilmBearingSolver::bearing() const {
 }
 
 FilmReport FilmBearingSolver::solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state) {
-  return workspace_->solve(to, film_equation(workspace_->bearing, to.speed), previous, state);
+  return workspace_->solve(to, film_equations(workspace_->bearing, to.speed), previous, state);
 }
 
 // A copy: it may be that of the state, which changes. NOLINTNEXTLINE(performance-unnecessary-value-param)

@@ -24,27 +24,33 @@ constexpr double weight_of_way = 30.0;
 /// Displacements to a position that roundings have left, in units of c.
 constexpr double rounded_displacement = 1e-14;
 
+Eigen::Index unknown_pressures(const FilmMesh& mesh) {
+  return Eigen::Index{mesh.unknown_rows()} * mesh.unknown_columns();
+}
+
 }  // namespace
+
+FilmNewton::Part::Part(const FilmPad& of_pad)
+    : pad(of_pad), system(of_pad.foil), support_step(of_pad.foil.mesh.rows + 2, system.blocks()) {}
 
 FilmNewton::FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& options)
     : bearing_(bearing),
       options_(options),
-      system_(bearing.foil),
+      parts_(bearing_.pads.begin(), bearing_.pads.end()),
       modes_(make_mode_system(bearing.problem)),
       contacts_(bearing.problem, modes_),
       K_(bearing.problem.K),
       loading_(ContactLoading::none(bearing.problem)),
-      begin_(ContactState::unstressed(bearing.problem)),
-      support_step_(bearing.foil.mesh.rows + 2, system_.blocks()) {
+      begin_(ContactState::unstressed(bearing.problem)) {
   for (const Matrix& block : K_.upper) K_.lower.push_back(block.transpose());
   bump_K_ = K_;
 }
 
 template <typename Visitor>
-void FilmNewton::for_each_place(int b, Visitor&& visit) const {
-  const int n = bearing_.foil.mesh.rows;
+void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
+  const int n = pad.foil.mesh.rows;
   const int first_pressure = bearing_.dofs.size;
-  if (b + 1 == system_.blocks()) {
+  if (b == pad.bumps()) {
     visit(first_pressure, n);  // the free end
     return;
   }
@@ -53,36 +59,46 @@ void FilmNewton::for_each_place(int b, Visitor&& visit) const {
   visit(bearing_.dofs.top_moment, n + 1);
 }
 
-/// Forces that the bump foil takes at its displacements, N; what is held in the last block takes none.
+/// Forces that the bump foils take at their displacements, N; what is held in the last blocks takes none.
 Vector& FilmNewton::find_bump_forces(const ContactState& state) {
+  const Eigen::Index size = bump_K_.block_size();
   bump_forces_ = bump_K_.multiply(state.x);
-  bump_forces_.tail(bump_K_.block_size()).setZero();
+  for (const FilmPad& pad : bearing_.pads) {
+    bump_forces_.segment((pad.first_block + pad.bumps()) * size, size).setZero();
+  }
   return bump_forces_;
 }
 
 /// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
 /// of a cell, forces by EI' c / p^3, compatibility by c / p, what is missing of the load by pa R^2, of the position by
 /// c / weight_of_way.
-double FilmNewton::find_residual(const OperatingPoint& to, const ReynoldsEquation& equation,
+double FilmNewton::find_residual(const OperatingPoint& to, const FilmEquations& equations,
                                  const FilmBearingState& state) {
-  const FilmMesh& mesh = bearing_.foil.mesh;
-  foil_film_residual(bearing_.foil, equation, state.foil, residual_);
-  double square =
-      residual_.film.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
-      (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
-
   const ContactState& contact = state.contact;
   Vector& forces = find_bump_forces(contact);
   forces -= contact_forces(bearing_.problem, contact.normal_force, contact.friction_force);
-  const double unit = bearing_.foil.stiffness * bearing_.scales.thickness;
-  double balance = residual_.balance.squaredNorm();
-  for (std::size_t i = 0; i < bearing_.foil.supports.size(); ++i) {
-    const double held = residual_.balance[bearing_.foil.supports[i]];
-    double& support = forces[static_cast<Eigen::Index>(i) * bump_K_.block_size() + bearing_.dofs.top_u];
-    balance += (held + support / unit) * (held + support / unit) - held * held;
-    support = 0.0;
+  const Eigen::Index size = bump_K_.block_size();
+  double square = 0.0;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Part& part = parts_[k];
+    const FilmPad& pad = part.pad;
+    const FilmMesh& mesh = pad.foil.mesh;
+    FoilFilmResidual& residual = part.residual;
+    read_part(pad, state.foil, part.state);
+    foil_film_residual(pad.foil, equations[k], part.state, residual);
+    square += residual.film.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
+              (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
+    const double unit = pad.foil.stiffness * bearing_.scales.thickness;
+    double balance = residual.balance.squaredNorm();
+    for (int i = 0; i < pad.bumps(); ++i) {
+      const double held = residual.balance[pad.foil.supports[static_cast<std::size_t>(i)]];
+      double& support = forces[(pad.first_block + i) * size + bearing_.dofs.top_u];
+      balance += (held + support / unit) * (held + support / unit) - held * held;
+      support = 0.0;
+    }
+    square += balance + residual.compatibility.squaredNorm() +
+              forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
-  square += balance + residual_.compatibility.squaredNorm() + forces.squaredNorm() / (unit * unit);
   if (to.control == OperatingPoint::Control::load) {
     const Eigen::Vector2d missing = to.journal - film_force(bearing_, state.foil.film.pressure);
     square += missing.squaredNorm() / (bearing_.scales.force() * bearing_.scales.force());
@@ -93,66 +109,80 @@ double FilmNewton::find_residual(const OperatingPoint& to, const ReynoldsEquatio
   return std::sqrt(square);
 }
 
-/// The condensed film and the bump foil in one matrix. Unknowns are in m, rows in N.
+/// The condensed films and the bump foils in one matrix. Unknowns are in m, rows in N.
 void FilmNewton::assemble() {
-  const double scale = bearing_.foil.stiffness;
-  const int blocks = system_.blocks();
   K_ = bump_K_;
-  for (int b = 0; b < blocks; ++b) {
-    const auto i = static_cast<std::size_t>(b);
-    for_each_place(b, [&](int row, int film_row) {
-      for_each_place(b, [&](int place, int film_place) {
-        K_.diagonal[i](row, place) += scale * system_.diagonal(b)(film_row, film_place);
+  for (const Part& part : parts_) {
+    const double scale = part.pad.foil.stiffness;
+    const int blocks = part.system.blocks();
+    for (int b = 0; b < blocks; ++b) {
+      const auto i = static_cast<std::size_t>(part.pad.first_block + b);
+      for_each_place(part.pad, b, [&](int row, int film_row) {
+        for_each_place(part.pad, b, [&](int place, int film_place) {
+          K_.diagonal[i](row, place) += scale * part.system.diagonal(b)(film_row, film_place);
+        });
+        if (b > 0) {
+          for_each_place(part.pad, b - 1, [&](int place, int film_place) {
+            K_.lower[i - 1](row, place) += scale * part.system.lower(b)(film_row, film_place);
+          });
+        }
+        if (b + 1 < blocks) {
+          for_each_place(part.pad, b + 1, [&](int place, int film_place) {
+            K_.upper[i](row, place) += scale * part.system.upper(b)(film_row, film_place);
+          });
+        }
       });
-      if (b > 0) {
-        for_each_place(b - 1, [&](int place, int film_place) {
-          K_.lower[i - 1](row, place) += scale * system_.lower(b)(film_row, film_place);
-        });
-      }
-      if (b + 1 < blocks) {
-        for_each_place(b + 1, [&](int place, int film_place) {
-          K_.upper[i](row, place) += scale * system_.upper(b)(film_row, film_place);
-        });
-      }
-    });
+    }
   }
 }
 
 /// Adds the condensed residuals to the loads of the contact problem.
 void FilmNewton::load_condensed() {
-  const double unit = bearing_.foil.stiffness * bearing_.scales.thickness;
-  const Matrix& condensed = system_.condense(residual_);
-  for (int b = 0; b < system_.blocks(); ++b) {
-    for_each_place(b, [&](int place, int film_place) {
-      loading_.load[Eigen::Index{b} * K_.block_size() + place] -= unit * condensed(film_place, b);
-    });
+  for (Part& part : parts_) {
+    const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
+    const Matrix& condensed = part.system.condense(part.residual);
+    for (int b = 0; b < part.system.blocks(); ++b) {
+      const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+      for_each_place(part.pad, b, [&](int place, int film_place) {
+        loading_.load[first + place] -= unit * condensed(film_place, b);
+      });
+    }
   }
 }
 
 /// Changes of the blocks, as the contact problem found them, and of what lies in between.
 void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
-  support_step_.setZero();
-  for (int b = 0; b < system_.blocks(); ++b) {
-    for_each_place(b, [&](int place, int film_place) {
-      support_step_(film_place, b) = x[Eigen::Index{b} * K_.block_size() + place] / bearing_.scales.thickness;
-    });
+  const int rows = bearing_.pads.front().foil.mesh.rows + 1;
+  change.film.pressure.resize(rows, bearing_.columns());
+  change.film.thickness.resize(rows, bearing_.columns());
+  change.lift.resize(bearing_.columns());
+  change.moment.resize(bearing_.columns());
+  for (Part& part : parts_) {
+    part.support_step.setZero();
+    for (int b = 0; b < part.system.blocks(); ++b) {
+      const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+      for_each_place(part.pad, b, [&](int place, int film_place) {
+        part.support_step(film_place, b) = x[first + place] / bearing_.scales.thickness;
+      });
+    }
+    part.system.expand(part.support_step, part.change);
+    write_part(part.pad, part.change, change);
   }
-  system_.expand(support_step_, change);
 }
 
 /// Change of H where the journal moves and the foil does not.
 Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
   return (displacement.transpose() * bearing_.normals / -bearing_.scales.thickness)
-      .replicate(bearing_.foil.mesh.rows + 1, 1);
+      .replicate(bearing_.pads.front().foil.mesh.rows + 1, 1);
 }
 
-/// Change of all unknowns that takes residuals of the film, and no others, to zero: where the system was linearised
-/// last, with the modes that were set last.
-void FilmNewton::answer(Matrix film_residual, Step& change) {
-  const FilmMesh& mesh = bearing_.foil.mesh;
-  residual_.film = std::move(film_residual);
-  residual_.balance.setZero(mesh.nodes());
-  residual_.compatibility.setZero(mesh.nodes());
+/// Change of all unknowns that takes the residuals of the films, and no others, to zero: where the system was
+/// linearised last, with the modes that were set last.
+void FilmNewton::answer(Step& change) {
+  for (Part& part : parts_) {
+    part.residual.balance.setZero(part.pad.foil.mesh.nodes());
+    part.residual.compatibility.setZero(part.pad.foil.mesh.nodes());
+  }
   loading_.initial_gap.setZero();
   loading_.load.setZero();
   load_condensed();
@@ -162,7 +192,7 @@ void FilmNewton::answer(Matrix film_residual, Step& change) {
 
 /// Change of the force on the journal with the pressure.
 Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
-  return film_force(bearing_, bearing_.foil.mesh.field(1.0) + change.film.pressure);
+  return film_force(bearing_, bearing_.field(1.0) + change.film.pressure);
 }
 
 /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
@@ -172,17 +202,31 @@ Eigen::Matrix2d FilmNewton::find_rates() {
   for (const int axis : {0, 1}) {
     Step& rate = rates_[static_cast<std::size_t>(axis)];
     const Matrix rigid = thinning(Eigen::Vector2d::Unit(axis));
-    answer(stencil_product(bearing_.foil.mesh, system_.film_jacobian().by_thickness, rigid), rate);
+    for (Part& part : parts_) {
+      part.residual.film =
+          stencil_product(part.pad.foil.mesh, part.system.film_jacobian().by_thickness, part_of(part.pad, rigid));
+    }
+    answer(rate);
     rate.foil.film.thickness += rigid;
     K_film.col(axis) = force_of(rate.foil);
   }
   return K_film;
 }
 
+/// @return whether no film is singular
+bool FilmNewton::linearise_films(const FilmEquations& equations, const FilmBearingState& state) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Part& part = parts_[k];
+    read_part(part.pad, state.foil, part.state);
+    if (!part.system.linearise(equations[k], part.state)) return false;
+  }
+  return true;
+}
+
 /// Linearises about a state, with contacts in its modes, or with all closed ones stuck.
 /// @return whether that leaves a regular system
-bool FilmNewton::linearise(const ReynoldsEquation& equation, const FilmBearingState& state, bool stuck) {
-  if (!system_.linearise(equation, state.foil)) return false;
+bool FilmNewton::linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck) {
+  if (!linearise_films(equations, state)) return false;
   assemble();
   modes_->set_elasticity(K_);
   std::vector<ContactMode> held = state.contact.mode;
@@ -193,37 +237,55 @@ bool FilmNewton::linearise(const ReynoldsEquation& equation, const FilmBearingSt
 }
 
 std::optional<Eigen::Matrix2d> FilmNewton::stiffness(const FilmBearingState& state, bool stuck) {
-  if (!linearise(film_equation(bearing_, state.speed), state, stuck)) return std::nullopt;
+  if (!linearise(film_equations(bearing_, state.speed), state, stuck)) return std::nullopt;
   return find_rates();
 }
 
 std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBearingState& state,
                                                                     const std::vector<std::complex<double>>& rates,
                                                                     bool stuck) {
-  const FilmMesh& mesh = bearing_.foil.mesh;
   const double T0 = bearing_.scales.squeeze_time();
-  ReynoldsEquation equation = film_equation(bearing_, state.speed);
-  for (const std::complex<double> rate : rates) equation.squeeze_rate = std::max(equation.squeeze_rate, std::abs(rate));
-  equation.squeeze_rate *= T0;
-  equation.previous_content = film_content(state.foil.film);
-  if (!linearise(equation, state, stuck)) return std::nullopt;
+  double largest = 0.0;
+  for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
+  const double shift = largest * T0;
+  FilmEquations equations = film_equations(bearing_, state.speed);
+  squeeze(bearing_, shift, film_content(state.foil.film), equations);
+  if (!linearise(equations, state, stuck)) return std::nullopt;
 
   std::vector<std::complex<double>> excess;
   excess.reserve(rates.size());
-  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - equation.squeeze_rate);
+  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - shift);
+  Eigen::Index unknown = 0;
+  for (const Part& part : parts_) unknown += unknown_pressures(part.pad.foil.mesh);
   const auto told = [&](const FoilFilmState& change) {
     const Matrix content = change.film.pressure.cwiseProduct(state.foil.film.thickness) +
                            state.foil.film.pressure.cwiseProduct(change.film.thickness);
-    const Matrix inside = content.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns());
-    return FilmAnswer{inside.reshaped(), force_of(change)};
+    Vector inside(unknown);
+    Eigen::Index first = 0;
+    for (const Part& part : parts_) {
+      const FilmMesh& mesh = part.pad.foil.mesh;
+      const Eigen::Index size = unknown_pressures(mesh);
+      inside.segment(first, size) =
+          content.block(0, part.pad.first_column + mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns())
+              .reshaped();
+      first += size;
+    }
+    return FilmAnswer{std::move(inside), force_of(change)};
   };
   Step change;
   const auto stored = [&](const Vector& content) {
-    Matrix residual = mesh.field(0.0);
-    residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
-        mesh.dtheta * mesh.dzeta * content.reshaped(mesh.unknown_rows(), mesh.unknown_columns());
-    for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
-    answer(std::move(residual), change);
+    Eigen::Index first = 0;
+    for (Part& part : parts_) {
+      const FilmMesh& mesh = part.pad.foil.mesh;
+      const Eigen::Index size = unknown_pressures(mesh);
+      Matrix& residual = part.residual.film;
+      residual = mesh.field(0.0);
+      residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
+          mesh.dtheta * mesh.dzeta * content.segment(first, size).reshaped(mesh.unknown_rows(), mesh.unknown_columns());
+      for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+      first += size;
+    }
+    answer(change);
     return told(change.foil);
   };
   find_rates();
@@ -313,7 +375,7 @@ void FilmNewton::take_step(double fraction, const FilmBearingState& from, FilmBe
   to.contact.mode = step_.contact.mode;
 }
 
-FilmReport FilmNewton::solve(const OperatingPoint& to, const ReynoldsEquation& equation, double tolerance,
+FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equations, double tolerance,
                              const ContactState& previous, FilmBearingState& state) {
   FilmReport report;
   iterate_ = state;
@@ -324,10 +386,10 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const ReynoldsEquation& e
     report.status = FilmStatus::no_room;
     return report;
   }
-  report.residual = find_residual(to, equation, iterate_);
+  report.residual = find_residual(to, equations, iterate_);
   while (report.iterations < options_.max_iterations) {
     ++report.iterations;
-    if (!system_.linearise(equation, iterate_.foil) || !find_step(previous, iterate_, report)) return report;
+    if (!linearise_films(equations, iterate_) || !find_step(previous, iterate_, report)) return report;
     move_journal(to, iterate_);
     const double fraction = longest_step(options_, iterate_.foil.film, step_.foil.film);
     const double largest =
@@ -345,7 +407,7 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const ReynoldsEquation& e
     for (int halvings = 0;; ++halvings) {
       if (halvings == max_halvings) part = forced_fraction * fraction;
       take_step(part, iterate_, trial_);
-      const double norm = find_residual(to, equation, trial_);
+      const double norm = find_residual(to, equations, trial_);
       if (norm < report.residual || halvings == max_halvings) {
         report.residual = norm;
         break;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <complex>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,12 +19,12 @@ class FilmNewton {
   FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& options);
 
   /// Takes `state` to an operating point: the journal moves with the film from where it is.
-  /// @param equation   at the speed there; with a squeeze term, for a step in time
+  /// @param equations  at the speed there; with a squeeze term, for a step in time
   /// @param tolerance  largest change of P, H and position over c in a full step of a state that has converged
   /// @param previous   state that friction refers to
   /// @param state      first guess, whose position, pressure and lift count; receives the result, and stays as it was
   ///                   unless the status is converged
-  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const ReynoldsEquation& equation, double tolerance,
+  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, double tolerance,
                                  const ContactState& previous, FilmBearingState& state);
 
   /// Stiffness dF/d(x, y) with contacts in the modes of `state`, or with all closed ones stuck.
@@ -43,36 +44,46 @@ class FilmNewton {
     ContactState contact;  ///< x as its change, the rest as it is at the end of the step
     Eigen::Vector2d displacement{Eigen::Vector2d::Zero()};
   };
+  /// What is kept for a pad.
+  struct Part {
+    explicit Part(const FilmPad& of_pad);
+
+    const FilmPad& pad;
+    FoilFilmSystem system;
+    FoilFilmState state;  ///< where the residuals are, or the system was linearised
+    FoilFilmResidual residual;
+    Matrix support_step;
+    FoilFilmState change;
+  };
 
   Vector& find_bump_forces(const ContactState& state);
-  double find_residual(const OperatingPoint& to, const ReynoldsEquation& equation, const FilmBearingState& state);
+  double find_residual(const OperatingPoint& to, const FilmEquations& equations, const FilmBearingState& state);
   void assemble();
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);
   bool find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report);
-  bool linearise(const ReynoldsEquation& equation, const FilmBearingState& state, bool stuck);
-  void answer(Matrix film_residual, Step& change);
+  bool linearise_films(const FilmEquations& equations, const FilmBearingState& state);
+  bool linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck);
+  void answer(Step& change);
   [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
   Eigen::Matrix2d find_rates();
   Eigen::Vector2d missing_displacement(const OperatingPoint& to, const FilmBearingState& state);
   void move_journal(const OperatingPoint& to, const FilmBearingState& state);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
-  /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b that the film
-  /// knows.
+  /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
+  /// film knows.
   template <typename Visitor>
-  void for_each_place(int b, Visitor&& visit) const;
+  void for_each_place(const FilmPad& pad, int b, Visitor&& visit) const;
 
   FilmBearing bearing_;
   FilmSolverOptions options_;
-  FoilFilmSystem system_;
+  std::deque<Part> parts_;             ///< one per pad
   std::shared_ptr<ModeSystem> modes_;  ///< shared with `contacts_`, which leaves it as the step has it
   NewtonSolver contacts_;
   BlockTridiagonal K_, bump_K_;
   ContactLoading loading_;
   ContactState begin_;
-  Matrix support_step_;
-  FoilFilmResidual residual_;
   Vector bump_forces_;
   Step step_;
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m

@@ -45,6 +45,10 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 FilmBearing make_wall_bearing(const Case& input) {
   require_bearing(input);
   require_film_geometry(input);
+  if (!input.pads.empty()) {
+    throw Error(ErrorKind::input, {{"", 0, "pad", "", "are parts of the sleeve: a wall in place of the foils has none",
+                                    "remove them, or run equilibrium, whose film knows pads"}});
+  }
   if (input.film.closed && input.bearing.taper != 0.0) {
     throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a wall without a slot",
                                     "remove it, or set film.closed = false"}});
@@ -55,12 +59,12 @@ FilmBearing make_wall_bearing(const Case& input) {
   const int columns = input.bump_foil.bumps * input.film.columns_per_pitch;
   FilmBearing bearing;
   bearing.scales = {gas_of(input.gas), R, film_thickness_scale(input.bearing.radial_clearance)};
-  bearing.foil.mesh = input.film.closed ? make_closed_mesh(columns, input.film.rows, half_width)
-                                        : make_slotted_mesh(columns, input.film.rows, half_width, foil_angle);
+  FilmPad& pad = bearing.pads.emplace_back();
+  pad.foil.mesh = input.film.closed ? make_closed_mesh(columns, input.film.rows, half_width)
+                                    : make_slotted_mesh(columns, input.film.rows, half_width, foil_angle);
+  pad.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   bearing.clearance = input.bearing.radial_clearance;
-  bearing.weld_angle = input.bearing.weld_angle;
-  bearing.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
-  const Vector angles = bearing.foil.mesh.angles();
+  const Vector angles = pad.foil.mesh.angles();
   bearing.normals = outward_normals(polar_angles(input.bearing, angles));
   bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
@@ -75,7 +79,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
   }
   const FilmBearing& bearing = *result.bearing;
   const std::size_t count = input.equilibrium->speeds.size() * input.equilibrium->positions.size();
-  FilmSolver solver(bearing.foil.mesh, foundation_of(input, bearing.scales),
+  FilmSolver solver(bearing.pads.front().foil.mesh, foundation_of(input, bearing.scales),
                     {.thickness_floor = input.film.h_floor / bearing.scales.thickness});
   for (const double speed : input.equilibrium->speeds) {
     for (const Eigen::Vector2d& position : input.equilibrium->positions) {
@@ -91,10 +95,10 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       FilmBearingState state;
       state.position = found.asked.journal;
       state.speed = speed;
-      state.foil.film = {bearing.foil.mesh.field(1.0), {}};
-      state.foil.lift.setZero(bearing.foil.mesh.nodes());
-      state.foil.moment.setZero(bearing.foil.mesh.nodes());
-      found.report = find_film(solver, film_equation(bearing, speed), bearing, state);
+      state.foil.film = {bearing.field(1.0), {}};
+      state.foil.lift.setZero(bearing.columns());
+      state.foil.moment.setZero(bearing.columns());
+      found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (!found.found()) continue;
       found.outcome = film_bearing_outcome(bearing, state);

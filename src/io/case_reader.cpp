@@ -61,13 +61,15 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   for (const std::string& table : tables) {
     if (document.contains(table)) continue;
     // To add what is refused beside pads would lead nowhere.
-    const bool knows_pads = table != "strip" && table != "equilibrium";
+    const bool knows_pads = table != "strip";
     if (knows_pads || input.pads.empty()) {
       log.fault(table, "this table is missing",
                 fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));
     } else {
-      log.fault("pad", "is not known to this command, which takes one foil all around",
-                fmt::format("run cycle, path or vibration, which know pads, or remove [[pad]] and add [{}]", table));
+      log.fault(
+          "pad", "is not known to this command, which takes one foil all around",
+          fmt::format("run cycle, path, vibration or equilibrium, which know pads, or remove [[pad]] and add [{}]",
+                      table));
     }
   }
   std::vector<Fault> faults = find_faults(input);

@@ -30,6 +30,7 @@ constexpr auto kept_of_states = std::to_array<std::string_view>({"status",
                                                                  "attitude_angle",
                                                                  "h_min",
                                                                  "h_min_theta",
+                                                                 "h_min_pad",
                                                                  "h_min_vertex",
                                                                  "h_min_crest",
                                                                  "p_max",
@@ -153,6 +154,7 @@ void lay_out_states(const Case& input, EnsembleLayout& layout) {
   add_named(all_running_quantities(), kept_of_states, [&](const RunningQuantity& quantity) {
     // What was asked for does not scatter.
     const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
+    if (quantity.of_pads && count_pads(input) == 1) return;
     if (!asked) layout.columns.push_back(column_of(quantity));
   });
 }
@@ -165,7 +167,7 @@ Vector bump_loads(const SampleResult& result, std::size_t place) {
   }
   const auto& running = std::get<EquilibriumResult>(result);
   const RunningState& state = running.states[place];
-  return state.found() ? running_bump_loads(*running.bearing, *state.last) : Vector();
+  return state.found() ? bumpfoil::bump_loads(*running.bearing, *state.last) : Vector();
 }
 
 }  // namespace

@@ -10,6 +10,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What each of several pads takes of the force; null where that is not known.
+void add_pad_forces(Json& json, const FilmBearing& bearing, const RunningState& state, bool known) {
+  if (bearing.pads.size() == 1) return;
+  for (const int axis : {0, 1}) {
+    Json& forces = json[axis == 0 ? "pad_forces_x_N" : "pad_forces_y_N"];
+    for (Eigen::Index k = 0; k < std::ssize(bearing.pads); ++k) {
+      forces.push_back(known ? Json(state.outcome->pad_forces(axis, k)) : Json());
+    }
+  }
+}
+
 /// Quantities that were found out of a state, whether it is the one that was asked for or not.
 Json found_json(const FilmBearing& bearing, const RunningState& state) {
   Json json;
@@ -17,6 +28,7 @@ Json found_json(const FilmBearing& bearing, const RunningState& state) {
     if (quantity.asked) continue;
     json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(bearing, state), quantity.form);
   }
+  add_pad_forces(json, bearing, state, true);
   return json;
 }
 
@@ -27,6 +39,7 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
     json[key_of(quantity.name, quantity.unit)] = value_json(value_of(quantity, bearing, state), quantity.form);
   }
+  add_pad_forces(json, bearing, state, state.found());
   const std::string failure = running_failure(bearing, state);
   json["reason"] = failure.empty() ? Json() : Json(failure);
   json["last_state"] = Json();

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -81,8 +83,9 @@ double cost(const FilmBearing&, const RunningState& state) {
   return state.report.*member;
 }
 
-Vector bump_loads(const FilmBearing& bearing, const RunningState& state) {
-  return running_bump_loads(bearing, *state.last);
+/// Of the pad with the thinnest film.
+const FilmMesh& thinnest_mesh(const FilmBearing& bearing, const RunningState& state) {
+  return bearing.pads[static_cast<std::size_t>(state.outcome->thinnest_pad)].foil.mesh;
 }
 
 // What tells some quantities from others.
@@ -97,6 +100,14 @@ constexpr RunningQuantity counted(RunningQuantity quantity) {
 constexpr RunningQuantity foils(RunningQuantity quantity) {
   quantity.of_foils = true;
   return quantity;
+}
+constexpr RunningQuantity pads(RunningQuantity quantity) {
+  quantity.of_pads = true;
+  return quantity;
+}
+constexpr RunningQuantity bump(RunningQuantity quantity) {
+  quantity.is_bump = true;
+  return counted(foils(quantity));
 }
 constexpr RunningQuantity csv(RunningQuantity quantity) {
   quantity.in_csv = true;
@@ -129,8 +140,12 @@ constexpr auto table = std::to_array<RunningQuantity>({
          "least film thickness", shown::micrometres}),
     csv({"h_min_theta", "degree", "where that is, from the weld along the foil",
          [](const B& bearing,
-            const S& state) { return to_degrees(state.outcome->thinnest.column * bearing.foil.mesh.dtheta); },
+            const S&
+                state) { return to_degrees(state.outcome->thinnest.column * thinnest_mesh(bearing, state).dtheta); },
          "  at, from the weld", shown::degrees}),
+    csv(pads(counted({"h_min_pad", "1", "pad where that is",
+                      [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, "  of pad",
+                      shown::unitless}))),
     {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
      [](const B& bearing, const S& state) {
        return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
@@ -172,22 +187,23 @@ constexpr auto table = std::to_array<RunningQuantity>({
     csv(counted(foils({"loaded_bumps", "1", "bumps that the top foil presses",
                        [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
                        "loaded bumps", shown::unitless}))),
-    counted(foils({"first_loaded_bump", "1", "first of them, counted from the weld",
-                   bump_number<&FilmBearingOutcome::first_loaded>})),
-    counted(foils({"last_loaded_bump", "1", "last of them, counted from the weld",
-                   bump_number<&FilmBearingOutcome::last_loaded>})),
+    bump({"first_loaded_bump", "1", "first of them, counted from the weld, pad after pad",
+          bump_number<&FilmBearingOutcome::first_loaded>}),
+    bump({"last_loaded_bump", "1", "last of them, counted from the weld, pad after pad",
+          bump_number<&FilmBearingOutcome::last_loaded>}),
     counted(foils(
-        {"lifted_bumps_at_entry", "1", "bumps in a row, from where gas enters, that the foil is lifted off",
+        {"lifted_bumps_at_entry", "1",
+         "bumps in a row, from where gas enters, that the foil is lifted off; of several pads, where that is most",
          [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); }})),
     foils({"highest_bump_load", "N", "largest compression between top foil and crest",
-           [](const B& bearing, const S& state) { return bump_loads(bearing, state).maxCoeff(); }, "highest bump load",
-           shown::newtons}),
-    counted(foils({"highest_loaded_bump", "1", "bump that bears it, counted from the weld",
-                   [](const B& bearing, const S& state) {
-                     Eigen::Index bump = 0;
-                     return bump_loads(bearing, state).maxCoeff(&bump) > 0.0 ? static_cast<double>(bump + 1) : absent;
-                   },
-                   "  on bump", shown::unitless})),
+           [](const B& bearing, const S& state) { return bump_loads(bearing, *state.last).maxCoeff(); },
+           "highest bump load", shown::newtons}),
+    bump({"highest_loaded_bump", "1", "bump that bears it, counted from the weld, pad after pad",
+          [](const B& bearing, const S& state) {
+            Eigen::Index place = 0;
+            return bump_loads(bearing, *state.last).maxCoeff(&place) > 0.0 ? static_cast<double>(place + 1) : absent;
+          },
+          "  on bump", shown::unitless}),
     foils({"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
            [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, "highest stress, top foil",
            shown::megapascals}),
@@ -264,8 +280,8 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      }},
     {"line_load", "N/m", "pressure beyond the ambient one, integrated over the width",
      [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
-       const FilmMesh& mesh = bearing.foil.mesh;
-       Vector load = Vector::Zero(mesh.nodes());
+       const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
+       Vector load = Vector::Zero(bearing.columns());
        for (int j = 0; j <= mesh.rows; ++j) {
          load.array() += mesh.row_weight(j) * (state.foil.film.pressure.row(j).transpose().array() - 1.0);
        }
@@ -277,7 +293,9 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      }},
     {"film_top_moment", "N m", "bending moment of the top foil",
      [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
-       return bearing.foil.stiffness * bearing.foil.pitch * bearing.scales.thickness * state.foil.moment;
+       Vector moment = bearing.scales.thickness * state.foil.moment;
+       for (const FilmPad& pad : bearing.pads) moment(pad.columns()) *= pad.foil.stiffness * pad.foil.pitch;
+       return moment;
      }},
 });
 
@@ -314,9 +332,9 @@ std::string name_of_limit(const FilmLimit& limit) {
 
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing) {
   std::vector<RunningQuantity> quantities(table.begin(), table.end());
-  if (bearing.foil.supports.empty()) {
-    std::erase_if(quantities, [](const RunningQuantity& quantity) { return quantity.of_foils; });
-  }
+  std::erase_if(quantities, [&](const RunningQuantity& quantity) {
+    return (quantity.of_foils && bearing.bumps() == 0) || (quantity.of_pads && bearing.pads.size() == 1);
+  });
   return quantities;
 }
 
@@ -336,10 +354,14 @@ Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) 
   return bearing.scales.gas.ambient_pressure * state.foil.film.pressure;
 }
 
-Vector running_bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
-  const auto bumps = static_cast<Eigen::Index>(bearing.foil.supports.size());
-  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
-  return state.contact.normal_force(Eigen::seqN(0, bumps, pairs));
+std::string running_bump_text(const FilmBearing& bearing, int bump) {
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const int bumps = bearing.pads[k].bumps();
+    if (bump < bumps)
+      return bearing.pads.size() == 1 ? fmt::format("{}", bump + 1) : fmt::format("{}.{}", k + 1, bump + 1);
+    bump -= bumps;
+  }
+  return {};
 }
 
 std::string name_of_point(const OperatingPoint& point) {
@@ -369,10 +391,22 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
 }
 
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {
-  if (!state.found() || state.outcome->loaded_bumps == 0) return 0;
-  const int bumps = static_cast<int>(bearing.foil.supports.size());
-  const bool enters_at_weld = bearing.surface_speed(state.asked.speed) > 0.0;
-  return enters_at_weld ? state.outcome->first_loaded : bumps - 1 - state.outcome->last_loaded;
+  if (!state.found()) return 0;
+  const Vector loads = bump_loads(bearing, *state.last);
+  const auto presses = [](double load) { return load > 0.0; };
+  std::ptrdiff_t most = 0;
+  auto begin = loads.begin();
+  for (const FilmPad& pad : bearing.pads) {
+    const auto end = begin + pad.bumps();
+    const bool enters_at_weld = bearing.surface_speed(pad, state.asked.speed) > 0.0;
+    const auto first = std::find_if(begin, end, presses);
+    if (first != end) {
+      const auto last = std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(begin), presses);
+      most = std::max(most, enters_at_weld ? first - begin : last - std::make_reverse_iterator(end));
+    }
+    begin = end;
+  }
+  return static_cast<int>(most);
 }
 
 }  // namespace bumpfoil

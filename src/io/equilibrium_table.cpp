@@ -18,8 +18,9 @@ constexpr std::size_t name_width = 26;
 constexpr std::size_t unit_width = 6;
 constexpr std::size_t column_width = 14;
 
-std::string cell(const RunningQuantity& quantity, double value) {
+std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, double value) {
   if (!std::isfinite(value)) return "-";
+  if (quantity.is_bump) return running_bump_text(bearing, static_cast<int>(value) - 1);
   if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
   if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
   // Roundings of what is nought by symmetry, or by the load.
@@ -32,6 +33,24 @@ bool is_known(const EquilibriumResult& result, const RunningQuantity& quantity) 
   return std::any_of(result.states.begin(), result.states.end(), [&](const RunningState& state) {
     return std::isfinite(value_of(quantity, *result.bearing, state));
   });
+}
+
+/// What each of several pads takes of the force.
+std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
+  std::string out;
+  const std::size_t pads = result.bearing->pads.size();
+  for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
+    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, size", k + 1), name_width, "N", unit_width);
+    for (std::size_t i = first; i < end; ++i) {
+      const RunningState& state = result.states[i];
+      out += fmt::format(
+          "{:>{}}",
+          state.found() ? number_text(state.outcome->pad_forces.col(static_cast<Eigen::Index>(k)).norm(), 1.0) : "-",
+          column_width);
+    }
+    out += '\n';
+  }
+  return out;
 }
 
 std::string spread_lines(const EquilibriumResult& result) {
@@ -51,7 +70,8 @@ std::string spread_lines(const EquilibriumResult& result) {
       }
       if (!std::isfinite(least) || !std::isfinite(most)) continue;
       out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, name_width, quantity.shown.name, unit_width,
-                         cell(quantity, least), column_width, cell(quantity, most), column_width);
+                         cell(*result.bearing, quantity, least), column_width, cell(*result.bearing, quantity, most),
+                         column_width);
     }
   }
   return out;
@@ -86,10 +106,11 @@ std::string equilibrium_table(const EquilibriumResult& result) {
       if (quantity.label.empty() || !is_known(result, quantity)) continue;
       out += fmt::format("{:<{}}{:<{}}", quantity.label, name_width, quantity.shown.name, unit_width);
       for (std::size_t i = first; i < end; ++i) {
-        out +=
-            fmt::format("{:>{}}", cell(quantity, value_of(quantity, *result.bearing, result.states[i])), column_width);
+        const double value = value_of(quantity, *result.bearing, result.states[i]);
+        out += fmt::format("{:>{}}", cell(*result.bearing, quantity, value), column_width);
       }
       out += '\n';
+      if (quantity.name == "force_y") out += pad_rows(result, first, end);
     }
   }
   if (shown < result.states.size()) {

@@ -84,12 +84,22 @@ Json grid_quantities_json(const Quantities& quantities, const Json& result) {
   return json;
 }
 
+/// Without those of pads, where there is one.
+std::vector<RunningQuantity> running_quantities_of(const Json& result) {
+  const auto all = all_running_quantities();
+  std::vector<RunningQuantity> quantities(all.begin(), all.end());
+  std::erase_if(quantities, [&](const RunningQuantity& quantity) {
+    return quantity.of_pads && !result.at("variables").contains(quantity.name);
+  });
+  return quantities;
+}
+
 /// What another version defined in another way has a label of its own: it is not to be compared.
 Json quantities_json(const Json& result, const Json& summary) {
   // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   if (command == "vibration") return grid_quantities_json(vibration_quantities(), result);
-  if (has_states(command)) return grid_quantities_json(all_running_quantities(), result);
+  if (has_states(command)) return grid_quantities_json(running_quantities_of(result), result);
   const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
                                 : command == name_of(Experiment::path) ? Experiment::path
                                                                        : Experiment::cycle;

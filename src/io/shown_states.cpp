@@ -50,9 +50,9 @@ Json grid_variables_json(const ResultGrid& grid) {
   return json;
 }
 
-Json running_quantities_json() {
+Json running_quantities_json(const FilmBearing& bearing) {
   Json json = Json::array();
-  for (const RunningQuantity& quantity : all_running_quantities()) {
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
     Json shown =
         shown_quantity(quantity.name, quantity.unit, shown_label(quantity.label, quantity.name), quantity.long_name);
     shown["whole"] = quantity.form.kind == Form::whole;
@@ -75,7 +75,7 @@ Json shown_states(const Case& input, const EquilibriumResult& result) {
           {"dimensions", grid_dimensions_json(grid)},
           {"variables", grid_variables_json(grid)},
           {"left_out", Json::array()},
-          {"quantities", running_quantities_json()}};
+          {"quantities", running_quantities_json(*result.bearing)}};
 }
 
 }  // namespace bumpfoil

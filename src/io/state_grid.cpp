@@ -9,6 +9,7 @@
 #include "bumpfoil/analysis/film_fields.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "io/absent.hpp"
 #include "io/result_layout.hpp"
 
@@ -27,14 +28,15 @@ class StateGrid {
   StateGrid(const Case& input, const EquilibriumResult& result)
       : input_(input),
         result_(result),
-        mesh_(result.bearing->foil.mesh),
+        rows_(result.bearing->pads.front().foil.mesh.rows),
         layout_(make_result_layout(input, Experiment::cycle)),
         wording_(wording_of(input, Experiment::cycle)) {
     grid_.dims = {{"state", result.states.size()},
-                  {"row", static_cast<std::size_t>(mesh_.rows) + 1},
-                  {"column", static_cast<std::size_t>(mesh_.nodes())},
+                  {"row", static_cast<std::size_t>(rows_) + 1},
+                  {"column", static_cast<std::size_t>(result.bearing->columns())},
                   {"bump", layout_.bumps},
                   {"foot", layout_.feet}};
+    if (layout_.pads > 1) grid_.dims.push_back({"pad", layout_.pads});
   }
 
   void add_geometry() {
@@ -42,17 +44,18 @@ class StateGrid {
       put({name, "1", meaning, {Form::whole}}, {name}, numbers_from(1.0, size));
     };
     count("state", "state of the running bearing, in the order in which they were looked for", result_.states.size());
-    count("bump", "bump, counted from the weld", layout_.bumps);
+    const bool several = layout_.pads > 1;
+    count("bump", several ? "bump, counted from the weld, pad after pad" : "bump, counted from the weld",
+          layout_.bumps);
     count("foot", "foot of the bump foil on the sleeve, counted from the weld", layout_.feet);
-    const Vector theta = mesh_.angles();
-    put({"column_theta", "rad", "angle of the column from the weld along the foil"}, {"column"}, node_values(theta));
-    put({"column_phi", "rad", "polar angle of the column from X towards Y"}, {"column"},
-        node_values(polar_angles(input_.bearing, theta)));
+    if (several) count("pad", "pad, in the order of the case", layout_.pads);
+    add_columns();
     put({"z", "m", "distance of the row from the mid-plane of the bearing; the last row is its side"}, {"row"},
-        node_values(Vector::LinSpaced(mesh_.rows + 1, 0.0, 0.5 * input_.bearing.axial_length)));
+        node_values(Vector::LinSpaced(rows_ + 1, 0.0, 0.5 * input_.bearing.axial_length)));
     for (const NamedNumbers& scalar : layout_.scalars) put(scalar, {});
     for (const NamedNumbers& numbers : layout_.at_bumps) put(numbers, {"bump"});
     for (const NamedNumbers& numbers : layout_.at_feet) put(numbers, {"foot"});
+    for (const NamedNumbers& numbers : layout_.at_pads) put(numbers, {"pad"});
     const Gas& gas = result_.bearing->scales.gas;
     put({"gas_viscosity", "Pa s", "viscosity of the gas", {gas.viscosity}}, {});
     put({"ambient_pressure", "Pa", "pressure at the edges of the film and behind the foils", {gas.ambient_pressure}},
@@ -78,6 +81,21 @@ class StateGrid {
     add({"position_y", "m", "position of the journal that was asked for, Y"}, {"state"}, asked(1));
   }
 
+  /// What each of several pads takes of the force.
+  void add_pads() {
+    if (layout_.pads == 1) return;
+    for (const int axis : {0, 1}) {
+      std::vector<double> forces(result_.states.size() * layout_.pads, absent);
+      for_each_found([&](std::size_t i, const FilmBearingState&) {
+        const auto row = result_.states[i].outcome->pad_forces.row(axis);
+        std::copy(row.begin(), row.end(), forces.begin() + static_cast<std::ptrdiff_t>(i * layout_.pads));
+      });
+      const std::string letter(1, axis == 0 ? 'x' : 'y');
+      add({"pad_force_" + letter, "N", "part of force_" + letter + " that the pad takes"}, {"state", "pad"},
+          std::move(forces));
+    }
+  }
+
   void add_film() {
     add_nodes({"pressure", "Pa", "pressure of the film"}, film_pressure);
     if (!result_.foils) return add_thickness();
@@ -98,11 +116,12 @@ class StateGrid {
       record(foils, foil_state(foils, *result_.bearing, state), static_cast<Eigen::Index>(i), fields);
     });
     for (const FieldQuantity& quantity : field_quantities()) {
-      if (quantity.name.ends_with("journal_top")) continue;
+      if (quantity.name.ends_with("journal_top") || quantity.node == Node::pad) continue;
       const FieldMatrix values = quantity.values(fields);
       if (values.cols() == 0) continue;
       Dims dims{"state"};
       const bool of_all = quantity.node == Node::foil || quantity.node == Node::weld;
+      if (quantity.node == Node::weld && layout_.pads > 1) dims.emplace_back("pad");
       if (!of_all) dims.emplace_back(quantity.node == Node::foot ? "foot" : "bump");
       std::vector<double> found(static_cast<std::size_t>(values.size()), absent);
       for_each_found([&](std::size_t i, const FilmBearingState&) {
@@ -120,6 +139,25 @@ class StateGrid {
   ResultGrid take() { return std::move(grid_); }
 
  private:
+  /// Where the columns are, and whose.
+  void add_columns() {
+    const FilmBearing& bearing = *result_.bearing;
+    const std::vector<PlacedPad> placed = place_pads(input_);
+    Vector theta(bearing.columns());
+    Vector phi(bearing.columns());
+    Vector number(bearing.columns());
+    for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+      const FilmPad& pad = bearing.pads[k];
+      const Vector angles = pad.foil.mesh.angles();
+      theta(pad.columns()) = angles;
+      phi(pad.columns()) = polar_angles(placed[k].alone.bearing, angles);
+      number(pad.columns()).setConstant(static_cast<double>(k + 1));
+    }
+    put({"column_theta", "rad", "angle of the column from the weld along the foil"}, {"column"}, node_values(theta));
+    put({"column_phi", "rad", "polar angle of the column from X towards Y"}, {"column"}, node_values(phi));
+    if (layout_.pads > 1) put({"column_pad", "1", "pad that the column belongs to"}, {"column"}, node_values(number));
+  }
+
   template <typename Quantity>
   [[nodiscard]] static VariableMeaning meaning(const Quantity& quantity, const Form& form = {}) {
     return {std::string(quantity.name), std::string(quantity.unit), std::string(quantity.long_name), form};
@@ -175,7 +213,7 @@ class StateGrid {
 
   const Case& input_;
   const EquilibriumResult& result_;
-  const FilmMesh& mesh_;
+  int rows_;
   ResultLayout layout_;
   Wording wording_;
   ResultGrid grid_;
@@ -187,6 +225,7 @@ ResultGrid state_grid(const Case& input, const EquilibriumResult& result) {
   StateGrid grid(input, result);
   grid.add_geometry();
   grid.add_quantities();
+  grid.add_pads();
   grid.add_film();
   if (result.foils) grid.add_foils();
   return grid.take();

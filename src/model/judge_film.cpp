@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/pads.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -132,7 +133,7 @@ void judge_equilibrium(Judge& judge, const Case& input) {
 
 void judge_film_settings(Judge& judge, const Case& input, bool bumps) {
   judge_gas(judge, input.gas);
-  judge_film(judge, input.film, bumps ? input.bump_foil.bumps : 0, input.equilibrium.has_value());
+  judge_film(judge, input.film, bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
   if (input.equilibrium) judge_equilibrium(judge, input);
 }
 

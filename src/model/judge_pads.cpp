@@ -45,8 +45,6 @@ void judge_use(Judge& judge, const Case& input) {
          "set model = \"truss\" or \"frame\", or remove [[pad]]");
   refuse(input.strip.has_value(), "strip", "lies flat, cut from one foil, and the bearing has pads",
          "remove [strip], or [[pad]] and give the foils of one in [bump_foil] and [top_foil]");
-  refuse(input.equilibrium.has_value(), "equilibrium", "has a film over one foil all around, and the bearing has pads",
-         "remove [equilibrium], as cycle, path and vibration take pads without a film, or remove [[pad]]");
 }
 
 }  // namespace

@@ -95,16 +95,17 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
   FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
   const double speed = speed_of_rpm(45000.0);
   const Eigen::Vector2d position(0.5 * bearing.clearance, 0.1 * bearing.clearance);
-  SolvedFilm rigid = solve_rigid_film(film_equation(bearing, speed), bearing.undeformed_thickness(position));
+  SolvedFilm rigid =
+      solve_rigid_film(film_equation(bearing, bearing.pads.front(), speed), bearing.undeformed_thickness(position));
   ASSERT_EQ(rigid.report.status, FilmStatus::converged);
 
   constexpr double stiffer = 1e9;
   for (Matrix& block : bearing.problem.K.diagonal) block *= stiffer;
   for (Matrix& block : bearing.problem.K.upper) block *= stiffer;
-  bearing.foil.top_foil.compliance_diagonal /= stiffer;
-  bearing.foil.top_foil.compliance_off /= stiffer;
-  bearing.foil.stiffness *= stiffer;
-  bearing.foil.load_scale /= stiffer;
+  bearing.pads.front().foil.top_foil.compliance_diagonal /= stiffer;
+  bearing.pads.front().foil.top_foil.compliance_off /= stiffer;
+  bearing.pads.front().foil.stiffness *= stiffer;
+  bearing.pads.front().foil.load_scale /= stiffer;
   FilmBearingSolver solver(bearing);
   FilmBearingState state;
   ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
@@ -121,7 +122,7 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
 TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
   FilmBearing mirrored = bearing;
-  mirrored.wrap_sign = -bearing.wrap_sign;
+  mirrored.pads.front().wrap_sign = -bearing.pads.front().wrap_sign;
   mirrored.normals.row(1) *= -1.0;  // the weld is at -X
   const double speed = speed_of_rpm(45000.0);
   const double c = bearing.clearance;
@@ -149,8 +150,8 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     energy[i] = outcome.dissipation / outcome.power - 1.0;
 
     // T = Couette part - (x F_y - y F_x) / 2 - (sigma / 2) integral of (p - pa) du_t/dtheta.
-    const FilmMesh& mesh = bearing.foil.mesh;
-    const FilmIntegrals sums = film_integrals(film_equation(bearing, speed), state.foil.film);
+    const FilmMesh& mesh = bearing.pads.front().foil.mesh;
+    const FilmIntegrals sums = film_integrals(film_equation(bearing, bearing.pads.front(), speed), state.foil.film);
     double turning = 0.0;
     for (int k = 0; k < mesh.columns; ++k) {
       for (int j = 0; j < mesh.rows; ++j) {
@@ -161,7 +162,7 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     turning *= bearing.scales.force() * bearing.scales.thickness;
     const double couette = bearing.scales.couette_torque(speed * bearing.scales.radius) * sums.couette;
     const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
-    moments[i] = (couette - 0.5 * lever - 0.5 * bearing.wrap_sign * turning) / outcome.torque - 1.0;
+    moments[i] = (couette - 0.5 * lever - 0.5 * bearing.pads.front().wrap_sign * turning) / outcome.torque - 1.0;
   }
   EXPECT_LT(std::abs(energy[0]), 2e-5);  // on 6x8
   EXPECT_LT(std::abs(moments[0]), 2e-5);

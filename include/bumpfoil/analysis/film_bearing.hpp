@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
@@ -13,8 +14,8 @@ namespace bumpfoil {
 /// The gas of a case.
 Gas gas_of(const GasSettings& settings);
 
-/// The film knows one foil all around, and a journal that looks the same however it has turned.
-/// @throws Error (input) if a case has others
+/// The film knows a journal that looks the same however it has turned.
+/// @throws Error (input) if a case has another
 void require_film_geometry(const Case& input);
 
 /// c of a bearing, m: the size of its clearance, or 10 um where it has none.
@@ -26,30 +27,62 @@ struct FilmResolution {
   int rows{16};              ///< intervals on half the width
 };
 
+/// The film of a pad, and the top foil under it.
+struct FilmPad {
+  FoilFilm foil;       ///< theta from the weld of the pad
+  double wrap_sign{};  ///< sigma: +1 where theta runs from X to Y
+  int first_column{};  ///< among the columns of all pads
+  int first_block{};   ///< among the blocks of all pads
+
+  [[nodiscard]] int bumps() const { return static_cast<int>(foil.supports.size()); }
+  /// Its columns in fields of all pads.
+  [[nodiscard]] auto columns() const { return Eigen::seqN(first_column, foil.mesh.nodes()); }
+};
+
 /// A bearing that runs: gas film, top foil, bump foil, and the contacts top foil/bump and bump/sleeve. The film takes
 /// the place of the contact between journal and top foil. A plain value.
 ///
-/// Unknowns come in blocks, one for each bump and a last one for the free end. The block of a bump has the places of
-/// `dofs`, with the top foil over the crest among them, and after them the pressures of the column over the crest,
-/// c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the place of its first
-/// pressure; all else there stays zero.
+/// Every pad has a film of its own from edge to edge, with ambient pressure at both; pads have nothing in common but
+/// the journal. A bearing without pads is one. Fields have the columns of all pads in a row, each from its weld, and
+/// as many rows in all.
+///
+/// Unknowns come in blocks, pad after pad one for each bump and a last one for the free end. The block of a bump has
+/// the places of `dofs`, with the top foil over the crest among them, and after them the pressures of the column over
+/// the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the place of its
+/// first pressure; all else there stays zero.
 struct FilmBearing {
   FilmScales scales;  ///< c is the size of the clearance
-  FoilFilm foil;
+  std::vector<FilmPad> pads;
   BumpDofs dofs;
-  ContactProblem problem;    ///< K of the bump foil alone, which holds what means nothing in the last block
+  ContactProblem problem;    ///< K of the bump foils alone, which holds what means nothing in the last blocks
   Vector initial_gap;        ///< of each contact, m
   double clearance{};        ///< C_r, m
-  double weld_angle{};       ///< rad
-  double wrap_sign{};        ///< sigma: +1 where theta runs from X to Y
   Eigen::Matrix2Xd normals;  ///< outward at all columns
-  Vector sleeve;             ///< how much larger than nominal its radius is at all columns, m
+  Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
+                  ///< the sleeve is wider there, and the lobe of the pad
 
   /// sigma Omega R, m/s: speed of the surface of the journal along theta; `speed` (rad/s) turns X to Y.
-  [[nodiscard]] double surface_speed(double speed) const { return wrap_sign * speed * scales.radius; }
-  /// H of the undeformed foil with the journal at `position` (m), at all nodes.
+  [[nodiscard]] double surface_speed(const FilmPad& pad, double speed) const {
+    return pad.wrap_sign * speed * scales.radius;
+  }
+  /// Columns of nodes of all pads.
+  [[nodiscard]] int columns() const;
+  /// Bumps of all pads.
+  [[nodiscard]] int bumps() const;
+  /// A field that is `value` everywhere.
+  [[nodiscard]] Matrix field(double value) const;
+  /// H of the undeformed foils with the journal at `position` (m), at all nodes.
   [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position) const;
 };
+
+/// What a pad has of a field of all.
+Matrix part_of(const FilmPad& pad, const Matrix& field);
+
+/// What a pad has of the state of all.
+void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part);
+
+/// Puts what a pad has in its place in the state of all.
+void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all);
 
 /// The bearing of a case, in gas.
 /// @throws Error (input) if the case cannot be built.
@@ -62,7 +95,7 @@ FilmBearing make_film_bearing(const Case& input);
 struct FilmBearingState {
   Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< of the journal, m
   double speed{};                                     ///< Omega, rad/s
-  FoilFilmState foil;                                 ///< without dimension, see FilmScales
+  FoilFilmState foil;                                 ///< of all columns, without dimension, see FilmScales
   ContactState contact;                               ///< of the unknowns of the blocks
 };
 
@@ -81,20 +114,37 @@ struct FilmBearingOutcome {
   double power{};                ///< torque times Omega, W
   double couette_dissipation{};  ///< of the moving surface, W
   double dissipation{};          ///< of it and of the pressure flow, W: equal to the power but for the discretisation
-  FilmFlows flows;               ///< m^3/s at ambient pressure; `start` is the weld
-  ThinnestPlace thinnest;        ///< without dimension
+  FilmFlows flows;               ///< of all pads, m^3/s at ambient pressure; `start` is the weld
+  ThinnestPlace thinnest;        ///< without dimension; column and angle from the weld of its pad
+  int thinnest_pad{};            ///< from 0
   double thinnest_crest{};       ///< least H over a crest
   double max_pressure{}, min_pressure{};  ///< P
   int loaded_bumps{};                     ///< bumps that the top foil presses
-  int first_loaded{-1}, last_loaded{-1};  ///< of them, from 0; -1 where there is none
+  int first_loaded{-1}, last_loaded{-1};  ///< of them, from 0 through all pads; -1 where there is none
+  Eigen::Matrix2Xd pad_forces;            ///< part of the force that each of several pads takes, N; one has no column
 };
 
 /// Force that must be applied to the journal under the pressure P at all nodes: the integral of (p - pa) n, N.
 Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure);
 
+/// The part of it that a pad takes, N.
+Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure);
+
+/// Compressions between top foils and crests, N, one per bump, pad after pad.
+Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state);
+
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state);
 
-/// The Reynolds equation at a speed, steady.
-ReynoldsEquation film_equation(const FilmBearing& bearing, double speed);
+/// The Reynolds equation of a pad at a speed, steady.
+ReynoldsEquation film_equation(const FilmBearing& bearing, const FilmPad& pad, double speed);
+
+/// Those of all pads.
+using FilmEquations = std::vector<ReynoldsEquation>;
+FilmEquations film_equations(const FilmBearing& bearing, double speed);
+
+/// Adds the squeeze term of a step in time.
+/// @param squeeze_rate  T0 over the step
+/// @param content       film_content() at its begin
+void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& content, FilmEquations& equations);
 
 }  // namespace bumpfoil

@@ -23,13 +23,16 @@ struct RunningQuantity {
   Form form{};
   bool in_csv{};    ///< beside result.nc and summary.json
   bool of_foils{};  ///< not of walls in their place
+  bool of_pads{};   ///< of several alone
+  bool is_bump{};   ///< the number of one, through all pads
   bool asked{};     ///< known of states that were not found, too: what was asked for, and how that ended
 };
 
-/// In the order of files and tables: of a bearing with foils, or of one with a wall in their place.
+/// In the order of files and tables: of a bearing with foils, of one pad or several, or of one with a wall in their
+/// place.
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing);
 
-/// Of bearings of either kind.
+/// Of bearings of all kinds.
 std::span<const RunningQuantity> all_running_quantities();
 
 /// The value in files: not a number for a state that was not found, unless the quantity is `asked`.
@@ -42,13 +45,14 @@ struct ColumnQuantity {
 };
 std::span<const ColumnQuantity> column_quantities();
 
-/// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end.
+/// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end, pad after pad.
 Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state);
 
-/// Compressions between top foil and crests, N, one per bump.
-Vector running_bump_loads(const FilmBearing& bearing, const FilmBearingState& state);
+/// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.
+std::string running_bump_text(const FilmBearing& bearing, int bump);
 
-/// Bumps in a row, from where gas enters, that the foil of a state is lifted off; 0 for a state that was not found.
+/// Bumps in a row, from where gas enters, that the foil of a state is lifted off: of several pads, on that which has
+/// most among those that press any bump; 0 for a state that was not found.
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
 
 /// What is asked for as messages call it: "45000 rpm, load (50, 0) N".

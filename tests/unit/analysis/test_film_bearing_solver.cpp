@@ -13,7 +13,7 @@ constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
 /// The equations themselves, judged without any part of the solver: the film, the foil with its contact forces, the
 /// bump foil, and every inequality of the contacts.
 void expect_solved(const FilmBearing& bearing, const FilmBearingState& state, const ContactState& previous) {
-  const FilmMesh& mesh = bearing.foil.mesh;
+  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
   EXPECT_GT(state.foil.film.pressure.minCoeff(), 0.0);
   EXPECT_GT(state.foil.film.thickness.minCoeff(), 0.0);
   Matrix H = bearing.undeformed_thickness(state.position);
@@ -21,23 +21,25 @@ void expect_solved(const FilmBearing& bearing, const FilmBearingState& state, co
   EXPECT_LT((H - state.foil.film.thickness).cwiseAbs().maxCoeff(), 1e-12);
 
   FoilFilmResidual residual;
-  foil_film_residual(bearing.foil, film_equation(bearing, state.speed), state.foil, residual);
+  foil_film_residual(bearing.pads.front().foil, film_equation(bearing, bearing.pads.front(), state.speed), state.foil,
+                     residual);
   const double area = mesh.dtheta * mesh.dzeta;
   EXPECT_LT(residual.film.block(0, 1, mesh.rows, mesh.columns - 1).cwiseAbs().maxCoeff(), 1e-9 * area);
   EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
 
   // What the film and the foil leave over the crests is what the contacts bear.
-  const double unit = bearing.foil.stiffness * bearing.scales.thickness;
+  const double unit = bearing.pads.front().foil.stiffness * bearing.scales.thickness;
   const Vector forces = contact_forces(bearing.problem, state.contact.normal_force, state.contact.friction_force);
   const int size = bearing.problem.K.block_size();
   Vector elastic = bearing.problem.K.multiply(state.contact.x);
   elastic.tail(size).setZero();
-  for (std::size_t i = 0; i < bearing.foil.supports.size(); ++i) {
+  for (std::size_t i = 0; i < bearing.pads.front().foil.supports.size(); ++i) {
     const Eigen::Index place = static_cast<Eigen::Index>(i) * size + bearing.dofs.top_u;
-    double& balance = residual.balance[bearing.foil.supports[i]];
+    double& balance = residual.balance[bearing.pads.front().foil.supports[i]];
     elastic[place] = balance * unit;
     balance = 0.0;
-    EXPECT_NEAR(state.contact.x[place], state.foil.lift[bearing.foil.supports[i]] * bearing.scales.thickness, 1e-15);
+    EXPECT_NEAR(state.contact.x[place],
+                state.foil.lift[bearing.pads.front().foil.supports[i]] * bearing.scales.thickness, 1e-15);
   }
   EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
   const ContactLoading loading{.initial_gap = bearing.initial_gap, .load = Vector::Zero(forces.size())};

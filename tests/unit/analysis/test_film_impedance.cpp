@@ -78,16 +78,15 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const Eigen::Vector2cd motion(amplitude, Complex(0.0, -amplitude));  // round from X to Y
   const Eigen::Vector2d still = film_bearing_outcome(bearing, rest).force;
   FilmNewton newton(bearing, {});
-  ReynoldsEquation equation = film_equation(bearing, speed);
-  equation.squeeze_rate = bearing.scales.squeeze_time() / dt;
+  FilmEquations equations = film_equations(bearing, speed);
   FilmBearingState state = rest;
   Complex phase = 1.0;
   double largest = 0.0;
   for (int i = 1; i <= steps * turns; ++i) {
     phase *= turn;
-    equation.previous_content = film_content(state.foil.film);
+    squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.foil.film), equations);
     const Eigen::Vector2d there = position + (motion * phase).real();
-    ASSERT_EQ(newton.solve(OperatingPoint::held_at(there, speed), equation, 1e-10, rest.contact, state).status,
+    ASSERT_EQ(newton.solve(OperatingPoint::held_at(there, speed), equations, 1e-10, rest.contact, state).status,
               FilmStatus::converged);
     if (i <= steps * (turns - 1)) continue;
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();

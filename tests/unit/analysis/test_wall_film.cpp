@@ -27,8 +27,8 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   EXPECT_FALSE(result.foils);
   for (const RunningState& state : result.states) {
     const FilmBearing& bearing = *result.bearing;
-    const SolvedFilm film =
-        solve_rigid_film(film_equation(bearing, state.asked.speed), bearing.undeformed_thickness(state.asked.journal));
+    const SolvedFilm film = solve_rigid_film(film_equation(bearing, bearing.pads.front(), state.asked.speed),
+                                             bearing.undeformed_thickness(state.asked.journal));
     EXPECT_LT((film.film.pressure - state.last->foil.film.pressure).cwiseAbs().maxCoeff(), 1e-8);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-3 * state.outcome->torque);
     EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 1e-3 * state.outcome->power);
@@ -82,6 +82,13 @@ TEST(WallFilm, KnowsNoWavesOfTheJournalAndNoStepInAClosedWall) {
   EXPECT_NO_THROW(run_wall_films(tapered));
   tapered.film.closed = true;
   EXPECT_THROW(run_wall_films(tapered), Error);
+}
+
+TEST(WallFilm, HasNoPads) {
+  Case input = wall_case();
+  input.bump_foil.bumps = 7;
+  input.pads.resize(3);
+  EXPECT_THROW(run_wall_films(input), Error);
 }
 
 TEST(WallFilm, WantsPositions) {

@@ -86,7 +86,7 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
     };
     EXPECT_EQ(value("power"), state.outcome->power);
     EXPECT_EQ(value("kyx"), (*state.stiffness)(1, 0));
-    const Vector loads = running_bump_loads(*result.bearing, *state.last);
+    const Vector loads = bump_loads(*result.bearing, *state.last);
     EXPECT_GT(loads.maxCoeff(), 1.0);
     for (std::size_t bump = 0; bump < layout.bumps; ++bump) {
       EXPECT_EQ(row[layout.entry(place, layout.columns.size() + bump)], loads[static_cast<Eigen::Index>(bump)]);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <netcdf>
 #include <nlohmann/json.hpp>
 
@@ -145,6 +146,76 @@ TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   double force = 0.0;
   for (std::size_t k = 0; k < 105; ++k) force += q[k] * std::cos(phi[k]) * 4.572e-3 / 4;  // none at the ends
   EXPECT_NEAR(force, 30.0, 1e-6);
+}
+
+Case padded_case() {
+  Case input = small_case();
+  input.bump_foil.bumps = 8;
+  input.pads.assign(3, {.lobe = 8e-6});
+  input.pads[1].weld_edge = WeldEdge::trailing;
+  return input;
+}
+
+const EquilibriumResult& padded_example() {
+  static const EquilibriumResult result = run_equilibrium(padded_case());
+  return result;
+}
+
+TEST(EquilibriumFiles, HaveThePadsInARow) {
+  const EquilibriumResult& result = padded_example();
+  ASSERT_TRUE(result.converged());
+  const testing::TemporaryFolder folder;
+  const std::vector<ResultFile> files = equilibrium_files(padded_case(), result, RunStatus::complete, {});
+  const std::string path = folder.write("result.nc", files[3].contents);
+  const netCDF::NcFile file(path, netCDF::NcFile::read);
+  const std::size_t columns = 3 * 33;
+  EXPECT_EQ(file.getDim("column").getSize(), columns);
+  EXPECT_EQ(file.getDim("pad").getSize(), 3U);
+  const auto read = [&](const char* name, std::size_t size) {
+    std::vector<double> values(size);
+    file.getVar(name).getVar(values.data());
+    return values;
+  };
+  const std::vector<double> pad = read("column_pad", columns);
+  const std::vector<double> theta = read("column_theta", columns);
+  const std::vector<double> phi = read("column_phi", columns);
+  const std::vector<double> q = read("line_load", 2 * columns);
+  const std::vector<double> forces = read("pad_force_x", 2 * 3);
+  const std::vector<double> thickness = read("film_thickness", 2 * columns);
+  EXPECT_EQ(read("bump_pad", 24)[8], 2.0);
+  double sums[3] = {};
+  for (std::size_t k = 0; k < columns; ++k) {
+    EXPECT_EQ(pad[k], static_cast<double>(k / 33 + 1));
+    sums[k / 33] += q[k] * std::cos(phi[k]) * 4.572e-3 / 4;  // none at the ends
+  }
+  EXPECT_EQ(theta[33], 0.0);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sums[i], forces[i], 1e-6) << i;
+  EXPECT_NEAR(forces[0] + forces[1] + forces[2], 30.0, 1e-6);
+  const json state = json::parse(files[4].contents).at("states").at(0);
+  EXPECT_EQ(state.at("pad_forces_x_N").get<std::vector<double>>(),
+            std::vector<double>(forces.begin(), forces.begin() + 3));
+  const auto thinnest = static_cast<std::size_t>(
+      std::min_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(columns)) -
+      thickness.begin());
+  EXPECT_EQ(state.at("h_min_pad").get<double>(), pad[thinnest]);
+  EXPECT_NEAR(state.at("h_min_theta_deg").get<double>(), theta[thinnest] * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_NE(files[0].contents.find(",h_min_theta_deg,h_min_pad,"), std::string::npos);
+  // Those of one pad have none of it.
+  const std::vector<ResultFile> plain = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  EXPECT_EQ(plain[0].contents.find("pad"), std::string::npos);
+  EXPECT_FALSE(json::parse(plain[4].contents).at("states").at(0).contains("pad_forces_x_N"));
+}
+
+TEST(EquilibriumTable, TellsPads) {
+  const std::string table = equilibrium_table(padded_example());
+  for (const char* row : {"\n  of pad 1, size", "\n  of pad 3, size", "\n  of pad  "}) {
+    EXPECT_NE(table.find(row), std::string::npos) << row;
+  }
+  const Vector loads = bump_loads(*padded_example().bearing, *padded_example().states[0].last);
+  Eigen::Index most = 0;
+  loads.maxCoeff(&most);
+  EXPECT_NE(table.find(fmt::format(" {}.{} ", most / 8 + 1, most % 8 + 1)), std::string::npos) << table;
+  EXPECT_EQ(equilibrium_table(example()).find("of pad"), std::string::npos);
 }
 
 TEST(EquilibriumTable, ShowsTheStates) {

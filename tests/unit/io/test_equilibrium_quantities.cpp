@@ -93,6 +93,25 @@ TEST(RunningQuantities, KnowOfFailedStatesWhatWasAskedForAlone) {
       << failure;
 }
 
+/// Gas enters where the foil of the first pad is free, and where that of the second is welded.
+TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
+  input.bump_foil.bumps = 8;
+  input.pads.resize(2);
+  input.pads[1].weld_edge = WeldEdge::trailing;
+  const FilmBearing bearing = make_film_bearing(input);
+  RunningState state;
+  state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
+  state.report.status = FilmStatus::converged;
+  state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);  // neither presses any
+  state.last->contact.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 3);
+  state.last->contact.normal_force[2 * (9 + 4)] = 1.0;  // bump 5 of pad 2
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
+  EXPECT_EQ(running_bump_text(bearing, 8 + 4), "2.5");
+}
+
 TEST(ColumnQuantities, IntegrateOverTheWidth) {
   const Example example;
   for (const ColumnQuantity& quantity : column_quantities()) {

@@ -373,7 +373,7 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
     for (const RunningState& state : alone.states) {
       const std::size_t speed = state.asked.speed == 4700.0 ? 0 : 1;
       const std::size_t load = state.asked.journal.x() == 30.0 ? 0 : state.asked.journal.x() == 40.0 ? 1 : 2;
-      for (const RunningQuantity& quantity : all_running_quantities()) {
+      for (const RunningQuantity& quantity : running_quantities(*alone.bearing)) {
         if (quantity.name == "wall_time") continue;
         const netCDF::NcVar variable = file.getVar(std::string(quantity.name));
         ASSERT_FALSE(variable.isNull()) << quantity.name;

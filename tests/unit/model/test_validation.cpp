@@ -156,10 +156,17 @@ TEST(FindFaults, KnowsPadsInFewCommands) {
               input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
             }),
             Keys{});
-  EXPECT_EQ(pads([](Case& input) {
-              input.equilibrium = EquilibriumSettings{.speeds = {100.0}, .loads = {{50.0, 0.0}}};
-            }),
-            Keys{"equilibrium"});
+  // A film wants equal pitches, of every pad.
+  const auto runs = [&](const std::function<void(BumpFoil&)>& change) {
+    return pads([&](Case& input) {
+      input.equilibrium = EquilibriumSettings{.speeds = {100.0}, .loads = {{50.0, 0.0}}};
+      input.pads[1].bump_foil = input.bump_foil;
+      change(*input.pads[1].bump_foil);
+    });
+  };
+  EXPECT_EQ(runs([](BumpFoil& foil) { foil.pitch = 4.4e-3; }), Keys{});
+  EXPECT_EQ(runs([](BumpFoil& foil) { foil.pitch.values = {4.4e-3, 4.5e-3, 4.5e-3, 4.5e-3, 4.5e-3, 4.5e-3, 4.5e-3}; }),
+            Keys{"pad[2].bump_foil.pitch"});
 }
 
 TEST(FindFaults, JudgesStrips) {
