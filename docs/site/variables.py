@@ -64,6 +64,7 @@ def small_results():
     yield "vibration", "orbits", bumpfoil.run_vibration(gen1, vibration=circles)
     yield "vibration", "several pads", bumpfoil.run_vibration(pads, vibration=motion)
     yield "equilibrium", "", bumpfoil.run_equilibrium(EXAMPLES / "running.toml", limits=True, **FILM)
+    yield "equilibrium", "several pads", bumpfoil.run_equilibrium(EXAMPLES / "running_pads.toml", **FILM)
     yield "film", "", run_film(EXAMPLES / "gen1.toml")
     yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
     yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)

@@ -1,5 +1,7 @@
 #include "io/equilibrium_grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -30,6 +32,28 @@ std::vector<double> components(const std::vector<Eigen::Vector2d>& vectors, int 
   std::transform(vectors.begin(), vectors.end(), std::back_inserter(numbers),
                  [axis](const Eigen::Vector2d& vector) { return vector[axis]; });
   return numbers;
+}
+
+/// What each of several pads takes of the force.
+void add_pads(const EquilibriumSettings& settings, const EquilibriumResult& result, const std::string& journal,
+              ResultGrid& grid) {
+  const std::size_t pads = result.bearing->pads.size();
+  if (pads == 1) return;
+  grid.dims.push_back({"pad", pads});
+  grid.coordinates.push_back(
+      {{"pad", "1", "pad, in the order of the case", {Form::whole}}, {"pad"}, numbers_from(1.0, pads)});
+  for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}}) {
+    std::vector<double> values(result.states.size() * pads, absent);
+    for (std::size_t i = 0; i < result.states.size(); ++i) {
+      if (!result.states[i].found()) continue;
+      const auto row = result.states[i].outcome->pad_forces.row(axis);
+      std::copy(row.begin(), row.end(), values.begin() + static_cast<std::ptrdiff_t>(place_of(settings, i) * pads));
+    }
+    grid.variables.push_back(
+        GridVariable{{fmt::format("pad_force_{}", name), "N", fmt::format("part of force_{} that the pad takes", name)},
+                     {"speed", journal, "pad"},
+                     std::move(values)});
+  }
 }
 
 }  // namespace
@@ -69,6 +93,7 @@ ResultGrid equilibrium_grid(const EquilibriumSettings& settings, const Equilibri
     variable.heading = quantity.label;
     variable.shown = quantity.shown;
   }
+  add_pads(settings, result, journal, grid);
   return grid;
 }
 

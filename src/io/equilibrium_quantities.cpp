@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -393,18 +392,14 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {
   if (!state.found()) return 0;
   const Vector loads = bump_loads(bearing, *state.last);
-  const auto presses = [](double load) { return load > 0.0; };
-  std::ptrdiff_t most = 0;
-  auto begin = loads.begin();
+  if (!(loads.array() > 0.0).any()) return 0;
+  Eigen::Index most = 0;
+  Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
-    const auto end = begin + pad.bumps();
-    const bool enters_at_weld = bearing.surface_speed(pad, state.asked.speed) > 0.0;
-    const auto first = std::find_if(begin, end, presses);
-    if (first != end) {
-      const auto last = std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(begin), presses);
-      most = std::max(most, enters_at_weld ? first - begin : last - std::make_reverse_iterator(end));
-    }
-    begin = end;
+    Vector own = loads.segment(bump, pad.bumps());
+    if (bearing.surface_speed(pad, state.asked.speed) < 0.0) own.reverseInPlace();
+    most = std::max(most, std::find_if(own.begin(), own.end(), [](double load) { return load > 0.0; }) - own.begin());
+    bump += pad.bumps();
   }
   return static_cast<int>(most);
 }

@@ -99,6 +99,33 @@ TEST_F(RunningBearing, MayHaveAWallInPlaceOfFoils) {
   EXPECT_FALSE(summary().at("states").at(0).contains("loaded_bumps"));
 }
 
+TEST_F(RunningBearing, MayHavePads) {
+  const auto of_pads = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"--set", "pad=[{lobe=\"8 um\"}, {weld_edge=\"trailing\"}, {lobe=\"8 um\"}]", "--set",
+                                   "bump_foil.bumps=8", "--force"};
+    words.insert(words.begin(), more.begin(), more.end());
+    return run(command(name, words));
+  };
+  const Outcome done = of_pads("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"});
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.output.find("\n  of pad 3, size"), std::string::npos) << done.output;
+  const json state = summary().at("states").at(1);
+  double sum = 0.0;
+  for (const double force : state.at("pad_forces_x_N")) sum += force;
+  EXPECT_NEAR(sum, 40.0, 1e-6);
+  // One pad is touched: that is the end of all.
+  const Outcome beyond =
+      of_pads("equilibrium", {"equilibrium.loads=[[20, 0], [100, 0]]", "--set", "film.h_floor=10 um"});
+  EXPECT_EQ(beyond.exit_code, 3);
+  EXPECT_EQ(summary().at("states").at(1).at("status"), "touchdown");
+  EXPECT_TRUE(summary().at("states").at(1).at("pad_forces_x_N").at(0).is_null());
+  EXPECT_GT(summary().at("states").at(1).at("last_state").at("pad_forces_x_N").size(), 2U);
+  // A wall in their place has none.
+  const Outcome wall = of_pads("film", {"equilibrium.positions=[[\"10 um\", 0]]"});
+  EXPECT_EQ(wall.exit_code, 2);
+  EXPECT_NE(wall.errors.find("pad: are parts of the sleeve"), std::string::npos) << wall.errors;
+}
+
 TEST_F(RunningBearing, MayBeInterrupted) {
   // Long enough to be interrupted on any machine.
   const Running program(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--set", "film.rows=40", "--set",

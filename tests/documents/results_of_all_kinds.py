@@ -27,6 +27,7 @@ def results():
     states = {"speeds": ["30000 rpm"], "positions": [["10 um", "0 um"]], "steps": 1}
     mesh = {"columns_per_pitch": 4, "rows": 4}
     yield bumpfoil.run_equilibrium(EXAMPLES / "gen1.toml", film=mesh, equilibrium=states)
+    yield bumpfoil.run_equilibrium(EXAMPLES / "running_pads.toml", film=mesh, equilibrium={"loads": [["10 N", "0 N"]]})
     yield bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=2, cycle=push)
 
 

@@ -43,6 +43,7 @@ def assert_same(by_python, by_program):
         ("path", "three_pads", {"path.points": [["10 um", "0 um"], ["40 um", "-20 um"]]}),
         ("vibration", "vibration", {"vibration.steps": 10}),
         ("equilibrium", "running", {"equilibrium.loads": [["20 N", "0 N"]]}),
+        ("equilibrium", "running_pads", {"equilibrium.loads": [["20 N", "0 N"]]}),
     ],
 )
 def test_results_are_those_of_the_program(command, example, changes, program):

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { before, test } from 'node:test';
 import { assertFits, axeFindings, folder, moveTo, near, padsFile, plotsIn, quantity, report, rowsOf, run, saved, summaryOf, withReport } from './support.mjs';
 
@@ -21,6 +21,11 @@ before(() => {
   command('sweep', '--over', 'pad[2].lobe=0 um:20 um:10 um');
   command('montecarlo', ...set('montecarlo.samples=40', 'montecarlo.bump_height.std=10 um', 'montecarlo.friction_top_bump.std=0.01', 'cycle.directions=["+X"]'));
   run(['cycle', padsFile, '-o', join(folder, 'shimmed'), ...set('cycle.steps=4', 'cycle.directions=["+X"]', 'bump_foil.shim=[{ from = 3, to = 4, thickness = "12 um" }]')]);
+  run([
+    'equilibrium', join(dirname(padsFile), 'running_pads.toml'), '-o', join(folder, 'equilibrium'),
+    ...set('film.columns_per_pitch=4', 'film.rows=6', 'equilibrium.loads=[["10 N", "0 N"], ["50 N", "0 N"]]', 'pad[2].weld_edge=trailing'),
+  ]);
+  report('running.html', 'equilibrium');
   report('shimmed.html', 'shimmed');
   report('ensemble.html', 'montecarlo');
   report('pads.html', 'cycle');
@@ -163,6 +168,41 @@ test('paths, vibrations and sweeps of pads are shown', () =>
     const shown = await told('Highest force of each pad, by vibration');
     assert.equal(shown.length, ofVibrations.length);
     shown.forEach((force, i) => assert.ok(Math.abs(force - ofVibrations[i]) < 1e-3 * Math.max(...ofVibrations), `${force}, not ${ofVibrations[i]}`));
+  }));
+
+test('films of pads lie one after the other, each from its weld', () =>
+  withReport('running.html', async (page) => {
+    const panelOf = (name) => page.getByRole('region', { name, exact: true });
+    const shownIn = async (name) => rowsOf((await saved(page, name, 'CSV')).bytes.toString());
+    await page.getByRole('combobox', { name: 'Load to +X looked at' }).selectOption('(50, 0) N');
+    const state = summaryOf('equilibrium').states[1];
+    const film = await shownIn('Film thickness and sag of the top foil');
+    assert.equal(film.length, 3 * 33);
+    const thin = film.reduce((least, row) => (Number(row.film_thickness_m) < Number(least.film_thickness_m) ? row : least));
+    near(Number(thin.film_thickness_m), state.h_min_m, 1e-6, 'least thickness');
+    assert.equal(Number(thin.pad), state.h_min_pad);
+    near(Number(thin.theta_deg), state.h_min_theta_deg, 1e-5, 'its place');
+    assert.match(await panelOf('Film thickness and sag of the top foil').locator('.subject').textContent(), new RegExp(`° from the weld of pad ${state.h_min_pad} `));
+    const pressure = await shownIn('Pressure over the unwrapped pads');
+    assert.equal(pressure.length, 7 * film.length);
+    near(Math.max(...pressure.map((row) => Number(row.pressure_Pa))), state.p_max_Pa, 1e-6, 'highest pressure');
+    await (await plotsIn(panelOf('Pressure over the unwrapped pads'))).locator('text', { hasText: 'pad 3' }).first().waitFor();
+    // No line leads from pad to pad.
+    const lines = await piecesOf(panelOf('Film around the journal').locator('path[stroke-width="2.4"]:not([stroke-dasharray])'));
+    assert.deepEqual(lines.map((points) => points.length), [33, 33, 33]);
+    // Pad 2 runs the other way: its weld is at its end, the gap before that of pad 3.
+    const welds = (await piecesOf(panelOf('Film around the journal').locator('path[stroke-width="3.4"]').nth(1)))[0];
+    const angle = (Math.atan2(240 - welds[0][1], welds[0][0] - 240) * 180) / Math.PI;
+    assert.ok(Math.abs(Math.cos(((angle - (-60 + 240 - 8)) * Math.PI) / 180) - 1) < 1e-5, `weld of pad 2 at ${angle}`);
+    for (const pad of pads) assert.equal(await panelOf('The bearing at work').locator('.part-name', { hasText: `pad ${pad}` }).count(), 1);
+    assert.match(await panelOf('Bump loads').locator('.subject').textContent(), new RegExp(` N on bump ${((state.highest_loaded_bump - 1) % 8) + 1} of pad ${Math.ceil(state.highest_loaded_bump / 8)}; `));
+    // What each pad takes.
+    await page.getByRole('combobox', { name: 'Quantity: Pressure and force' }).selectOption('Forces of the pads');
+    const drawn = (await shownIn('Pressure and force')).at(-1);
+    for (const pad of pads) near(Number(drawn[`pad_force_${pad}`]), Math.hypot(state.pad_forces_x_N[pad - 1], state.pad_forces_y_N[pad - 1]), 1e-5, `pad ${pad}`);
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+    assert.deepEqual(await axeFindings(page), []);
+    await assertFits(page);
   }));
 
 test('of an ensemble, bumps are told by their pads', () =>

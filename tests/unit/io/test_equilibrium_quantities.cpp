@@ -106,9 +106,13 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);  // neither presses any
   state.last->contact.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1
-  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 3);
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 8);  // all of pad 2
   state.last->contact.normal_force[2 * (9 + 4)] = 1.0;  // bump 5 of pad 2
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
+  state.asked.speed = -1000.0;
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
+  state.last->contact.normal_force[2 * 1] = 1.0;  // bump 2 of pad 1
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 3);
   EXPECT_EQ(running_bump_text(bearing, 8 + 4), "2.5");
 }
 

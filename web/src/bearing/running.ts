@@ -148,7 +148,8 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
       const force = ['force_x', 'force_y'].map((name) => states.numberAt(name, selection.place));
       const length = Math.hypot(force[0] ?? 0, force[1] ?? 0) || 1;
       const tip = { x: centre + (0.25 * circle * (force[0] ?? 0)) / length, y: centre - (0.25 * circle * (force[1] ?? 0)) / length };
-      const weld = angles()[0] ?? 0;
+      const pads = states.padColumns;
+      const ofPads = (points: Place[]): string => pads.map((pad) => pathOf(points.slice(pad.first, pad.first + pad.angles.length))).join('');
       root.replaceChildren(
         svg('circle', { cx: centre, cy: centre, r: circle, fill: 'none', stroke: current.muted, 'stroke-width': 1 }),
         ...[0, 0.5, 1, 1.5].map((turn) => {
@@ -159,13 +160,18 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
         text(onCircle(Math.PI / 2, circle + reach + 6), 'Y', current, { 'text-anchor': 'middle' }),
         ...(found
           ? [
-              svg('path', { d: pathOf(around(p, reach / largest(p))), fill: 'none', stroke: current.friction, 'stroke-width': 2.4, 'stroke-linejoin': 'round' }),
-              svg('path', { d: pathOf(around(h, -reach / largest(h))), fill: 'none', stroke: current.accent, 'stroke-width': 2.4, 'stroke-dasharray': '6 3', 'stroke-linejoin': 'round' }),
+              svg('path', { d: ofPads(around(p, reach / largest(p))), fill: 'none', stroke: current.friction, 'stroke-width': 2.4, 'stroke-linejoin': 'round' }),
+              svg('path', { d: ofPads(around(h, -reach / largest(h))), fill: 'none', stroke: current.accent, 'stroke-width': 2.4, 'stroke-dasharray': '6 3', 'stroke-linejoin': 'round' }),
               svg('path', { d: arrowPath({ x: centre, y: centre }, tip, 3), fill: current.text }),
             ]
           : []),
-        svg('path', { d: pathOf([onCircle(weld, circle - 7), onCircle(weld, circle + 7)]), stroke: current.topFoil, 'stroke-width': 3.4 }),
-        text(onCircle(weld, circle + reach + 12), 'weld', current, { 'text-anchor': Math.cos(weld) < -0.5 ? 'start' : 'middle', 'font-weight': 'bold' }),
+        ...pads.flatMap(({ name, first }) => {
+          const weld = angles()[first] ?? 0;
+          return [
+            svg('path', { d: pathOf([onCircle(weld, circle - 7), onCircle(weld, circle + 7)]), stroke: current.topFoil, 'stroke-width': 3.4 }),
+            text(onCircle(weld, circle + reach + 12), name === '' ? 'weld' : `weld of ${name}`, current, { 'text-anchor': Math.cos(weld) < -0.5 ? 'start' : 'middle', 'font-weight': 'bold' }),
+          ];
+        }),
       );
     },
   });

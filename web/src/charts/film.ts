@@ -1,8 +1,9 @@
 /** Charts of the film of one state of a running bearing. */
 import { toCsv } from '../data/csv';
+import { axisText, tickText } from '../data/counted';
 import { numbersOf } from '../data/grid';
 import { at, largest } from '../data/run';
-import type { States } from '../data/states';
+import type { PadColumns, States } from '../data/states';
 import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
 import { svg } from '../ui/dom';
 import type { GridSelection } from '../ui/grid_selection';
@@ -28,10 +29,37 @@ function statePanel(states: States, selection: GridSelection, { what, told, ...c
 }
 
 const degrees = 180 / Math.PI;
+/** Between ticks of angles from a weld, degrees. */
+const tick = 45;
 const unknown = 'not known: no state was found';
 
+/** From the weld of their pad. */
 function columnsOf(states: States): number[] {
-  return numbersOf(states, 'column_theta').map((theta) => theta * degrees);
+  return states.padColumns.flatMap(({ angles }) => angles);
+}
+
+/** Names of a pad as the first column of a table, where there are several. */
+function padCells(states: States): (string | number)[][] {
+  return states.padColumns.flatMap(({ name, angles }, pad) => angles.map(() => (name === '' ? [] : [pad + 1])));
+}
+
+/** All pads laid flat, one after the other, each from its weld. */
+function flatAxis(current: Look, pads: PadColumns[]): object {
+  const end = Math.max(...pads.map(({ begin, angles }) => begin + largest(angles)));
+  if (pads.length === 1) return axis(current, 'Angle from the weld (°)', { min: 0, max: Math.ceil(end), interval: tick });
+  const texts = new Map(pads.flatMap(({ name, begin, angles }) => Array.from({ length: Math.floor(largest(angles) / tick) + 1 }, (_, i): [number, string] => [begin + i * tick, i === 0 ? name : String(i * tick)])));
+  return axis(current, 'Angle from the weld of each pad (°)', {
+    min: 0,
+    max: Math.ceil(end),
+    splitLine: { show: false },
+    axisLabel: { color: current.muted, fontSize: 12, customValues: [...texts.keys()], formatter: (place: number) => texts.get(place) ?? '' },
+    axisTick: { customValues: [...texts.keys()], lineStyle: { color: current.line } },
+  });
+}
+
+/** "45.0° from the weld", of several pads "45.0° from the weld of pad 2" */
+function whereText(angle: number, { name }: Pick<PadColumns, 'name'>): string {
+  return `${angle.toFixed(1)}° from the weld${name === '' ? '' : ` of ${name}`}`;
 }
 
 /** Of the pressure, in which the map has parts of as many colours. */
@@ -55,35 +83,39 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     const value = at(values, i);
     return [i === 0 ? value : 0.5 * (value + at(values, i - 1)), i === values.length - 1 ? value : 0.5 * (value + at(values, i + 1))];
   };
-  const cells = (theta: number[], z: number[], scale: Scale): number[][] => {
+  const cells = (pads: PadColumns[], z: number[], scale: Scale): number[][] => {
     const [least, most] = range();
     return read().flatMap((row, j) =>
-      row.flatMap((value, i) => {
-        if (!Number.isFinite(value)) return [];
-        const fraction = most > least ? (value - least) / (most - least) : 0;
-        const [left, right] = half(theta, i);
-        const [lower, upper] = half(z, j).map((side) => side * scale.factor) as [number, number];
-        // The film is symmetric about its mid-plane.
-        return [[left, right, lower, upper, fraction, value], [left, right, -upper, -lower, fraction, value]];
-      }),
+      pads.flatMap(({ first, begin, angles }, pad) =>
+        angles.flatMap((_, i) => {
+          const value = at(row, first + i);
+          if (!Number.isFinite(value)) return [];
+          const fraction = most > least ? (value - least) / (most - least) : 0;
+          const [left, right] = half(angles, i).map((side) => begin + side) as [number, number];
+          const [lower, upper] = half(z, j).map((side) => side * scale.factor) as [number, number];
+          // The film is symmetric about its mid-plane.
+          return [[left, right, lower, upper, fraction, value, pad], [left, right, -upper, -lower, fraction, value, pad]];
+        }),
+      ),
     );
   };
   const option = (current: Look): Option => {
-    const theta = columnsOf(states);
+    const pads = states.padColumns;
     const z = across();
     const scale = scaleFor(largest(z), 'm');
-    const drawn = cells(theta, z, scale);
+    const drawn = cells(pads, z, scale);
     const side = largest(z) * scale.factor;
     return {
       grid: { left: 62, right: 18, top: 12, bottom: 48 },
-      xAxis: axis(current, 'Angle from the weld (°)', { min: 0, max: Math.ceil(largest(theta)), interval: 45, splitLine: { show: false } }),
+      xAxis: { ...flatAxis(current, pads), splitLine: { show: false } },
       yAxis: axis(current, axisTitle('Across the width', scale), { nameGap: 42, min: -side, max: side, splitLine: { show: false }, axisLabel: { color: current.muted, fontSize: 12, formatter: (x: number) => String(Number(x.toPrecision(3))).replace('-', '−') } }),
       tooltip: tooltip(current, {
         trigger: 'item',
         formatter: ({ dataIndex }: { dataIndex: number }) => {
-          const [left = 0, right = 0, lower = 0, upper = 0, , value] = drawn[dataIndex] ?? [];
+          const [left = 0, right = 0, lower = 0, upper = 0, , value, number = 0] = drawn[dataIndex] ?? [];
+          const pad = at(pads, number);
           return tooltipBox(formatQuantity(value, 'Pa'), [
-            ['Angle from the weld', `${(0.5 * (left + right)).toFixed(1)}°`],
+            ['Along the foil', whereText(0.5 * (left + right) - pad.begin, pad)],
             ['Across the width', formatQuantity((0.5 * (lower + upper)) / scale.factor, 'm', 3)],
             ['Beyond ambient', formatQuantity((value ?? NaN) - ambient(), 'Pa', 3)],
           ]);
@@ -108,7 +140,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
     };
   };
   return statePanel(states, selection, {
-    title: 'Pressure over the unwrapped foil',
+    title: states.pads === 1 ? 'Pressure over the unwrapped foil' : 'Pressure over the unwrapped pads',
     what: 'pressure',
     told: () => (states.isFound(selection.place) ? `${range().map((value) => formatQuantity(value, 'Pa')).join(' to ')}, ambient ${formatQuantity(ambient(), 'Pa')}` : unknown),
     legend: () => [
@@ -119,8 +151,8 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
       },
     ],
     csv: () => {
-      const [theta, z] = [columnsOf(states), across()];
-      return toCsv(['theta_deg', 'z_m', 'pressure_Pa'], read().flatMap((row, j) => row.map((value, i) => [theta[i], z[j], value])));
+      const [theta, z, pads] = [columnsOf(states), across(), padCells(states)];
+      return toCsv([...(states.pads > 1 ? ['pad'] : []), 'theta_deg', 'z_m', 'pressure_Pa'], read().flatMap((row, j) => row.map((value, i) => [...at(pads, i), theta[i], z[j], value])));
     },
     option,
   });
@@ -131,7 +163,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
  * @param before  a state of another bearing to compare with, if there is one
  */
 export function thicknessChart(states: States, selection: GridSelection, before: () => States | undefined = () => undefined): HTMLElement {
-  const crests = (): number[] => numbersOf(states, 'theta').map((angle) => angle * degrees);
+  const crests = (): number[] => numbersOf(states, 'theta').map((angle, bump) => angle * degrees + at(states.padColumns, (states.countedBump(bump).pad ?? 1) - 1).begin);
   // Over walls that yield it is not the same over the width: that of the mid-plane is drawn.
   const film = (): number[] => states.along('film_thickness', 'column', selection.place);
   const foil = (): number[] => states.along('film_top_displacement', 'column', selection.place);
@@ -141,16 +173,23 @@ export function thicknessChart(states: States, selection: GridSelection, before:
   ].filter(({ text }) => text !== 'top foil, outward' || states.variable('film_top_displacement') !== undefined);
   const filmBefore = (): number[] => before()?.along('film_thickness', 'column', {}) ?? [];
   const scale = (): Scale => scaleFor(largest(filmBefore(), ...lines.map(({ values }) => values())), 'm');
-  const pointsOf = (one: States, values: number[]): number[][] => {
-    const [theta, { factor }] = [columnsOf(one), scale()];
-    return values.map((value, i) => [at(theta, i), value * factor]);
+  /** Of each pad. */
+  const pointsOf = (one: States, values: number[]): number[][][] => {
+    const { factor } = scale();
+    return one.padColumns.map(({ first, begin, angles }) => (values.length === 0 ? [] : angles.map((angle, i) => [begin + angle, at(values, first + i) * factor])));
+  };
+  /** What a point of one of the drawn lines, pad after pad of each quantity, stands for. */
+  const columnAt = (series: number, index: number): [number, PadColumns] => {
+    const pads = states.padColumns;
+    const pad = at(pads, series % pads.length);
+    return [pad.first + index, pad];
   };
   return statePanel(states, selection, {
     title: lines.length > 1 ? 'Film thickness and sag of the top foil' : 'Film thickness',
     what: 'film-thickness',
     told: () =>
       states.isFound(selection.place)
-        ? `least ${formatQuantity(states.numberAt('h_min', selection.place), 'm')} at ${states.numberAt('h_min_theta', selection.place).toFixed(1)}° from the weld`
+        ? `least ${formatQuantity(states.numberAt('h_min', selection.place), 'm')} at ${whereText(states.numberAt('h_min_theta', selection.place), at(states.padColumns, (states.pads > 1 ? states.numberAt('h_min_pad', selection.place) : 1) - 1))}`
         : unknown,
     legend: () => [
       ...lines.map(({ text, colour, dash }) => ({
@@ -163,29 +202,32 @@ export function thicknessChart(states: States, selection: GridSelection, before:
     ],
     csv: () => {
       const [thickness, displacement] = [film(), foil()];
-      return toCsv(['theta_deg', 'film_thickness_m', 'film_top_displacement_m'], columnsOf(states).map((angle, i) => [angle, thickness[i], displacement[i]]));
+      const pads = padCells(states);
+      return toCsv([...(states.pads > 1 ? ['pad'] : []), 'theta_deg', 'film_thickness_m', 'film_top_displacement_m'], columnsOf(states).map((angle, i) => [...at(pads, i), angle, thickness[i], displacement[i]]));
     },
     option: (current) => ({
       grid: { left: 62, right: 18, top: 12, bottom: 48 },
-      xAxis: axis(current, 'Angle from the weld (°)', { min: 0, max: Math.ceil(largest(columnsOf(states))), interval: 45 }),
+      xAxis: flatAxis(current, states.padColumns),
       yAxis: axis(current, axisTitle('Thickness, displacement', scale()), { nameGap: 42 }),
       tooltip: tooltip(current, {
         trigger: 'axis',
-        formatter: (items: { dataIndex: number }[]) => {
-          const i = items[0]?.dataIndex ?? 0;
-          return tooltipBox(`${(columnsOf(states)[i] ?? NaN).toFixed(1)}° from the weld`, lines.map(({ text, values }) => [text, formatQuantity(values()[i], 'm')]));
+        formatter: (items: { dataIndex: number; seriesIndex: number }[]) => {
+          const [i, pad] = columnAt(items[0]?.seriesIndex ?? 0, items[0]?.dataIndex ?? 0);
+          return tooltipBox(whereText(columnsOf(states)[i] ?? NaN, pad), lines.map(({ text, values }) => [text, formatQuantity(values()[i], 'm')]));
         },
       }),
       series: [
-        ...lines.map(({ text, values, colour, dash }) => ({
-          type: 'line',
-          name: text,
-          symbol: 'none',
-          lineStyle: { color: colour(current), width: 1.8, type: dash },
-          itemStyle: { color: colour(current) },
-          data: pointsOf(states, values()),
-        })),
-        ...[before()].flatMap((one) => (one ? [{ type: 'line', name: 'film thickness before', symbol: 'none', silent: true, z: 1, lineStyle: { color: current.muted, width: 1.4 }, itemStyle: { color: current.muted }, data: pointsOf(one, filmBefore()) }] : [])),
+        ...lines.flatMap(({ text, values, colour, dash }) =>
+          pointsOf(states, values()).map((data) => ({
+            type: 'line',
+            name: text,
+            symbol: 'none',
+            lineStyle: { color: colour(current), width: 1.8, type: dash },
+            itemStyle: { color: colour(current) },
+            data,
+          })),
+        ),
+        ...[before()].flatMap((one) => (one ? pointsOf(one, filmBefore()).map((data) => ({ type: 'line', name: 'film thickness before', symbol: 'none', silent: true, z: 1, lineStyle: { color: current.muted, width: 1.4 }, itemStyle: { color: current.muted }, data })) : [])),
         {
           type: 'custom',
           name: 'crests',
@@ -212,7 +254,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
     what: 'bump-loads',
     told: () =>
       states.isFound(selection.place)
-        ? `at most ${formatQuantity(largest(loads()), 'N')} on bump ${loads().indexOf(largest(loads())) + 1}; the foil is lifted off ${lifted()} of ${loads().length}, off ${states.numberAt('lifted_bumps_at_entry', selection.place)} in a row where gas enters`
+        ? `at most ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; the foil is lifted off ${lifted()} of ${loads().length}, off ${states.numberAt('lifted_bumps_at_entry', selection.place)} in a row where gas enters`
         : unknown,
     legend: () => [
       { width: 12, draw: (current) => [svg('rect', { x: 2, y: 1, width: 8, height: 11, fill: current.accent })], text: 'pressed' },
@@ -221,9 +263,9 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
     csv: () => toCsv(['bump', 'load_N'], loads().map((load, i) => [i + 1, load])),
     option: (current) => ({
       grid: { left: 54, right: 12, top: 12, bottom: 44 },
-      xAxis: axis(current, 'Bump, counted from the weld', {
+      xAxis: axis(current, axisText('bump', states.pads > 1), {
         type: 'category',
-        data: loads().map((_, i) => String(i + 1)),
+        data: loads().map((_, i) => tickText(states.countedBump(i))),
         nameGap: 26,
         axisLabel: { color: current.muted, fontSize: 12 },
         splitLine: { show: false },
@@ -235,7 +277,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
         axisPointer: { type: 'shadow', shadowStyle: { color: current.grid, opacity: 0.5 } },
         formatter: (items: { dataIndex: number }[]) => {
           const bump = items[0]?.dataIndex ?? 0;
-          return tooltipBox(`Bump ${bump + 1}`, [['Load', formatQuantity(loads()[bump], 'N')]]);
+          return tooltipBox(`Bump ${states.bumpText(bump)}`, [['Load', formatQuantity(loads()[bump], 'N')]]);
         },
       }),
       series: [

@@ -1,9 +1,25 @@
 import { directionName } from './kinds';
 import { Grid, numbersOf, vectorText, type Coordinate, type Place } from './grid';
 import type { CycleData, GridData, LimitData, RunData, StatesSummary } from './format';
+import { countedFromWeld, numberText, type Counted } from './counted';
 import { Run } from './run';
 
 const revolutions = 30 / Math.PI;
+const degrees = 180 / Math.PI;
+/** Between pads that are laid flat one after the other, degrees. */
+const between = 10;
+
+/** Columns of a pad, all in degrees. */
+export interface PadColumns {
+  /** "pad 2"; empty where there is one alone. */
+  name: string;
+  /** The first of them among those of all pads. */
+  first: number;
+  /** Where its weld is when all pads are laid flat one after the other. */
+  begin: number;
+  /** From its weld. */
+  angles: number[];
+}
 
 /** "45000 rpm" */
 export function speedText(radiansPerSecond: number): string {
@@ -106,6 +122,41 @@ export class States extends Grid {
     return Array.from({ length: this.size(dimension) }, (_, i) => variable.at({ state, [dimension]: i }));
   }
 
+  get pads(): number {
+    return Math.max(1, this.size('pad'));
+  }
+
+  /** Where the columns of the film are, pad after pad. */
+  get padColumns(): PadColumns[] {
+    const angles = numbersOf(this, 'column_theta').map((theta) => theta * degrees);
+    const owners = numbersOf(this, 'column_pad');
+    const columns: PadColumns[] = [];
+    let begin = 0;
+    for (let number = 1; number <= this.pads; number += 1) {
+      const own = this.pads === 1 ? angles : angles.filter((_, column) => owners[column] === number);
+      columns.push({ name: this.pads === 1 ? '' : `pad ${number}`, first: this.pads === 1 ? 0 : owners.indexOf(number), begin, angles: own });
+      begin += Math.max(...own) + between;
+    }
+    return columns;
+  }
+
+  /** Number of a bump (from 0, through all pads). */
+  countedBump(bump: number): Counted {
+    return countedFromWeld(numbersOf(this, 'bump_pad'), bump);
+  }
+
+  /** "3", of several pads "3 of pad 2". */
+  bumpText(bump: number): string {
+    return numberText(this.countedBump(bump));
+  }
+
+  /** Size of the force that one of several pads (from 0) takes. */
+  padForceAt(pad: number, place: Place): number {
+    const state = this.stateAt(place);
+    const [x, y] = ['pad_force_x', 'pad_force_y'].map((name) => (state < 0 ? NaN : (this.variable(name)?.at({ state, pad }) ?? NaN)));
+    return Math.hypot(x ?? NaN, y ?? NaN);
+  }
+
   /** The states as increments of a cycle, which the bearing is drawn from; none without foils. */
   get bearing(): Run | undefined {
     const { variables } = this.data;
@@ -122,7 +173,7 @@ export class States extends Grid {
     const geometry: RunData['geometry'] = {};
     for (const [name, { dims }] of Object.entries(variables)) {
       if (dims.length === 0) geometry[name] = this.variable(name)?.at({}) ?? null;
-      else if (dims.length === 1 && (dims[0] === 'bump' || dims[0] === 'foot')) geometry[name] = numbersOf(this, name);
+      else if (dims.length === 1 && (dims[0] === 'bump' || dims[0] === 'foot' || dims[0] === 'pad')) geometry[name] = numbersOf(this, name);
     }
     const increments = [...Array(this.size('state')).keys()];
     return new Run({
@@ -131,7 +182,7 @@ export class States extends Grid {
       summary: { ...this.data.summary, cycles: [] },
       meanings: {},
       geometry,
-      nodes: { bump: this.size('bump'), foot: this.size('foot') },
+      nodes: { bump: this.size('bump'), foot: this.size('foot'), ...(this.pads > 1 ? { pad: this.pads } : {}) },
       last_increment: Math.max(0, increments.length - 1),
       cycles: [{ at: 0, increments, series, fields }],
       quantities: [],

@@ -40,12 +40,23 @@ function chartsOf(states: States): { title: string; measures: Measure[] }[] {
     { title: 'Where the journal is', measures: [...of('', '', [['attitude_angle', 'Attitude angle (°)']]), ...of('', '', [['eccentricity_ratio', 'Eccentricity']]), ...of('Journal centre', 'm', [['x', 'X'], ['y', 'Y']])] },
     { title: 'Losses', measures: [...of('', 'W', [['power', 'Power loss']]), ...of('', 'N m', [['torque', 'Torque']])] },
     { title: 'Stiffness', measures: [...of('Stiffness K', 'N/m', stiffness('')), ...of('Stiffness K, all stuck', 'N/m', stiffness('_stuck'))] },
-    { title: 'Pressure and force', measures: [...of('Pressure', 'Pa', [['p_max', 'highest'], ['p_min', 'lowest']]), ...of('Force', 'N', [['force_x', 'Force X'], ['force_y', 'Force Y']])] },
+    { title: 'Pressure and force', measures: [...of('Pressure', 'Pa', [['p_max', 'highest'], ['p_min', 'lowest']]), ...of('Force', 'N', [['force_x', 'Force X'], ['force_y', 'Force Y']]), ...(states.pads > 1 ? [{ text: 'Forces of the pads', unit: 'N', parts: padParts(states) }] : [])] },
     { title: 'Bumps', measures: [...of('', 'N', [['highest_bump_load', 'Highest bump load']]), ...of('', '', [['loaded_bumps', 'Loaded bumps'], ['lifted_bumps_at_entry', 'Lifted bumps where gas enters']])] },
   ].filter(({ measures }) => measures.length > 0);
 }
 
+/** Forces of several pads. */
+function padParts(states: States): Part[] {
+  return states.variable('pad_force_x') ? states.padColumns.map(({ name }, pad) => ({ key: `pad_force_${pad + 1}`, text: name, has: () => true, value: (place) => states.padForceAt(pad, place) })) : [];
+}
+
 function columnsOf(states: States): GridColumn[] {
+  const meaning = 'size of the force that the pad takes';
+  const pads = padParts(states).map(({ key, text, value }): GridColumn => ({ key: `${key}_N`, name: 'pad_force', label: `force of ${text}`, unit: 'N', whole: false, meaning, words: [], value }));
+  return [...pads, ...quantityColumns(states)];
+}
+
+function quantityColumns(states: States): GridColumn[] {
   return states.data.quantities.flatMap((quantity): GridColumn[] => {
     const variable = states.variable(quantity.name);
     if (!variable || ['speed', 'load_x', 'load_y', 'path'].includes(quantity.name)) return [];
