@@ -64,6 +64,8 @@ MEANINGS = {
     "loads[].status": "how the way to the static load ended",
     "loads[].pad_forces_x_N": "part of the static load along X that each pad takes",
     "loads[].pad_forces_y_N": "part of the static load along Y that each pad takes",
+    "states[].pad_forces_x_N": "part of the force along X that the film of each pad takes",
+    "states[].pad_forces_y_N": "part of the force along Y that the film of each pad takes",
     "loads[].stuck": "tangent of the static load with all closed contacts sticking",
     "loads[].further": "tangent of the static load with slipping contacts going on to slip",
     "vibrations": "one object per load, direction (of orbits sense) and amplitude",
