@@ -11,7 +11,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Where journals are held at the cold start of a path, in C_r: along the load, and at most on the way to a position.
+/// Where journals are held at the cold start of a path, in C_r less the largest lobe: along the load, and at most on
+/// the way to a position.
 constexpr double start_along_load = 0.6;
 constexpr double start_towards_position = 0.7;
 /// A ramp of speeds comes from this part of its first.
@@ -156,11 +157,11 @@ class PathWalker {
   }
 
   [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
-    return start_along_load * result_.bearing->clearance * point.journal.normalized();
+    return start_along_load * result_.bearing->room * point.journal.normalized();
   }
 
   [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
-    const double farthest = start_towards_position * result_.bearing->clearance;
+    const double farthest = start_towards_position * result_.bearing->room;
     return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
   }
 

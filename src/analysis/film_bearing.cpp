@@ -1,5 +1,6 @@
 #include "bumpfoil/analysis/film_bearing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -146,7 +147,8 @@ FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResol
   const SharedFoils shared = make_bearing_foils(input);
   const Foils& foils = *shared;
   FilmBearing bearing;
-  bearing.clearance = foils.clearance;
+  bearing.clearance = bearing.room = foils.clearance;
+  for (const Pad& pad : input.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
   bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
   bearing.dofs = foils.structure.dofs;

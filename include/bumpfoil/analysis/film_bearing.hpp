@@ -54,9 +54,10 @@ struct FilmBearing {
   FilmScales scales;  ///< c is the size of the clearance
   std::vector<FilmPad> pads;
   BumpDofs dofs;
-  ContactProblem problem;    ///< K of the bump foils alone, which holds what means nothing in the last blocks
-  Vector initial_gap;        ///< of each contact, m
-  double clearance{};        ///< C_r, m
+  ContactProblem problem;  ///< K of the bump foils alone, which holds what means nothing in the last blocks
+  Vector initial_gap;      ///< of each contact, m
+  double clearance{};      ///< C_r, m
+  double room{};  ///< C_r less the largest lobe, m: what a journal at the centre has everywhere in a round sleeve
   Eigen::Matrix2Xd normals;  ///< outward at all columns
   Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
                   ///< the sleeve is wider there, and the lobe of the pad

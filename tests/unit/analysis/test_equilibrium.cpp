@@ -116,6 +116,20 @@ TEST(Equilibrium, HasNoRoomBeyondTheClearance) {
   EXPECT_FALSE(result.states[0].outcome.has_value());
 }
 
+/// Lobes of half the clearance: 0.6 of all of it would be beyond the foils.
+TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
+  for (const FilmPath path :
+       {FilmPath::load_ramp, FilmPath::speed_ramp, FilmPath::position_ray, FilmPath::cold_start}) {
+    Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}, .path = path, .steps = 3});
+    input.bump_foil.bumps = 8;
+    input.bearing.weld_angle = 1.0;  // the load points to the middle of the first pad
+    input.pads.assign(3, {.lobe = 16e-6});
+    const EquilibriumResult result = run_equilibrium(input);
+    EXPECT_EQ(result.states.at(0).report.status, FilmStatus::converged) << static_cast<int>(path);
+    EXPECT_EQ(result.bearing->room, input.bearing.radial_clearance - 16e-6);
+  }
+}
+
 TEST(Equilibrium, ReportsProgressAndStops) {
   const Case input = running_case({.speeds = {speed}, .loads = {{30.0, 0.0}, {40.0, 0.0}}, .steps = 2});
   double last = 0.0;
