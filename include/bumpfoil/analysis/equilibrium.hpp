@@ -80,7 +80,8 @@ FilmBearing require_running_bearing(const Case& input);
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
 ///
 /// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first
-/// position at 0.7 C_r of it at most, where lobes of pads take from C_r. On to the first state, and from each state to the next:
+/// position at 0.7 C_r of it at most, where lobes of pads take from C_r. On to the first state, and from each state to
+/// the next:
 ///
 /// * load_ramp, at every speed anew: the load changes from the force found to the first load in `steps` equal
 ///   increments; then load after load, one increment each.
