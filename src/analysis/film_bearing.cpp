@@ -29,9 +29,9 @@ BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vec
   double largest = 0.0;
   for (std::size_t k = 0; k < pads.size(); ++k) {
     const auto [first, count] = structure.blocks_of(static_cast<int>(k));
-    for (int b = 0; b < count; ++b) {
-      const auto from = static_cast<std::size_t>(first + b);
-      const auto to = static_cast<std::size_t>(pads[k].first_block + b);
+    auto from = static_cast<std::size_t>(first);
+    auto to = static_cast<std::size_t>(pads[k].first_block);
+    for (int b = 0; b < count; ++b, ++from, ++to) {
       for (int i = 0; i < dofs.size; ++i) {
         for (int j = 0; j < dofs.size; ++j) {
           if (!is_bump(i) || !is_bump(j)) continue;
@@ -44,7 +44,7 @@ BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vec
   }
   // What means nothing at the free ends is held, the displacement there is not.
   for (const FilmPad& pad : pads) {
-    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block + pad.bumps())];
+    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block) + pad.foil.supports.size()];
     last.diagonal().setConstant(largest);
     last(dofs.size, dofs.size) = 0.0;
   }

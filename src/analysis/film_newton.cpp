@@ -116,7 +116,7 @@ void FilmNewton::assemble() {
     const double scale = part.pad.foil.stiffness;
     const int blocks = part.system.blocks();
     for (int b = 0; b < blocks; ++b) {
-      const auto i = static_cast<std::size_t>(part.pad.first_block + b);
+      const std::size_t i = static_cast<std::size_t>(part.pad.first_block) + static_cast<std::size_t>(b);
       for_each_place(part.pad, b, [&](int row, int film_row) {
         for_each_place(part.pad, b, [&](int place, int film_place) {
           K_.diagonal[i](row, place) += scale * part.system.diagonal(b)(film_row, film_place);
