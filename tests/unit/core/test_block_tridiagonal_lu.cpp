@@ -89,6 +89,24 @@ TEST(BlockTridiagonalLU, FactorsAgainFromTheFirstChangedBlock) {
   expect_solves_like_dense(lu, 6);
 }
 
+TEST(BlockTridiagonalLU, SolvesForManyRightHandSidesAtOnce) {
+  const auto check = [](auto lu) {
+    ASSERT_TRUE(lu.factor());
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> panel(24, 7);
+    for (Eigen::Index i = 0; i < panel.size(); ++i) panel.data()[i] = std::sin(static_cast<double>(i * i));
+    const Matrix right = panel;
+    lu.solve_panel_in_place(panel);
+    for (Eigen::Index c = 0; c < right.cols(); ++c) {
+      Vector x = right.col(c);
+      lu.solve_in_place(x);
+      EXPECT_LT((panel.col(c) - x).norm(), 1e-13 * x.norm());
+    }
+  };
+  check(example<6>(4, 6));
+  check(example<8>(3, 8));
+  check(example<Eigen::Dynamic>(6, 4));
+}
+
 TEST(BlockTridiagonalLU, SolvesForRightHandSidesOfOneBlock) {
   auto lu = example<6>(9, 6);
   ASSERT_TRUE(lu.factor());
