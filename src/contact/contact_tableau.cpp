@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
-#include "bumpfoil/core/vector_instructions.hpp"
+#include "bumpfoil/core/dense_kernels.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -30,17 +30,29 @@ Eigen::Index padded(Eigen::Index count) {
 }
 
 template <int N>
-using Pack [[gnu::vector_size(N * sizeof(double)), gnu::aligned(sizeof(double)), gnu::may_alias]] = double;
+using Pack = typename VectorOf<N>::Type;
 
-/// As many numbers as a vector has, from `first` on. By reference: vectors that are passed by value change the ABI.
 template <int N>
-BUMPFOIL_ALWAYS_INLINE inline Pack<N>& pack(double* first) {
-  return *reinterpret_cast<Pack<N>*>(first);
+BUMPFOIL_ALWAYS_INLINE inline void load(const double* from, Pack<N>& pack) {
+  std::memcpy(&pack, from, sizeof(pack));
 }
 
 template <int N>
-BUMPFOIL_ALWAYS_INLINE inline const Pack<N>& pack(const double* first) {
-  return *reinterpret_cast<const Pack<N>*>(first);
+BUMPFOIL_ALWAYS_INLINE inline void store(const Pack<N>& pack, double* to) {
+  std::memcpy(to, &pack, sizeof(pack));
+}
+
+/// target += factor * numbers, `count` of them, which fill whole vectors.
+template <int N>
+BUMPFOIL_ALWAYS_INLINE inline void add_multiple(double factor, const double* numbers, Eigen::Index count,
+                                                double* target) {
+  for (Eigen::Index i = 0; i < count; i += N) {
+    Pack<N> sum, other;
+    load<N>(target + i, sum);
+    load<N>(numbers + i, other);
+    sum += factor * other;
+    store<N>(sum, target + i);
+  }
 }
 
 }  // namespace
@@ -180,12 +192,13 @@ void ContactTableau::carry_out() {
       double* row = T_.data() + i * columns;
       for (Eigen::Index j = 0; j < columns; j += n) {
         Pack<n> sum[height];
-        for (Eigen::Index r = 0; r < height; ++r) sum[r] = pack<n>(row + r * columns + j);
+        for (Eigen::Index r = 0; r < height; ++r) load<n>(row + r * columns + j, sum[r]);
         for (Eigen::Index k = 0; k < most_pending; ++k) {
-          const Pack<n>& v = pack<n>(right_.data() + k * columns + j);
+          Pack<n> v;
+          load<n>(right_.data() + k * columns + j, v);
           for (Eigen::Index r = 0; r < height; ++r) sum[r] += factor[k][r] * v;
         }
-        for (Eigen::Index r = 0; r < height; ++r) pack<n>(row + r * columns + j) = sum[r];
+        for (Eigen::Index r = 0; r < height; ++r) store<n>(sum[r], row + r * columns + j);
       }
     }
   });
@@ -222,10 +235,8 @@ bool ContactTableau::exchange(Eigen::Index i) {
     for (Eigen::Index k = 0; k < pending_; ++k) {
       const double* left = left_.data() + k * rows;
       const double* right = right_.data() + k * columns;
-      const double along = right[i];
-      const double across = left[i];
-      for (Eigen::Index r = 0; r < rows; r += n) pack<n>(u + r) += along * pack<n>(left + r);
-      for (Eigen::Index c = 0; c < columns; c += n) pack<n>(v + c) += across * pack<n>(right + c);
+      add_multiple<n>(right[i], left, rows, u);
+      add_multiple<n>(left[i], right, columns, v);
     }
   });
   const double pivot = u[i];
@@ -236,15 +247,8 @@ bool ContactTableau::exchange(Eigen::Index i) {
   const double own = -rate_[i] / (s * s * pivot);
   u[i] += size;
   v[i] -= size;
-  with_widest_vectors([&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
-    constexpr int n = decltype(lanes)::value;
-    const double follow = s * own;
-    const double inverse = -1.0 / pivot;
-    for (Eigen::Index r = 0; r < rows; r += n) {
-      pack<n>(rate_.data() + r) += follow * pack<n>(scale_.data() + r) * pack<n>(u + r);
-      pack<n>(u + r) *= inverse;
-    }
-  });
+  rate_.array() += s * own * scale_.array() * Eigen::Map<const Eigen::ArrayXd>(u, rows);
+  Eigen::Map<Vector>(u, rows) *= -1.0 / pivot;
   rate_[i] = own;
   scale_[i] = 1.0 / (s * size);
   ++pending_;
@@ -256,7 +260,8 @@ bool ContactTableau::exchange(Eigen::Index i) {
 /// back through slipping without friction.
 bool ContactTableau::change(const Place& place, ContactMode to) {
   const ContactMode from = std::exchange(mode_[static_cast<std::size_t>(place.contact)], to);
-  const auto [n, t] = std::pair(place.z_normal, place.z_tangential);
+  const Eigen::Index n = place.z_normal;
+  const Eigen::Index t = place.z_tangential;
   if (t < 0) return exchange(n);
   const auto close = [&](ContactMode slip) {
     add_column(n, t, friction_sign(slip) * place.f);
