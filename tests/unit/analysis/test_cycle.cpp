@@ -149,7 +149,7 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
       EXPECT_TRUE(few.converged());
       const auto expect_same = [tolerance = tolerance](std::optional<double> found, std::optional<double> expected) {
         ASSERT_EQ(found.has_value(), expected.has_value());
-        if (expected) EXPECT_NEAR(*found, *expected, tolerance * std::abs(*expected));
+        EXPECT_NEAR(found.value_or(0.0), expected.value_or(0.0), tolerance * std::abs(expected.value_or(0.0)));
       };
       expect_same(few.turning_point->max_force, all.turning_point->max_force);
       expect_same(few.turning_point->tangent.loading, all.turning_point->tangent.loading);
@@ -161,7 +161,7 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
       expect_same(few.clearance_5N, all.clearance_5N);
       expect_same(few.take_up, all.take_up);
       EXPECT_EQ(few.first_contact, all.first_contact);
-      if (solver == SolverName::newton) EXPECT_EQ(few.cost, all.cost);
+      EXPECT_TRUE(few.cost == all.cost || solver == SolverName::events);
       EXPECT_TRUE(few.increments.empty());
       EXPECT_EQ(few.fields.increments(), 0);
       EXPECT_LT(few.max_residual, 1e-9);
