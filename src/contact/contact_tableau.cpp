@@ -73,7 +73,7 @@ ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<Mo
   std::vector<bool> told(static_cast<std::size_t>(problem.K.rows()), false);
   for (Eigen::Index b = 0; b < problem.K.blocks(); ++b) {
     const auto unknown = [&](int i) { return i < 0 ? Eigen::Index{-1} : b * block_size + i; };
-    // An unknown that has an owner among the eliminations to come is told by that one first.
+    // Backwards through the eliminations: the other unknown of a contact is told before it, where it is an owner, too.
     for (auto e = order.rbegin(); e != order.rend(); ++e) {
       const ContactPair& pair = problem.pairs[e->pair];
       const auto [normal, tangential] = coordinates[e->pair];
