@@ -70,6 +70,81 @@ enum class Products {
   negate,    ///< target = -products
 };
 
+namespace detail {
+
+/// In place of what is not there.
+struct Nothing {};
+
+/// N numbers in registers. One vector and the rest, as g++ 12 keeps arrays of them in memory.
+template <int N, int Width>
+struct RegisterRow {
+  static constexpr int width = N < Width ? 1 : Width;
+  static_assert(N % width == 0);
+
+  BUMPFOIL_ALWAYS_INLINE void load(const double* from) {
+    std::memcpy(&head, from, sizeof head);
+    if constexpr (N > width) tail.load(from + width);
+  }
+  BUMPFOIL_ALWAYS_INLINE void store(double* to) const {
+    std::memcpy(to, &head, sizeof head);
+    if constexpr (N > width) tail.store(to + width);
+  }
+  template <Products Use>
+  BUMPFOIL_ALWAYS_INLINE void begin(const double* target) {
+    if constexpr (Use == Products::subtract) {
+      load(target);
+    } else {
+      head = typename VectorOf<width>::Type{};
+      if constexpr (N > width) tail.template begin<Use>(target);
+    }
+  }
+  template <Products Use>
+  BUMPFOIL_ALWAYS_INLINE void use(double factor, const RegisterRow& other) {
+    if constexpr (Use == Products::assign) {
+      head += factor * other.head;
+    } else {
+      head -= factor * other.head;
+    }
+    if constexpr (N > width) tail.template use<Use>(factor, other.tail);
+  }
+  template <Products Use>
+  BUMPFOIL_ALWAYS_INLINE void use_each(const RegisterRow& a, const RegisterRow& b) {
+    if constexpr (Use == Products::assign) {
+      head += a.head * b.head;
+    } else {
+      head -= a.head * b.head;
+    }
+    if constexpr (N > width) tail.template use_each<Use>(a.tail, b.tail);
+  }
+
+  typename VectorOf<width>::Type head;
+  std::conditional_t<(N > width), RegisterRow<(N > width ? N - width : width), Width>, Nothing> tail;
+};
+
+/// The rows t to t + Together - 1 of a product.
+template <int N, int Together, int Width>
+struct RegisterSums {
+  template <Products Use>
+  BUMPFOIL_ALWAYS_INLINE void begin(const double* targets, Eigen::Index stride) {
+    head.template begin<Use>(targets);
+    if constexpr (Together > 1) tail.template begin<Use>(targets + stride, stride);
+  }
+  BUMPFOIL_ALWAYS_INLINE void store(double* to, Eigen::Index stride) const {
+    head.store(to);
+    if constexpr (Together > 1) tail.store(to + stride, stride);
+  }
+  template <Products Use>
+  BUMPFOIL_ALWAYS_INLINE void use(const double* factors, Eigen::Index stride, const RegisterRow<N, Width>& row) {
+    head.template use<Use>(*factors, row);
+    if constexpr (Together > 1) tail.template use<Use>(factors + stride, stride, row);
+  }
+
+  RegisterRow<N, Width> head;
+  std::conditional_t<(Together > 1), RegisterSums<N, (Together > 1 ? Together - 1 : 1), Width>, Nothing> tail;
+};
+
+}  // namespace detail
+
 /// Inner loops over dense blocks of n rows, to be called from the body of with_vectors(). A row holds n numbers and
 /// zeros up to row_stride(n). Blocks may be stored by columns as well: then "row" reads "column" throughout.
 ///
@@ -215,75 +290,10 @@ class DenseKernels {
   /// A row in whole vectors.
   static constexpr int rounded = B == Eigen::Dynamic ? 0 : (B + Width - 1) / Width * Width;
 
-  /// N numbers in registers. One vector and the rest, as g++ 12 keeps arrays of them in memory.
   template <int N>
-  struct Row {
-    static constexpr int width = N < Width ? 1 : Width;
-    static_assert(N % width == 0);
-
-    BUMPFOIL_ALWAYS_INLINE void load(const double* from) {
-      std::memcpy(&head, from, sizeof head);
-      if constexpr (N > width) tail.load(from + width);
-    }
-    BUMPFOIL_ALWAYS_INLINE void store(double* to) const {
-      std::memcpy(to, &head, sizeof head);
-      if constexpr (N > width) tail.store(to + width);
-    }
-    template <Products Use>
-    BUMPFOIL_ALWAYS_INLINE void begin(const double* target) {
-      if constexpr (Use == Products::subtract) {
-        load(target);
-      } else {
-        head = typename VectorOf<width>::Type{};
-        if constexpr (N > width) tail.template begin<Use>(target);
-      }
-    }
-    template <Products Use>
-    BUMPFOIL_ALWAYS_INLINE void use(double factor, const Row& other) {
-      if constexpr (Use == Products::assign) {
-        head += factor * other.head;
-      } else {
-        head -= factor * other.head;
-      }
-      if constexpr (N > width) tail.template use<Use>(factor, other.tail);
-    }
-    template <Products Use>
-    BUMPFOIL_ALWAYS_INLINE void use_each(const Row& a, const Row& b) {
-      if constexpr (Use == Products::assign) {
-        head += a.head * b.head;
-      } else {
-        head -= a.head * b.head;
-      }
-      if constexpr (N > width) tail.template use_each<Use>(a.tail, b.tail);
-    }
-
-    struct Nothing {};
-    typename VectorOf<width>::Type head;
-    std::conditional_t<(N > width), Row<(N > width ? N - width : width)>, Nothing> tail;
-  };
-
-  /// The rows t to t + Together - 1 of a product.
+  using Row = detail::RegisterRow<N, Width>;
   template <int N, int Together>
-  struct Sums {
-    template <Products Use>
-    BUMPFOIL_ALWAYS_INLINE void begin(const double* targets, Eigen::Index stride) {
-      head.template begin<Use>(targets);
-      if constexpr (Together > 1) tail.template begin<Use>(targets + stride, stride);
-    }
-    BUMPFOIL_ALWAYS_INLINE void store(double* to, Eigen::Index stride) const {
-      head.store(to);
-      if constexpr (Together > 1) tail.store(to + stride, stride);
-    }
-    template <Products Use>
-    BUMPFOIL_ALWAYS_INLINE void use(const double* factors, Eigen::Index stride, const Row<N>& row) {
-      head.template use<Use>(*factors, row);
-      if constexpr (Together > 1) tail.template use<Use>(factors + stride, stride, row);
-    }
-
-    struct Nothing {};
-    Row<N> head;
-    std::conditional_t<(Together > 1), Sums<N, (Together > 1 ? Together - 1 : 1)>, Nothing> tail;
-  };
+  using Sums = detail::RegisterSums<N, Together, Width>;
 
   /// How many rows of N numbers leave room in the registers for what they are added up from.
   static constexpr int rows_together(int N) {
