@@ -16,7 +16,7 @@ namespace bumpfoil {
 /// Numbers from the beginning of a cache line on, which no vector then straddles.
 template <typename Number>
 struct LineAllocator {
-  using value_type = Number;
+  using value_type = Number;  // NOLINT(readability-identifier-naming): the standard's name
   static constexpr std::align_val_t alignment{64};
 
   LineAllocator() = default;
