@@ -15,12 +15,19 @@ namespace {
 /// the way to a position.
 constexpr double start_along_load = 0.6;
 constexpr double start_towards_position = 0.7;
+/// Least room in a clearance that is opened, m.
+constexpr double least_opened_room = 10e-6;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
 
 OperatingPoint at_speed(OperatingPoint point, double speed) {
   point.speed = speed;
   return point;
+}
+
+/// By how much the clearance is opened, m, for a path to begin: where foils leave no room, until they leave c.
+double opening_to_begin(const FilmBearing& bearing) {
+  return bearing.room > 0.0 ? 0.0 : std::max(bearing.scales.thickness, least_opened_room) - bearing.room;
 }
 
 /// Walks along paths and keeps what is found.
@@ -32,6 +39,7 @@ class PathWalker {
         progress_(progress),
         states_(states),
         settings_(*input.equilibrium),
+        opening_(opening_to_begin(*result.bearing)),
         solver_(*result.bearing, options_of(input)) {}
 
   /// The states at `points`, one after the other.
@@ -125,22 +133,23 @@ class PathWalker {
     total.jumps += more.jumps;
   }
 
-  /// From rest to the first state of a path.
+  /// From rest to the first state of a path: with a clearance that is opened where it has to be, and closes at the end.
   void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     const bool by_load = point.control == OperatingPoint::Control::load;
+    const OperatingPoint opened{point.control, point.journal, point.speed, opening_};
     switch (path) {
       case FilmPath::load_ramp:
         begin(along(point), point.speed, total);
-        ramp(point, total);
+        ramp(opened, total);
         break;
       case FilmPath::position_ray:
         if (by_load) {
           begin(Eigen::Vector2d::Zero(), point.speed, total);
-          ramp(OperatingPoint::held_at(along(point), point.speed), total);
+          ramp({OperatingPoint::Control::position, along(point), point.speed, opening_}, total);
         } else {
           begin(towards(point), point.speed, total);
         }
-        ramp(point, total);
+        ramp(opened, total);
         break;
       case FilmPath::speed_ramp:
         start(by_load ? FilmPath::load_ramp : FilmPath::position_ray, at_speed(point, coasting_from * point.speed),
@@ -150,24 +159,25 @@ class PathWalker {
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
         if (by_load && total.status == FilmStatus::converged) {
-          add(total, solver_.settle(point, state_->contact, *state_));
+          add(total, solver_.settle(opened, state_->contact, *state_));
         }
         break;
     }
+    if (state_ && state_->opening > 0.0) ramp(point, total);
   }
 
   [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
-    return start_along_load * result_.bearing->room * point.journal.normalized();
+    return start_along_load * (result_.bearing->room + opening_) * point.journal.normalized();
   }
 
   [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
-    const double farthest = start_towards_position * result_.bearing->room;
+    const double farthest = start_towards_position * (result_.bearing->room + opening_);
     return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
   }
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     FilmBearingState started;
-    add(total, solver_.cold_start(position, speed, started));
+    add(total, solver_.cold_start(position, speed, started, opening_));
     if (total.status == FilmStatus::converged) state_ = std::move(started);
   }
 
@@ -176,15 +186,17 @@ class PathWalker {
     if (total.status != FilmStatus::converged) return;
     OperatingPoint from = point;
     from.speed = state_->speed;
+    from.opening = state_->opening;
     from.journal = point.control == OperatingPoint::Control::load
                        ? film_force(*result_.bearing, state_->foil.film.pressure)
                        : state_->position;
-    if (from.journal == point.journal && from.speed == point.speed) return;
+    if (from == point) return;
     for (int i = 1; i <= settings_.steps && total.status == FilmStatus::converged; ++i) {
       const double part = static_cast<double>(i) / settings_.steps;
       OperatingPoint to = point;
       to.journal = from.journal + part * (point.journal - from.journal);
       to.speed = from.speed + part * (point.speed - from.speed);
+      to.opening = from.opening + part * (point.opening - from.opening);
       done_of_state_ = part - 1.0 / settings_.steps;
       go(to, total);
     }
@@ -197,6 +209,7 @@ class PathWalker {
   const std::function<bool(double)>& progress_;
   std::size_t states_;
   const EquilibriumSettings& settings_;
+  double opening_;  ///< of the clearance where a path begins, m
   double done_of_state_{};
   bool reached_{true};
   FilmBearingSolver solver_;

@@ -17,8 +17,8 @@
 namespace bumpfoil {
 namespace {
 
-/// c of a bearing without clearance, m.
-constexpr double smallest_scale = 10e-6;
+/// c of a bearing without clearance, m, or with a lesser interference.
+constexpr double scale_without_clearance = 10e-6;
 
 /// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.
 BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vector<FilmPad>& pads) {
@@ -75,7 +75,7 @@ Gas gas_of(const GasSettings& settings) {
 }
 
 double film_thickness_scale(double clearance) {
-  return clearance != 0.0 ? std::abs(clearance) : smallest_scale;
+  return clearance > 0.0 ? clearance : std::max(-clearance, scale_without_clearance);
 }
 
 int FilmBearing::columns() const {
@@ -90,8 +90,8 @@ Matrix FilmBearing::field(double value) const {
   return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
 }
 
-Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position) const {
-  Matrix H = field(clearance / scales.thickness);
+Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position, double opening) const {
+  Matrix H = field((clearance + opening) / scales.thickness);
   H.rowwise() += (sleeve.transpose() - position.transpose() * normals) / scales.thickness;
   return H;
 }
@@ -174,10 +174,11 @@ FilmBearing make_film_bearing(const Case& input) {
                            {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
 }
 
-FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed) {
+FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
   FilmBearingState state{.position = position,
                          .speed = speed,
-                         .foil = {.film = {bearing.field(1.0), bearing.undeformed_thickness(position)},
+                         .opening = opening,
+                         .foil = {.film = {bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
                                   .lift = Vector::Zero(bearing.columns()),
                                   .moment = Vector::Zero(bearing.columns())},
                          .contact = ContactState::unstressed(bearing.problem)};
@@ -259,7 +260,7 @@ double wrapped(double angle) {
 void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
   // What the sleeve is wider, too.
-  Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position);
+  Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
   const double couette = scales.couette_torque(state.speed * scales.radius);
   double poiseuille_torque = 0.0;

@@ -24,7 +24,7 @@ FilmReport& operator+=(FilmReport& total, const FilmReport& more) {
 
 OperatingPoint between(const OperatingPoint& from, const OperatingPoint& to, double fraction) {
   return {to.control, from.journal + fraction * (to.journal - from.journal),
-          from.speed + fraction * (to.speed - from.speed)};
+          from.speed + fraction * (to.speed - from.speed), from.opening + fraction * (to.opening - from.opening)};
 }
 
 }  // namespace
@@ -91,6 +91,7 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
 double FilmBearingSolver::Workspace::steps_between(const OperatingPoint& from, const OperatingPoint& to) const {
   const double speed = std::max(std::abs(from.speed), std::abs(to.speed));
   double steps = std::max(1.0, std::abs(to.speed - from.speed) / (options.speed_step * speed));
+  steps = std::max(steps, std::abs(to.opening - from.opening) / (options.position_step * bearing.scales.thickness));
   if (to.control == OperatingPoint::Control::position) {
     steps = std::max(steps, (to.journal - from.journal).norm() / (options.position_step * bearing.scales.thickness));
   }
@@ -115,10 +116,13 @@ FilmReport FilmBearingSolver::settle(const OperatingPoint& to, ContactState prev
   return workspace_->settle(to, previous, state);
 }
 
-FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state) {
-  FilmBearingState start = resting(workspace_->bearing, position, speed);
+FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
+                                         double opening) {
+  FilmBearingState start = resting(workspace_->bearing, position, speed, opening);
   const ContactState unstressed = start.contact;
-  const FilmReport report = workspace_->settle(OperatingPoint::held_at(position, speed), unstressed, start);
+  OperatingPoint held = OperatingPoint::held_at(position, speed);
+  held.opening = opening;
+  const FilmReport report = workspace_->settle(held, unstressed, start);
   if (report.status == FilmStatus::converged) state = std::move(start);
   return report;
 }
@@ -137,7 +141,7 @@ FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState prev
   Workspace& w = *workspace_;
   const bool by_load = to.control == OperatingPoint::Control::load;
   const OperatingPoint from{to.control, by_load ? film_force(w.bearing, state.foil.film.pressure) : state.position,
-                            state.speed};
+                            state.speed, state.opening};
   const double steps = w.steps_between(from, to);
   FilmReport total;
   double step = 1.0 / steps;

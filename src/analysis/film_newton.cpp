@@ -15,11 +15,13 @@ constexpr int max_halvings = 8;
 /// Part of a step that is taken where no halving lets the residual fall.
 constexpr double forced_fraction = 0.25;
 /// Longest displacement of the journal in one step, in units of c. Where it is held, the state comes along on its
-/// branch in steps this short; on the way to its load the residual sees to that.
+/// branch in steps this short, as it does where the clearance opens or closes; on the way to its load the residual sees
+/// to that.
 constexpr double longest_displacement = 0.00625;
 constexpr double longest_displacement_under_load = 0.15;
-/// Residual of a journal that is not yet where it is held, per c. The film's residual grows with the square of a step,
-/// and Newton's method takes it away in the next one: with a lesser weight it would keep steps far below the longest.
+/// Residual of a journal that is not yet where it is held, or of a clearance, per c. The film's residual grows with the
+/// square of a step, and Newton's method takes it away in the next one: with a lesser weight it would keep steps far
+/// below the longest.
 constexpr double weight_of_way = 30.0;
 /// Displacements to a position that roundings have left, in units of c.
 constexpr double rounded_displacement = 1e-14;
@@ -70,8 +72,8 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 }
 
 /// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
-/// of a cell, forces by EI' c / p^3, compatibility by c / p, what is missing of the load by pa R^2, of the position by
-/// c / weight_of_way.
+/// of a cell, forces by EI' c / p^3, compatibility by c / p, what is missing of the load by pa R^2, of position and
+/// opening by c / weight_of_way.
 double FilmNewton::find_residual(const OperatingPoint& to, const FilmEquations& equations,
                                  const FilmBearingState& state) {
   const ContactState& contact = state.contact;
@@ -106,6 +108,8 @@ double FilmNewton::find_residual(const OperatingPoint& to, const FilmEquations& 
     const double way = weight_of_way * (to.journal - state.position).norm() / bearing_.scales.thickness;
     square += way * way;
   }
+  const double opening = weight_of_way * (to.opening - state.opening) / bearing_.scales.thickness;
+  square += opening * opening;
   return std::sqrt(square);
 }
 
@@ -195,20 +199,24 @@ Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
   return film_force(bearing_, bearing_.field(1.0) + change.film.pressure);
 }
 
+/// Rates of all unknowns to `rigid`, that of H where the foils do not move: where the system was linearised last, with
+/// the modes that were set last. @return that of the force on the journal
+Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
+  for (Part& part : parts_) {
+    part.residual.film =
+        stencil_product(part.pad.foil.mesh, part.system.film_jacobian().by_thickness, part_of(part.pad, rigid));
+  }
+  answer(rate);
+  rate.foil.film.thickness += rigid;
+  return force_of(rate.foil);
+}
+
 /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
 /// were set last. @return those of the force on the journal, N/m
 Eigen::Matrix2d FilmNewton::find_rates() {
   Eigen::Matrix2d K_film;
   for (const int axis : {0, 1}) {
-    Step& rate = rates_[static_cast<std::size_t>(axis)];
-    const Matrix rigid = thinning(Eigen::Vector2d::Unit(axis));
-    for (Part& part : parts_) {
-      part.residual.film =
-          stencil_product(part.pad.foil.mesh, part.system.film_jacobian().by_thickness, part_of(part.pad, rigid));
-    }
-    answer(rate);
-    rate.foil.film.thickness += rigid;
-    K_film.col(axis) = force_of(rate.foil);
+    K_film.col(axis) = find_rate(thinning(Eigen::Vector2d::Unit(axis)), rates_[static_cast<std::size_t>(axis)]);
   }
   return K_film;
 }
@@ -320,6 +328,7 @@ bool FilmNewton::find_step(const ContactState& previous, const FilmBearingState&
   if (!solved.converged()) return false;
   expand(step_.contact.x, step_.foil);
   step_.displacement.setZero();
+  step_.opening = 0.0;
   return true;
 }
 
@@ -345,24 +354,34 @@ void FilmNewton::move_journal(const OperatingPoint& to, const FilmBearingState& 
   const double longest = (held ? longest_displacement : longest_displacement_under_load) * bearing_.scales.thickness;
   if (displacement.norm() > longest) displacement *= longest / displacement.norm();
   step_.displacement = displacement;
-  for (const int axis : {0, 1}) {
-    const double way = displacement[axis];
-    const Step& rate = rates_[static_cast<std::size_t>(axis)];
-    step_.foil.film.pressure += way * rate.foil.film.pressure;
-    step_.foil.film.thickness += way * rate.foil.film.thickness;
-    step_.foil.lift += way * rate.foil.lift;
-    step_.foil.moment += way * rate.foil.moment;
-    step_.contact.x += way * rate.contact.x;
-    step_.contact.gap += way * rate.contact.gap;
-    step_.contact.normal_force += way * rate.contact.normal_force;
-    step_.contact.friction_force += way * rate.contact.friction_force;
-  }
+  for (const int axis : {0, 1}) add_to_step(displacement[axis], rates_[static_cast<std::size_t>(axis)]);
+}
+
+/// Opens or closes the clearance with the step, by as much as it is to, in the same way.
+void FilmNewton::move_foils(const OperatingPoint& to, const FilmBearingState& state) {
+  if (to.opening == state.opening) return;
+  const double longest = longest_displacement * bearing_.scales.thickness;
+  step_.opening = std::clamp(to.opening - state.opening, -longest, longest);
+  find_rate(bearing_.field(1.0 / bearing_.scales.thickness), opening_rate_);
+  add_to_step(step_.opening, opening_rate_);
+}
+
+void FilmNewton::add_to_step(double way, const Step& rate) {
+  step_.foil.film.pressure += way * rate.foil.film.pressure;
+  step_.foil.film.thickness += way * rate.foil.film.thickness;
+  step_.foil.lift += way * rate.foil.lift;
+  step_.foil.moment += way * rate.foil.moment;
+  step_.contact.x += way * rate.contact.x;
+  step_.contact.gap += way * rate.contact.gap;
+  step_.contact.normal_force += way * rate.contact.normal_force;
+  step_.contact.friction_force += way * rate.contact.friction_force;
 }
 
 void FilmNewton::take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const {
   const FoilFilmState& step = step_.foil;
   to.position = from.position + fraction * step_.displacement;
   to.speed = from.speed;
+  to.opening = from.opening + fraction * step_.opening;
   to.foil.film.pressure = from.foil.film.pressure + fraction * step.film.pressure;
   to.foil.film.thickness = from.foil.film.thickness + fraction * step.film.thickness;
   to.foil.lift = from.foil.lift + fraction * step.lift;
@@ -380,7 +399,7 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
   FilmReport report;
   iterate_ = state;
   iterate_.speed = to.speed;
-  iterate_.foil.film.thickness = bearing_.undeformed_thickness(state.position);
+  iterate_.foil.film.thickness = bearing_.undeformed_thickness(state.position, state.opening);
   iterate_.foil.film.thickness.rowwise() += iterate_.foil.lift.transpose();
   if (iterate_.foil.film.thickness.minCoeff() <= 0.0) {
     report.status = FilmStatus::no_room;
@@ -390,16 +409,18 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
   while (report.iterations < options_.max_iterations) {
     ++report.iterations;
     if (!linearise_films(equations, iterate_) || !find_step(previous, iterate_, report)) return report;
+    move_foils(to, iterate_);
     move_journal(to, iterate_);
     const double fraction = longest_step(options_, iterate_.foil.film, step_.foil.film);
     const double largest =
         std::max({step_.foil.film.pressure.cwiseAbs().maxCoeff(), step_.foil.lift.cwiseAbs().maxCoeff(),
-                  step_.displacement.norm() / bearing_.scales.thickness});
+                  std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
     if (fraction == 1.0 && largest < tolerance) {
       take_step(1.0, iterate_, trial_);
       const bool touches = trial_.foil.film.thickness.minCoeff() < options_.thickness_floor;
       report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
       if (to.control == OperatingPoint::Control::position) trial_.position = to.journal;
+      trial_.opening = to.opening;
       if (!touches) std::swap(state, trial_);
       return report;
     }

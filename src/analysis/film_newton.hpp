@@ -43,6 +43,7 @@ class FilmNewton {
     FoilFilmState foil;
     ContactState contact;  ///< x as its change, the rest as it is at the end of the step
     Eigen::Vector2d displacement{Eigen::Vector2d::Zero()};
+    double opening{};
   };
   /// What is kept for a pad.
   struct Part {
@@ -66,9 +67,12 @@ class FilmNewton {
   bool linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck);
   void answer(Step& change);
   [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
+  Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
   Eigen::Matrix2d find_rates();
   Eigen::Vector2d missing_displacement(const OperatingPoint& to, const FilmBearingState& state);
   void move_journal(const OperatingPoint& to, const FilmBearingState& state);
+  void move_foils(const OperatingPoint& to, const FilmBearingState& state);
+  void add_to_step(double way, const Step& rate);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
   /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
@@ -87,6 +91,7 @@ class FilmNewton {
   Vector bump_forces_;
   Step step_;
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
+  Step opening_rate_;          ///< per opening of the clearance, m
   FilmBearingState iterate_, trial_;
 };
 

@@ -46,6 +46,7 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
   if (!state.found() && state.outcome) {
     json["last_state"] = found_json(bearing, state);
     json["last_state"]["speed_rad_per_s"] = state.last->speed;
+    json["last_state"]["radial_clearance_m"] = bearing.clearance + state.last->opening;
   }
   return json;
 }

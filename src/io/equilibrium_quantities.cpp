@@ -385,6 +385,10 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
         state.last->speed / shown::revolutions.size, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
         state.outcome->force.x(), state.outcome->force.y(),
         1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
+    if (state.last->opening > 0.0) {
+      text += fmt::format(", with the clearance at {:.5g} um on its way to {:.5g} um",
+                          1e6 * (bearing.clearance + state.last->opening), 1e6 * bearing.clearance);
+    }
   }
   return text;
 }

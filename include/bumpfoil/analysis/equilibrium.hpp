@@ -29,7 +29,7 @@ struct RunningState {
   FilmReport report;     ///< of the way from the state before, or from rest; `not_reached` where that was not found
   double wall_time{};    ///< s
   /// Where the path came to: the state that was asked for if the report says so, else the last one that was found on
-  /// the way, if any was.
+  /// the way, if any was; its opening is not zero where the clearance had not closed yet.
   std::optional<FilmBearingState> last;
   std::optional<FilmBearingOutcome> outcome;  ///< of it
   /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
@@ -92,6 +92,11 @@ FilmBearing require_running_bearing(const Case& input);
 ///   it in `steps` equal increments; then speed after speed, one increment each.
 /// * cold_start, for every state anew: a position at once, where the journal must not touch the undeformed foils; to a
 ///   load the journal is let go, and the film marched on in time until it rests.
+///
+/// Foils that leave a journal at the centre no room (C_r <= 0, or a lobe as large) are opened before the cold start,
+/// C_r to where c is left of it, 10 um at least. When the first state is reached so, or the one at 1.5 times its speed,
+/// they close to what they are in `steps` equal increments, load or position held. Where that is not possible the last
+/// state says how far they came.
 ///
 /// Friction refers to the increment before; what is followed inside an increment is cut in steps as small as it takes.
 /// Where a state is not found, those after it on its path are not looked for.

@@ -18,7 +18,7 @@ Gas gas_of(const GasSettings& settings);
 /// @throws Error (input) if a case has another
 void require_film_geometry(const Case& input);
 
-/// c of a bearing, m: the size of its clearance, or 10 um where it has none.
+/// c of a bearing, m: its clearance; where it has none, its interference, 10 um at least.
 double film_thickness_scale(double clearance);
 
 /// Mesh of the film over the foil of a bearing.
@@ -51,7 +51,7 @@ struct FilmPad {
 /// the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the place of its
 /// first pressure; all else there stays zero.
 struct FilmBearing {
-  FilmScales scales;  ///< c is the size of the clearance
+  FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;
   BumpDofs dofs;
   ContactProblem problem;  ///< K of the bump foils alone, which holds what means nothing in the last blocks
@@ -72,8 +72,9 @@ struct FilmBearing {
   [[nodiscard]] int bumps() const;
   /// A field that is `value` everywhere.
   [[nodiscard]] Matrix field(double value) const;
-  /// H of the undeformed foils with the journal at `position` (m), at all nodes.
-  [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position) const;
+  /// H of the undeformed foils with the journal at `position` (m), at all nodes, where the foils stand farther out than
+  /// they do by `opening` (m).
+  [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position, double opening = 0.0) const;
 };
 
 /// What a pad has of a field of all.
@@ -96,12 +97,14 @@ FilmBearing make_film_bearing(const Case& input);
 struct FilmBearingState {
   Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< of the journal, m
   double speed{};                                     ///< Omega, rad/s
+  double opening{};                                   ///< by which the clearance is wider than that of the bearing, m
   FoilFilmState foil;                                 ///< of all columns, without dimension, see FilmScales
   ContactState contact;                               ///< of the unknowns of the blocks
 };
 
 /// P = 1, unstressed foils; H is positive where the journal leaves room.
-FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed);
+FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
+                         double opening = 0.0);
 
 /// What a state is good for.
 struct FilmBearingOutcome {

@@ -32,6 +32,7 @@ struct OperatingPoint {
   enum class Control { position, load } control{Control::position};
   Eigen::Vector2d journal{Eigen::Vector2d::Zero()};  ///< its position, m, or the load on it, N
   double speed{};                                    ///< Omega, rad/s
+  double opening{};                                  ///< by which the clearance is wider than that of the bearing, m
 
   bool operator==(const OperatingPoint&) const = default;
 
@@ -59,7 +60,7 @@ class FilmBearingSolver {
   /// The state near `state` at another operating point, all in one step.
   [[nodiscard]] FilmReport solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
 
-  /// In a straight line of speed and position, or speed and load, by steps of adapted length. Where even the smallest
+  /// In a straight line of speed, opening and position, or load, by steps of adapted length. Where even the smallest
   /// fails the branch has a fold: from the last state before it the film is marched in time at the point behind it, and
   /// the line followed on from where that comes to rest (FilmReport::jumps).
   [[nodiscard]] FilmReport follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
@@ -69,8 +70,10 @@ class FilmBearingSolver {
   [[nodiscard]] FilmReport settle(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
 
   /// settle() with the journal at `position`, where it must not touch the undeformed foils, and at `speed`, from
-  /// unstressed foils and ambient pressure. Friction refers to the unstressed foils.
-  [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state);
+  /// unstressed foils and ambient pressure. Friction refers to the unstressed foils. With an `opening` (m) in a
+  /// clearance wider by that, which follow() closes.
+  [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
+                                      double opening = 0.0);
 
   /// Stiffness dF/d(x, y) of the bearing at `state`, N/m, rows x and y: consistent, closed contacts rigid, every
   /// contact keeping its mode; with `stuck` slipping contacts stick, as under a small whirl. Not symmetric.

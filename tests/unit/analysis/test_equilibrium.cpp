@@ -116,6 +116,72 @@ TEST(Equilibrium, HasNoRoomBeyondTheClearance) {
   EXPECT_FALSE(result.states[0].outcome.has_value());
 }
 
+/// A journal larger than the foils, by 2 um: gas enters at the weld, and the load takes the journal off it.
+TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
+  const auto states = [](FilmPath path, EquilibriumSettings settings) {
+    settings.speeds = {-speed, -0.9 * speed};
+    settings.path = path;
+    settings.steps = 3;
+    Case input = running_case(settings);
+    input.bearing.radial_clearance = -2e-6;
+    return run_equilibrium(input);
+  };
+  const EquilibriumSettings loads{.loads = {{120.0, 0.0}, {150.0, 0.0}}};
+  const EquilibriumResult ramped = states(FilmPath::load_ramp, loads);
+  ASSERT_TRUE(ramped.converged());
+  EquilibriumSettings positions;
+  for (const std::size_t i : {0U, 1U}) positions.positions.push_back(ramped.states[i].last->position);
+  for (const FilmPath path : {FilmPath::load_ramp, FilmPath::position_ray, FilmPath::speed_ramp}) {
+    for (const EquilibriumSettings& settings : {loads, positions}) {
+      if (path == FilmPath::load_ramp && settings.loads.empty()) continue;
+      const EquilibriumResult result = states(path, settings);
+      ASSERT_EQ(result.states.size(), 4U);
+      for (const RunningState& state : result.states) {
+        ASSERT_EQ(state.report.status, FilmStatus::converged) << static_cast<int>(path);
+        EXPECT_EQ(state.last->opening, 0.0);
+        EXPECT_GT(state.last->position.x(), 2e-6);
+        EXPECT_GT(state.last->foil.film.thickness.minCoeff(), 0.0);
+      }
+      // Without friction all paths come to the same state here.
+      const Eigen::Vector2d& first = result.states.front().last->position;
+      EXPECT_LT((first - ramped.states.front().last->position).norm(), 1e-12);  // m
+    }
+  }
+}
+
+/// Gas that enters under a free end finds no more than the foil's own clearance there: the film ends with it.
+TEST(Equilibrium, SaysHowFarAClearanceClosed) {
+  Case input = running_case({.speeds = {speed}, .loads = {{50.0, 0.0}, {60.0, 0.0}}, .steps = 3});
+  input.bearing.radial_clearance = -2e-6;
+  input.film.h_floor = 0.1e-6;
+  const EquilibriumResult result = run_equilibrium(input);
+  const RunningState& failed = result.states.at(0);
+  EXPECT_EQ(failed.report.status, FilmStatus::touchdown);
+  ASSERT_TRUE(failed.last && failed.outcome);
+  const double clearance = input.bearing.radial_clearance + failed.last->opening;
+  EXPECT_GT(clearance, 0.2e-6);
+  EXPECT_LT(clearance, 0.4e-6);
+  const double h = failed.outcome->thinnest.thickness * result.bearing->scales.thickness;
+  EXPECT_GE(h, input.film.h_floor);
+  EXPECT_LT(h, 1.1 * input.film.h_floor);
+  EXPECT_EQ(result.states.at(1).report.status, FilmStatus::not_reached);
+}
+
+/// Lobes of all the clearance and more: the journal finds room between the pads' middles once they give way.
+TEST(Equilibrium, ClosesPadsInOnTheJournal) {
+  Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}, .steps = 3});
+  input.bump_foil.bumps = 8;
+  input.bearing.weld_angle = -1.0;  // the load points to the middle of the first pad
+  input.bearing.wrap = Wrap::counterclockwise;
+  input.bearing.radial_clearance = 20e-6;
+  input.pads.assign(3, {.lobe = 21e-6});
+  const EquilibriumResult result = run_equilibrium(input);
+  EXPECT_LT(result.bearing->room, 0.0);
+  ASSERT_EQ(result.states.at(0).report.status, FilmStatus::converged);
+  EXPECT_EQ(result.states[0].last->opening, 0.0);
+  EXPECT_LT((result.states[0].outcome->force - Eigen::Vector2d(20.0, 0.0)).norm(), 1e-7);  // N
+}
+
 /// Lobes of half the clearance: 0.6 of all of it would be beyond the foils.
 TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
   for (const FilmPath path :

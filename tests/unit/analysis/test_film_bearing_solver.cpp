@@ -98,6 +98,49 @@ TEST(FilmBearingSolver, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
   EXPECT_EQ(state.position, outside);
 }
 
+/// Gas that enters at the weld, off which the load takes the journal. Judged by the equations of the bearing as it is:
+/// nothing of the way there enters them.
+TEST(FilmBearingSolver, ClosesTheClearanceOfAJournalAtWork) {
+  const double speed = speed_of_rpm(-45000.0);
+  const Eigen::Vector2d load(150.0, 0.0);
+  for (const double clearance : {5e-6, 0.0, -3e-6}) {
+    for (const double f : {0.0, 0.1}) {
+      if (clearance < 0.0 && f > 0.0) continue;  // touches
+      SCOPED_TRACE(testing::Message() << clearance << ' ' << f);
+      Case input = film_reference_case(coarse, f);
+      input.bearing.radial_clearance = clearance;
+      const FilmBearing bearing = make_film_bearing(input);
+      FilmBearingSolver solver(bearing);
+      FilmBearingState state;
+      const double opening = 10e-6 - clearance;
+      ASSERT_EQ(solver.cold_start({5e-6, 0.0}, speed, state, opening).status, FilmStatus::converged);
+      EXPECT_EQ(state.opening, opening);
+      OperatingPoint loaded = OperatingPoint::loaded_by(load, speed);
+      loaded.opening = opening;
+      ASSERT_EQ(solver.follow(loaded, state.contact, state).status, FilmStatus::converged);
+      EXPECT_EQ(state.opening, opening);
+      loaded.opening = 0.0;
+      const ContactState previous = state.contact;
+      ASSERT_EQ(solver.follow(loaded, previous, state).status, FilmStatus::converged);
+      EXPECT_EQ(state.opening, 0.0);
+      expect_solved(bearing, state, previous);
+      EXPECT_LT((film_force(bearing, state.foil.film.pressure) - load).norm(), 1e-7);  // N
+      EXPECT_GT(state.position.x(), -clearance);
+      if (clearance <= 0.0) {
+        EXPECT_GT(bump_loads(bearing, state).minCoeff(), -1e-9);  // N
+        continue;
+      }
+      if (f > 0.0) continue;
+      // A clearance that need not be opened: the same state.
+      FilmBearingState direct;
+      ASSERT_EQ(solver.cold_start({0.6 * clearance, 0.0}, speed, direct).status, FilmStatus::converged);
+      ASSERT_EQ(solver.follow(loaded, direct.contact, direct).status, FilmStatus::converged);
+      EXPECT_LT((direct.position - state.position).norm(), 1e-8 * clearance);
+      EXPECT_LT((direct.foil.film.pressure - state.foil.film.pressure).cwiseAbs().maxCoeff(), 1e-7);
+    }
+  }
+}
+
 TEST(FilmBearingSolver, SaysWhenSurfacesTouch) {
   const FilmBearing bearing = film_reference_bearing(coarse);
   FilmBearingSolver solver(bearing, {.newton = {.thickness_floor = 0.5}});

@@ -1,0 +1,64 @@
+// docs/verification/film.md: journals as large as the foils, or larger. The reference bearing without friction at
+// 45,000 rpm, gas entering at the weld, where the clearance closes under the load.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bumpfoil/analysis/equilibrium.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+RunningState state_of(double clearance, double load, const FilmResolution& resolution, double rpm = -45000.0) {
+  Case input = film_reference_case(resolution);
+  input.bearing.radial_clearance = clearance;
+  input.equilibrium = EquilibriumSettings{.speeds = {speed_of_rpm(rpm)}, .loads = {{load, 0.0}}};
+  return run_equilibrium(input).states.at(0);
+}
+
+/// Slower than thicker films: the layers at their edges are as thin as those of any mesh.
+TEST(FilmInterference, ConvergesWithTheMesh) {
+  std::vector<double> x;
+  for (const int fineness : {1, 2, 4}) {
+    const RunningState state = state_of(0.0, 50.0, {.columns_per_pitch = 6 * fineness, .rows = 8 * fineness});
+    ASSERT_TRUE(state.found()) << fineness;
+    EXPECT_EQ(state.last->opening, 0.0);
+    x.push_back(state.last->position.x());
+  }
+  EXPECT_LT(std::abs(x[2] - x[1]), 3e-3 * x[2]);
+  EXPECT_LT(std::abs(x[2] - x[1]), 0.7 * std::abs(x[1] - x[0]));
+}
+
+/// Hardly anything leaves a film this thin and fast at the sides: P H is what it is where the gas enters.
+TEST(FilmInterference, FilmsAreAsThinAsWhatEntersAndThePressureMakeThem) {
+  const RunningState state = state_of(-2e-6, 100.0, {.columns_per_pitch = 6, .rows = 8});
+  ASSERT_TRUE(state.found());
+  const FilmState& film = state.last->foil.film;
+  const double entering = film.thickness(0, 0);  // P = 1 there
+  EXPECT_LT(std::abs(film.pressure.row(0).maxCoeff() * film.thickness.minCoeff() / entering - 1.0), 0.05);
+  // The journal is off the weld by more than it is too large.
+  EXPECT_GT(state.last->position.x(), 2e-6);
+}
+
+/// Where gas enters under the free end, no more does than the foil leaves of its own shape: its radius less that of the
+/// journal. The film ends with the clearance, and the other sense of rotation, or a load that holds less, is what
+/// helps.
+TEST(FilmInterference, FreeEndsLetInNoMoreThanTheClearance) {
+  const FilmResolution coarse{.columns_per_pitch = 6, .rows = 8};
+  for (const double clearance : {2e-6, 1e-6}) {
+    const RunningState state = state_of(clearance, 50.0, coarse, 45000.0);
+    ASSERT_TRUE(state.found()) << clearance;
+    const FilmState& film = state.last->foil.film;
+    const double c = clearance;  // the unit of H
+    EXPECT_NEAR(c * film.thickness(0, film.thickness.cols() - 1), clearance, 1e-3 * clearance);
+    EXPECT_LT(std::abs(film.pressure.maxCoeff() * film.thickness.minCoeff() - 1.0), 0.05);
+  }
+  const RunningState none = state_of(0.0, 50.0, coarse, 45000.0);
+  EXPECT_EQ(none.report.status, FilmStatus::touchdown);
+  EXPECT_NEAR(none.last->opening, 0.28e-6, 0.03e-6);
+}
+
+}  // namespace
+}  // namespace bumpfoil
