@@ -139,7 +139,7 @@ class PathWalker {
     const OperatingPoint opened{point.control, point.journal, point.speed, opening_};
     switch (path) {
       case FilmPath::load_ramp:
-        begin(along(point), point.speed, total);
+        begin_gently(along(point), point.speed, total);
         ramp(opened, total);
         break;
       case FilmPath::position_ray:
@@ -147,7 +147,7 @@ class PathWalker {
           begin(Eigen::Vector2d::Zero(), point.speed, total);
           ramp({OperatingPoint::Control::position, along(point), point.speed, opening_}, total);
         } else {
-          begin(towards(point), point.speed, total);
+          begin_gently(towards(point), point.speed, total);
         }
         ramp(opened, total);
         break;
@@ -179,6 +179,14 @@ class PathWalker {
     FilmBearingState started;
     add(total, solver_.cold_start(position, speed, started, opening_));
     if (total.status == FilmStatus::converged) state_ = std::move(started);
+  }
+
+  /// Where the march throws the foil onto the journal, from the centre on to the position.
+  void begin_gently(const Eigen::Vector2d& position, double speed, FilmReport& total) {
+    begin(position, speed, total);
+    if (total.status != FilmStatus::touchdown) return;
+    begin(Eigen::Vector2d::Zero(), speed, total);
+    ramp({OperatingPoint::Control::position, position, speed, opening_}, total);
   }
 
   /// On to a point in equal increments; a point that is there already takes none.

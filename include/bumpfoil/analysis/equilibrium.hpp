@@ -93,6 +93,10 @@ FilmBearing require_running_bearing(const Case& input);
 /// * cold_start, for every state anew: a position at once, where the journal must not touch the undeformed foils; to a
 ///   load the journal is let go, and the film marched on in time until it rests.
 ///
+/// A film that is started that suddenly may throw the foils onto the journal. load_ramp, position_ray and speed_ramp
+/// then begin with a cold start at the centre instead, and the journal goes to where it was to be in `steps`
+/// increments.
+///
 /// Foils that leave a journal at the centre no room (C_r <= 0, or a lobe as large) are opened before the cold start,
 /// C_r to where c is left of it, 10 um at least. When the first state is reached so, or the one at 1.5 times its speed,
 /// they close to what they are in `steps` equal increments, load or position held. Where that is not possible the last

@@ -182,6 +182,27 @@ TEST(Equilibrium, ClosesPadsInOnTheJournal) {
   EXPECT_LT((result.states[0].outcome->force - Eigen::Vector2d(20.0, 0.0)).norm(), 1e-7);  // N
 }
 
+/// A bearing whose heights scatter by 3 um: the march from rest throws its foil onto the journal at 0.6 C_r.
+TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
+  Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}}, 0.1);
+  input.bearing.radial_clearance = 31.3e-6;
+  input.bump_foil.height_errors = {0.8, -2.5, -0.3, -6.0, -5.3, 2.2,  1.3,  -2.5, 4.3,  -1.8, 2.1,  -3.0, -2.7,
+                                   6.2, -1.6, -5.2, -1.3, -4.9, -0.6, -3.0, 4.6,  -3.9, -0.8, -6.8, -2.1, -2.1};
+  for (double& error : input.bump_foil.height_errors) error *= 1e-6;
+  const auto state_on = [&](FilmPath path) {
+    input.equilibrium->path = path;
+    return run_equilibrium(input).states.at(0);
+  };
+  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, FilmStatus::touchdown);
+  const RunningState ramped = state_on(FilmPath::load_ramp);
+  ASSERT_EQ(ramped.report.status, FilmStatus::converged);
+  // Increment by increment what position_ray does.
+  const RunningState ray = state_on(FilmPath::position_ray);
+  ASSERT_EQ(ray.report.status, FilmStatus::converged);
+  EXPECT_EQ(ramped.last->position, ray.last->position);
+  EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, FilmStatus::converged);
+}
+
 /// Lobes of half the clearance: 0.6 of all of it would be beyond the foils.
 TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
   for (const FilmPath path :
