@@ -25,7 +25,8 @@ OperatingPoint at_speed(OperatingPoint point, double speed) {
   return point;
 }
 
-/// By how much the clearance is opened, m, for a path to begin: where foils leave no room, until they leave c.
+/// By how much the clearance is opened, m, for a path to begin: where foils leave no room, until they leave c and at
+/// least least_opened_room.
 double opening_to_begin(const FilmBearing& bearing) {
   return bearing.room > 0.0 ? 0.0 : std::max(bearing.scales.thickness, least_opened_room) - bearing.room;
 }
@@ -136,7 +137,8 @@ class PathWalker {
   /// From rest to the first state of a path: with a clearance that is opened where it has to be, and closes at the end.
   void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     const bool by_load = point.control == OperatingPoint::Control::load;
-    const OperatingPoint opened{point.control, point.journal, point.speed, opening_};
+    OperatingPoint opened = point;
+    opened.opening = opening_;
     switch (path) {
       case FilmPath::load_ramp:
         begin_gently(along(point), point.speed, total);
@@ -145,7 +147,7 @@ class PathWalker {
       case FilmPath::position_ray:
         if (by_load) {
           begin(Eigen::Vector2d::Zero(), point.speed, total);
-          ramp({OperatingPoint::Control::position, along(point), point.speed, opening_}, total);
+          ramp(OperatingPoint::held_at(along(point), point.speed, opening_), total);
         } else {
           begin_gently(towards(point), point.speed, total);
         }
@@ -181,12 +183,12 @@ class PathWalker {
     if (total.status == FilmStatus::converged) state_ = std::move(started);
   }
 
-  /// Where the march throws the foil onto the journal, from the centre on to the position.
+  /// begin(); where that throws the foil onto the journal, at the centre instead, and from there on to the position.
   void begin_gently(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     begin(position, speed, total);
     if (total.status != FilmStatus::touchdown) return;
     begin(Eigen::Vector2d::Zero(), speed, total);
-    ramp({OperatingPoint::Control::position, position, speed, opening_}, total);
+    ramp(OperatingPoint::held_at(position, speed, opening_), total);
   }
 
   /// On to a point in equal increments; a point that is there already takes none.

@@ -17,7 +17,7 @@
 namespace bumpfoil {
 namespace {
 
-/// c of a bearing without clearance, m, or with a lesser interference.
+/// c of a bearing without clearance whose interference is less, m.
 constexpr double scale_without_clearance = 10e-6;
 
 /// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.

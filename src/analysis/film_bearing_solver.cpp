@@ -120,9 +120,7 @@ FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double
                                          double opening) {
   FilmBearingState start = resting(workspace_->bearing, position, speed, opening);
   const ContactState unstressed = start.contact;
-  OperatingPoint held = OperatingPoint::held_at(position, speed);
-  held.opening = opening;
-  const FilmReport report = workspace_->settle(held, unstressed, start);
+  const FilmReport report = workspace_->settle(OperatingPoint::held_at(position, speed, opening), unstressed, start);
   if (report.status == FilmStatus::converged) state = std::move(start);
   return report;
 }

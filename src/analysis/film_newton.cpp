@@ -199,8 +199,8 @@ Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
   return film_force(bearing_, bearing_.field(1.0) + change.film.pressure);
 }
 
-/// Rates of all unknowns to `rigid`, that of H where the foils do not move: where the system was linearised last, with
-/// the modes that were set last. @return that of the force on the journal
+/// Rates of all unknowns to `rigid`, the rate of H with foils that do not give way, 1/m: where the system was
+/// linearised last, with the modes that were set last. @return that of the force on the journal, N/m
 Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
   for (Part& part : parts_) {
     part.residual.film =
@@ -357,7 +357,8 @@ void FilmNewton::move_journal(const OperatingPoint& to, const FilmBearingState& 
   for (const int axis : {0, 1}) add_to_step(displacement[axis], rates_[static_cast<std::size_t>(axis)]);
 }
 
-/// Opens or closes the clearance with the step, by as much as it is to, in the same way.
+/// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
+/// way.
 void FilmNewton::move_foils(const OperatingPoint& to, const FilmBearingState& state) {
   if (to.opening == state.opening) return;
   const double longest = longest_displacement * bearing_.scales.thickness;
@@ -366,6 +367,7 @@ void FilmNewton::move_foils(const OperatingPoint& to, const FilmBearingState& st
   add_to_step(step_.opening, opening_rate_);
 }
 
+/// Adds what all unknowns change by on a way (m) of the journal or the foils, at their rates per m.
 void FilmNewton::add_to_step(double way, const Step& rate) {
   step_.foil.film.pressure += way * rate.foil.film.pressure;
   step_.foil.film.thickness += way * rate.foil.film.thickness;

@@ -36,10 +36,12 @@ struct OperatingPoint {
 
   bool operator==(const OperatingPoint&) const = default;
 
-  static OperatingPoint held_at(const Eigen::Vector2d& position, double speed) {
-    return {Control::position, position, speed};
+  static OperatingPoint held_at(const Eigen::Vector2d& position, double speed, double opening = 0.0) {
+    return {Control::position, position, speed, opening};
   }
-  static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed) { return {Control::load, load, speed}; }
+  static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed, double opening = 0.0) {
+    return {Control::load, load, speed, opening};
+  }
 };
 
 /// Finds states of a bearing that runs: gas film, sagging top foil, bump foil, unilateral contact and Coulomb friction

@@ -115,8 +115,7 @@ TEST(FilmBearingSolver, ClosesTheClearanceOfAJournalAtWork) {
       const double opening = 10e-6 - clearance;
       ASSERT_EQ(solver.cold_start({5e-6, 0.0}, speed, state, opening).status, FilmStatus::converged);
       EXPECT_EQ(state.opening, opening);
-      OperatingPoint loaded = OperatingPoint::loaded_by(load, speed);
-      loaded.opening = opening;
+      OperatingPoint loaded = OperatingPoint::loaded_by(load, speed, opening);
       ASSERT_EQ(solver.follow(loaded, state.contact, state).status, FilmStatus::converged);
       EXPECT_EQ(state.opening, opening);
       loaded.opening = 0.0;

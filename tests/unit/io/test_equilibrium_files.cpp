@@ -105,10 +105,13 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
 }
 
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
-  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(true), RunStatus::failed, {});
+  EquilibriumResult result = example(true);
+  result.states[1].last->opening = 2e-6;
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), result, RunStatus::failed, {});
   const json failed = json::parse(files[4].contents).at("states").at(1);
   EXPECT_TRUE(failed.at("x_m").is_null());
   EXPECT_GT(failed.at("last_state").at("x_m"), 0.0);
+  EXPECT_EQ(failed.at("last_state").at("radial_clearance_m"), result.bearing->clearance + 2e-6);
   EXPECT_NE(failed.at("reason").get<std::string>().find("the branch of states ends"), std::string::npos);
 }
 
