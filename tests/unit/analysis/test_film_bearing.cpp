@@ -139,6 +139,13 @@ TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
   EXPECT_EQ(bump_loads(bearing, state)[8 + 2], 3.0);
 }
 
+TEST(FilmBearing, HasAScaleWithoutClearanceToo) {
+  EXPECT_EQ(film_thickness_scale(3e-6), 3e-6);
+  EXPECT_EQ(film_thickness_scale(0.0), 10e-6);
+  EXPECT_EQ(film_thickness_scale(-2e-6), 10e-6);
+  EXPECT_EQ(film_thickness_scale(-15e-6), 15e-6);
+}
+
 TEST(FilmBearing, HasARoundJournal) {
   Case input = film_reference_case(coarse);
   input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 1e-6, .phase = 0.0}};
