@@ -148,12 +148,13 @@ void help_with(const Ranks& ranks, const std::string& order) {
   }
   const EnsembleLayout layout = make_ensemble_layout(input);
   const unsigned workers = threads > 0 ? threads : available_threads();
+  EnsembleSampler sampler(input, layout);
   HandedSamples samples;
   Helper helper(ranks, samples, workers, layout.width());
   run_in_parallel(
       samples, workers,
       [&](std::size_t number, const ProgressCallback& progress) {
-        const std::optional<std::vector<double>> row = run_ensemble_sample(input, layout, number, progress);
+        const std::optional<std::vector<double>> row = sampler.run(number, progress);
         if (row) samples.put(number, *row);
       },
       [&] { return helper.tick(); });

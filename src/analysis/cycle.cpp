@@ -18,6 +18,13 @@ bool CycleResult::converged() const {
 CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings)
     : foils_(std::move(foils)), settings_(settings) {}
 
+void CycleRunner::set_foils(SharedFoils foils) {
+  for (std::optional<FoilStepper>* stepper : {&exact_, &fast_}) {
+    if (*stepper && !(*stepper)->set_foils(foils)) stepper->reset();
+  }
+  foils_ = std::move(foils);
+}
+
 Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recording recording,
                        const ProgressCallback& progress, const Excitation& centre) {
   std::vector<Clearance> clearances;

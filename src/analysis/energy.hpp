@@ -9,7 +9,9 @@ namespace bumpfoil {
 ///     W = -1/2 sum (p_begin + p_end) (g0_end - g0_begin)
 ///
 /// which is 1/2 (F_begin + F_end).dx for a journal displaced by dx.
-double gap_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
+/// @param mean_force  1/2 (p_begin + p_end) of each contact, N
+/// @param gap_change  g0_end - g0_begin of each, m
+double gap_work(const Vector& mean_force, const Vector& gap_change);
 
 /// Energy dissipated by friction, sum of f p |du|, J.
 /// @param normal_force  p of each contact, N

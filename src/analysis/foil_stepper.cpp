@@ -63,6 +63,12 @@ FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings, Rate
 
 FoilStepper::~FoilStepper() = default;
 
+bool FoilStepper::set_foils(const SharedFoils& foils) {
+  if (!is_same(foils_->problem, foils->problem)) return false;
+  foils_ = foils;
+  return true;
+}
+
 void FoilStepper::assemble(const Excitation& excitation, Step& step) {
   const FoilState unstressed = FoilState::unstressed(*foils_);
   step.state = unstressed;
@@ -84,6 +90,8 @@ void FoilStepper::set_out(const FoilState& from, const Excitation& end) {
   path_begin_ = from.excitation;
   path_end_ = end;
   follower_->set_out({.begin = from.loading, .end = loading_under(*foils_, end)}, from.contacts);
+  gap_change_ = follower_->path().end.initial_gap - follower_->path().begin.initial_gap;
+  followed_ = 0.0;
 }
 
 void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step) {
@@ -105,13 +113,11 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
     if (part.fraction < fraction) {
       step.waypoints.push_back({position_at(part.fraction), holding_force(*foils_, end), pad_forces(*foils_, end)});
     }
-    step.state.work += gap_work(problem, part.begin, part.end);
-    if (part.linear) {
-      mean_force_ = 0.5 * (begin + end);
-      step.state.dissipated_energy += friction_dissipation(problem, mean_force_, part.begin.x, part.end.x);
-    } else {
-      step.state.dissipated_energy += friction_dissipation(problem, end, part.begin.x, part.end.x);
-    }
+    mean_force_ = 0.5 * (begin + end);
+    step.state.work += (part.fraction - followed_) * gap_work(mean_force_, gap_change_);
+    followed_ = part.fraction;
+    step.state.dissipated_energy +=
+        friction_dissipation(problem, part.linear ? mean_force_ : end, part.begin.x, part.end.x);
   };
   events_.clear();
   const FollowReport report = follower_->follow_to(fraction, step.state.contacts, visit, events_);

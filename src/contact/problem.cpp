@@ -5,6 +5,10 @@
 
 namespace bumpfoil {
 
+bool is_same(const ContactProblem& a, const ContactProblem& b) {
+  return !a.law && !b.law && a.K == b.K && a.pairs == b.pairs && a.force_scale == b.force_scale;
+}
+
 ContactLoading ContactLoading::none(const ContactProblem& problem) {
   return {.initial_gap = Vector::Zero(problem.contacts()), .load = Vector::Zero(problem.K.rows())};
 }

@@ -115,19 +115,28 @@ Case sampled_case(const Case& input, const Sample& sample) {
   return sampled;
 }
 
-CycleResult run_sample(const Case& sampled, const ProgressCallback& progress) {
+CycleResult SampleRunner::run(const Case& sampled, const ProgressCallback& progress) {
   SharedFoils foils;
   try {
     foils = make_bearing_foils(sampled);
   } catch (const Error&) {
     return not_run(sampled);
   }
+  if (runner_ && settings_ == sampled.solver) {
+    runner_->set_foils(std::move(foils));
+  } else {
+    settings_ = sampled.solver;
+    runner_.emplace(std::move(foils), settings_);
+  }
   CycleResult result{.solver = sampled.solver.name, .experiment = Experiment::cycle, .cycles = {}};
-  CycleRunner runner(foils, sampled.solver);
   for (const double direction : sampled.cycle.directions) {
-    result.cycles.push_back(runner.run(direction, sampled.cycle, Recording::quantities, progress));
+    result.cycles.push_back(runner_->run(direction, sampled.cycle, Recording::quantities, progress));
   }
   return result;
+}
+
+CycleResult run_sample(const Case& sampled, const ProgressCallback& progress) {
+  return SampleRunner().run(sampled, progress);
 }
 
 }  // namespace bumpfoil

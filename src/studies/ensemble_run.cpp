@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bumpfoil/ensemble/running_sample.hpp"
-#include "bumpfoil/ensemble/sample.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -53,19 +52,38 @@ class Writer {
 
 }  // namespace
 
-std::optional<std::vector<double>> run_ensemble_sample(const Case& input, const EnsembleLayout& layout,
-                                                       std::size_t number, const ProgressCallback& progress) {
-  const Case sampled = sampled_case(input, draw_sample(input, number));
+EnsembleSampler::EnsembleSampler(const Case& input, const EnsembleLayout& layout) : input_(input), layout_(layout) {}
+
+std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, const ProgressCallback& progress) {
+  const Case sampled = sampled_case(input_, draw_sample(input_, number));
   bool stopped = false;
   const ProgressCallback goes_on = [&](double fraction) {
     stopped = stopped || !progress(fraction);
     return !stopped;
   };
-  const SampleResult result = layout.command == EnsembleCommand::cycle
-                                  ? SampleResult(run_sample(sampled, goes_on))
-                                  : SampleResult(run_running_sample(sampled, goes_on));
+  SampleResult result;
+  if (layout_.command == EnsembleCommand::cycle) {
+    std::unique_ptr<SampleRunner> runner = take_runner();
+    result = runner->run(sampled, goes_on);
+    give_back(std::move(runner));
+  } else {
+    result = run_running_sample(sampled, goes_on);
+  }
   if (stopped) return std::nullopt;
-  return make_ensemble_row(layout, sampled, result);
+  return make_ensemble_row(layout_, sampled, result);
+}
+
+std::unique_ptr<SampleRunner> EnsembleSampler::take_runner() {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return std::make_unique<SampleRunner>();
+  std::unique_ptr<SampleRunner> runner = std::move(idle_.back());
+  idle_.pop_back();
+  return runner;
+}
+
+void EnsembleSampler::give_back(std::unique_ptr<SampleRunner> runner) {
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(runner));
 }
 
 bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& log, const EnsembleRun& run) {
@@ -74,10 +92,11 @@ bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& 
   SampleFlow flow(log.samples(), std::max(samples, log.samples()), window);
   Writer writer(flow, window, log, run.enough);
   if (writer.is_enough()) return true;
+  EnsembleSampler sampler(input, layout);
   const bool finished = run_in_parallel(
       flow, run.threads,
       [&](std::size_t number, const ProgressCallback& progress) {
-        std::optional<std::vector<double>> row = run_ensemble_sample(input, layout, number, progress);
+        std::optional<std::vector<double>> row = sampler.run(number, progress);
         if (row) flow.put(number, std::move(*row));
       },
       [&] {

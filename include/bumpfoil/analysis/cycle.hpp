@@ -176,6 +176,10 @@ class CycleRunner {
  public:
   CycleRunner(SharedFoils foils, const SolverSettings& settings);
 
+  /// Takes other foils. Where only their gaps differ from those so far, what has been built of their stiffness is kept;
+  /// results are the same to the last bit as those of a new runner.
+  void set_foils(SharedFoils foils);
+
   /// Cycles along `direction` (rad) from the unstressed foils, until they settle. Numerical failures are reported in
   /// the result.
   ///

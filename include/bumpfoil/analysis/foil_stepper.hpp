@@ -30,6 +30,10 @@ class FoilStepper {
   FoilStepper(SharedFoils foils, const SolverSettings& settings, Rates rates = Rates::by_solves);
   ~FoilStepper();
 
+  /// Takes other foils of the same stiffness and contacts, whose gaps alone may differ. An assembly must follow.
+  /// @return false if these are others; then it keeps those it has
+  [[nodiscard]] bool set_foils(const SharedFoils& foils);
+
   /// From the unstressed foils in one step. Work starts at zero; the dissipation is that of the assembly.
   void assemble(const Excitation& excitation, Step& step);
 
@@ -62,6 +66,8 @@ class FoilStepper {
   Excitation path_begin_, path_end_;
   std::vector<ContactEvent> events_;
   ContactState rate_;
+  Vector gap_change_;  ///< of the initial gaps, along the whole path
+  double followed_{};  ///< fraction of the path that lies behind
   Vector mean_force_;  ///< of a part of the response
 };
 

@@ -32,6 +32,8 @@ struct ContactPair {
   int minus{-1};
   int tangential{-1};
   double friction_coefficient{};
+
+  bool operator==(const ContactPair&) const = default;
 };
 
 /// Elastic forces that are not linear in the unknowns.
@@ -64,6 +66,9 @@ struct ContactProblem {
   /// loaded they would be relative to roundings. 1 N as in ContactResiduals, less for problems made for less than 10 N.
   [[nodiscard]] double least_reference_force() const { return std::min(1.0, 0.1 * force_scale); }
 };
+
+/// Whether two problems are the same to the last bit. With elastic laws they never are: these cannot be compared.
+bool is_same(const ContactProblem& a, const ContactProblem& b);
 
 /// A contact problem that several solvers look at: made once, never changed, and alive as long as one of them is.
 class SharedProblem {

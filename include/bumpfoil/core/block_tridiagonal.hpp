@@ -37,6 +37,8 @@ struct BlockTridiagonal {
   /// K x in O(blocks). `x` has rows() entries.
   [[nodiscard]] Vector multiply(const Vector& x) const;
 
+  bool operator==(const BlockTridiagonal&) const = default;
+
   /// The whole matrix written out: for tests and small problems.
   [[nodiscard]] Matrix dense() const;
 };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
@@ -41,5 +42,16 @@ Case sampled_case(const Case& input, const Sample& sample);
 /// Runs a cycle in each direction of a sampled case, for quantities alone. Nothing but the case decides on them, to the
 /// last bit. Numerical failures are reported in the result; so is a case that makes no bearing, as `not_physical`.
 CycleResult run_sample(const Case& sampled, const ProgressCallback& progress = {});
+
+/// Runs one sample after the other, with the results of run_sample(). What was built of the stiffness of one is kept
+/// for the next where heights and gaps alone scatter.
+class SampleRunner {
+ public:
+  CycleResult run(const Case& sampled, const ProgressCallback& progress = {});
+
+ private:
+  SolverSettings settings_;
+  std::optional<CycleRunner> runner_;
+};
 
 }  // namespace bumpfoil

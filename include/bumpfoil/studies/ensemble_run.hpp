@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/io/ensemble_layout.hpp"
 #include "bumpfoil/io/ensemble_log.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -27,9 +30,24 @@ struct EnsembleRun {
   std::function<void(SampleFlow&)> share{};
 };
 
-/// Runs a sample. @return its row, nothing if `progress` stopped it
-std::optional<std::vector<double>> run_ensemble_sample(const Case& input, const EnsembleLayout& layout,
-                                                       std::size_t number, const ProgressCallback& progress);
+/// Runs the samples of an ensemble, for several threads at once.
+class EnsembleSampler {
+ public:
+  /// @param input, layout  outlive it
+  EnsembleSampler(const Case& input, const EnsembleLayout& layout);
+
+  /// @return the row of a sample, which its number alone decides on; nothing if `progress` stopped it
+  [[nodiscard]] std::optional<std::vector<double>> run(std::size_t number, const ProgressCallback& progress);
+
+ private:
+  [[nodiscard]] std::unique_ptr<SampleRunner> take_runner();
+  void give_back(std::unique_ptr<SampleRunner> runner);
+
+  const Case& input_;
+  const EnsembleLayout& layout_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SampleRunner>> idle_;  ///< those that no thread has just now
+};
 
 /// Runs the samples of an ensemble that its log has not yet, and adds them to it: in the order of their numbers, at
 /// least once a second. What the log holds in the end does not depend on who ran them, nor on where it was interrupted

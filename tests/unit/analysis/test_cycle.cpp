@@ -187,6 +187,34 @@ TEST(CycleRunner, RemembersNothing) {
   }
 }
 
+/// Foils whose gaps alone differ share what was built of their stiffness; stiffer ones must not.
+TEST(CycleRunner, TakesOtherFoils) {
+  std::vector<Case> inputs(4, short_case(20));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    BumpFoil& foil = inputs[i].bump_foil;
+    foil.height_errors = random_case(3 + i).bump_foil.height_errors;
+    foil.height_errors.resize(26, 0.0);
+    if (i == 2) foil.thickness.values.front() *= 1.1;
+    if (i == 3) inputs[i].friction.top_bump = 0.3;
+  }
+  for (const SolverName name : {SolverName::newton, SolverName::events}) {
+    const SolverSettings settings{.name = name, .uzawa = {}};
+    CycleRunner used(make_bearing_foils(inputs.front()), settings);
+    for (const Case& input : inputs) {
+      const SharedFoils foils = make_bearing_foils(input);
+      used.set_foils(foils);
+      const Cycle again = used.run(0.3, input.cycle, Recording::quantities);
+      const Cycle fresh = CycleRunner(foils, settings).run(0.3, input.cycle, Recording::quantities);
+      ASSERT_TRUE(fresh.converged());
+      EXPECT_EQ(again.turning_point->max_force, fresh.turning_point->max_force);
+      EXPECT_EQ(again.turning_point->bump_loads, fresh.turning_point->bump_loads);
+      EXPECT_EQ(again.loop_energy, fresh.loop_energy);
+      EXPECT_EQ(again.clearance_5N, fresh.clearance_5N);
+      EXPECT_EQ(again.initial_journal_load, fresh.initial_journal_load);
+    }
+  }
+}
+
 /// However few the increments: no load before the first contact, and where `events` knows every piece no difference.
 TEST(CycleRunner, FindsClearancesInsideIncrements) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {

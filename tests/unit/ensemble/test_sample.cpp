@@ -197,6 +197,27 @@ TEST(Sample, QuantitiesAreThoseOfTheFullRecord) {
   }
 }
 
+/// Whatever one runner ran before.
+TEST(Sample, IsTheSameToTheLastBitAfterOthers) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres}});
+  input.cycle.steps = 20;
+  input.cycle.directions.resize(2);
+  input.solver.name = SolverName::events;
+  SampleRunner runner;
+  for (const std::uint64_t number : {4U, 1U, 4U, 2U}) {
+    Case sampled = sampled_case(input, draw_sample(input, number));
+    if (number == 1) sampled.solver.name = SolverName::newton;
+    const CycleResult again = runner.run(sampled);
+    const CycleResult alone = run_sample(sampled);
+    EXPECT_EQ(again.solver, alone.solver);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(again.cycles.at(k).loop_energy, alone.cycles.at(k).loop_energy);
+      EXPECT_EQ(again.cycles.at(k).clearances, alone.cycles.at(k).clearances);
+      EXPECT_EQ(again.cycles.at(k).turning_point.value().max_force, alone.cycles.at(k).turning_point.value().max_force);
+    }
+  }
+}
+
 TEST(Sample, WhatMakesNoBearingIsToldAndNotRun) {
   const Case input =
       ensemble_case({.friction_top_bump = Distribution{.kind = DistributionKind::table, .values = {-0.2}}});

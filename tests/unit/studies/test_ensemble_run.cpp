@@ -91,7 +91,7 @@ TEST_F(EnsembleRuns, ShareTheirSamplesWithOthers) {
     const SampleRange range = flow.take(5);
     for (std::size_t i = range.count; i > 0; --i) {  // they come back in any order
       const std::size_t number = range.first + i - 1;
-      flow.put(number, *run_ensemble_sample(input_, layout_, number, [](double) { return true; }));
+      flow.put(number, *EnsembleSampler(input_, layout_).run(number, [](double) { return true; }));
     }
     shared += range.count;
   };
