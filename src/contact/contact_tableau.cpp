@@ -7,6 +7,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/dense_kernels.hpp"
+#include "contact/pivoting.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -29,29 +30,16 @@ Eigen::Index padded(Eigen::Index count) {
   return (count + padding - 1) / padding * padding;
 }
 
+/// target -= factor * numbers, `count` of them, which fill whole vectors.
 template <int N>
-using Pack = typename VectorOf<N>::Type;
-
-template <int N>
-BUMPFOIL_ALWAYS_INLINE inline void load(const double* from, Pack<N>& pack) {
-  std::memcpy(&pack, from, sizeof(pack));
-}
-
-template <int N>
-BUMPFOIL_ALWAYS_INLINE inline void store(const Pack<N>& pack, double* to) {
-  std::memcpy(to, &pack, sizeof(pack));
-}
-
-/// target += factor * numbers, `count` of them, which fill whole vectors.
-template <int N>
-BUMPFOIL_ALWAYS_INLINE inline void add_multiple(double factor, const double* numbers, Eigen::Index count,
-                                                double* target) {
+BUMPFOIL_ALWAYS_INLINE inline void subtract_multiple(double factor, const double* numbers, Eigen::Index count,
+                                                     double* target) {
   for (Eigen::Index i = 0; i < count; i += N) {
-    Pack<N> sum, other;
-    load<N>(target + i, sum);
-    load<N>(numbers + i, other);
-    sum += factor * other;
-    store<N>(sum, target + i);
+    RegisterRow<N, N> difference, other;
+    difference.load(target + i);
+    other.load(numbers + i);
+    difference.template use<Products::subtract>(factor, other);
+    difference.store(target + i);
   }
 }
 
@@ -63,48 +51,33 @@ bool ContactTableau::pays(const ContactProblem& problem) {
 }
 
 ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes)
-    : problem_(problem), modes_(std::move(modes)), path_rate_(ContactLoading::none(problem)) {
-  const std::vector<Elimination> order = elimination_order(problem.pairs);
+    : problem_(problem),
+      modes_(std::move(modes)),
+      coordinates_(coordinate_count(problem.pairs) * problem.K.blocks()),
+      size_(padded(coordinates_)),
+      numbers_(static_cast<std::size_t>(size_ * (size_ + 2 * most_pending)), 0.0),
+      T_(numbers_.data(), size_, size_),
+      scale_(Vector::Ones(size_)),
+      rate_(Vector::Zero(size_)),
+      left_(T_.data() + T_.size(), most_pending, size_),
+      right_(left_.data() + left_.size(), most_pending, size_),
+      path_rate_(ContactLoading::none(problem)) {
   const std::vector<Coordinates> coordinates = coordinates_of(problem.pairs);
   const Eigen::Index per_block = coordinate_count(problem.pairs);
-  const Eigen::Index block_size = problem.K.block_size();
-  coordinates_ = per_block * problem.K.blocks();
-  place_of_.resize(static_cast<std::size_t>(problem.contacts()));
-  std::vector<bool> told(static_cast<std::size_t>(problem.K.rows()), false);
+  places_.reserve(static_cast<std::size_t>(problem.contacts()));
   for (Eigen::Index b = 0; b < problem.K.blocks(); ++b) {
-    const auto unknown = [&](int i) { return i < 0 ? Eigen::Index{-1} : b * block_size + i; };
-    // Backwards through the eliminations: the other unknown of a contact is told before it, where it is an owner, too.
-    for (auto e = order.rbegin(); e != order.rend(); ++e) {
-      const ContactPair& pair = problem.pairs[e->pair];
-      const auto [normal, tangential] = coordinates[e->pair];
-      Place place{.contact = b * std::ssize(problem.pairs) + static_cast<Eigen::Index>(e->pair),
-                  .owner = unknown(e->owner),
-                  .other = unknown(e->other),
-                  .tangential = -1,
-                  .owner_sign = e->owner_sign,
-                  .f = 0.0,
-                  .z_normal = b * per_block + normal,
-                  .z_tangential = -1};
-      told[static_cast<std::size_t>(place.owner)] = true;
-      if (tangential >= 0) {
-        place.tangential = unknown(pair.tangential);
-        place.f = pair.friction_coefficient;
-        place.z_tangential = b * per_block + tangential;
-        told[static_cast<std::size_t>(place.tangential)] = true;
-      }
-      place_of_[static_cast<std::size_t>(place.contact)] = places_.size();
-      places_.push_back(place);
+    const auto unknown = [&](int i) { return i < 0 ? Eigen::Index{-1} : b * problem.K.block_size() + i; };
+    for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
+      const ContactPair& pair = problem.pairs[i];
+      const bool has_friction = !is_frictionless(pair);
+      places_.push_back({.plus = unknown(pair.plus),
+                         .minus = unknown(pair.minus),
+                         .tangential = unknown(pair.tangential),
+                         .f = has_friction ? pair.friction_coefficient : 0.0,
+                         .z_normal = b * per_block + coordinates[i].normal,
+                         .z_tangential = has_friction ? b * per_block + coordinates[i].tangential : -1});
     }
   }
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    if (!told[i]) others_.push_back(static_cast<Eigen::Index>(i));
-  }
-  const Eigen::Index rows = padded(coordinates_ + std::ssize(others_));
-  T_.setZero(rows, padded(coordinates_));
-  left_.setZero(most_pending, rows);
-  right_.setZero(most_pending, T_.cols());
-  scale_.setOnes(rows);
-  rate_.setZero(rows);
 }
 
 void ContactTableau::set_path(const LoadingPath& path) {
@@ -127,16 +100,15 @@ bool ContactTableau::find_rates() {
     largest[kind] = std::max(largest[kind], std::abs(rate));
     rate_[i] = rate;
   };
-  for (const Place& place : places_) {
-    const ContactMode mode = mode_[static_cast<std::size_t>(place.contact)];
-    const bool open = mode == ContactMode::open;
-    take(place.z_normal, open ? answer_.gap[place.contact] : answer_.normal_force[place.contact], !open);
+  for (std::size_t c = 0; c < places_.size(); ++c) {
+    const Place& place = places_[c];
+    const auto contact = static_cast<Eigen::Index>(c);
+    const bool open = mode_[c] == ContactMode::open;
+    take(place.z_normal, open ? answer_.gap[contact] : answer_.normal_force[contact], !open);
     if (place.z_tangential < 0) continue;
-    const bool sticks = mode == ContactMode::stick;
-    take(place.z_tangential, sticks ? answer_.friction_force[place.contact] : answer_.x[place.tangential], sticks);
+    const bool sticks = mode_[c] == ContactMode::stick;
+    take(place.z_tangential, sticks ? answer_.friction_force[contact] : answer_.x[place.tangential], sticks);
   }
-  Eigen::Index row = coordinates_;
-  for (const Eigen::Index other : others_) rate_[row++] = answer_.x[other];
   if (has_rates_) valid_ = (drift.array() <= most_drifted * largest.array()).all();
   has_rates_ = true;
   return true;
@@ -147,29 +119,27 @@ bool ContactTableau::restart(const std::vector<ContactMode>& mode) {
   mode_ = mode;
   has_rates_ = false;
   if (!find_rates()) return false;
-  RowMajor x, force;
-  modes_->solve_units(x, force);
+  modes_->solve_units(unit_x_, unit_force_);
   scale_.setOnes();
   pending_ = 0;
-  for (const Place& place : places_) {
-    const ContactMode m = mode_[static_cast<std::size_t>(place.contact)];
+  for (std::size_t c = 0; c < places_.size(); ++c) {
+    const Place& place = places_[c];
     auto normal = T_.row(place.z_normal).head(coordinates_);
-    if (m != ContactMode::open) {
-      normal = force.row(place.z_normal);
+    if (mode[c] != ContactMode::open) {
+      normal = unit_force_.row(place.z_normal);
     } else {
-      normal = place.owner_sign * x.row(place.owner);
-      if (place.other >= 0) normal -= place.owner_sign * x.row(place.other);
+      normal.setZero();
+      if (place.plus >= 0) normal += unit_x_.row(place.plus);
+      if (place.minus >= 0) normal -= unit_x_.row(place.minus);
     }
     if (place.z_tangential < 0) continue;
     auto tangential = T_.row(place.z_tangential).head(coordinates_);
-    if (m == ContactMode::stick) {
-      tangential = force.row(place.z_tangential);
+    if (mode[c] == ContactMode::stick) {
+      tangential = unit_force_.row(place.z_tangential);
     } else {
-      tangential = x.row(place.tangential);
+      tangential = unit_x_.row(place.tangential);
     }
   }
-  Eigen::Index row = coordinates_;
-  for (const Eigen::Index other : others_) T_.row(row++).head(coordinates_) = x.row(other);
   valid_ = T_.allFinite();
   return valid_;
 }
@@ -181,25 +151,23 @@ void ContactTableau::carry_out() {
   pending_ = 0;
   with_widest_vectors([this](auto lanes) BUMPFOIL_ALWAYS_INLINE {
     constexpr int n = decltype(lanes)::value;
-    constexpr Eigen::Index height = 4;  // rows at once: their sums and a vector of `right` fit the registers
-    const Eigen::Index rows = T_.rows();
-    const Eigen::Index columns = T_.cols();
-    for (Eigen::Index i = 0; i < rows; i += height) {
-      double factor[most_pending][height];
+    constexpr int together = 4;  // rows of two vectors: their sums and two vectors of `right` fit the registers
+    const auto carry_out_in = [this](auto length, Eigen::Index i, Eigen::Index j) BUMPFOIL_ALWAYS_INLINE {
+      constexpr int numbers = decltype(length)::value;
+      RegisterSums<numbers, together, n> sums;
+      double* const part = T_.data() + i * size_ + j;
+      sums.template begin<Products::subtract>(part, size_);
       for (Eigen::Index k = 0; k < most_pending; ++k) {
-        for (Eigen::Index r = 0; r < height; ++r) factor[k][r] = left_.data()[k * rows + i + r];
+        RegisterRow<numbers, n> row;
+        row.load(right_.data() + k * size_ + j);
+        sums.template use<Products::subtract>(left_.data() + k * size_ + i, 1, row);
       }
-      double* row = T_.data() + i * columns;
-      for (Eigen::Index j = 0; j < columns; j += n) {
-        Pack<n> sum[height];
-        for (Eigen::Index r = 0; r < height; ++r) load<n>(row + r * columns + j, sum[r]);
-        for (Eigen::Index k = 0; k < most_pending; ++k) {
-          Pack<n> v;
-          load<n>(right_.data() + k * columns + j, v);
-          for (Eigen::Index r = 0; r < height; ++r) sum[r] += factor[k][r] * v;
-        }
-        for (Eigen::Index r = 0; r < height; ++r) store<n>(sum[r], row + r * columns + j);
-      }
+      sums.store(part, size_);
+    };
+    for (Eigen::Index i = 0; i < size_; i += together) {
+      Eigen::Index j = 0;
+      for (; j + 2 * n <= size_; j += 2 * n) carry_out_in(Lanes<2 * n>(), i, j);
+      for (; j < size_; j += n) carry_out_in(Lanes<n>(), i, j);
     }
   });
 }
@@ -224,31 +192,37 @@ void ContactTableau::add_column(Eigen::Index to, Eigen::Index from, double facto
 /// @return false where that leaves a mechanism
 bool ContactTableau::exchange(Eigen::Index i) {
   if (pending_ == most_pending) carry_out();
-  const Eigen::Index rows = T_.rows();
-  const Eigen::Index columns = T_.cols();
-  double* const u = left_.data() + pending_ * rows;
-  double* const v = right_.data() + pending_ * columns;
-  for (Eigen::Index r = 0; r < rows; ++r) u[r] = T_.data()[r * columns + i];
-  std::memcpy(v, T_.data() + i * columns, static_cast<std::size_t>(columns) * sizeof(double));
-  with_widest_vectors([&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
+  double* const u = left_.row(pending_).data();
+  double* const v = right_.row(pending_).data();
+  for (Eigen::Index r = 0; r < size_; ++r) u[r] = T_.data()[r * size_ + i];
+  std::memcpy(v, T_.data() + i * size_, static_cast<std::size_t>(size_) * sizeof(double));
+  const double s = scale_[i];
+  double size = 0.0;
+  double own = 0.0;
+  const bool regular = with_widest_vectors([&](auto lanes) BUMPFOIL_ALWAYS_INLINE {
     constexpr int n = decltype(lanes)::value;
     for (Eigen::Index k = 0; k < pending_; ++k) {
-      const double* left = left_.data() + k * rows;
-      const double* right = right_.data() + k * columns;
-      add_multiple<n>(right[i], left, rows, u);
-      add_multiple<n>(left[i], right, columns, v);
+      const double* left = left_.data() + k * size_;
+      const double* right = right_.data() + k * size_;
+      subtract_multiple<n>(right[i], left, size_, u);
+      subtract_multiple<n>(left[i], right, size_, v);
     }
+    const double pivot = u[i];
+    size = std::abs(pivot);
+    if (!(size > 0.0) || !std::isfinite(pivot)) return false;
+    // z_i changes as w_i, which is given now, asks for, and all others follow.
+    own = -rate_[i] / (s * s * pivot);
+    u[i] += size;
+    v[i] -= size;
+    const double change = s * own;
+    const double inverse = 1.0 / pivot;
+    for (Eigen::Index r = 0; r < size_; ++r) {
+      rate_.data()[r] += change * scale_.data()[r] * u[r];
+      u[r] *= inverse;
+    }
+    return true;
   });
-  const double pivot = u[i];
-  const double size = std::abs(pivot);
-  if (!(size > 0.0) || !std::isfinite(pivot)) return false;
-  // z_i changes as w_i, which is given now, asks for, and all others follow.
-  const double s = scale_[i];
-  const double own = -rate_[i] / (s * s * pivot);
-  u[i] += size;
-  v[i] -= size;
-  rate_.array() += s * own * scale_.array() * Eigen::Map<const Eigen::ArrayXd>(u, rows);
-  Eigen::Map<Vector>(u, rows) *= -1.0 / pivot;
+  if (!regular) return false;
   rate_[i] = own;
   scale_[i] = 1.0 / (s * size);
   ++pending_;
@@ -258,8 +232,9 @@ bool ContactTableau::exchange(Eigen::Index i) {
 
 /// Every change of a contact with friction goes through slipping one way or the other; one from open to sticking and
 /// back through slipping without friction.
-bool ContactTableau::change(const Place& place, ContactMode to) {
-  const ContactMode from = std::exchange(mode_[static_cast<std::size_t>(place.contact)], to);
+bool ContactTableau::change(std::size_t contact, ContactMode to) {
+  const Place& place = places_[contact];
+  const ContactMode from = std::exchange(mode_[contact], to);
   const Eigen::Index n = place.z_normal;
   const Eigen::Index t = place.z_tangential;
   if (t < 0) return exchange(n);
@@ -288,42 +263,39 @@ bool ContactTableau::change(const Place& place, ContactMode to) {
 
 bool ContactTableau::set_modes(const std::vector<ContactMode>& mode) {
   changed_.clear();
-  for (std::size_t c = 0; valid_ && c < mode.size(); ++c) {
-    if (mode[c] != mode_[c]) changed_.push_back(c);
+  if (valid_) {
+    for_each_difference(mode, mode_, [&](std::size_t c) {
+      changed_.push_back(c);
+      return true;
+    });
   }
   valid_ = valid_ && std::ssize(changed_) <= most_changes;
-  for (const std::size_t c : changed_) valid_ = valid_ && change(places_[place_of_[c]], mode[c]);
+  for (const std::size_t c : changed_) valid_ = valid_ && change(c, mode[c]);
   if (valid_ && (!has_rates_ || exchanges_ >= exchanges_between_looks)) valid_ = find_rates() && valid_;
   return valid_ || restart(mode);
 }
 
 void ContactTableau::lead(const ContactState& begin, double part, ContactState& target) const {
   target.mode = mode_;
-  Eigen::Index row = coordinates_;
-  for (const Eigen::Index other : others_) target.x[other] = begin.x[other] + part * rate_[row++];
-  for (const Place& place : places_) {
-    const Eigen::Index c = place.contact;
-    const ContactMode mode = mode_[static_cast<std::size_t>(c)];
-    const bool has_friction = place.z_tangential >= 0;
+  for (std::size_t c = 0; c < places_.size(); ++c) {
+    const Place& place = places_[c];
+    const auto contact = static_cast<Eigen::Index>(c);
+    const ContactMode mode = mode_[c];
     const double normal = part * rate_[place.z_normal];
-    const double tangential = has_friction ? part * rate_[place.z_tangential] : 0.0;
-    double opening = -part * path_rate_.initial_gap[c];  // of x[plus] - x[minus]
+    const double tangential = place.z_tangential >= 0 ? part * rate_[place.z_tangential] : 0.0;
+    const bool sticks = mode == ContactMode::stick;
     if (mode == ContactMode::open) {
-      opening += normal;
-      target.gap[c] = begin.gap[c] + normal;
-      target.normal_force[c] = target.friction_force[c] = 0.0;
+      target.gap[contact] = begin.gap[contact] + normal;
+      target.normal_force[contact] = target.friction_force[contact] = 0.0;
     } else {
-      target.gap[c] = begin.gap[c];
-      target.normal_force[c] = begin.normal_force[c] + normal;
-      target.friction_force[c] = mode == ContactMode::stick ? begin.friction_force[c] + tangential
-                                                            : friction_sign(mode) * place.f * target.normal_force[c];
+      const double p = begin.normal_force[contact] + normal;
+      target.gap[contact] = begin.gap[contact];
+      target.normal_force[contact] = p;
+      target.friction_force[contact] =
+          sticks ? begin.friction_force[contact] + tangential : friction_sign(mode) * place.f * p;
     }
-    if (has_friction) {
-      const double slip = mode == ContactMode::stick ? 0.0 : tangential;
-      target.x[place.tangential] = begin.x[place.tangential] + slip;
-    }
-    const double with_other = place.other >= 0 ? target.x[place.other] - begin.x[place.other] : 0.0;
-    target.x[place.owner] = begin.x[place.owner] + with_other + place.owner_sign * opening;
+    if (place.z_tangential < 0) continue;
+    target.x[place.tangential] = begin.x[place.tangential] + (sticks ? 0.0 : tangential);
   }
 }
 

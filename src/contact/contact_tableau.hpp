@@ -5,6 +5,7 @@
 
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
+#include "bumpfoil/core/dense_kernels.hpp"
 #include "contact/eliminated_system.hpp"
 
 namespace bumpfoil {
@@ -42,24 +43,26 @@ class ContactTableau {
   /// @return false if they leave a mechanism; then it must be called again before the next lead()
   [[nodiscard]] bool set_modes(const std::vector<ContactMode>& mode);
 
-  /// Where the modes lead to from a state that obeys them.
+  /// Where the modes lead to from a state that obeys them: gaps, forces and, of x, the tangential unknowns.
   /// @param part    of the path
   /// @param target  result; its storage is reused
   void lead(const ContactState& begin, double part, ContactState& target) const;
 
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// Rows of whole vectors, none of which straddles two cache lines.
+  using LineMatrix = Eigen::Map<RowMajor, Eigen::Aligned64>;
 
-  /// A contact with all its places in the unknowns and among the coordinates; -1 is none.
+  /// Where a contact is among the unknowns and the coordinates; -1 is none.
   struct Place {
-    Eigen::Index contact, owner, other, tangential;
-    double owner_sign, f;
+    Eigen::Index plus, minus, tangential;
+    double f;
     Eigen::Index z_normal, z_tangential;
   };
 
   bool restart(const std::vector<ContactMode>& mode);
   bool find_rates();
-  bool change(const Place& place, ContactMode to);
+  bool change(std::size_t contact, ContactMode to);
   bool exchange(Eigen::Index i);
   void add_row(Eigen::Index to, Eigen::Index from, double factor);
   void add_column(Eigen::Index to, Eigen::Index from, double factor);
@@ -67,21 +70,22 @@ class ContactTableau {
 
   const ContactProblem& problem_;
   std::shared_ptr<ModeSystem> modes_;
-  std::vector<Place> places_;          ///< of all contacts, each after that of its `other` unknown
-  std::vector<std::size_t> place_of_;  ///< in places_, of each contact
-  std::vector<Eigen::Index> others_;   ///< unknowns that no coordinate tells: rows behind those of the coordinates
-  Eigen::Index coordinates_{};
+  std::vector<Place> places_;  ///< of all contacts
+  Eigen::Index coordinates_;
+  Eigen::Index size_;  ///< of rows and columns that fill whole vectors
 
   std::vector<ContactMode> mode_;
   std::vector<std::size_t> changed_;  ///< contacts, by the last call
   bool valid_{};                      ///< the matrix is that of mode_
   bool has_rates_{};                  ///< and so are the rates
   int exchanges_{};                   ///< since the rates were compared with those of the linear system
-  RowMajor T_;                        ///< scaled: T_ij = s_i s_j times this; columns and rows fill whole vectors
+  LineVector numbers_;                ///< of the three matrices below
+  LineMatrix T_;                      ///< scaled: T_ij = s_i s_j times this
   Vector scale_;                      ///< s
   Vector rate_;                       ///< w' of the whole path, not scaled
-  Eigen::Index pending_{};            ///< exchanges that are not carried out yet: T + left^T right
-  RowMajor left_, right_;
+  Eigen::Index pending_{};            ///< exchanges that are not carried out yet: T - left^T right
+  LineMatrix left_, right_;
+  RowMajor unit_x_, unit_force_;
   ContactLoading path_rate_;
   ContactState answer_;
 };

@@ -22,10 +22,6 @@ constexpr int most_rounds_at_first_touch = 30;
 /// piece leads to than those it begins with. States stay exact to 1e-11 then.
 constexpr double most_cancellation = 100.0;
 
-double largest_force(const ContactState& state) {
-  return state.normal_force.cwiseAbs().maxCoeff();
-}
-
 }  // namespace
 
 struct EventFollower::Workspace {
@@ -53,6 +49,7 @@ struct EventFollower::Workspace {
   bool settle_modes(SolveCost& cost);
   bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
                    EventProgress& report);
+  [[nodiscard]] bool complete(ContactState& state, SolveCost& cost);
   [[nodiscard]] bool solve_begin(const ContactState& state, SolveCost& cost);
   [[nodiscard]] bool jump(const ContactState& state, EventProgress& report);
   void keep_changes_nearby();
@@ -63,7 +60,7 @@ struct EventFollower::Workspace {
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
   std::unique_ptr<ContactTableau> tableau;  ///< null where rates are found by solves
-  bool by_rates{};                          ///< the target was found with it
+  bool by_rates{};                          ///< the target was found with it, from a begin that obeys the modes
   LoadingPath path;
   ContactLoading here;  ///< at `reached`
   double reached{};     ///< fraction of the path that lies behind
@@ -100,8 +97,6 @@ void EventFollower::Workspace::keep_changes_nearby() {
 bool EventFollower::Workspace::find_target(SolveCost& cost) {
   if (tableau) {
     piece.target.mode = mode;
-    piece.force_tolerance =
-        relative_force_tolerance * std::max(problem.least_reference_force(), piece.begin.normal_force.maxCoeff());
     by_rates = piece.begin_obeys_new_modes(problem) && tableau->set_modes(mode);
     if (by_rates) {
       tableau->lead(piece.begin, 1.0 - reached, piece.target);
@@ -116,8 +111,8 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
     if (!find_target(cost)) return false;
-    piece.measure_forces(problem);
-    piece.find_changes(problem, changes);
+    piece.measure_target();
+    piece.look_ahead(problem, changes);
     if (changes.empty()) return true;
     if (!flipped.empty()) {
       keep_changes_nearby();
@@ -144,11 +139,19 @@ bool EventFollower::Workspace::solve_begin(const ContactState& state, SolveCost&
   return obeys;
 }
 
+/// Finds all unknowns of a state that the matrix of contacts has led to, which tells contacts alone.
+/// @return false if there are none
+bool EventFollower::Workspace::complete(ContactState& state, SolveCost& cost) {
+  path.at(reached, here);
+  if (!solve_modes(*modes, state.mode, here, state.x, next, cost)) return false;
+  std::swap(state, next);
+  return true;
+}
+
 /// Notes what the jump from `state` to the begin of the piece dissipates.
 /// @return false where it gains energy, as no jump does, or where other modes lead on behind it: contacts may have
 /// slipped further than the piece leads
 bool EventFollower::Workspace::jump(const ContactState& state, EventProgress& report) {
-  piece.find_changes(problem, changes);
   if (!changes.empty()) return false;
   const PieceEnergy energy = piece_energy(problem, state, piece.begin);
   const double negligible = negligible_energy(problem, state, piece.begin);
@@ -161,18 +164,22 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
                                            std::vector<ContactEvent>* events, EventProgress& report) {
   piece.begin = state;
   piece.begin_fraction = reached;
+  piece.measure_begin(problem);
   if (!settle_modes(report.cost)) return false;
   // A state that the modes fit is kept unless a better one fits them, too.
-  const bool fits = piece.begin_obeys_modes(problem);
-  const bool cancels =
-      largest_force(piece.target) > most_cancellation * std::max(problem.least_reference_force(), largest_force(state));
+  const bool fits = by_rates || piece.begin_obeys_modes(problem);
+  const bool cancels = piece.target_force > most_cancellation * piece.begin_force;
   const bool solved = (!fits || cancels) && solve_begin(state, report.cost);
-  if (solved && tableau && !find_target(report.cost)) return false;
-  if (!fits && !(solved && jump(state, report))) return false;
+  if (solved) {
+    if (tableau && !find_target(report.cost)) return false;
+    piece.look_ahead(problem, changes);
+  }
+  if (!fits && !(solved && (!tableau || complete(state, report.cost)) && jump(state, report))) return false;
   if (events != nullptr) {
-    for (std::size_t c = 0; c < mode.size(); ++c) {
-      if (mode[c] != state.mode[c]) events->push_back({reached, static_cast<int>(c), state.mode[c], mode[c]});
-    }
+    for_each_difference(mode, state.mode, [&](std::size_t c) {
+      events->push_back({reached, static_cast<int>(c), state.mode[c], mode[c]});
+      return true;
+    });
   }
   state.mode = mode;
   if (solved) {
@@ -183,7 +190,6 @@ bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisito
   } else {
     piece.begin.mode = mode;
   }
-  piece.find_limits(problem);
   inside_piece = true;
   return true;
 }
@@ -244,6 +250,7 @@ EventProgress EventFollower::follow_to(double fraction, ContactState& state, con
     w.inside_piece = false;
     ++w.events_passed;
   }
+  if (w.tableau && !w.complete(state, report.cost)) report.arrived = false;
   report.fraction = w.reached;
   report.events = w.events_passed - events_before;
   return report;

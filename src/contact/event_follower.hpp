@@ -52,7 +52,9 @@ class EventFollower {
   /// @param fraction  of the whole path where to halt; not before the last
   /// @param state     what the last call left, or the start of the path; on return the state at `fraction`, or at the
   ///   last event that was reached
-  /// @param visit     receives the linear pieces, both ends with the modes of the piece; may be empty
+  /// @param visit     receives the linear pieces, both ends with the modes of the piece (by_tableau: of x the
+  /// tangential
+  ///   unknowns alone); may be empty
   /// @param events    receives the changes of mode in their order; may be null
   [[nodiscard]] EventProgress follow_to(double fraction, ContactState& state, const PartVisitor& visit = {},
                                         std::vector<ContactEvent>* events = nullptr);

@@ -87,7 +87,8 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     const auto count = per_block * std::ssize(K_.diagonal);
     const Eigen::Index n = K_.block_size;
     // Loads first, carried through the rows as in solve().
-    RowMajor load = RowMajor::Zero(count / per_block * n, count);
+    RowMajor& load = unit_loads_;
+    load.setZero(count / per_block * n, count);
     for (Eigen::Index b = 0; b < count / per_block; ++b) {
       for (std::size_t c = 0; c < pairs_.size(); ++c) {
         const ContactPair& pair = pairs_[c];
@@ -205,6 +206,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
 
   std::vector<ContactMode> mode_;
   double constraint_scale_{0.0};  ///< brings constraint rows to the size of the stiffness, so that pivots compare
+  RowMajor unit_loads_;           ///< of solve_units(), and then what they leave of the balance
   bool factored_{false};
   int factorisations_{0};
 };

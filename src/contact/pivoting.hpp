@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -9,6 +12,22 @@
 #include "bumpfoil/contact/solver.hpp"
 
 namespace bumpfoil {
+
+/// Calls visit(contact) for the contacts whose modes differ, until it returns false. Most do not: eight are compared at
+/// once.
+/// @return whether none returned false
+template <typename Visitor>
+bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<ContactMode>& b, Visitor&& visit) {
+  constexpr std::size_t together = sizeof(std::uint64_t);
+  for (std::size_t begin = 0; begin < a.size(); begin += together) {
+    const std::size_t count = std::min(together, a.size() - begin);
+    if (std::memcmp(&a[begin], &b[begin], count * sizeof(ContactMode)) == 0) continue;
+    for (std::size_t c = begin; c < begin + count; ++c) {
+      if (a[c] != b[c] && !visit(c)) return false;
+    }
+  }
+  return true;
+}
 
 /// What is judged of one contact once the system was solved for its mode.
 struct ContactTrial {

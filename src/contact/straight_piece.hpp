@@ -28,6 +28,8 @@ struct StraightPiece {
   ContactState begin;
   double begin_fraction{};        ///< of the path that lies behind `begin`
   ContactState target;            ///< where it would lead by the end of the path; its modes are those of the piece
+  double begin_force{};           ///< largest normal force of `begin`, or ContactProblem::least_reference_force(), N
+  double target_force{};          ///< largest of `target`, N
   double force_tolerance{};       ///< a force below is none, N
   std::vector<ModeLimit> limits;  ///< that are reached first, and end it, in the order of contacts
   double end_part{1.0};           ///< of the way to the target, where the first of them lies; 1 if there is none
@@ -42,11 +44,13 @@ struct StraightPiece {
   /// @param state  result; its storage is reused
   void at(double part, ContactState& state) const;
 
-  /// To be called whenever `begin` and `target` have changed: sets the force tolerance.
-  void measure_forces(const ContactProblem& problem);
+  /// To be called whenever `begin` has changed, and then whenever `target` has: set what forces are measured by.
+  void measure_begin(const ContactProblem& problem);
+  void measure_target();
 
-  /// Collects the contacts that may choose their mode at `begin` and contradict it on the way to the target.
-  void find_changes(const ContactProblem& problem, std::vector<ModeChange>& changes) const;
+  /// Looks at all contacts on the way to the target: collects those that may choose their mode at `begin` and
+  /// contradict it, and fills `limits` and `end_part` from the others. These mean something where there are no changes.
+  void look_ahead(const ContactProblem& problem, std::vector<ModeChange>& changes);
 
   /// Whether the forces and gaps of `begin` are such as the modes of the piece ask for.
   [[nodiscard]] bool begin_obeys_modes(const ContactProblem& problem) const;
@@ -54,11 +58,9 @@ struct StraightPiece {
   /// The same of those contacts alone whose modes were others so far.
   [[nodiscard]] bool begin_obeys_new_modes(const ContactProblem& problem) const;
 
-  /// Fills `limits` and `end_part`.
-  void find_limits(const ContactProblem& problem);
-
  private:
-  [[nodiscard]] bool begin_obeys(const CoulombContact& contact) const;
+  [[nodiscard]] bool begin_obeys(Eigen::Index c, double f) const;
+  void limit(Eigen::Index c, double now, double then, ContactMode to);
 };
 
 }  // namespace bumpfoil

@@ -71,9 +71,9 @@ enum class Products {
 };
 
 namespace detail {
-
 /// In place of what is not there.
 struct Nothing {};
+}  // namespace detail
 
 /// N numbers in registers. One vector and the rest, as g++ 12 keeps arrays of them in memory.
 template <int N, int Width>
@@ -118,10 +118,10 @@ struct RegisterRow {
   }
 
   typename VectorOf<width>::Type head;
-  std::conditional_t<(N > width), RegisterRow<(N > width ? N - width : width), Width>, Nothing> tail;
+  std::conditional_t<(N > width), RegisterRow<(N > width ? N - width : width), Width>, detail::Nothing> tail;
 };
 
-/// The rows t to t + Together - 1 of a product.
+/// Rows of N numbers in registers, `Together` of them: a part of a product while it is added up.
 template <int N, int Together, int Width>
 struct RegisterSums {
   template <Products Use>
@@ -140,10 +140,8 @@ struct RegisterSums {
   }
 
   RegisterRow<N, Width> head;
-  std::conditional_t<(Together > 1), RegisterSums<N, (Together > 1 ? Together - 1 : 1), Width>, Nothing> tail;
+  std::conditional_t<(Together > 1), RegisterSums<N, (Together > 1 ? Together - 1 : 1), Width>, detail::Nothing> tail;
 };
-
-}  // namespace detail
 
 /// Inner loops over dense blocks of n rows, to be called from the body of with_vectors(). A row holds n numbers and
 /// zeros up to row_stride(n). Blocks may be stored by columns as well: then "row" reads "column" throughout.
@@ -291,9 +289,9 @@ class DenseKernels {
   static constexpr int rounded = B == Eigen::Dynamic ? 0 : (B + Width - 1) / Width * Width;
 
   template <int N>
-  using Row = detail::RegisterRow<N, Width>;
+  using Row = RegisterRow<N, Width>;
   template <int N, int Together>
-  using Sums = detail::RegisterSums<N, Together, Width>;
+  using Sums = RegisterSums<N, Together, Width>;
 
   /// How many rows of N numbers leave room in the registers for what they are added up from.
   static constexpr int rows_together(int N) {

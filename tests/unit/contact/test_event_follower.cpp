@@ -141,21 +141,24 @@ TEST_P(EventFollowerRates, EveryEventIsASolution) {
     NewtonSolver solver(random.problem);
     const ContactState start = state;
     ASSERT_TRUE(solver.solve(random.first, start, state).converged());
+    const std::shared_ptr<ModeSystem> system = make_mode_system(random.problem);
+    ContactState exact;
     const auto visit = [&](const ResponsePart& part) {
-      const auto& [begin, end, at, linear] = part;
-      EXPECT_TRUE(linear);
-      // Gaps of the first and second loading differ everywhere: they tell how far the path has come.
-      const Vector initial_gap = end.gap - contact_gaps(random.problem, Vector::Zero(end.gap.size()), end.x);
-      const double fraction = (initial_gap - random.first.initial_gap).norm() /
-                              (random.second.initial_gap - random.first.initial_gap).norm();
-      EXPECT_NEAR(at, fraction, 1e-9);
-      const ContactLoading loading = LoadingPath{random.first, random.second}.at(fraction);
+      EXPECT_TRUE(part.linear);
+      const ContactLoading loading = LoadingPath{random.first, random.second}.at(part.fraction);
+      ASSERT_TRUE(system->set_modes(part.end.mode));
+      system->solve(loading, part.end.x, exact);
+      EXPECT_LT((part.end.gap - exact.gap).norm(), 1e-9 * exact.gap.norm()) << seed;
+      EXPECT_LT((part.end.normal_force - exact.normal_force).norm(), 1e-9 * exact.normal_force.norm()) << seed;
+      EXPECT_LT(tangential_displacements(random.problem, part.end.x - exact.x).norm(), 1e-9 * exact.x.norm()) << seed;
       const ContactResiduals residuals =
-          contact_residuals(random.problem, random.problem.K.multiply(end.x), loading, begin.x, end);
-      EXPECT_TRUE(residuals.within()) << "seed " << seed << " at " << fraction;
+          contact_residuals(random.problem, random.problem.K.multiply(exact.x), loading, part.begin.x, exact);
+      EXPECT_TRUE(residuals.within()) << "seed " << seed << " at " << part.fraction;
     };
     follower.set_out({random.first, random.second}, state.mode);
     EXPECT_TRUE(follower.follow_to(1.0, state, visit).arrived) << seed;
+    // What is returned is complete, whatever the parts tell.
+    EXPECT_LT((state.x - exact.x).norm(), 1e-12 * exact.x.norm()) << seed;
   }
 }
 
