@@ -17,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 CASE = ROOT / "examples/tolerances.toml"
-SAMPLES = 1000
+SAMPLES = 5000
 #: By turns, so that a machine that gets busier meanwhile treats all alike.
 ROUNDS = 3
 
