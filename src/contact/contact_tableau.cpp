@@ -151,6 +151,7 @@ void ContactTableau::carry_out() {
   pending_ = 0;
   with_widest_vectors([this](auto lanes) BUMPFOIL_ALWAYS_INLINE {
     constexpr int n = decltype(lanes)::value;
+    constexpr int two_vectors = 2 * n;
     constexpr int together = 4;  // rows of two vectors: their sums and two vectors of `right` fit the registers
     const auto carry_out_in = [this](auto length, Eigen::Index i, Eigen::Index j) BUMPFOIL_ALWAYS_INLINE {
       constexpr int numbers = decltype(length)::value;
@@ -166,7 +167,7 @@ void ContactTableau::carry_out() {
     };
     for (Eigen::Index i = 0; i < size_; i += together) {
       Eigen::Index j = 0;
-      for (; j + 2 * n <= size_; j += 2 * n) carry_out_in(Lanes<2 * n>(), i, j);
+      for (; j + two_vectors <= size_; j += two_vectors) carry_out_in(Lanes<two_vectors>(), i, j);
       for (; j < size_; j += n) carry_out_in(Lanes<n>(), i, j);
     }
   });

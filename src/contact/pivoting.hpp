@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -18,11 +17,11 @@ namespace bumpfoil {
 /// @return whether none returned false
 template <typename Visitor>
 bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<ContactMode>& b, Visitor&& visit) {
-  constexpr std::size_t together = sizeof(std::uint64_t);
+  constexpr std::size_t together = 8 / sizeof(ContactMode);
   for (std::size_t begin = 0; begin < a.size(); begin += together) {
-    const std::size_t count = std::min(together, a.size() - begin);
-    if (std::memcmp(&a[begin], &b[begin], count * sizeof(ContactMode)) == 0) continue;
-    for (std::size_t c = begin; c < begin + count; ++c) {
+    const std::size_t end = std::min(begin + together, a.size());
+    if (end == begin + together && std::memcmp(&a[begin], &b[begin], 8) == 0) continue;
+    for (std::size_t c = begin; c < end; ++c) {
       if (a[c] != b[c] && !visit(c)) return false;
     }
   }
