@@ -38,6 +38,8 @@ void StraightPiece::measure_target() {
 
 /// A margin that is `now` at the begin and negative `then`: the contact changes its mode where it is spent.
 void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode to) {
+  constexpr double above_roundings = 1.0 + 1e-14;
+  if (now > above_roundings * end_part * (now - then)) return;  // most lie beyond, and need no division
   const double part = now <= 0.0 ? 0.0 : now / (now - then);
   if (part > end_part) return;
   if (part < end_part) limits.clear();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -52,11 +53,14 @@ class Judge {
     return right;
   }
 
+  // What is right costs no text: ensembles ask for every bearing.
+
   bool finite(const std::string& key, double value, std::string_view unit) {
-    return require(std::isfinite(value), key, quantity(value, unit), "is not finite", "give a finite number");
+    return std::isfinite(value) || require(false, key, quantity(value, unit), "is not finite", "give a finite number");
   }
 
   bool within(const std::string& key, double value, const Range& range) {
+    if (value >= std::max(range.least, 0.0) && value <= range.most) return true;
     if (!finite(key, value, range.unit)) return false;
     const std::string shown = quantity(value, range.unit);
     const bool sign_right = range.least > 0.0 ? value > 0.0 : value >= 0.0;
@@ -71,8 +75,9 @@ class Judge {
   }
 
   bool angle(const std::string& key, double value) {
-    return finite(key, value, "rad") && require(std::abs(value) <= turn * (1.0 + rounding), key, quantity(value, "rad"),
-                                                "is more than a full turn", "give at most 360 degrees either way");
+    if (std::abs(value) <= turn * (1.0 + rounding)) return true;
+    return finite(key, value, "rad") && require(false, key, quantity(value, "rad"), "is more than a full turn",
+                                                "give at most 360 degrees either way");
   }
 
   std::vector<Fault> take() { return std::move(faults_); }
