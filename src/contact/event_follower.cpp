@@ -34,7 +34,8 @@ struct EventFollower::Workspace {
         path{ContactLoading::none(problem), ContactLoading::none(problem)},
         here(path.begin),
         piece(problem),
-        next(piece.begin) {
+        next(piece.begin),
+        whole(piece.begin) {
     BUMPFOIL_ASSERT(problem.contacts() > 0);
     const auto contacts = static_cast<std::size_t>(problem.contacts());
     mode.reserve(contacts);
@@ -47,13 +48,12 @@ struct EventFollower::Workspace {
 
   bool find_target(SolveCost& cost);
   bool settle_modes(SolveCost& cost);
-  bool begin_piece(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>* events,
-                   EventProgress& report);
+  bool begin_piece(const PartVisitor& visit, std::vector<ContactEvent>* events, EventProgress& report);
   [[nodiscard]] bool complete(ContactState& state, SolveCost& cost);
-  [[nodiscard]] bool solve_begin(const ContactState& state, SolveCost& cost);
-  [[nodiscard]] bool jump(const ContactState& state, EventProgress& report);
+  [[nodiscard]] bool solve_begin(SolveCost& cost);
+  [[nodiscard]] bool jump(EventProgress& report);
   void keep_changes_nearby();
-  void flip_at_event(const ContactState& state);
+  void flip_at_event();
 
   SharedProblem shared_problem;
   const ContactProblem& problem;  ///< the shared one
@@ -69,7 +69,8 @@ struct EventFollower::Workspace {
   bool inside_piece{};            ///< the piece leads on from `reached`
   std::vector<ContactMode> mode;  ///< of the piece, or the guess for the next
   bool first_touch{};  ///< at `reached` foils that carried nothing are touched: all that touches is tried closed
-  ContactState next;   ///< where the path is halted
+  ContactState next;   ///< where the path is halted, or the state before a piece that begins with another
+  ContactState whole;  ///< room for complete()
   std::vector<Eigen::Index> flipped;  ///< contacts of the last event, until the modes after it have been looked at
   std::vector<ModeChange> changes;
 };
@@ -124,18 +125,20 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   }
 }
 
-/// Begins the piece with the exact state of its modes. It differs from `state` where the response jumps (foils snap),
-/// where contacts that lose their last force together did so one rounding apart, and by the roundings of what was
-/// interpolated.
-/// @return false where that state contradicts its modes: then it was no jump that these contacts could make
-bool EventFollower::Workspace::solve_begin(const ContactState& state, SolveCost& cost) {
+/// Begins the piece with the exact state of its modes, and leaves the state so far in `next`. They differ where the
+/// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, and by
+/// the roundings of what was interpolated.
+/// @return false where that state contradicts its modes: then it was no jump that these contacts could make, and
+/// nothing has changed
+bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
   path.at(reached, here);
-  bool obeys = solve_modes(*modes, mode, here, state.x, piece.begin, cost);
+  bool obeys = solve_modes(*modes, mode, here, piece.begin.x, next, cost);
   for_each_contact(problem, [&](const CoulombContact& contact) {
     const ContactMode m = mode[static_cast<std::size_t>(contact.index)];
-    const ContactTrial trial = trial_of(contact, piece.begin, state.x);
+    const ContactTrial trial = trial_of(contact, next, piece.begin.x);
     obeys = obeys && next_mode(m, contact.f, trial, displacement_tolerance, piece.force_tolerance) == m;
   });
+  if (obeys) std::swap(piece.begin, next);
   return obeys;
 }
 
@@ -143,70 +146,70 @@ bool EventFollower::Workspace::solve_begin(const ContactState& state, SolveCost&
 /// @return false if there are none
 bool EventFollower::Workspace::complete(ContactState& state, SolveCost& cost) {
   path.at(reached, here);
-  if (!solve_modes(*modes, state.mode, here, state.x, next, cost)) return false;
-  std::swap(state, next);
+  if (!solve_modes(*modes, state.mode, here, state.x, whole, cost)) return false;
+  std::swap(state, whole);
   return true;
 }
 
-/// Notes what the jump from `state` to the begin of the piece dissipates.
+/// Notes what the jump from `next` to the begin of the piece dissipates.
 /// @return false where it gains energy, as no jump does, or where other modes lead on behind it: contacts may have
 /// slipped further than the piece leads
-bool EventFollower::Workspace::jump(const ContactState& state, EventProgress& report) {
+bool EventFollower::Workspace::jump(EventProgress& report) {
   if (!changes.empty()) return false;
-  const PieceEnergy energy = piece_energy(problem, state, piece.begin);
-  const double negligible = negligible_energy(problem, state, piece.begin);
+  if (tableau && !complete(next, report.cost)) return false;
+  const PieceEnergy energy = piece_energy(problem, next, piece.begin);
+  const double negligible = negligible_energy(problem, next, piece.begin);
   if (std::abs(energy.defect()) > negligible) report.jump_dissipation += energy.defect();
   return energy.given_off >= -negligible;
 }
 
-/// Settles what comes next at `state`.
-bool EventFollower::Workspace::begin_piece(ContactState& state, const PartVisitor& visit,
-                                           std::vector<ContactEvent>* events, EventProgress& report) {
-  piece.begin = state;
+/// Settles what comes next at the begin of the piece, which is the state that the path has led to.
+/// @return false if that cannot be told; the begin is as it was
+bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector<ContactEvent>* events,
+                                           EventProgress& report) {
   piece.begin_fraction = reached;
   piece.measure_begin(problem);
   if (!settle_modes(report.cost)) return false;
   // A state that the modes fit is kept unless a better one fits them, too.
   const bool fits = by_rates || piece.begin_obeys_modes(problem);
   const bool cancels = piece.target_force > most_cancellation * piece.begin_force;
-  const bool solved = (!fits || cancels) && solve_begin(state, report.cost);
+  const bool solved = (!fits || cancels) && solve_begin(report.cost);
+  if (!solved && !fits) return false;
   if (solved) {
-    if (tableau && !find_target(report.cost)) return false;
-    piece.look_ahead(problem, changes);
+    bool leads_on = !tableau || find_target(report.cost);
+    if (leads_on) piece.look_ahead(problem, changes);
+    if (!fits) leads_on = leads_on && jump(report);
+    if (!leads_on) {
+      std::swap(piece.begin, next);
+      return false;
+    }
   }
-  if (!fits && !(solved && (!tableau || complete(state, report.cost)) && jump(state, report))) return false;
+  std::vector<ContactMode>& before = solved ? next.mode : piece.begin.mode;
   if (events != nullptr) {
-    for_each_difference(mode, state.mode, [&](std::size_t c) {
-      events->push_back({reached, static_cast<int>(c), state.mode[c], mode[c]});
+    for_each_difference(mode, before, [&](std::size_t c) {
+      events->push_back({reached, static_cast<int>(c), before[c], mode[c]});
       return true;
     });
   }
-  state.mode = mode;
-  if (solved) {
-    if (visit) visit({.begin = state, .end = piece.begin, .fraction = reached, .linear = true});
-    state = piece.begin;
-  } else if (cancels) {
-    piece.begin = state;
-  } else {
-    piece.begin.mode = mode;
-  }
+  before = mode;
+  if (solved && visit) visit({.begin = next, .end = piece.begin, .fraction = reached, .linear = true});
   inside_piece = true;
   return true;
 }
 
-/// Guesses the modes of the next piece, which begins at `state`.
-void EventFollower::Workspace::flip_at_event(const ContactState& state) {
+/// Guesses the modes of the next piece, which begins where this one begins by now.
+void EventFollower::Workspace::flip_at_event() {
   flipped.clear();
   for (const ModeLimit& limit : piece.limits) {
     mode[static_cast<std::size_t>(limit.contact)] = limit.to;
     flipped.push_back(limit.contact);
   }
-  first_touch = state.normal_force.maxCoeff() <= piece.force_tolerance;
+  first_touch = piece.begin.normal_force.maxCoeff() <= piece.force_tolerance;
   if (!first_touch) return;
   flipped.clear();  // all may have to change
   for_each_contact(problem, [&](const CoulombContact& contact) {
     ContactMode& m = mode[static_cast<std::size_t>(contact.index)];
-    if (m == ContactMode::open && state.gap[contact.index] <= displacement_tolerance) m = ContactMode::stick;
+    if (m == ContactMode::open && piece.begin.gap[contact.index] <= displacement_tolerance) m = ContactMode::stick;
   });
 }
 
@@ -233,23 +236,31 @@ EventProgress EventFollower::follow_to(double fraction, ContactState& state, con
   const int events_before = w.events_passed;
   EventProgress report;
   int events_here = 0;
+  const ContactState* halted = &state;  // inside the piece, by the last call
+  if (!w.inside_piece) {
+    w.piece.begin = state;
+    halted = nullptr;
+  }
   for (;;) {
-    if (!w.inside_piece && !w.begin_piece(state, visit, events, report)) break;
-    const StraightPiece& piece = w.piece;
+    StraightPiece& piece = w.piece;
+    if (!w.inside_piece && !w.begin_piece(visit, events, report)) break;
     const double event = piece.end_fraction();
     report.arrived = fraction <= event;
     const double end = report.arrived ? fraction : event;
     piece.at(report.arrived ? piece.part_at(fraction) : piece.end_part, w.next);
-    if (visit) visit({.begin = state, .end = w.next, .fraction = end, .linear = true});
-    std::swap(state, w.next);
+    if (visit) visit({.begin = halted ? *halted : piece.begin, .end = w.next, .fraction = end, .linear = true});
+    halted = nullptr;
     events_here = event > w.reached ? 0 : events_here + 1;
     w.reached = end;
-    // Contacts that go on changing at one place would do so for ever.
-    if (report.arrived || w.events_passed == w.options.max_events || events_here > w.problem.contacts()) break;
-    w.flip_at_event(state);
+    if (report.arrived) break;
+    std::swap(piece.begin, w.next);
     w.inside_piece = false;
+    // Contacts that go on changing at one place would do so for ever.
+    if (w.events_passed == w.options.max_events || events_here > w.problem.contacts()) break;
+    w.flip_at_event();
     ++w.events_passed;
   }
+  std::swap(state, report.arrived ? w.next : w.piece.begin);
   if (w.tableau && !w.complete(state, report.cost)) report.arrived = false;
   report.fraction = w.reached;
   report.events = w.events_passed - events_before;
