@@ -197,7 +197,7 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
   return true;
 }
 
-/// Guesses the modes of the next piece, which begins where this one begins by now.
+/// Guesses the modes of the next piece from the limits of the last one, which ended where `piece` begins by now.
 void EventFollower::Workspace::flip_at_event() {
   flipped.clear();
   for (const ModeLimit& limit : piece.limits) {

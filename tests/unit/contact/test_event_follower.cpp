@@ -119,7 +119,7 @@ TEST(EventFollower, PiecesJoinWithoutAGap) {
     EXPECT_GE(at, reached);
     reached = at;
     EXPECT_EQ(begin.x, x);
-    EXPECT_EQ(begin.mode, state.mode);
+    EXPECT_EQ(begin.mode, end.mode);
     x = end.x;
     ++pieces;
   };
