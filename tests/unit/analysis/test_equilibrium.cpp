@@ -201,6 +201,11 @@ TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
   ASSERT_EQ(ray.report.status, FilmStatus::converged);
   EXPECT_EQ(ramped.last->position, ray.last->position);
   EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, FilmStatus::converged);
+  // The same where that position is asked for.
+  input.equilibrium->loads.clear();
+  input.equilibrium->positions = {{0.6 * input.bearing.radial_clearance, 0.0}};
+  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, FilmStatus::touchdown);
+  EXPECT_EQ(state_on(FilmPath::position_ray).report.status, FilmStatus::converged);
 }
 
 /// Lobes of half the clearance: 0.6 of all of it would be beyond the foils.
