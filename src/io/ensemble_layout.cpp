@@ -195,7 +195,7 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
 }
 
 std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& sampled, const SampleResult& result) {
-  const auto* cycles = std::get_if<CycleResult>(&result);
+  [[maybe_unused]] const auto* cycles = std::get_if<CycleResult>(&result);  // by the assertion alone
   BUMPFOIL_ASSERT((cycles ? cycles->cycles.size() : std::get<EquilibriumResult>(result).states.size()) ==
                   layout.places.size());
   std::vector<double> row;
