@@ -16,6 +16,8 @@ constexpr double first_length = 1e-3;
 constexpr double growth = 4.0;
 /// A part of a move that is none.
 constexpr double no_part = 1e-9;
+/// A way within this of another is the same, rad: roundings turn it by less, changes of contact by more.
+constexpr double no_turn = 1e-9;
 /// Tangents this close to singular, as part of their square, do not determine where the body goes.
 constexpr double least_determinant = 1e-12;
 
@@ -87,9 +89,10 @@ class Bracket {
     (cross(wanted, rise) > 0.0 ? left_ : right_) = way.normalized();
   }
 
-  /// The way, or where it lies outside the bracket, one inside of the same length.
+  /// The way, or where it lies outside the bracket or at its edge, which has been tried, one inside of the same length.
   [[nodiscard]] Eigen::Vector2d inside(const Eigen::Vector2d& way) const {
-    if (!left_ || !right_ || (cross(*right_, way) > 0.0 && cross(way, *left_) > 0.0)) return way;
+    const double turn = no_turn * way.norm();
+    if (!left_ || !right_ || (cross(*right_, way) > turn && cross(way, *left_) > turn)) return way;
     return way.norm() * (*left_ + *right_).normalized();
   }
 
