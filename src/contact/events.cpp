@@ -8,6 +8,7 @@
 #include "bumpfoil/contact/path_follower.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/extremes.hpp"
 #include "contact/event_follower.hpp"
 #include "contact/piece_energy.hpp"
 
@@ -71,7 +72,8 @@ class EventStepper final : public PathFollower {
 EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates)
     : problem_(problem),
       follower_(problem, modes, {.rates = rates}),
-      newton_(problem, modes, {.max_events = 0}),  // it is asked where following has led nowhere
+      // It is asked at the assembly, where many modes are wrong, and where following has led nowhere.
+      newton_(problem, modes, {.max_mode_updates = 0, .max_events = 0}),
       most_fallen_(rates == Rates::by_tableau ? most_fallen_by_tableau : most_fallen) {
   BUMPFOIL_ASSERT(!problem->law);  // between two events the response would not be linear
 }
@@ -113,7 +115,7 @@ bool EventStepper::stands(const ContactState& state, const ContactState& end, bo
 /// largest of them, which may be too much for what is left of these at its end.
 void EventStepper::settle(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
                           FollowReport& report) {
-  const double left = std::max(1.0, state.normal_force.maxCoeff());  // N, as in ContactResiduals
+  const double left = std::max(1.0, extremes_of(state.normal_force).most);  // N, as in ContactResiduals
   if (largest_force_ <= most_fallen_ * left) return;
   const ContactLoading loading = path_.at(fraction_);
   const SolverBounds bound = bounds();
@@ -140,7 +142,7 @@ FollowReport EventStepper::follow_to(double fraction, ContactState& state, const
   FollowReport report;
   const PartVisitor note = [&](const ResponsePart& part) {
     slip_origin_ = part.begin.x;
-    largest_force_ = std::max(largest_force_, part.begin.normal_force.maxCoeff());
+    largest_force_ = std::max(largest_force_, extremes_of(part.begin.normal_force).most);
     if (visit) visit(part);
   };
   go_to(fraction, state, note, events, report);

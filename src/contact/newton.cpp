@@ -23,6 +23,9 @@ namespace {
 constexpr int rounds_on_the_way = 3;
 constexpr int rounds_at_the_end = 30;
 constexpr int blocks_per_round_at_the_end = 20;
+/// Contacts per one that contradicts the modes of the interior point: where there are more on the way, these are not
+/// the modes that it will end with.
+constexpr int contacts_per_contradiction = 10;
 
 /// Where the interior point starts and how close to the bounds its steps go, see InteriorPoint::start(). Below friction
 /// coefficients of 0.5 the first has always been enough; beyond, steps may go to and fro, and shorter ones from
@@ -64,7 +67,7 @@ struct NewtonSolver::Workspace {
   void find_changes(const ContactState& previous, const ContactState& state);
   bool try_modes(const Task& task);
   bool iterate_modes(const Task& task);
-  bool settle_runs(const Task& task, int rounds);
+  bool settle_runs(const Task& task, int rounds, std::ptrdiff_t most_contradictions);
   bool follow_events(const Task& task);
   bool interior_point(const Task& task, const InteriorStart& start);
 
@@ -188,10 +191,11 @@ bool NewtonSolver::Workspace::iterate_modes(const Task& task) {
 }
 
 /// The same with fewer changes per round, for modes that are right but for roundings and small forces.
-bool NewtonSolver::Workspace::settle_runs(const Task& task, int rounds) {
+/// @param most_contradictions  contacts that may contradict their modes before it is given up
+bool NewtonSolver::Workspace::settle_runs(const Task& task, int rounds, std::ptrdiff_t most_contradictions) {
   while (try_modes(task)) {
     if (changes.empty()) return true;
-    if (rounds-- == 0) return false;
+    if (rounds-- == 0 || std::ssize(changes) > most_contradictions) return false;
     worst_of_runs.apply(changes, trial);
   }
   return false;
@@ -226,12 +230,12 @@ bool NewtonSolver::Workspace::interior_point(const Task& task, const InteriorSta
     if (interior.changed_modes() > 0) tried = false;
     if (interior.changed_modes() > 0 || tried) continue;
     trial = interior.modes();
-    if (settle_runs(task, rounds_on_the_way)) return true;
+    if (settle_runs(task, rounds_on_the_way, problem.contacts() / contacts_per_contradiction)) return true;
     tried = true;
   }
   trial = interior.modes();
   const int rounds = std::max(rounds_at_the_end, problem.K.blocks() / blocks_per_round_at_the_end);
-  return options.max_interior_steps > 0 && settle_runs(task, rounds);
+  return options.max_interior_steps > 0 && settle_runs(task, rounds, problem.contacts());
 }
 
 }  // namespace bumpfoil
