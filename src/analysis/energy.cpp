@@ -1,8 +1,7 @@
 #include "analysis/energy.hpp"
 
 #include <cmath>
-
-#include "bumpfoil/contact/coulomb_contact.hpp"
+#include <iterator>
 
 namespace bumpfoil {
 
@@ -13,10 +12,18 @@ double gap_work(const Vector& mean_force, const Vector& gap_change) {
 double friction_dissipation(const ContactProblem& problem, const Vector& normal_force, const Vector& begin_x,
                             const Vector& end_x) {
   double dissipation = 0.0;
-  for_each_contact(problem, [&](const CoulombContact& contact) {
-    const double slip = contact.tangential(end_x) - contact.tangential(begin_x);
-    dissipation += contact.f * normal_force[contact.index] * std::abs(slip);
-  });
+  const std::ptrdiff_t stride = std::ssize(problem.pairs);
+  const Eigen::Index size = problem.K.block_size();
+  for (std::ptrdiff_t i = 0; i < stride; ++i) {
+    const ContactPair& pair = problem.pairs[static_cast<std::size_t>(i)];
+    if (pair.tangential < 0 || pair.friction_coefficient == 0.0) continue;
+    double work = 0.0;  // in units of the friction coefficient
+    for (Eigen::Index b = 0; b < problem.K.blocks(); ++b) {
+      const Eigen::Index x = b * size + pair.tangential;
+      work += normal_force[b * stride + i] * std::abs(end_x[x] - begin_x[x]);
+    }
+    dissipation += pair.friction_coefficient * work;
+  }
   return dissipation;
 }
 

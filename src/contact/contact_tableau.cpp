@@ -7,6 +7,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/dense_kernels.hpp"
+#include "contact/eliminated_system.hpp"
 #include "contact/pivoting.hpp"
 
 namespace bumpfoil {
@@ -61,7 +62,8 @@ ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<Mo
       rate_(Vector::Zero(size_)),
       left_(T_.data() + T_.size(), most_pending, size_),
       right_(left_.data() + left_.size(), most_pending, size_),
-      path_rate_(ContactLoading::none(problem)) {
+      path_rate_(ContactLoading::none(problem)),
+      rates_{.normal = Vector::Zero(problem.contacts()), .tangential = Vector::Zero(problem.contacts())} {
   const std::vector<Coordinates> coordinates = coordinates_of(problem.pairs);
   const Eigen::Index per_block = coordinate_count(problem.pairs);
   places_.reserve(static_cast<std::size_t>(problem.contacts()));
@@ -276,28 +278,14 @@ bool ContactTableau::set_modes(const std::vector<ContactMode>& mode) {
   return valid_ || restart(mode);
 }
 
-void ContactTableau::lead(const ContactState& begin, double part, ContactState& target) const {
-  target.mode = mode_;
+const ContactRates& ContactTableau::rates() {
   for (std::size_t c = 0; c < places_.size(); ++c) {
     const Place& place = places_[c];
     const auto contact = static_cast<Eigen::Index>(c);
-    const ContactMode mode = mode_[c];
-    const double normal = part * rate_[place.z_normal];
-    const double tangential = place.z_tangential >= 0 ? part * rate_[place.z_tangential] : 0.0;
-    const bool sticks = mode == ContactMode::stick;
-    if (mode == ContactMode::open) {
-      target.gap[contact] = begin.gap[contact] + normal;
-      target.normal_force[contact] = target.friction_force[contact] = 0.0;
-    } else {
-      const double p = begin.normal_force[contact] + normal;
-      target.gap[contact] = begin.gap[contact];
-      target.normal_force[contact] = p;
-      target.friction_force[contact] =
-          sticks ? begin.friction_force[contact] + tangential : friction_sign(mode) * place.f * p;
-    }
-    if (place.z_tangential < 0) continue;
-    target.x[place.tangential] = begin.x[place.tangential] + (sticks ? 0.0 : tangential);
+    rates_.normal[contact] = rate_[place.z_normal];
+    rates_.tangential[contact] = place.z_tangential < 0 ? 0.0 : rate_[place.z_tangential];
   }
+  return rates_;
 }
 
 }  // namespace bumpfoil

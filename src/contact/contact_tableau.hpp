@@ -6,7 +6,7 @@
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
 #include "bumpfoil/core/dense_kernels.hpp"
-#include "contact/eliminated_system.hpp"
+#include "contact/straight_piece.hpp"
 
 namespace bumpfoil {
 
@@ -32,6 +32,8 @@ class ContactTableau {
   /// @param problem  with linear elastic forces; outlives the tableau
   /// @param modes    its linear system
   ContactTableau(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes);
+  ContactTableau(const ContactTableau&) = delete;
+  ContactTableau& operator=(const ContactTableau&) = delete;
 
   /// Forgets all modes: what follows is the same to the last bit as after construction.
   void forget() { valid_ = false; }
@@ -40,13 +42,11 @@ class ContactTableau {
   void set_path(const LoadingPath& path);
 
   /// Takes other modes.
-  /// @return false if they leave a mechanism; then it must be called again before the next lead()
+  /// @return false if they leave a mechanism; then it must be called again before the next rates()
   [[nodiscard]] bool set_modes(const std::vector<ContactMode>& mode);
 
-  /// Where the modes lead to from a state that obeys them: gaps, forces and, of x, the tangential unknowns.
-  /// @param part    of the path
-  /// @param target  result; its storage is reused
-  void lead(const ContactState& begin, double part, ContactState& target) const;
+  /// Rates along the path in the modes that were set last.
+  const ContactRates& rates();
 
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -87,6 +87,7 @@ class ContactTableau {
   LineMatrix left_, right_;
   RowMajor unit_x_, unit_force_;
   ContactLoading path_rate_;
+  ContactRates rates_;
   ContactState answer_;
 };
 

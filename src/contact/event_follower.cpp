@@ -6,6 +6,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/extremes.hpp"
 #include "contact/contact_tableau.hpp"
 #include "contact/piece_energy.hpp"
 #include "contact/pivoting.hpp"
@@ -97,14 +98,16 @@ void EventFollower::Workspace::keep_changes_nearby() {
 /// the piece, by a solve.
 bool EventFollower::Workspace::find_target(SolveCost& cost) {
   if (tableau) {
-    piece.target.mode = mode;
-    by_rates = piece.begin_obeys_new_modes(problem) && tableau->set_modes(mode);
+    piece.set_modes(mode);
+    by_rates = piece.begin_obeys_new_modes() && tableau->set_modes(mode);
     if (by_rates) {
-      tableau->lead(piece.begin, 1.0 - reached, piece.target);
+      piece.lead(tableau->rates(), 1.0 - reached);
       return true;
     }
   }
-  return solve_modes(*modes, mode, path.end, piece.begin.x, piece.target, cost);
+  if (!solve_modes(*modes, mode, path.end, piece.begin.x, piece.target, cost)) return false;
+  piece.take_target();
+  return true;
 }
 
 /// Finds the modes of the piece, and where it leads.
@@ -112,7 +115,6 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (;;) {
     if (!find_target(cost)) return false;
-    piece.measure_target();
     piece.look_ahead(problem, changes);
     if (changes.empty()) return true;
     if (!flipped.empty()) {
@@ -171,12 +173,17 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
   piece.measure_begin(problem);
   if (!settle_modes(report.cost)) return false;
   // A state that the modes fit is kept unless a better one fits them, too.
-  const bool fits = by_rates || piece.begin_obeys_modes(problem);
+  const bool fits = by_rates || piece.begin_obeys_modes();
   const bool cancels = piece.target_force > most_cancellation * piece.begin_force;
   const bool solved = (!fits || cancels) && solve_begin(report.cost);
   if (!solved && !fits) return false;
   if (solved) {
-    bool leads_on = !tableau || find_target(report.cost);
+    bool leads_on = true;
+    if (tableau) {
+      leads_on = find_target(report.cost);
+    } else {
+      piece.take_target();  // the same, from another begin
+    }
     if (leads_on) piece.look_ahead(problem, changes);
     if (!fits) leads_on = leads_on && jump(report);
     if (!leads_on) {
@@ -204,7 +211,7 @@ void EventFollower::Workspace::flip_at_event() {
     mode[static_cast<std::size_t>(limit.contact)] = limit.to;
     flipped.push_back(limit.contact);
   }
-  first_touch = piece.begin.normal_force.maxCoeff() <= piece.force_tolerance;
+  first_touch = extremes_of(piece.begin.normal_force).most <= piece.force_tolerance;
   if (!first_touch) return;
   flipped.clear();  // all may have to change
   for_each_contact(problem, [&](const CoulombContact& contact) {

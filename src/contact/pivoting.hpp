@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -12,18 +14,27 @@
 
 namespace bumpfoil {
 
-/// Calls visit(contact) for the contacts whose modes differ, until it returns false. Most do not: eight are compared at
-/// once.
+/// Calls visit(contact) for the contacts whose modes differ, in their order, until it returns false. Most do not: eight
+/// are compared at once.
 /// @return whether none returned false
 template <typename Visitor>
 bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<ContactMode>& b, Visitor&& visit) {
-  constexpr std::size_t together = 8 / sizeof(ContactMode);
-  for (std::size_t begin = 0; begin < a.size(); begin += together) {
-    const std::size_t end = std::min(begin + together, a.size());
-    if (end == begin + together && std::memcmp(&a[begin], &b[begin], 8) == 0) continue;
-    for (std::size_t c = begin; c < end; ++c) {
-      if (a[c] != b[c] && !visit(c)) return false;
+  static_assert(sizeof(ContactMode) == 1 && std::endian::native == std::endian::little);
+  constexpr std::uint64_t first = 0xff;
+  std::size_t c = 0;
+  for (; c + 8 <= a.size(); c += 8) {
+    std::uint64_t eight_of_a = 0;
+    std::uint64_t eight_of_b = 0;
+    std::memcpy(&eight_of_a, &a[c], 8);
+    std::memcpy(&eight_of_b, &b[c], 8);
+    for (std::uint64_t differing = eight_of_a ^ eight_of_b; differing != 0;) {
+      const int i = std::countr_zero(differing) / 8;
+      if (!visit(c + static_cast<std::size_t>(i))) return false;
+      differing &= ~(first << 8 * i);
     }
+  }
+  for (; c < a.size(); ++c) {
+    if (a[c] != b[c] && !visit(c)) return false;
   }
   return true;
 }

@@ -3,10 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bumpfoil {
+#include "bumpfoil/core/extremes.hpp"
+#include "bumpfoil/core/vector_instructions.hpp"
 
-StraightPiece::StraightPiece(const ContactProblem& problem) : begin(ContactState::unstressed(problem)), target(begin) {
+namespace bumpfoil {
+namespace {
+
+/// Contacts are looked at that reach a limit before a part of the way to the target: first this many times the length
+/// of the last piece, and where none does, so many times farther. Sets the pace, not the result.
+constexpr double first_sight = 2.0;
+constexpr double farther_sight = 8.0;
+constexpr double least_sight = 0.01;
+
+}  // namespace
+
+StraightPiece::StraightPiece(const ContactProblem& problem)
+    : begin(ContactState::unstressed(problem)),
+      target(begin),
+      friction_coefficient_(Vector::Zero(problem.contacts())),
+      tangential_(begin.mode.size()),
+      mode_(begin.mode.size(), ContactMode::open),
+      closed_(friction_coefficient_),
+      held_(friction_coefficient_),
+      sense_(friction_coefficient_),
+      slip_(friction_coefficient_),
+      clear_(friction_coefficient_),
+      near_(begin.mode.size() + 1) {
   limits.reserve(begin.mode.size());
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    if (contact.f == 0.0) return;
+    friction_coefficient_[contact.index] = contact.f;
+    tangential_[static_cast<std::size_t>(contact.index)] = static_cast<int>(contact.row + contact.pair.tangential);
+    can_slip_.push_back(contact.index);
+  });
 }
 
 double StraightPiece::end_fraction() const {
@@ -19,21 +48,87 @@ double StraightPiece::part_at(double fraction) const {
 
 void StraightPiece::at(double part, ContactState& state) const {
   state.mode = target.mode;
-  for (Vector ContactState::*field :
-       {&ContactState::x, &ContactState::gap, &ContactState::normal_force, &ContactState::friction_force}) {
-    state.*field = (1.0 - part) * (begin.*field) + part * (target.*field);
-  }
+  with_widest_vectors([&](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
+    for (Vector ContactState::*field :
+         {&ContactState::x, &ContactState::gap, &ContactState::normal_force, &ContactState::friction_force}) {
+      const Eigen::Index count = (begin.*field).size();
+      (state.*field).resize(count);
+      const double* const from = (begin.*field).data();
+      const double* const to = (target.*field).data();
+      double* const between = (state.*field).data();
+      const double way = part;
+      BUMPFOIL_INDEPENDENT
+      for (Eigen::Index i = 0; i < count; ++i) between[i] = (1.0 - way) * from[i] + way * to[i];
+    }
+  });
 }
 
 void StraightPiece::measure_begin(const ContactProblem& problem) {
-  begin_force = std::max(problem.least_reference_force(), begin.normal_force.cwiseAbs().maxCoeff());
+  begin_force = std::max(problem.least_reference_force(), extremes_of(begin.normal_force).size());
   force_tolerance = relative_force_tolerance * begin_force;
 }
 
 void StraightPiece::measure_target() {
-  const double largest = target.normal_force.maxCoeff();
-  target_force = std::max(largest, -target.normal_force.minCoeff());
-  force_tolerance = relative_force_tolerance * std::max(begin_force, largest);
+  const Extremes normal_force = extremes_of(target.normal_force);
+  target_force = normal_force.size();
+  force_tolerance = relative_force_tolerance * std::max(begin_force, normal_force.most);
+}
+
+void StraightPiece::set_modes(const std::vector<ContactMode>& mode) {
+  for_each_difference(mode, mode_, [&](std::size_t contact) {
+    const auto c = static_cast<Eigen::Index>(contact);
+    const ContactMode m = mode[contact];
+    closed_[c] = m == ContactMode::open ? 0.0 : 1.0;
+    held_[c] = m == ContactMode::stick && friction_coefficient_[c] > 0.0 ? 1.0 : 0.0;
+    sense_[c] = -friction_sign(m);
+    return true;
+  });
+  mode_ = mode;
+  target.mode = mode;
+}
+
+void StraightPiece::lead(const ContactRates& rate, double part) {
+  with_widest_vectors([this, &rate, part](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
+    const double* const normal_rate = rate.normal.data();
+    const double* const tangential_rate = rate.tangential.data();
+    const double* const f = friction_coefficient_.data();
+    const double* const closed = closed_.data();
+    const double* const held = held_.data();
+    const double* const sense = sense_.data();
+    const double* const gap = begin.gap.data();
+    const double* const normal = begin.normal_force.data();
+    const double* const friction = begin.friction_force.data();
+    double* const gap_then = target.gap.data();
+    double* const normal_then = target.normal_force.data();
+    double* const friction_then = target.friction_force.data();
+    double* const slip = slip_.data();
+    const double way = part;
+    const Eigen::Index count = slip_.size();
+    BUMPFOIL_INDEPENDENT
+    for (Eigen::Index c = 0; c < count; ++c) {
+      const double normal_change = way * normal_rate[c];
+      const double tangential_change = way * tangential_rate[c];
+      const double p = closed[c] * (normal[c] + normal_change);
+      gap_then[c] = gap[c] + (1.0 - closed[c]) * normal_change;
+      normal_then[c] = p;
+      friction_then[c] = held[c] * (friction[c] + tangential_change) - sense[c] * f[c] * p;
+      slip[c] = (1.0 - held[c]) * tangential_change;
+    }
+  });
+  for (const Eigen::Index c : can_slip_) {
+    const int unknown = tangential_[static_cast<std::size_t>(c)];
+    target.x[unknown] = begin.x[unknown] + slip_[c];
+  }
+  measure_target();
+}
+
+void StraightPiece::take_target() {
+  set_modes(target.mode);
+  for (const Eigen::Index c : can_slip_) {
+    const int unknown = tangential_[static_cast<std::size_t>(c)];
+    slip_[c] = target.x[unknown] - begin.x[unknown];
+  }
+  measure_target();
 }
 
 /// A margin that is `now` at the begin and negative `then`: the contact changes its mode where it is spent.
@@ -47,69 +142,126 @@ void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode t
   limits.push_back({c, to});
 }
 
-void StraightPiece::look_ahead(const ContactProblem& problem, std::vector<ModeChange>& changes) {
-  changes.clear();
-  limits.clear();
-  end_part = 1.0;
-  for_each_contact(problem, [&](const CoulombContact& contact) {
-    const Eigen::Index c = contact.index;
-    const double f = contact.f;
-    const ContactMode m = target.mode[static_cast<std::size_t>(c)];
-    if (m == ContactMode::open) {
-      if (target.gap[c] >= -displacement_tolerance) return;
-      const ContactMode to =
-          next_mode(m, f, trial_of(contact, target, begin.x), displacement_tolerance, force_tolerance);
-      limit(c, begin.gap[c], target.gap[c], to);
-      if (begin.gap[c] <= displacement_tolerance) changes.push_back({c, to});
-      return;
+/// Fills clear_: positive where a contact neither reaches a limit of its mode before a part of the way to the target
+/// nor may have to change its mode at the begin.
+void StraightPiece::screen(double part) {
+  with_widest_vectors([this, part](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
+    const double* const f = friction_coefficient_.data();
+    const double* const closed = closed_.data();
+    const double* const held = held_.data();
+    const double* const sense = sense_.data();
+    const double* const slip = slip_.data();
+    const double* const gap = begin.gap.data();
+    const double* const gap_then = target.gap.data();
+    const double* const normal = begin.normal_force.data();
+    const double* const normal_then = target.normal_force.data();
+    const double* const friction = begin.friction_force.data();
+    const double* const friction_then = target.friction_force.data();
+    double* const clear = clear_.data();
+    const double way = part;
+    const double no_force = force_tolerance;
+    const Eigen::Index count = clear_.size();
+    BUMPFOIL_INDEPENDENT
+    for (Eigen::Index c = 0; c < count; ++c) {
+      const double open = 1.0 - closed[c];
+      const double g = gap[c] + way * (gap_then[c] - gap[c]);
+      const double p = normal[c] + way * (normal_then[c] - normal[c]);
+      const double t = friction[c] + way * (friction_then[c] - friction[c]);
+      const double apart = open * (g - displacement_tolerance) + closed[c] * (p - no_force);
+      const double in_cone = 1.0 + held[c] * (f[c] * p - std::abs(t) - no_force - 1.0);
+      const double along = sense[c] * slip[c] + displacement_tolerance;
+      const double others = in_cone < along ? in_cone : along;
+      clear[c] = apart < others ? apart : others;
     }
-    const double p = begin.normal_force[c];
-    const double p_then = target.normal_force[c];
-    const bool loaded = p > force_tolerance;
-    if (p_then < -force_tolerance) limit(c, p, p_then, ContactMode::open);
-    if (m == ContactMode::stick && f > 0.0) {
-      const double t = begin.friction_force[c];
-      for (const double side : {1.0, -1.0}) {
-        const double margin_then = f * p_then - side * target.friction_force[c];
-        if (margin_then >= -force_tolerance) continue;
-        const double margin = f * p - side * t;
-        limit(c, margin, margin_then, slip_mode(-side));
-        // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may fall
-        // faster than the friction force.
-        const bool on_bound = margin <= force_tolerance && side == std::copysign(1.0, t);
-        if (loaded && on_bound) changes.push_back({c, slip_mode(-side)});
-      }
-    }
-    if (loaded && m == ContactMode::stick) return;
-    ContactTrial trial = trial_of(contact, target, begin.x);
-    if (loaded) trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
-    const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
-    if (to != m) changes.push_back({c, to});
   });
 }
 
-/// Whether the forces and the gap of a contact with friction coefficient f are at the begin what its mode asks for.
-bool StraightPiece::begin_obeys(Eigen::Index c, double f) const {
+void StraightPiece::look_ahead(const ContactProblem& problem, std::vector<ModeChange>& changes) {
+  const auto pairs = static_cast<Eigen::Index>(problem.pairs.size());
+  const double way_left = 1.0 - begin_fraction;
+  for (double sight = std::max(least_sight, first_sight * last_length_ / way_left);; sight *= farther_sight) {
+    sight = std::min(1.0, sight);
+    changes.clear();
+    limits.clear();
+    end_part = 1.0;
+    screen(sight);
+    const double* const clear = clear_.data();
+    Eigen::Index* const near = near_.data();
+    Eigen::Index count = 0;
+    for (Eigen::Index c = 0; c < clear_.size(); ++c) {
+      near[count] = c;
+      count += clear[c] > 0.0 ? 0 : 1;
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Index c = near[i];
+      look_at({.pair = problem.pairs[static_cast<std::size_t>(c % pairs)],
+               .f = friction_coefficient_[c],
+               .row = c / pairs * problem.K.block_size(),
+               .index = c},
+              changes);
+    }
+    if (!changes.empty()) return;
+    if (end_part <= sight) break;
+  }
+  last_length_ = end_part * way_left;
+}
+
+/// What look_ahead() asks of one contact.
+void StraightPiece::look_at(const CoulombContact& contact, std::vector<ModeChange>& changes) {
+  const Eigen::Index c = contact.index;
+  const double f = contact.f;
+  const ContactMode m = target.mode[static_cast<std::size_t>(c)];
+  if (m == ContactMode::open) {
+    if (target.gap[c] >= -displacement_tolerance) return;
+    const ContactMode to = next_mode(m, f, trial_of(contact, target, begin.x), displacement_tolerance, force_tolerance);
+    limit(c, begin.gap[c], target.gap[c], to);
+    if (begin.gap[c] <= displacement_tolerance) changes.push_back({c, to});
+    return;
+  }
+  const double p = begin.normal_force[c];
+  const double p_then = target.normal_force[c];
+  const bool loaded = p > force_tolerance;
+  if (p_then < -force_tolerance) limit(c, p, p_then, ContactMode::open);
+  if (m == ContactMode::stick && f > 0.0) {
+    const double t = begin.friction_force[c];
+    for (const double side : {1.0, -1.0}) {
+      const double margin_then = f * p_then - side * target.friction_force[c];
+      if (margin_then >= -force_tolerance) continue;
+      const double margin = f * p - side * t;
+      limit(c, margin, margin_then, slip_mode(-side));
+      // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may fall
+      // faster than the friction force.
+      const bool on_bound = margin <= force_tolerance && side == std::copysign(1.0, t);
+      if (loaded && on_bound) changes.push_back({c, slip_mode(-side)});
+    }
+  }
+  if (loaded && m == ContactMode::stick) return;
+  ContactTrial trial = trial_of(contact, target, begin.x);
+  if (loaded) trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
+  const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
+  if (to != m) changes.push_back({c, to});
+}
+
+/// Whether the forces and the gap of a contact are at the begin what its mode asks for.
+bool StraightPiece::begin_obeys(Eigen::Index c) const {
   const double p = begin.normal_force[c];
   const double t = begin.friction_force[c];
+  const double f = friction_coefficient_[c];
   const ContactMode m = target.mode[static_cast<std::size_t>(c)];
   if (m == ContactMode::open) return std::abs(p) <= force_tolerance && std::abs(t) <= force_tolerance;
   if (std::abs(begin.gap[c]) > displacement_tolerance) return false;
   return !slips(m) || f == 0.0 || std::abs(t - friction_sign(m) * f * p) <= force_tolerance;
 }
 
-bool StraightPiece::begin_obeys_modes(const ContactProblem& problem) const {
+bool StraightPiece::begin_obeys_modes() const {
   bool obeys = true;
-  for_each_contact(problem,
-                   [&](const CoulombContact& contact) { obeys = obeys && begin_obeys(contact.index, contact.f); });
+  for (Eigen::Index c = 0; c < slip_.size(); ++c) obeys = obeys && begin_obeys(c);
   return obeys;
 }
 
-bool StraightPiece::begin_obeys_new_modes(const ContactProblem& problem) const {
-  return for_each_difference(target.mode, begin.mode, [&](std::size_t c) {
-    const ContactPair& pair = problem.pairs[c % problem.pairs.size()];
-    return begin_obeys(static_cast<Eigen::Index>(c), pair.tangential >= 0 ? pair.friction_coefficient : 0.0);
-  });
+bool StraightPiece::begin_obeys_new_modes() const {
+  return for_each_difference(target.mode, begin.mode,
+                             [&](std::size_t c) { return begin_obeys(static_cast<Eigen::Index>(c)); });
 }
 
 }  // namespace bumpfoil

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/problem.hpp"
 #include "contact/pivoting.hpp"
 
@@ -18,6 +20,13 @@ constexpr double relative_force_tolerance = 1e-11;
 struct ModeLimit {
   Eigen::Index contact{};
   ContactMode to{};
+};
+
+/// Rates of all contacts along a path, of what their modes leave free; of the whole path.
+struct ContactRates {
+  Vector normal;  ///< of the gap of open contacts, m, and of p of the others, N
+  Vector
+      tangential;  ///< of t of those that friction holds, N, and of x[tangential] of the others, m; 0 without friction
 };
 
 /// A straight piece of the response to a straight path of loading: from `begin` no contact changes its mode until the
@@ -44,23 +53,50 @@ struct StraightPiece {
   /// @param state  result; its storage is reused
   void at(double part, ContactState& state) const;
 
-  /// To be called whenever `begin` has changed, and then whenever `target` has: set what forces are measured by.
+  /// To be called whenever `begin` has changed: sets what forces are measured by.
   void measure_begin(const ContactProblem& problem);
-  void measure_target();
+
+  /// Sets the modes of the piece. lead() or another target must follow.
+  void set_modes(const std::vector<ContactMode>& mode);
+
+  /// Sets the target to where the modes lead from a begin that obeys them: gaps, forces and, of x, the tangential
+  /// unknowns.
+  /// @param rate  in these modes
+  /// @param part  of the path
+  void lead(const ContactRates& rate, double part);
+
+  /// To be called whenever `target` has been set otherwise, with its modes.
+  void take_target();
 
   /// Looks at all contacts on the way to the target: collects those that may choose their mode at `begin` and
   /// contradict it, and fills `limits` and `end_part` from the others. These mean something where there are no changes.
   void look_ahead(const ContactProblem& problem, std::vector<ModeChange>& changes);
 
   /// Whether the forces and gaps of `begin` are such as the modes of the piece ask for.
-  [[nodiscard]] bool begin_obeys_modes(const ContactProblem& problem) const;
+  [[nodiscard]] bool begin_obeys_modes() const;
 
   /// The same of those contacts alone whose modes were others so far.
-  [[nodiscard]] bool begin_obeys_new_modes(const ContactProblem& problem) const;
+  [[nodiscard]] bool begin_obeys_new_modes() const;
 
  private:
-  [[nodiscard]] bool begin_obeys(Eigen::Index c, double f) const;
+  [[nodiscard]] bool begin_obeys(Eigen::Index c) const;
+  void measure_target();
+  void screen(double part);
+  void look_at(const CoulombContact& contact, std::vector<ModeChange>& changes);
   void limit(Eigen::Index c, double now, double then, ContactMode to);
+
+  // Of each contact, for loops without branches that take many at once.
+  Vector friction_coefficient_;
+  std::vector<int> tangential_;         ///< unknown, of those with friction
+  std::vector<Eigen::Index> can_slip_;  ///< contacts with friction
+  std::vector<ContactMode> mode_;       ///< of the piece, which the next three tell in numbers
+  Vector closed_;                       ///< 1, or 0 of open contacts
+  Vector held_;                         ///< by friction: 1, or 0
+  Vector sense_;                        ///< of slip: 1, -1, or 0 of those that do not slip
+  Vector slip_;                         ///< on the way to the target, m
+  Vector clear_;                        ///< see screen()
+  std::vector<Eigen::Index> near_;      ///< contacts that are not clear
+  double last_length_{1.0};             ///< of the last piece, as part of the path
 };
 
 }  // namespace bumpfoil

@@ -2,10 +2,38 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace bumpfoil {
 namespace {
 
 using enum ContactMode;
+
+TEST(ForEachDifference, NamesAllContactsInTheirOrderUntilItIsTold) {
+  for (const std::size_t count : {0U, 3U, 8U, 16U, 21U}) {
+    const std::vector<ContactMode> a(count, stick);
+    std::vector<ContactMode> b = a;
+    std::vector<std::size_t> changed;
+    for (const std::size_t c : {0U, 2U, 7U, 8U, 9U, 15U, 16U, 20U}) {
+      if (c >= count) continue;
+      b[c] = c % 2 == 0 ? open : slip_backward;
+      changed.push_back(c);
+    }
+    for (std::size_t most = 1; most <= changed.size() + 1; ++most) {
+      std::vector<std::size_t> named;
+      const bool all = for_each_difference(a, b, [&](std::size_t c) {
+        named.push_back(c);
+        return named.size() < most;
+      });
+      EXPECT_EQ(all, changed.size() < most) << count;
+      EXPECT_EQ(named, std::vector<std::size_t>(changed.begin(), changed.begin() + std::ssize(named))) << count;
+      EXPECT_EQ(named.size(), std::min(most, changed.size()));
+    }
+    EXPECT_TRUE(for_each_difference(a, a, [](std::size_t) { return false; }));
+  }
+}
 
 TEST(Judge, MeasuresTheInequalityThatFails) {
   const auto excess = [](ContactMode mode, const ContactTrial& trial) {
