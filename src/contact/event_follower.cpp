@@ -18,6 +18,8 @@ namespace {
 /// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_at_first_touch = 30;
+/// Rounds before these in which of all slips that turn round one is held, see turn_one_slip().
+constexpr int rounds_of_one_slip = 8;
 
 /// What is left of large forces has their roundings, some 1e-13 of them: how many times larger the forces may be that a
 /// piece leads to than those it begins with. States stay exact to 1e-11 then.
@@ -54,6 +56,7 @@ struct EventFollower::Workspace {
   [[nodiscard]] bool solve_begin(SolveCost& cost);
   [[nodiscard]] bool jump(EventProgress& report);
   void keep_changes_nearby();
+  void turn_one_slip();
   void flip_at_event();
 
   SharedProblem shared_problem;
@@ -72,7 +75,7 @@ struct EventFollower::Workspace {
   bool first_touch{};  ///< at `reached` foils that carried nothing are touched: all that touches is tried closed
   ContactState next;   ///< where the path is halted, or the state before a piece that begins with another
   ContactState whole;  ///< room for complete()
-  std::vector<Eigen::Index> flipped;  ///< contacts of the last event, until the modes after it have been looked at
+  std::vector<Eigen::Index> flipped;  ///< contacts of the last event
   std::vector<ModeChange> changes;
 };
 
@@ -110,17 +113,31 @@ bool EventFollower::Workspace::find_target(SolveCost& cost) {
   return true;
 }
 
+/// Makes all changes, but of slips that turn round holds only the one that turns most: often others go on slipping once
+/// that sticks.
+void EventFollower::Workspace::turn_one_slip() {
+  const ModeChange* turns_most = nullptr;
+  for (const ModeChange& change : changes) {
+    ContactMode& m = mode[static_cast<std::size_t>(change.contact)];
+    if (!slips(m) || change.to != ContactMode::stick) {
+      m = change.to;
+    } else if (turns_most == nullptr || change.excess > turns_most->excess) {
+      turns_most = &change;
+    }
+  }
+  if (turns_most != nullptr) mode[static_cast<std::size_t>(turns_most->contact)] = turns_most->to;
+}
+
 /// Finds the modes of the piece, and where it leads.
 bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
-  for (;;) {
+  for (int round = 0;; ++round) {
     if (!find_target(cost)) return false;
     piece.look_ahead(problem, changes);
     if (changes.empty()) return true;
-    if (!flipped.empty()) {
-      keep_changes_nearby();
-      flipped.clear();
-      for (const ModeChange& change : changes) mode[static_cast<std::size_t>(change.contact)] = change.to;
+    if (!first_touch && round < rounds_of_one_slip) {
+      if (round == 0) keep_changes_nearby();
+      turn_one_slip();
     } else if (!rule.apply(changes, mode)) {
       return false;
     }

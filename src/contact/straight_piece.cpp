@@ -239,7 +239,7 @@ void StraightPiece::look_at(const CoulombContact& contact, std::vector<ModeChang
   ContactTrial trial = trial_of(contact, target, begin.x);
   if (loaded) trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
   const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
-  if (to != m) changes.push_back({c, to});
+  if (to != m) changes.push_back({c, to, std::abs(trial.slip)});
 }
 
 /// Whether the forces and the gap of a contact are at the begin what its mode asks for.
