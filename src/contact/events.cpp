@@ -72,8 +72,7 @@ class EventStepper final : public PathFollower {
 EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates)
     : problem_(problem),
       follower_(problem, modes, {.rates = rates}),
-      // It is asked at the assembly, where many modes are wrong, and where following has led nowhere.
-      newton_(problem, modes, {.max_mode_updates = 0, .max_events = 0}),
+      newton_(problem, modes, {.max_events = 0}),  // it is asked where following has led nowhere
       most_fallen_(rates == Rates::by_tableau ? most_fallen_by_tableau : most_fallen) {
   BUMPFOIL_ASSERT(!problem->law);  // between two events the response would not be linear
 }

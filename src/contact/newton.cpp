@@ -230,7 +230,7 @@ bool NewtonSolver::Workspace::interior_point(const Task& task, const InteriorSta
     if (interior.changed_modes() > 0) tried = false;
     if (interior.changed_modes() > 0 || tried) continue;
     trial = interior.modes();
-    if (settle_runs(task, rounds_on_the_way, problem.contacts() / contacts_per_contradiction)) return true;
+    if (settle_runs(task, rounds_on_the_way, std::max(1, problem.contacts() / contacts_per_contradiction))) return true;
     tried = true;
   }
   trial = interior.modes();
