@@ -46,7 +46,7 @@ class ContactTableau {
   [[nodiscard]] bool set_modes(const std::vector<ContactMode>& mode);
 
   /// Rates along the path in the modes that were set last.
-  const ContactRates& rates();
+  [[nodiscard]] const ContactRates& rates();
 
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

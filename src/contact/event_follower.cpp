@@ -18,7 +18,7 @@ namespace {
 /// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_at_first_touch = 30;
-/// Rounds before these in which of all slips that turn round one is held, see turn_one_slip().
+/// Rounds before these in which of all slips that turn round one is held, see hold_one_slip().
 constexpr int rounds_of_one_slip = 8;
 
 /// What is left of large forces has their roundings, some 1e-13 of them: how many times larger the forces may be that a
@@ -56,7 +56,7 @@ struct EventFollower::Workspace {
   [[nodiscard]] bool solve_begin(SolveCost& cost);
   [[nodiscard]] bool jump(EventProgress& report);
   void keep_changes_nearby();
-  void turn_one_slip();
+  void hold_one_slip();
   void flip_at_event();
 
   SharedProblem shared_problem;
@@ -115,7 +115,7 @@ bool EventFollower::Workspace::find_target(SolveCost& cost) {
 
 /// Makes all changes, but of slips that turn round holds only the one that turns most: often others go on slipping once
 /// that sticks.
-void EventFollower::Workspace::turn_one_slip() {
+void EventFollower::Workspace::hold_one_slip() {
   const ModeChange* turns_most = nullptr;
   for (const ModeChange& change : changes) {
     ContactMode& m = mode[static_cast<std::size_t>(change.contact)];
@@ -133,11 +133,11 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
   for (int round = 0;; ++round) {
     if (!find_target(cost)) return false;
-    piece.look_ahead(problem, changes);
+    piece.look_ahead(changes);
     if (changes.empty()) return true;
-    if (!first_touch && round < rounds_of_one_slip) {
+    if (!flipped.empty() && round < rounds_of_one_slip) {
       if (round == 0) keep_changes_nearby();
-      turn_one_slip();
+      hold_one_slip();
     } else if (!rule.apply(changes, mode)) {
       return false;
     }
@@ -201,7 +201,7 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
     } else {
       piece.take_target();  // the same, from another begin
     }
-    if (leads_on) piece.look_ahead(problem, changes);
+    if (leads_on) piece.look_ahead(changes);
     if (!fits) leads_on = leads_on && jump(report);
     if (!leads_on) {
       std::swap(piece.begin, next);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -19,8 +18,8 @@ namespace bumpfoil {
 /// @return whether none returned false
 template <typename Visitor>
 bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<ContactMode>& b, Visitor&& visit) {
-  static_assert(sizeof(ContactMode) == 1 && std::endian::native == std::endian::little);
-  constexpr std::uint64_t first = 0xff;
+  static_assert(sizeof(ContactMode) == 1);
+  constexpr bool first_is_lowest = std::endian::native == std::endian::little;
   std::size_t c = 0;
   for (; c + 8 <= a.size(); c += 8) {
     std::uint64_t eight_of_a = 0;
@@ -28,9 +27,9 @@ bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<Co
     std::memcpy(&eight_of_a, &a[c], 8);
     std::memcpy(&eight_of_b, &b[c], 8);
     for (std::uint64_t differing = eight_of_a ^ eight_of_b; differing != 0;) {
-      const int i = std::countr_zero(differing) / 8;
+      const int i = (first_is_lowest ? std::countr_zero(differing) : std::countl_zero(differing)) / 8;
       if (!visit(c + static_cast<std::size_t>(i))) return false;
-      differing &= ~(first << 8 * i);
+      differing &= ~(std::uint64_t{0xff} << 8 * (first_is_lowest ? i : 7 - i));
     }
   }
   for (; c < a.size(); ++c) {
@@ -96,6 +95,8 @@ struct ModeChange {
   Eigen::Index contact{};
   ContactMode to{};
   double excess{};  ///< by how much the inequality fails: m or N, comparable between changes of the same kind
+
+  bool operator==(const ModeChange&) const = default;
 };
 
 /// The change that a contact needs, with `to` its own mode if it needs none.

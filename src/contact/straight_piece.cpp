@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/extremes.hpp"
 #include "bumpfoil/core/vector_instructions.hpp"
 
@@ -28,7 +30,7 @@ StraightPiece::StraightPiece(const ContactProblem& problem)
       sense_(friction_coefficient_),
       slip_(friction_coefficient_),
       clear_(friction_coefficient_),
-      near_(begin.mode.size() + 1) {
+      near_(begin.mode.size()) {
   limits.reserve(begin.mode.size());
   for_each_contact(problem, [&](const CoulombContact& contact) {
     if (contact.f == 0.0) return;
@@ -143,7 +145,8 @@ void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode t
 }
 
 /// Fills clear_: positive where a contact neither reaches a limit of its mode before a part of the way to the target
-/// nor may have to change its mode at the begin.
+/// nor may have to change its mode at the begin, as those may that carry nothing. A margin that is none at the begin
+/// and less at the target is none between.
 void StraightPiece::screen(double part) {
   with_widest_vectors([this, part](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
     const double* const f = friction_coefficient_.data();
@@ -167,7 +170,8 @@ void StraightPiece::screen(double part) {
       const double g = gap[c] + way * (gap_then[c] - gap[c]);
       const double p = normal[c] + way * (normal_then[c] - normal[c]);
       const double t = friction[c] + way * (friction_then[c] - friction[c]);
-      const double apart = open * (g - displacement_tolerance) + closed[c] * (p - no_force);
+      const double least_p = normal[c] < p ? normal[c] : p;
+      const double apart = open * (g - displacement_tolerance) + closed[c] * (least_p - no_force);
       const double in_cone = 1.0 + held[c] * (f[c] * p - std::abs(t) - no_force - 1.0);
       const double along = sense[c] * slip[c] + displacement_tolerance;
       const double others = in_cone < along ? in_cone : along;
@@ -176,8 +180,8 @@ void StraightPiece::screen(double part) {
   });
 }
 
-void StraightPiece::look_ahead(const ContactProblem& problem, std::vector<ModeChange>& changes) {
-  const auto pairs = static_cast<Eigen::Index>(problem.pairs.size());
+void StraightPiece::look_ahead(std::vector<ModeChange>& changes) {
+  BUMPFOIL_ASSERT(mode_ == target.mode);
   const double way_left = 1.0 - begin_fraction;
   for (double sight = std::max(least_sight, first_sight * last_length_ / way_left);; sight *= farther_sight) {
     sight = std::min(1.0, sight);
@@ -187,59 +191,50 @@ void StraightPiece::look_ahead(const ContactProblem& problem, std::vector<ModeCh
     screen(sight);
     const double* const clear = clear_.data();
     Eigen::Index* const near = near_.data();
+    const Eigen::Index contacts = clear_.size();
     Eigen::Index count = 0;
-    for (Eigen::Index c = 0; c < clear_.size(); ++c) {
+    for (Eigen::Index c = 0; c < contacts; ++c) {
       near[count] = c;
       count += clear[c] > 0.0 ? 0 : 1;
     }
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const Eigen::Index c = near[i];
-      look_at({.pair = problem.pairs[static_cast<std::size_t>(c % pairs)],
-               .f = friction_coefficient_[c],
-               .row = c / pairs * problem.K.block_size(),
-               .index = c},
-              changes);
-    }
-    if (!changes.empty()) return;
-    if (end_part <= sight) break;
+    for (Eigen::Index i = 0; i < count; ++i) look_at(near[i], changes);
+    if (!(end_part > sight)) break;
   }
   last_length_ = end_part * way_left;
 }
 
-/// What look_ahead() asks of one contact.
-void StraightPiece::look_at(const CoulombContact& contact, std::vector<ModeChange>& changes) {
-  const Eigen::Index c = contact.index;
-  const double f = contact.f;
+/// What look_ahead() asks of contact c.
+void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
+  const double f = friction_coefficient_[c];
   const ContactMode m = target.mode[static_cast<std::size_t>(c)];
+  ContactTrial trial{
+      .gap = target.gap[c], .normal = target.normal_force[c], .friction = target.friction_force[c], .slip = slip_[c]};
+  const auto change = [&] { return judge(c, m, f, trial, displacement_tolerance, force_tolerance); };
   if (m == ContactMode::open) {
-    if (target.gap[c] >= -displacement_tolerance) return;
-    const ContactMode to = next_mode(m, f, trial_of(contact, target, begin.x), displacement_tolerance, force_tolerance);
-    limit(c, begin.gap[c], target.gap[c], to);
-    if (begin.gap[c] <= displacement_tolerance) changes.push_back({c, to});
+    if (trial.gap >= -displacement_tolerance) return;
+    limit(c, begin.gap[c], trial.gap, change().to);
+    if (begin.gap[c] <= displacement_tolerance) changes.push_back(change());
     return;
   }
   const double p = begin.normal_force[c];
-  const double p_then = target.normal_force[c];
   const bool loaded = p > force_tolerance;
-  if (p_then < -force_tolerance) limit(c, p, p_then, ContactMode::open);
+  if (trial.normal < -force_tolerance) limit(c, p, trial.normal, ContactMode::open);
   if (m == ContactMode::stick && f > 0.0) {
     const double t = begin.friction_force[c];
     for (const double side : {1.0, -1.0}) {
-      const double margin_then = f * p_then - side * target.friction_force[c];
+      const double margin_then = f * trial.normal - side * trial.friction;
       if (margin_then >= -force_tolerance) continue;
       const double margin = f * p - side * t;
       limit(c, margin, margin_then, slip_mode(-side));
       // Free to choose only at its bound, and only if it would leave the cone on that side: the normal force may fall
       // faster than the friction force.
       const bool on_bound = margin <= force_tolerance && side == std::copysign(1.0, t);
-      if (loaded && on_bound) changes.push_back({c, slip_mode(-side)});
+      if (loaded && on_bound) changes.push_back({c, slip_mode(-side), -margin_then});
     }
   }
   if (loaded && m == ContactMode::stick) return;
-  ContactTrial trial = trial_of(contact, target, begin.x);
   if (loaded) trial.normal = std::max(0.0, trial.normal);  // will open later on the way, if at all
-  const ContactMode to = next_mode(m, f, trial, displacement_tolerance, force_tolerance);
-  if (to != m) changes.push_back({c, to, std::abs(trial.slip)});
+  if (change().to != m) changes.push_back(change());
 }
 
 /// Whether the forces and the gap of a contact are at the begin what its mode asks for.

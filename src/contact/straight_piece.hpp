@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/problem.hpp"
 #include "contact/pivoting.hpp"
 
@@ -20,13 +18,14 @@ constexpr double relative_force_tolerance = 1e-11;
 struct ModeLimit {
   Eigen::Index contact{};
   ContactMode to{};
+
+  bool operator==(const ModeLimit&) const = default;
 };
 
-/// Rates of all contacts along a path, of what their modes leave free; of the whole path.
+/// Rates of all contacts along a whole path, of what their modes leave free.
 struct ContactRates {
-  Vector normal;  ///< of the gap of open contacts, m, and of p of the others, N
-  Vector
-      tangential;  ///< of t of those that friction holds, N, and of x[tangential] of the others, m; 0 without friction
+  Vector normal;      ///< of the gap of open contacts, m, and of p of the others, N
+  Vector tangential;  ///< of t where friction holds, N, else of x[tangential], m; 0 without friction
 };
 
 /// A straight piece of the response to a straight path of loading: from `begin` no contact changes its mode until the
@@ -65,12 +64,12 @@ struct StraightPiece {
   /// @param part  of the path
   void lead(const ContactRates& rate, double part);
 
-  /// To be called whenever `target` has been set otherwise, with its modes.
+  /// To be called whenever `target` has been set otherwise, with its modes, or another begin leads to it.
   void take_target();
 
   /// Looks at all contacts on the way to the target: collects those that may choose their mode at `begin` and
   /// contradict it, and fills `limits` and `end_part` from the others. These mean something where there are no changes.
-  void look_ahead(const ContactProblem& problem, std::vector<ModeChange>& changes);
+  void look_ahead(std::vector<ModeChange>& changes);
 
   /// Whether the forces and gaps of `begin` are such as the modes of the piece ask for.
   [[nodiscard]] bool begin_obeys_modes() const;
@@ -82,7 +81,7 @@ struct StraightPiece {
   [[nodiscard]] bool begin_obeys(Eigen::Index c) const;
   void measure_target();
   void screen(double part);
-  void look_at(const CoulombContact& contact, std::vector<ModeChange>& changes);
+  void look_at(Eigen::Index c, std::vector<ModeChange>& changes);
   void limit(Eigen::Index c, double now, double then, ContactMode to);
 
   // Of each contact, for loops without branches that take many at once.

@@ -13,7 +13,8 @@
 #define BUMPFOIL_ALWAYS_INLINE __attribute__((always_inline))
 
 /// Before a loop whose passes neither read nor overwrite what others write: g++ then takes them in vectors without a
-/// proof. Clang finds its own way, and would warn where it finds none.
+/// proof. What it reads again and again belongs into local variables. Clang finds its own way, and would warn where it
+/// finds none.
 #ifdef __clang__
 #define BUMPFOIL_INDEPENDENT
 #else

@@ -57,7 +57,6 @@ TEST(ContactTableau, LeadsWhereTheLinearSystemDoes) {
       ASSERT_TRUE(tableau.set_modes(mode)) << seed << ' ' << change;
       const ContactState led = led_by_rates(random.problem, tableau, begin, mode, 0.7);
       const ContactState expected = led_by_solves(*system, path, begin, 0.7);
-      EXPECT_EQ(led.mode, mode);
       // Of one exchange after the other; condition numbers are some 1e3.
       if (seed % 3 != 0) {  // with friction
         expect_near(tangential_displacements(random.problem, led.x),

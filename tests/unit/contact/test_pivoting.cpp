@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace bumpfoil {
@@ -28,8 +27,8 @@ TEST(ForEachDifference, NamesAllContactsInTheirOrderUntilItIsTold) {
         return named.size() < most;
       });
       EXPECT_EQ(all, changed.size() < most) << count;
-      EXPECT_EQ(named, std::vector<std::size_t>(changed.begin(), changed.begin() + std::ssize(named))) << count;
-      EXPECT_EQ(named.size(), std::min(most, changed.size()));
+      ASSERT_EQ(named.size(), std::min(most, changed.size()));
+      EXPECT_TRUE(std::equal(named.begin(), named.end(), changed.begin())) << count;
     }
     EXPECT_TRUE(for_each_difference(a, a, [](std::size_t) { return false; }));
   }

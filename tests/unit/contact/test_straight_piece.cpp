@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
@@ -33,7 +36,7 @@ StraightPiece block_between(const ContactLoading& begin, const ContactLoading& e
 /// The changes that it needs.
 std::vector<ModeChange> look_ahead(StraightPiece& piece) {
   std::vector<ModeChange> changes;
-  piece.look_ahead(toy::dragged_block(), changes);
+  piece.look_ahead(changes);
   return changes;
 }
 
@@ -156,7 +159,7 @@ TEST(StraightPiece, FindsTheFirstLimitOfManyContacts) {
       modes->solve(path.at(far), piece.begin.x, piece.target);
       piece.take_target();
       std::vector<ModeChange> changes;
-      piece.look_ahead(problem, changes);
+      piece.look_ahead(changes);
       // Contacts that slip may turn round, which is a change at the begin: then limits mean nothing.
       if (!changes.empty()) continue;
       EXPECT_NEAR(piece.end_part, first_limit(problem, piece.begin, piece.target), 1e-9) << seed << ' ' << far;
@@ -164,6 +167,71 @@ TEST(StraightPiece, FindsTheFirstLimitOfManyContacts) {
     }
   }
   EXPECT_GT(with_limit, 40);
+}
+
+/// A begin in random modes with any margins, many of them none, as after events and where nothing is loaded.
+ContactState random_begin(std::mt19937_64& random, const ContactProblem& problem) {
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto happens = [&] { return uniform(random) < -0.7; };
+  ContactState begin = ContactState::unstressed(problem);
+  begin.mode = random_modes(random(), problem);
+  for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
+    const ContactMode mode = begin.mode[static_cast<std::size_t>(c)];
+    const double f = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()].friction_coefficient;
+    if (happens()) continue;  // touches without force
+    if (mode == ContactMode::open) {
+      begin.gap[c] = 1e-5 * std::abs(uniform(random));
+      continue;
+    }
+    begin.normal_force[c] = 10.0 * std::abs(uniform(random));
+    const double of_bound = slips(mode) ? friction_sign(mode) : uniform(random);
+    begin.friction_force[c] = (happens() ? std::copysign(1.0, of_bound) : of_bound) * f * begin.normal_force[c];
+  }
+  return begin;
+}
+
+/// A piece that has seen a short one begins to look nearby, a new one looks all the way at once.
+TEST(StraightPiece, FindsTheSameHoweverFarItLooksAtFirst) {
+  int with_changes = 0;
+  int with_one_limit = 0;
+  int with_more_limits = 0;
+  for (const double f : {0.0, 0.6}) {
+    const ContactProblem problem = make_random_problem(1, 11, 6, f).problem;
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const auto rates = [&] { return Vector::NullaryExpr(problem.contacts(), [&] { return uniform(random); }).eval(); };
+    StraightPiece used(problem);
+    for (int i = 0; i < 200; ++i) {
+      ContactState begin = random_begin(random, problem);
+      ContactRates rate{.normal = rates(), .tangential = rates()};
+      if (i % 2 == 0) rate.normal = rate.normal.cwiseAbs();  // nothing opens or closes
+      // What carries nothing but roundings is in its cone nearby, and at the end it is not.
+      for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
+        if (begin.mode[static_cast<std::size_t>(c)] != ContactMode::stick || begin.normal_force[c] > 0.0) continue;
+        begin.friction_force[c] = f * 1e-9;
+        rate.normal[c] = 1.5e-7;
+        rate.tangential[c] = -1e-7;
+      }
+      StraightPiece fresh(problem);
+      std::vector<ModeChange> changes, changes_of_fresh;
+      for (const auto& [piece, found] : {std::pair(&used, &changes), std::pair(&fresh, &changes_of_fresh)}) {
+        piece->begin = begin;
+        piece->measure_begin(problem);
+        piece->set_modes(begin.mode);
+        piece->lead(rate, i % 3 == 0 ? 1e-3 : 1.0);
+        piece->look_ahead(*found);
+      }
+      EXPECT_EQ(changes, changes_of_fresh) << f << ' ' << i;
+      EXPECT_EQ(used.limits, fresh.limits) << f << ' ' << i;
+      EXPECT_EQ(used.end_part, fresh.end_part) << f << ' ' << i;
+      with_changes += changes.empty() ? 0 : 1;
+      with_one_limit += used.limits.size() == 1 ? 1 : 0;
+      with_more_limits += used.limits.size() > 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(with_changes, 100);
+  EXPECT_GT(with_one_limit, 20);
+  EXPECT_GT(with_more_limits, 100);
 }
 
 }  // namespace
