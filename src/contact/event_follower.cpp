@@ -18,8 +18,9 @@ namespace {
 /// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_at_first_touch = 30;
-/// Rounds before these in which of all slips that turn round one is held, see hold_one_slip().
-constexpr int rounds_of_one_slip = 8;
+/// Rounds before these, after an event.
+constexpr int rounds_by_solves = 1;
+constexpr int rounds_by_tableau = 8;
 
 /// What is left of large forces has their roundings, some 1e-13 of them: how many times larger the forces may be that a
 /// piece leads to than those it begins with. States stay exact to 1e-11 then.
@@ -56,7 +57,7 @@ struct EventFollower::Workspace {
   [[nodiscard]] bool solve_begin(SolveCost& cost);
   [[nodiscard]] bool jump(EventProgress& report);
   void keep_changes_nearby();
-  void hold_one_slip();
+  void make_changes();
   void flip_at_event();
 
   SharedProblem shared_problem;
@@ -113,13 +114,14 @@ bool EventFollower::Workspace::find_target(SolveCost& cost) {
   return true;
 }
 
-/// Makes all changes, but of slips that turn round holds only the one that turns most: often others go on slipping once
-/// that sticks.
-void EventFollower::Workspace::hold_one_slip() {
+/// Makes all changes; but by the tableau, where each costs about as much as a round, it holds of slips that turn round
+/// only the one that turns most: often others go on slipping once that sticks.
+void EventFollower::Workspace::make_changes() {
   const ModeChange* turns_most = nullptr;
   for (const ModeChange& change : changes) {
     ContactMode& m = mode[static_cast<std::size_t>(change.contact)];
-    if (!slips(m) || change.to != ContactMode::stick) {
+    const bool turns = slips(m) && change.to == ContactMode::stick;
+    if (!tableau || !turns) {
       m = change.to;
     } else if (turns_most == nullptr || change.excess > turns_most->excess) {
       turns_most = &change;
@@ -131,13 +133,14 @@ void EventFollower::Workspace::hold_one_slip() {
 /// Finds the modes of the piece, and where it leads.
 bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
   PivotingRule rule(first_touch ? most_rounds_at_first_touch : most_rounds);
+  const int rounds_after_event = tableau ? rounds_by_tableau : rounds_by_solves;
   for (int round = 0;; ++round) {
     if (!find_target(cost)) return false;
     piece.look_ahead(changes);
     if (changes.empty()) return true;
-    if (!flipped.empty() && round < rounds_of_one_slip) {
+    if (!flipped.empty() && round < rounds_after_event) {
       if (round == 0) keep_changes_nearby();
-      hold_one_slip();
+      make_changes();
     } else if (!rule.apply(changes, mode)) {
       return false;
     }
