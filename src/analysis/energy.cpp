@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
+
 namespace bumpfoil {
 
 double gap_work(const Vector& mean_force, const Vector& gap_change) {
@@ -18,7 +20,7 @@ double friction_dissipation(const ContactProblem& problem, const Vector& normal_
   const Eigen::Index size = problem.K.block_size();
   for (std::ptrdiff_t i = 0; i < stride; ++i) {
     const ContactPair& pair = problem.pairs[static_cast<std::size_t>(i)];
-    if (pair.tangential < 0 || pair.friction_coefficient == 0.0) continue;
+    if (is_frictionless(pair)) continue;
     double work = 0.0;  // in units of the friction coefficient
     for (Eigen::Index b = 0; b < problem.K.blocks(); ++b) {
       const Eigen::Index x = b * size + pair.tangential;

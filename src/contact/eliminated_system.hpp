@@ -5,16 +5,13 @@
 #include <iterator>
 #include <vector>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/block_tridiagonal_lu.hpp"
 #include "bumpfoil/core/vector_instructions.hpp"
 
 namespace bumpfoil {
-
-inline bool is_frictionless(const ContactPair& pair) {
-  return pair.tangential < 0 || pair.friction_coefficient == 0.0;
-}
 
 /// How the normal force of a contact is found from the balance of its block.
 struct Elimination {

@@ -18,7 +18,7 @@ namespace {
 /// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_at_first_touch = 30;
-/// Rounds before these, after an event.
+/// Rounds right after an event that make_changes() takes as it sees fit, not counted among these.
 constexpr int rounds_by_solves = 1;
 constexpr int rounds_by_tableau = 8;
 

@@ -29,6 +29,11 @@ struct CoulombContact {
   }
 };
 
+/// Whether a contact never carries friction.
+inline bool is_frictionless(const ContactPair& pair) {
+  return pair.tangential < 0 || pair.friction_coefficient == 0.0;
+}
+
 /// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
 inline double friction_sign(ContactMode mode) {
   if (mode == ContactMode::slip_forward) return -1.0;
