@@ -1,11 +1,9 @@
-#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/analysis/running_bearing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
-#include <vector>
 
-#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/analysis/wall_film.hpp"
 #include "bumpfoil/io/equilibrium_files.hpp"
 #include "commands.hpp"
@@ -27,15 +25,10 @@ Outcome outcome_of(const Case& input, EquilibriumResult result) {
   return outcome;
 }
 
-struct EquilibriumFlags {
-  bool all_paths{};
-  bool limits{};
-};
-
 }  // namespace
 
 void add_equilibrium_command(CLI::App& program, Session& session) {
-  const auto flags = std::make_shared<EquilibriumFlags>();
+  const auto flags = std::make_shared<RunningRequest>();
   CLI::App* command = add_experiment(
       program, session,
       {.name = "equilibrium",
@@ -48,14 +41,10 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
        .files = equilibrium_file_names("equilibrium"),
        .takes_samples = true,
        .run = [flags](const Case& input, const ProgressCallback& progress) {
-         const std::vector<FilmPath> paths =
-             flags->all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{};
-         EquilibriumResult result = run_equilibrium(input, paths, progress);
-         if (flags->limits) result.limits = run_film_limits(input, progress);
-         return outcome_of(input, std::move(result));
+         return outcome_of(input, analyse_running_bearing(input, *flags, progress));
        }});
   command->add_flag("--paths", flags->all_paths,
-                    "Come to every state by every path that leads there, and tell how far they lie apart");
+                    "Reach every state by every path that leads there, and report the spread: equilibrium.paths=all");
   command->add_flag("--limits", flags->limits,
                     "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin");
 }

@@ -150,6 +150,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
     if (shares.size() > 1) print_output(shares_text(std::move(shares), log.samples() - before));
     print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
   }
+  print_some("warning: ", warning_lines(layout, statistics));
   print_some("bumpfoil: ", failure_lines(layout, statistics));
   if (status == RunStatus::interrupted) {
     print_message(fmt::format("bumpfoil: interrupted: {} of {} samples are missing",

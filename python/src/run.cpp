@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "bumpfoil/analysis/equilibrium.hpp"
-#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/analysis/path.hpp"
 #include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/analysis/vibration.hpp"
@@ -101,10 +99,7 @@ Run run_command(const std::string& command, const Case& input, const std::string
 
 Run find_running_states(const Case& input, const std::string& case_text, const RunningRequest& request,
                         const ProgressCallback& progress) {
-  EquilibriumResult result = run_equilibrium(
-      input, request.all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{}, progress);
-  if (request.limits) result.limits = run_film_limits(input, progress);
-  return equilibrium_run(input, case_text, std::move(result));
+  return equilibrium_run(input, case_text, analyse_running_bearing(input, request, progress));
 }
 
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/analysis/running_bearing.hpp"
 #include "bumpfoil/io/cycle_files.hpp"
 #include "bumpfoil/io/summary.hpp"
 #include "bumpfoil/io/sweep.hpp"
@@ -44,12 +45,6 @@ Provenance provenance_of(const std::string& command, const std::string& case_tex
 /// @param case_text  for the provenance
 Run run_command(const std::string& command, const Case& input, const std::string& case_text,
                 const ProgressCallback& progress);
-
-/// What `equilibrium` takes beside a case.
-struct RunningRequest {
-  bool all_paths{};  ///< that lead to the states, in place of the one of the case
-  bool limits{};     ///< lift-off speeds and load capacities, too
-};
 
 /// Runs `equilibrium`. @param case_text  for the provenance
 Run find_running_states(const Case& input, const std::string& case_text, const RunningRequest& request,

@@ -15,8 +15,9 @@ namespace {
 /// the way to a position.
 constexpr double start_along_load = 0.6;
 constexpr double start_towards_position = 0.7;
-/// Least room in a clearance that is opened, m.
-constexpr double least_opened_room = 10e-6;
+/// A path begins without opening where this part of the room, what a cold start leaves at the thinnest place, is no
+/// thinner than film.h_floor.
+constexpr double room_left_at_start = 1.0 - start_towards_position;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
 
@@ -25,10 +26,11 @@ OperatingPoint at_speed(OperatingPoint point, double speed) {
   return point;
 }
 
-/// By how much the clearance is opened, m, for a path to begin: where foils leave no room, until they leave c and at
-/// least least_opened_room.
-double opening_to_begin(const FilmBearing& bearing) {
-  return bearing.room > 0.0 ? 0.0 : std::max(bearing.scales.thickness, least_opened_room) - bearing.room;
+/// By how much the clearance is opened, m, for a path to begin: where foils leave too little room for a film, until
+/// they leave c.
+double opening_to_begin(const FilmBearing& bearing, double floor) {
+  const bool has_room = bearing.room > 0.0 && room_left_at_start * bearing.room >= floor;
+  return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
 }
 
 /// Walks along paths and keeps what is found.
@@ -40,17 +42,19 @@ class PathWalker {
         progress_(progress),
         states_(states),
         settings_(*input.equilibrium),
-        opening_(opening_to_begin(*result.bearing)),
+        opening_(opening_to_begin(*result.bearing, input.film.h_floor)),
         solver_(*result.bearing, options_of(input)) {}
 
   /// The states at `points`, one after the other.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
     state_.reset();
+    std::optional<OperatingPoint> before;
     for (const OperatingPoint& point : points) {
       done_of_state_ = 0.0;
       RunningState& found = result_.states.emplace_back();
       found.path = path;
       found.asked = point;
+      found.before = std::exchange(before, point);
       const auto begin = std::chrono::steady_clock::now();
       found.report.status = FilmStatus::converged;
       if (!reached_) {
@@ -83,8 +87,13 @@ class PathWalker {
   void judge(RunningState& found) {
     found.last = state_;
     found.outcome = film_bearing_outcome(*result_.bearing, *state_);
-    found.stiffness = solver_.stiffness(*state_);
-    found.stuck_stiffness = solver_.stiffness(*state_, true);
+    const auto moving = solver_.slow_motion(*state_);
+    const auto stuck = solver_.slow_motion(*state_, true);
+    if (moving) found.stiffness = moving->stiffness;
+    if (stuck) found.stuck_stiffness = stuck->stiffness;
+    if (moving || stuck) {
+      found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
+    }
     found.whirls = whirls();
     find_stresses(found);
   }

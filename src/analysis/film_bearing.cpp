@@ -17,8 +17,8 @@
 namespace bumpfoil {
 namespace {
 
-/// c of a bearing without clearance whose interference is less, m.
-constexpr double scale_without_clearance = 10e-6;
+/// c of a bearing whose clearance or interference is less, m.
+constexpr double least_scale = 10e-6;
 
 /// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.
 BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vector<FilmPad>& pads) {
@@ -75,7 +75,7 @@ Gas gas_of(const GasSettings& settings) {
 }
 
 double film_thickness_scale(double clearance) {
-  return clearance > 0.0 ? clearance : std::max(-clearance, scale_without_clearance);
+  return std::max(std::abs(clearance), least_scale);
 }
 
 int FilmBearing::columns() const {

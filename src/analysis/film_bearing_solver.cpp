@@ -10,6 +10,8 @@ namespace {
 
 /// Steps that take no more iterations than this let the next one grow.
 constexpr int easy_iterations = 12;
+/// Of steps that look for another branch.
+constexpr double step_growth_off_branch = 8.0;
 /// Time steps are given up below this part of the first.
 constexpr double smallest_time_step = 1e-6;
 
@@ -27,6 +29,14 @@ OperatingPoint between(const OperatingPoint& from, const OperatingPoint& to, dou
           from.speed + fraction * (to.speed - from.speed), from.opening + fraction * (to.opening - from.opening)};
 }
 
+/// Where a branch ends on a line of operating points, in parts of the line.
+struct BranchEnd {
+  const OperatingPoint& from;
+  const OperatingPoint& to;
+  double begin{};                ///< of the last state
+  double shortest{}, longest{};  ///< steps
+};
+
 }  // namespace
 
 struct FilmBearingSolver::Workspace {
@@ -35,7 +45,9 @@ struct FilmBearingSolver::Workspace {
 
   FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const ContactState& previous,
                    FilmBearingState& state);
+  FilmReport solve_on_branch(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
   FilmReport settle(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
+  double jump(const BranchEnd& end, const ContactState& previous, FilmBearingState& state, FilmReport& total);
   [[nodiscard]] double steps_between(const OperatingPoint& from, const OperatingPoint& to) const;
 
   FilmBearing bearing;
@@ -50,6 +62,46 @@ FilmReport FilmBearingSolver::Workspace::solve(const OperatingPoint& to, const F
   const double tolerance =
       equations.front().squeeze_rate > 0.0 ? options.marching_tolerance : options.newton.step_tolerance;
   return newton.solve(to, equations, tolerance, previous, state);
+}
+
+/// solve() from one state to the next, under a load on the same branch: a state that lies off the tangent's prediction
+/// by more than curvature and contacts explain is not accepted, as Newton's method has reached another branch.
+FilmReport FilmBearingSolver::Workspace::solve_on_branch(const OperatingPoint& to, const ContactState& previous,
+                                                         FilmBearingState& state) {
+  FilmBearingState found = state;
+  FilmReport report = solve(to, film_equations(bearing, to.speed), previous, found);
+  if (report.status != FilmStatus::converged) return report;
+  if (to.control == OperatingPoint::Control::load &&
+      report.departure > std::max(options.largest_departure * report.predicted_change, options.resolved_departure)) {
+    report.status = FilmStatus::not_converged;
+    return report;
+  }
+  state = std::move(found);
+  return report;
+}
+
+/// To another branch, from the last state of one: to where the film comes to rest in time behind the end. Under a load,
+/// if it rests nowhere, to the state that Newton's method reaches in the shortest step that it converges in.
+/// @return the part of the line where that is
+double FilmBearingSolver::Workspace::jump(const BranchEnd& end, const ContactState& previous, FilmBearingState& state,
+                                          FilmReport& total) {
+  double reached = end.begin + end.shortest;
+  const FilmReport rested = settle(between(end.from, end.to, reached), previous, state);
+  total += rested;
+  const bool gives_up = rested.status == FilmStatus::interrupted || end.to.control == OperatingPoint::Control::position;
+  for (double step = end.shortest; total.status != FilmStatus::converged && !gives_up; step *= step_growth_off_branch) {
+    reached = std::min(1.0, end.begin + std::min(step, end.longest));
+    const OperatingPoint there = between(end.from, end.to, reached);
+    total += solve(there, film_equations(bearing, there.speed), previous, state);
+    if (total.status == FilmStatus::interrupted) return reached;
+    if (step >= end.longest) break;
+  }
+  if (total.status == FilmStatus::converged) {
+    ++total.jumps;
+  } else {
+    total.status = rested.status == FilmStatus::not_converged ? FilmStatus::fold : rested.status;
+  }
+  return reached;
 }
 
 FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const ContactState& previous,
@@ -125,8 +177,13 @@ FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double
   return report;
 }
 
+std::optional<SlowMotion> FilmBearingSolver::slow_motion(const FilmBearingState& state, bool stuck) {
+  return workspace_->newton.slow_motion(state, stuck);
+}
+
 std::optional<Eigen::Matrix2d> FilmBearingSolver::stiffness(const FilmBearingState& state, bool stuck) {
-  return workspace_->newton.stiffness(state, stuck);
+  const std::optional<SlowMotion> motion = slow_motion(state, stuck);
+  return motion ? std::optional(motion->stiffness) : std::nullopt;
 }
 
 std::optional<std::vector<Eigen::Matrix2cd>> FilmBearingSolver::impedances(
@@ -141,12 +198,13 @@ FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState prev
   const OperatingPoint from{to.control, by_load ? film_force(w.bearing, state.foil.film.pressure) : state.position,
                             state.speed, state.opening};
   const double steps = w.steps_between(from, to);
+  const double smallest = by_load ? w.options.smallest_load_fraction : w.options.smallest_fraction;
   FilmReport total;
   double step = 1.0 / steps;
   for (double reached = 0.0; reached < 1.0;) {
     const double next = std::min(1.0, reached + step);
     const OperatingPoint there = between(from, to, next);
-    const FilmReport report = solve(there, previous, state);
+    const FilmReport report = w.solve_on_branch(there, previous, state);
     total += report;
     if (report.status == FilmStatus::interrupted) return total;
     if (report.status == FilmStatus::converged) {
@@ -155,18 +213,16 @@ FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState prev
       continue;
     }
     step *= 0.5;
-    if (step * steps >= w.options.smallest_fraction) continue;
+    if (step * steps >= smallest) continue;
     if (report.status != FilmStatus::not_converged) return total;
-    // A fold: no state near the last one goes on.
+    // The branch ends: no state near the last one goes on.
     if (total.jumps == w.options.max_jumps) {
       total.status = FilmStatus::fold;
       return total;
     }
-    total += settle(there, previous, state);
-    if (total.status == FilmStatus::not_converged) total.status = FilmStatus::fold;
+    reached = w.jump({.from = from, .to = to, .begin = reached, .shortest = next - reached, .longest = 1.0 / steps},
+                     previous, state, total);
     if (total.status != FilmStatus::converged) return total;
-    ++total.jumps;
-    reached = next;
     step = 1.0 / steps;
   }
   return total;

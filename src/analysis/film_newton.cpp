@@ -244,9 +244,14 @@ bool FilmNewton::linearise(const FilmEquations& equations, const FilmBearingStat
   return modes_->set_modes(held);
 }
 
-std::optional<Eigen::Matrix2d> FilmNewton::stiffness(const FilmBearingState& state, bool stuck) {
+std::optional<SlowMotion> FilmNewton::slow_motion(const FilmBearingState& state, bool stuck) {
   if (!linearise(film_equations(bearing_, state.speed), state, stuck)) return std::nullopt;
-  return find_rates();
+  SlowMotion motion{.stiffness = find_rates()};
+  for (const Step& rate : rates_) {
+    motion.foil_response =
+        std::max(motion.foil_response, bearing_.scales.thickness * rate.foil.lift.cwiseAbs().maxCoeff());
+  }
+  return motion;
 }
 
 std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBearingState& state,
@@ -396,6 +401,13 @@ void FilmNewton::take_step(double fraction, const FilmBearingState& from, FilmBe
   to.contact.mode = step_.contact.mode;
 }
 
+/// Largest difference of P, U and position over c.
+double FilmNewton::distance(const FilmBearingState& a, const FilmBearingState& b) const {
+  return std::max({(a.foil.film.pressure - b.foil.film.pressure).cwiseAbs().maxCoeff(),
+                   (a.foil.lift - b.foil.lift).cwiseAbs().maxCoeff(),
+                   (a.position - b.position).norm() / bearing_.scales.thickness});
+}
+
 FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equations, double tolerance,
                              const ContactState& previous, FilmBearingState& state) {
   FilmReport report;
@@ -413,6 +425,8 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
     if (!linearise_films(equations, iterate_) || !find_step(previous, iterate_, report)) return report;
     move_foils(to, iterate_);
     move_journal(to, iterate_);
+    // All residuals but those of what changes are zero here: this step leads along the tangent.
+    if (report.iterations == 1) take_step(1.0, iterate_, predicted_);
     const double fraction = longest_step(options_, iterate_.foil.film, step_.foil.film);
     const double largest =
         std::max({step_.foil.film.pressure.cwiseAbs().maxCoeff(), step_.foil.lift.cwiseAbs().maxCoeff(),
@@ -423,6 +437,8 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
       report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
       if (to.control == OperatingPoint::Control::position) trial_.position = to.journal;
       trial_.opening = to.opening;
+      report.predicted_change = distance(predicted_, state);
+      report.departure = distance(trial_, predicted_);
       if (!touches) std::swap(state, trial_);
       return report;
     }

@@ -27,9 +27,9 @@ class FilmNewton {
   [[nodiscard]] FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, double tolerance,
                                  const ContactState& previous, FilmBearingState& state);
 
-  /// Stiffness dF/d(x, y) with contacts in the modes of `state`, or with all closed ones stuck.
+  /// With contacts in the modes of `state`, or with all closed ones stuck.
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck);
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck);
 
   /// The same for motions e^{s t}, at rates s (1/s), N/m.
   /// @return nothing if the modes leave a singular system
@@ -74,6 +74,7 @@ class FilmNewton {
   void move_foils(const OperatingPoint& to, const FilmBearingState& state);
   void add_to_step(double way, const Step& rate);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
+  [[nodiscard]] double distance(const FilmBearingState& a, const FilmBearingState& b) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
   /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
   /// film knows.
@@ -93,6 +94,7 @@ class FilmNewton {
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
   Step opening_rate_;          ///< per opening of the clearance, m
   FilmBearingState iterate_, trial_;
+  FilmBearingState predicted_;  ///< where the tangent leads from the first guess
 };
 
 }  // namespace bumpfoil

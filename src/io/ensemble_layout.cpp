@@ -55,6 +55,7 @@ constexpr auto kept_of_states = std::to_array<std::string_view>({"status",
                                                                  "cxy_whirl",
                                                                  "cyx_whirl",
                                                                  "cyy_whirl",
+                                                                 "jumps",
                                                                  "residual"});
 
 /// A value of one of the cycles.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "bumpfoil/io/ensemble_table.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "io/summary_json.hpp"
 
@@ -97,6 +98,7 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
     json["limits"].push_back(std::move(limit));
   }
   if (!yields.limits.empty()) json["yield"] = yield_json(yields.all);
+  json["warnings"] = warning_lines(layout, statistics);
   json["failed"] = Json::array();
   for (const SampleFailure& failure : statistics.failures) {
     Json failed{{"sample", failure.sample}};

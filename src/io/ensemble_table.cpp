@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/number_text.hpp"
@@ -41,6 +43,30 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
     }
   }
   return out;
+}
+
+std::vector<std::string> warning_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
+  std::vector<std::string> lines;
+  const auto column = [&](std::string_view name) {
+    const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                    [name](const EnsembleColumn& one) { return one.name == name; });
+    return static_cast<std::size_t>(found - layout.columns.begin());
+  };
+  const std::size_t jumps = column("jumps");
+  const std::size_t lifted = column("lifted_bumps_at_entry");
+  if (jumps == layout.columns.size() || lifted == layout.columns.size()) return lines;
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
+    const Statistics& jumped = statistics.places[place].columns[jumps];
+    const Statistics& off = statistics.places[place].columns[lifted];
+    const double fewest = off.percentile.front();
+    const double most = off.percentile.back();
+    if (!(jumped.deviation > 0.0) && !(most - fewest > 1.0)) continue;
+    lines.push_back(fmt::format(
+        "{}: the samples lie on several branches of states, and the statistics mix them: {:.3g} jumps per sample, foil "
+        "lifted off {:.3g} to {:.3g} bumps at the entry (1 % and 99 %); see jumps and lifted_bumps_at_entry",
+        layout.places[place].name, jumped.mean, fewest, most));
+  }
+  return lines;
 }
 
 std::vector<std::string> failure_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {

@@ -36,6 +36,7 @@ Json found_json(const FilmBearing& bearing, const RunningState& state) {
 
 Json state_json(const FilmBearing& bearing, const RunningState& state) {
   Json json;
+  json["name"] = name_of_state(state);
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
     json[key_of(quantity.name, quantity.unit)] = value_json(value_of(quantity, bearing, state), quantity.form);
   }

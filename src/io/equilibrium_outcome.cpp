@@ -6,6 +6,15 @@
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 
 namespace bumpfoil {
+namespace {
+
+/// A top foil that moves farther than this per displacement of the journal is all but free: coefficients then hold for
+/// motions far below any that a rotor makes.
+constexpr double most_foil_response = 100.0;
+/// Motions of the foil up to this part of the minimum film thickness are small ones.
+constexpr double linear_part = 0.1;
+
+}  // namespace
 
 std::string_view command_of(const EquilibriumResult& result) {
   return result.foils ? "equilibrium" : "film";
@@ -41,12 +50,22 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
     if (state.report.jumps > 0) {
-      lines.push_back(fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another",
-                                  name_of_state(state),
-                                  state.report.jumps == 1 ? "once" : fmt::format("{} times", state.report.jumps)));
+      lines.push_back(fmt::format(
+          "{}: the branch of states ended {} on the way, and the foil jumped to another one; "
+          "other states exist at this point: compare with --paths",
+          name_of_state(state), state.report.jumps == 1 ? "once" : fmt::format("{} times", state.report.jumps)));
     }
     if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
       first_lifted = fmt::format("{}: {} bumps", name_of_state(state), bumps);
+    }
+    if (state.foil_response.value_or(0.0) > most_foil_response) {
+      lines.push_back(
+          fmt::format("{}: the state is nearly singular: the top foil moves {:.3g} times as far as the "
+                      "journal; stiffness and coefficients at low frequencies hold for motions below {:.2g} "
+                      "nm alone",
+                      name_of_state(state), *state.foil_response,
+                      1e9 * linear_part * state.outcome->thinnest.thickness * result.bearing->scales.thickness /
+                          *state.foil_response));
     }
     const auto compare = [&](std::string_view foil, std::optional<double> stress, std::optional<double> yield_stress) {
       if (!stress || !yield_stress || *stress <= *yield_stress) return;
@@ -57,6 +76,14 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     };
     compare("top foil", state.top_foil_stress, input.top_foil.yield_stress);
     compare("bump foil", state.bump_foil_stress, input.bump_foil.yield_stress);
+  }
+  for (const OtherBranch& other : result.other_branches) {
+    const RunningState& state = result.states[other.state];
+    lines.push_back(fmt::format(
+        "{}: {} ends in another state, with a minimum film thickness of {:.4g} um instead of {:.4g} um: the history of "
+        "the bearing decides which one it runs in; compare all paths with --paths",
+        name_of_state(state), name_of(other.path), 1e6 * other.minimum_film_thickness,
+        1e6 * state.outcome->thinnest.thickness * result.bearing->scales.thickness));
   }
   // One line for all: on most paths it is all states or none.
   if (lifted > 0) {

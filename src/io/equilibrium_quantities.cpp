@@ -145,6 +145,13 @@ constexpr auto table = std::to_array<RunningQuantity>({
     csv(pads(counted({"h_min_pad", "1", "pad where that is",
                       [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, "  of pad",
                       shown::unitless}))),
+    {"h_min_mesh_error", "m", "estimated error of the least film thickness by the mesh, from a mesh of another size",
+     [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->minimum_film_thickness : absent; },
+     "  error of the mesh", shown::micrometres},
+    {"force_mesh_error", "N",
+     "estimated error of the force by the mesh: at the position, or under a load what the error of the position makes",
+     [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->force : absent; },
+     "force, error of the mesh", shown::newtons},
     {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
      [](const B& bearing, const S& state) {
        return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
@@ -170,11 +177,13 @@ constexpr auto table = std::to_array<RunningQuantity>({
     {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
     {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
     {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>},
-    {"energy_imbalance", "1", "dissipated power over that of the journal, less one: an error of the mesh",
+    {"energy_imbalance", "1",
+     "dissipated power over that of the journal, less one: what the mesh leaves of the balance",
      [](const B&, const S& state) {
        return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power);
      }},
-    {"torque_imbalance", "1", "torque by the balance of moments over that of the shear, less one: an error of the mesh",
+    {"torque_imbalance", "1",
+     "torque by the balance of moments over that of the shear, less one: what the mesh leaves of it",
      [](const B&, const S& state) {
        return relative(state.outcome->torque_of_moments - state.outcome->torque, state.outcome->torque);
      }},
@@ -227,6 +236,10 @@ constexpr auto table = std::to_array<RunningQuantity>({
     csv(foils({"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>})),
     csv(foils({"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>})),
     csv(foils({"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>})),
+    foils({"foil_response", "1",
+           "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
+           "singular",
+           [](const B&, const S& state) { return state.foil_response.value_or(absent); }}),
     foils({"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
            [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; },
            "whirl frequency", shown::revolutions}),
@@ -363,16 +376,33 @@ std::string running_bump_text(const FilmBearing& bearing, int bump) {
   return {};
 }
 
-std::string name_of_point(const OperatingPoint& point) {
+namespace {
+
+std::string speed_text(const OperatingPoint& point) {
+  return fmt::format("{:.6g} rpm", point.speed / shown::revolutions.size);
+}
+
+std::string journal_text(const OperatingPoint& point) {
   const bool by_load = point.control == OperatingPoint::Control::load;
   const double unit = by_load ? 1.0 : 1e-6;
-  return fmt::format("{:.6g} rpm, {} ({:.6g}, {:.6g}) {}", point.speed / shown::revolutions.size,
-                     by_load ? "load" : "position", point.journal.x() / unit, point.journal.y() / unit,
-                     by_load ? "N" : "um");
+  return fmt::format("{} ({:.6g}, {:.6g}) {}", by_load ? "load" : "position", point.journal.x() / unit,
+                     point.journal.y() / unit, by_load ? "N" : "um");
+}
+
+/// What changes from one point to the next, as it was before.
+std::string where_from(const OperatingPoint& before, const OperatingPoint& now) {
+  return before.journal == now.journal ? speed_text(before) : journal_text(before);
+}
+
+}  // namespace
+
+std::string name_of_point(const OperatingPoint& point) {
+  return fmt::format("{}, {}", speed_text(point), journal_text(point));
 }
 
 std::string name_of_state(const RunningState& state) {
-  return fmt::format("{}, {}", name_of(state.path), name_of_point(state.asked));
+  return fmt::format("{} from {}, {}", name_of(state.path),
+                     state.before ? where_from(*state.before, state.asked) : "rest", name_of_point(state.asked));
 }
 
 std::string running_failure(const FilmBearing& bearing, const RunningState& state) {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t columns_per_block = 6;
 constexpr std::size_t most_columns = 24;
-constexpr std::size_t name_width = 26;
-constexpr std::size_t unit_width = 6;
+constexpr std::size_t label_column = 26;
+constexpr std::size_t unit_column = 6;
 constexpr std::size_t column_width = 14;
 
 std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, double value) {
@@ -40,7 +40,7 @@ std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::si
   std::string out;
   const std::size_t pads = result.bearing->pads.size();
   for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
-    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, size", k + 1), name_width, "N", unit_width);
+    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, size", k + 1), label_column, "N", unit_column);
     for (std::size_t i = first; i < end; ++i) {
       const RunningState& state = result.states[i];
       out += fmt::format(
@@ -57,8 +57,7 @@ std::string spread_lines(const EquilibriumResult& result) {
   std::string out;
   for (const PathSpread& spread : path_spreads(result)) {
     const RunningState& first = result.states[spread.states.front()];
-    const std::string name = name_of_state(first);
-    out += fmt::format("\n{} paths to {}\n", spread.states.size(), name.substr(name.find(", ") + 2));
+    out += fmt::format("\n{} paths to {}\n", spread.states.size(), name_of_point(first.asked));
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
       if (quantity.label.empty() || quantity.asked) continue;
       double least = std::numeric_limits<double>::infinity();
@@ -69,9 +68,9 @@ std::string spread_lines(const EquilibriumResult& result) {
         most = std::max(most, value);
       }
       if (!std::isfinite(least) || !std::isfinite(most)) continue;
-      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, name_width, quantity.shown.name, unit_width,
-                         cell(*result.bearing, quantity, least), column_width, cell(*result.bearing, quantity, most),
-                         column_width);
+      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, label_column, quantity.shown.name,
+                         unit_column, cell(*result.bearing, quantity, least), column_width,
+                         cell(*result.bearing, quantity, most), column_width);
     }
   }
   return out;
@@ -104,7 +103,7 @@ std::string equilibrium_table(const EquilibriumResult& result) {
     if (!out.empty()) out += '\n';
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
       if (quantity.label.empty() || !is_known(result, quantity)) continue;
-      out += fmt::format("{:<{}}{:<{}}", quantity.label, name_width, quantity.shown.name, unit_width);
+      out += fmt::format("{:<{}}{:<{}}", quantity.label, label_column, quantity.shown.name, unit_column);
       for (std::size_t i = first; i < end; ++i) {
         const double value = value_of(quantity, *result.bearing, result.states[i]);
         out += fmt::format("{:>{}}", cell(*result.bearing, quantity, value), column_width);

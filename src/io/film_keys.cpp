@@ -72,6 +72,10 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
                "how states are come to: load after load; \"position_ray\", default with positions; \"speed_ramp\"; "
                "\"cold_start\": each by itself"},
               equilibrium.path);
+  keys.choice({"paths", defaulted, "Paths",
+               "how many: \"two\" compares the states with those of a second path and reports where they differ; "
+               "\"one\" does not; \"all\" keeps the states of every path. Sweeps and ensembles take one"},
+              equilibrium.paths);
   keys.value({"steps", defaulted, "Steps", "equal increments of the ramp to the first state of a path"},
              &equilibrium.steps);
   keys.value({"frequencies", optional, "Frequencies",

@@ -31,6 +31,22 @@ TEST(FilmInterference, ConvergesWithTheMesh) {
   EXPECT_LT(std::abs(x[2] - x[1]), 0.7 * std::abs(x[1] - x[0]));
 }
 
+/// From interference to clearance: no part of the range is left out, and the film grows with the clearance all along.
+TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
+  double before = 0.0;
+  for (const double clearance : {-0.05e-6, -0.01e-6, 0.0, 1e-9, 0.01e-6, 0.02e-6, 0.05e-6, 0.07e-6, 0.1e-6}) {
+    const RunningState state = state_of(clearance, 50.0, {.columns_per_pitch = 6, .rows = 8});
+    ASSERT_TRUE(state.found()) << clearance;
+    EXPECT_EQ(state.last->opening, 0.0) << clearance;
+    const double h = film_thickness_scale(clearance) * state.last->foil.film.thickness.minCoeff();
+    if (before > 0.0) {
+      EXPECT_GT(h, before) << clearance;
+      EXPECT_LT(h, 1.1 * before) << clearance;
+    }
+    before = h;
+  }
+}
+
 /// Hardly anything leaves a film this thin and fast at the sides: P H is what it is where the gas enters.
 TEST(FilmInterference, FilmsAreAsThinAsWhatEntersAndThePressureMakeThem) {
   const RunningState state = state_of(-2e-6, 100.0, {.columns_per_pitch = 6, .rows = 8});
@@ -51,9 +67,9 @@ TEST(FilmInterference, FreeEndsLetInNoMoreThanTheClearance) {
     const RunningState state = state_of(clearance, 50.0, coarse, 45000.0);
     ASSERT_TRUE(state.found()) << clearance;
     const FilmState& film = state.last->foil.film;
-    const double c = clearance;  // the unit of H
+    const double c = film_thickness_scale(clearance);
     EXPECT_NEAR(c * film.thickness(0, film.thickness.cols() - 1), clearance, 1e-3 * clearance);
-    EXPECT_LT(std::abs(film.pressure.maxCoeff() * film.thickness.minCoeff() - 1.0), 0.05);
+    EXPECT_LT(std::abs(film.pressure.maxCoeff() * c * film.thickness.minCoeff() / clearance - 1.0), 0.05);
   }
   const RunningState none = state_of(0.0, 50.0, coarse, 45000.0);
   EXPECT_EQ(none.report.status, FilmStatus::touchdown);

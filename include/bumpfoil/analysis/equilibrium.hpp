@@ -22,20 +22,29 @@ struct FilmWhirl {
   std::optional<Eigen::Matrix2cd> impedance, stuck_impedance;
 };
 
+/// Estimated error of a state by the mesh of the film, see estimate_mesh_errors().
+struct MeshError {
+  double minimum_film_thickness{};  ///< m
+  double force{};  ///< N: of the force at the position, or of what the position under a load makes of it
+};
+
 /// A state of a bearing that runs, as it was asked for and as it was found.
 struct RunningState {
-  FilmPath path{};       ///< that led here
-  OperatingPoint asked;  ///< speed, and load or position
-  FilmReport report;     ///< of the way from the state before, or from rest; `not_reached` where that was not found
-  double wall_time{};    ///< s
+  FilmPath path{};                       ///< that led here
+  OperatingPoint asked;                  ///< speed, and load or position
+  std::optional<OperatingPoint> before;  ///< state of the path that this one was reached from; none: from rest
+  FilmReport report;   ///< of the way from the state before, or from rest; `not_reached` where that was not found
+  double wall_time{};  ///< s
   /// Where the path came to: the state that was asked for if the report says so, else the last one that was found on
   /// the way, if any was; its opening is not zero where the clearance had not closed yet.
   std::optional<FilmBearingState> last;
   std::optional<FilmBearingOutcome> outcome;  ///< of it
   /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
   std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
+  std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
+  std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
 
@@ -63,11 +72,19 @@ struct FilmLimit {
   [[nodiscard]] bool found() const { return status == FilmStatus::converged; }
 };
 
+/// Where another path to the same point ends in another state.
+struct OtherBranch {
+  std::size_t state{};              ///< of EquilibriumResult::states
+  FilmPath path{};                  ///< the other one
+  double minimum_film_thickness{};  ///< at its end, m
+};
+
 struct EquilibriumResult {
   std::shared_ptr<const FilmBearing> bearing;
-  SharedFoils foils;                 ///< of the same case, without the film
-  std::vector<RunningState> states;  ///< path after path, in the order in which they were found
-  std::vector<FilmLimit> limits;     ///< of run_film_limits(), where they were asked for
+  SharedFoils foils;                        ///< of the same case, without the film
+  std::vector<RunningState> states;         ///< path after path, in the order in which they were found
+  std::vector<FilmLimit> limits;            ///< of run_film_limits(), where they were asked for
+  std::vector<OtherBranch> other_branches;  ///< of compare_with_second_path(), where it was asked for
 
   /// All states and limits were found.
   [[nodiscard]] bool converged() const;
@@ -97,10 +114,10 @@ FilmBearing require_running_bearing(const Case& input);
 /// then begin with a cold start at the centre instead, and the journal goes to where it was to be in `steps`
 /// increments.
 ///
-/// Foils that leave a journal at the centre no room (C_r <= 0, or a lobe as large) are opened before the cold start,
-/// C_r to where c is left of it, 10 um at least. When the first state is reached so, or the one at 1.5 times its speed,
-/// they close to what they are in `steps` equal increments, load or position held. Where that is not possible the last
-/// state says how far they came.
+/// Foils that leave a journal at the centre too little room for a film (0.3 C_r, where lobes take from C_r, below
+/// film.h_floor, or C_r <= 0) are opened before the cold start, C_r to where c is left of it. When the first state is
+/// reached so, or the one at 1.5 times its speed, they close to what they are in `steps` equal increments, load or
+/// position held. Where that is not possible the last state says how far they came.
 ///
 /// Friction refers to the increment before; what is followed inside an increment is cut in steps as small as it takes.
 /// Where a state is not found, those after it on its path are not looked for.

@@ -18,7 +18,7 @@ Gas gas_of(const GasSettings& settings);
 /// @throws Error (input) if a case has another
 void require_film_geometry(const Case& input);
 
-/// c of a bearing, m: its clearance; where it has none, its interference, 10 um at least.
+/// c of a bearing, m: its clearance or interference, 10 um at least.
 double film_thickness_scale(double clearance);
 
 /// Mesh of the film over the foil of a bearing.

@@ -14,15 +14,22 @@ namespace bumpfoil {
 /// Settings of the search for states of a bearing that runs.
 struct FilmBearingOptions {
   FilmSolverOptions newton{};
-  double first_time_step{0.025};       ///< of a march in time, in units of T0
-  double marching_tolerance{1e-6};     ///< in place of FilmSolverOptions::step_tolerance, for steps in time
-  double time_growth{1.5};             ///< of time steps that converged; others are quartered
-  double last_time_step{10e-3};        ///< s; the march ends at steps longer than this that change little:
-  double resting_change{1e-4};         ///< of P and U
-  double position_step{0.1};           ///< first length of a step of follow(), in units of c
-  double speed_step{0.1};              ///< the same, of the speed at the begin or end, whichever is larger
-  double smallest_fraction{1e-3};      ///< of the first step: where shorter ones fail, the path ends
-  int max_jumps{8};                    ///< over folds, in one follow()
+  double first_time_step{0.025};    ///< of a march in time, in units of T0
+  double marching_tolerance{1e-6};  ///< in place of FilmSolverOptions::step_tolerance, for steps in time
+  double time_growth{1.5};          ///< of time steps that converged; others are quartered
+  double last_time_step{10e-3};     ///< s; the march ends at steps longer than this that change little:
+  double resting_change{1e-4};      ///< of P and U
+  double position_step{0.1};        ///< first length of a step of follow(), in units of c
+  double speed_step{0.1};           ///< the same, of the speed at the begin or end, whichever is larger
+  double smallest_fraction{1e-3};   ///< of the first step: where shorter ones fail, the path ends
+  /// The same under a load, where steps locate the contacts at which the branch turns back.
+  double smallest_load_fraction{1e-6};
+  /// Under a load a step is halved where the state lies farther from the tangent's prediction than this part of the
+  /// predicted change, and than the second number, of P, U and position over c: a contact that changes bends the
+  /// branch by no more in a step that is short enough, while another branch stays as far away as it is.
+  double largest_departure{0.3};
+  double resolved_departure{1e-4};
+  int max_jumps{8};                    ///< off branches that end, in one follow()
   int max_time_steps{500};             ///< of a march: what does not rest by then oscillates
   std::function<bool()> keep_going{};  ///< asked before every solve; false ends the search
 };
@@ -44,6 +51,14 @@ struct OperatingPoint {
   }
 };
 
+/// How a state responds to slow motions of the journal.
+struct SlowMotion {
+  Eigen::Matrix2d stiffness;  ///< dF/d(x, y), N/m, rows x and y. Not symmetric
+  /// Largest displacement of the top foil per displacement of the journal along X or Y. About 1 where the foil follows
+  /// the journal; without bound where the state becomes singular, as at the end of its branch.
+  double foil_response{};
+};
+
 /// Finds states of a bearing that runs: gas film, sagging top foil, bump foil, unilateral contact and Coulomb friction
 /// in one system, and the position of the journal with them where it carries a load. Newton's method on the film; in
 /// each step the contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver).
@@ -62,9 +77,11 @@ class FilmBearingSolver {
   /// The state near `state` at another operating point, all in one step.
   [[nodiscard]] FilmReport solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
 
-  /// In a straight line of speed, opening and position, or load, by steps of adapted length. Where even the smallest
-  /// fails the branch has a fold: from the last state before it the film is marched in time at the point behind it, and
-  /// the line followed on from where that comes to rest (FilmReport::jumps).
+  /// In a straight line of speed, opening and position, or load, by steps of adapted length. Under a load the states
+  /// stay on their branch: each must lie near where the tangent of the one before leads
+  /// (FilmBearingOptions::largest_departure). Where even the smallest step fails the branch ends (at a fold, or where a
+  /// contact changes and the branch turns back): from the last state before that the film is marched in time at the
+  /// point behind it, and the line followed on from where that comes to rest (FilmReport::jumps).
   [[nodiscard]] FilmReport follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
 
   /// From one moment to the next: with `state` at the begin, the film is marched in time by implicit Euler, journal and
@@ -77,9 +94,12 @@ class FilmBearingSolver {
   [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
                                       double opening = 0.0);
 
-  /// Stiffness dF/d(x, y) of the bearing at `state`, N/m, rows x and y: consistent, closed contacts rigid, every
-  /// contact keeping its mode; with `stuck` slipping contacts stick, as under a small whirl. Not symmetric.
+  /// Linearised about `state`: consistent, closed contacts rigid, every contact keeping its mode; with `stuck` slipping
+  /// contacts stick, as under a small whirl.
   /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck = false);
+
+  /// Its stiffness.
   [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck = false);
 
   /// Impedance Z = dF/d(x, y) of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s

@@ -54,7 +54,10 @@ struct FilmReport {
   int iterations{};      ///< Newton steps, a factorisation of the film each
   int factorisations{};  ///< of contact systems, where there are contacts
   double residual{};     ///< norm of the residuals at the last step, the film's per area of a cell
-  int jumps{};           ///< of a path: over folds, to where the film came to rest in time
+  int jumps{};           ///< of a path: off branches that end, to where the film came to rest in time
+  /// Of a solve with foils that started at a state: the largest change of P, U and position over c that the tangent
+  /// there predicts, and the largest difference between the state that was found and the predicted one.
+  double predicted_change{}, departure{};
 };
 
 /// Newton's method for the pressure over rigid walls or a Winkler foundation. Steps are cut so that P and H stay

@@ -58,7 +58,8 @@ int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state)
 /// What is asked for as messages call it: "45000 rpm, load (50, 0) N".
 std::string name_of_point(const OperatingPoint& point);
 
-/// A state as messages call it: "load_ramp, 45000 rpm, load (50, 0) N".
+/// A state as messages call it, by where it was reached from: "load_ramp from rest, 45000 rpm, load (20, 0) N", or
+/// "load_ramp from load (20, 0) N, 45000 rpm, load (50, 0) N".
 std::string name_of_state(const RunningState& state);
 
 /// A limit as messages call it: "lift-off speed under the load (50, 0) N".

@@ -296,13 +296,21 @@ enum class FilmPath {
   cold_start,    ///< every state by itself
 };
 
+/// By how many paths the command `equilibrium` reaches its states.
+enum class ComparedPaths {
+  one,  ///< its own alone
+  two,  ///< a second one, too, whose states are compared but not kept
+  all,  ///< every path that leads to the states; all states are kept
+};
+
 /// States of a bearing that runs: all speeds with all loads or with all positions.
 struct EquilibriumSettings {
   std::vector<double> speeds{};              ///< Omega, rad/s; positive turns X to Y
   std::vector<Eigen::Vector2d> loads{};      ///< on the journal, N; empty with positions
   std::vector<Eigen::Vector2d> positions{};  ///< of the journal, m; empty with loads
   FilmPath path{FilmPath::load_ramp};
-  int steps{10};                      ///< equal increments of the ramp to the first state of a path
+  ComparedPaths paths{ComparedPaths::two};  ///< of one run; sweeps and ensembles take one path
+  int steps{10};                            ///< equal increments of the ramp to the first state of a path
   std::vector<double> frequencies{};  ///< of motions that coefficients are given for, rad/s; none: of the rotation
 
   bool operator==(const EquilibriumSettings&) const = default;

@@ -40,6 +40,8 @@ template <>
 inline constexpr auto enum_names<FilmPath> = std::to_array<std::string_view>({"load_ramp", "speed_ramp", "position_ray",
                                                                               "cold_start"});
 template <>
+inline constexpr auto enum_names<ComparedPaths> = std::to_array<std::string_view>({"one", "two", "all"});
+template <>
 inline constexpr auto enum_names<EnsembleCommand> = std::to_array<std::string_view>({"cycle", "equilibrium"});
 
 }  // namespace bumpfoil

@@ -140,7 +140,8 @@ TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
 }
 
 TEST(FilmBearing, HasAScaleWithoutClearanceToo) {
-  EXPECT_EQ(film_thickness_scale(3e-6), 3e-6);
+  EXPECT_EQ(film_thickness_scale(30e-6), 30e-6);
+  EXPECT_EQ(film_thickness_scale(1e-9), 10e-6);
   EXPECT_EQ(film_thickness_scale(0.0), 10e-6);
   EXPECT_EQ(film_thickness_scale(-2e-6), 10e-6);
   EXPECT_EQ(film_thickness_scale(-15e-6), 15e-6);

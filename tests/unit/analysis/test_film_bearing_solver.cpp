@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "bumpfoil/contact/residual.hpp"
 #include "support/film_bearing_cases.hpp"
 
@@ -159,21 +161,50 @@ TEST(FilmBearingSolver, StiffnessIsTheDerivativeOfTheForce) {
   FilmBearingState state;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
   ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
+  const auto motion = solver.slow_motion(state);
   const auto K = solver.stiffness(state);
-  ASSERT_TRUE(K.has_value());
+  ASSERT_TRUE(motion && K && motion->stiffness == *K);
+  double response = 0.0;      // of the foil
   constexpr double h = 1e-9;  // m; no contact changes its mode over so little
   for (const int axis : {0, 1}) {
     Eigen::Vector2d force[2];
+    Vector lift[2];
     for (const int side : {0, 1}) {
       FilmBearingState moved = state;
       const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
       ASSERT_EQ(solver.solve(OperatingPoint::held_at(there, speed), state.contact, moved).status,
                 FilmStatus::converged);
       force[side] = film_bearing_outcome(bearing, moved).force;
+      lift[side] = bearing.scales.thickness * moved.foil.lift;
     }
+    response = std::max(response, (lift[1] - lift[0]).cwiseAbs().maxCoeff() / (2.0 * h));
     // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.
     EXPECT_LT(((force[1] - force[0]) / (2.0 * h) - K->col(axis)).norm(), 3e-6 * K->norm());
   }
+  EXPECT_NEAR(motion->foil_response, response, 1e-5 * response);
+}
+
+/// Near the end of a branch the tangent leads nowhere: under the load that lies behind it the foil jumps, once, and
+/// says so. (Newton's method reaches a state there in one solve, too: any.)
+TEST(FilmBearingSolver, JumpsWhereTheBranchUnderALoadEnds) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8}, 0.1);
+  const auto end_of = [&](int steps) {
+    FilmBearingSolver solver(bearing);
+    FilmBearingState state;
+    EXPECT_EQ(solver.cold_start({0.6 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+    const Eigen::Vector2d from = film_force(bearing, state.foil.film.pressure);
+    int jumps = 0;
+    for (int i = 1; i <= steps; ++i) {
+      const Eigen::Vector2d load = from + static_cast<double>(i) / steps * (Eigen::Vector2d(20.0, 0.0) - from);
+      const FilmReport report = solver.follow(OperatingPoint::loaded_by(load, speed), state.contact, state);
+      EXPECT_EQ(report.status, FilmStatus::converged);
+      jumps += report.jumps;
+    }
+    return std::pair(jumps, film_bearing_outcome(bearing, state).loaded_bumps);
+  };
+  EXPECT_EQ(end_of(10), end_of(30));
+  EXPECT_GT(end_of(10).first, 0);
 }
 
 TEST(FilmBearingSolver, StuckContactsAreStiffer) {

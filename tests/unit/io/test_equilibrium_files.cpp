@@ -10,6 +10,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/checksum.hpp"
+#include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/io/report.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
@@ -249,6 +250,34 @@ TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
   ASSERT_GE(warnings.size(), 3U);
   EXPECT_NE(warnings[0].find("2 times on the way"), std::string::npos);
   EXPECT_NE(warnings[1].find("the top foil yields: its bending stress reaches"), std::string::npos);
+}
+
+/// The state depends on what was before: names say so.
+TEST(EquilibriumLines, NameStatesByWhereTheyCameFrom) {
+  RunningState state = example().states[0];
+  EXPECT_EQ(name_of_state(state), "load_ramp from rest, 45000 rpm, load (30, 0) N");
+  state = example().states[1];
+  EXPECT_EQ(name_of_state(state), "load_ramp from load (30, 0) N, 45000 rpm, load (60, 0) N");
+  state.before = state.asked;
+  state.before->speed *= 2.0;
+  EXPECT_EQ(name_of_state(state), "load_ramp from 90000 rpm, 45000 rpm, load (60, 0) N");
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  EXPECT_EQ(json::parse(files.back().contents).at("states").at(1).at("name"), name_of_state(example().states[1]));
+}
+
+TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
+  EquilibriumResult result = example();
+  const std::size_t before = warning_lines(small_case(), result).size();
+  result.other_branches.push_back({1, FilmPath::speed_ramp, 3.25e-6});
+  result.states[0].foil_response = 1e4;
+  const std::vector<std::string> warnings = warning_lines(small_case(), result);
+  ASSERT_EQ(warnings.size(), before + 2);
+  const auto says = [&](std::string_view what) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [what](const std::string& line) { return line.find(what) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("speed_ramp ends in another state, with a minimum film thickness of 3.25 um instead of"));
+  EXPECT_TRUE(says("load (30, 0) N: the state is nearly singular: the top foil moves 1e+04 times as far"));
 }
 
 TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
