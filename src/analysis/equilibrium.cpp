@@ -273,12 +273,19 @@ bool EquilibriumResult::converged() const {
   return std::all_of(states.begin(), states.end(), found) && std::all_of(limits.begin(), limits.end(), found);
 }
 
-std::vector<OperatingPoint> asked_points(const EquilibriumSettings& equilibrium) {
-  std::vector<OperatingPoint> points;
+std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, FilmStatus status) {
+  std::vector<RunningState> states;
   for (const auto& chain : chains_of(equilibrium.path, equilibrium)) {
-    points.insert(points.end(), chain.begin(), chain.end());
+    std::optional<OperatingPoint> before;
+    for (const OperatingPoint& point : chain) {
+      RunningState& state = states.emplace_back();
+      state.path = equilibrium.path;
+      state.asked = point;
+      state.before = std::exchange(before, point);
+      state.report.status = status;
+    }
   }
-  return points;
+  return states;
 }
 
 std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {

@@ -148,8 +148,8 @@ void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
 void lay_out_states(const Case& input, EnsembleLayout& layout) {
   // What no bearing of the case could do is its fault, and not that of what is drawn.
   static_cast<void>(require_running_bearing(input));
-  for (const OperatingPoint& point : asked_points(*input.equilibrium)) {
-    layout.places.push_back({name_of_point(point), point});
+  for (const RunningState& state : planned_states(*input.equilibrium, FilmStatus::not_reached)) {
+    layout.places.push_back({name_of_point(state.asked), state.asked});
   }
   const bool by_load = !input.equilibrium->loads.empty();
   add_named(all_running_quantities(), kept_of_states, [&](const RunningQuantity& quantity) {

@@ -98,19 +98,9 @@ ResultGrid equilibrium_grid(const EquilibriumSettings& settings, const Equilibri
 }
 
 EquilibriumResult equilibrium_not_begun(const Case& input) {
-  const EquilibriumSettings& settings = *input.equilibrium;
-  const std::vector<Eigen::Vector2d>& journals = journals_of(settings);
   EquilibriumResult result;
   result.bearing = std::make_shared<const FilmBearing>(make_film_bearing(input));
-  result.states.resize(settings.speeds.size() * journals.size());
-  for (std::size_t i = 0; i < result.states.size(); ++i) {
-    const std::size_t place = place_of(settings, i);
-    RunningState& state = result.states[i];
-    state.path = settings.path;
-    state.asked = {settings.loads.empty() ? OperatingPoint::Control::position : OperatingPoint::Control::load,
-                   journals[place % journals.size()], settings.speeds[place / journals.size()]};
-    state.report.status = FilmStatus::interrupted;
-  }
+  result.states = planned_states(*input.equilibrium, FilmStatus::interrupted);
   return result;
 }
 

@@ -128,8 +128,9 @@ FilmBearing require_running_bearing(const Case& input);
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
                                   const std::function<bool(double)>& progress = {});
 
-/// Speeds with loads or positions that a case asks for, in the order in which its path comes to them.
-std::vector<OperatingPoint> asked_points(const EquilibriumSettings& equilibrium);
+/// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
+/// and all have this status.
+std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, FilmStatus status);
 
 /// Paths that lead to the states of a case: a ramp of loads needs loads.
 std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium);

@@ -13,7 +13,7 @@ TEST(RunningSample, ComesToTheStatesOfItsCase) {
   const EquilibriumResult result = run_running_sample(sampled_case(input, draw_sample(input, 0)));
   ASSERT_EQ(result.states.size(), 2U);
   EXPECT_TRUE(result.converged());
-  EXPECT_EQ(result.states[1].asked, asked_points(*input.equilibrium)[1]);
+  EXPECT_EQ(result.states[1].asked, planned_states(*input.equilibrium, FilmStatus::not_physical)[1].asked);
 }
 
 TEST(RunningSample, OfWhatMakesNoBearingSaysSo) {
