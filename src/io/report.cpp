@@ -245,7 +245,7 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
   Json runs = Json::array();
   std::vector<Fault> faults;
   std::vector<fs::path> sources = folders;
-  sources.insert(sources.end(), options.measured.begin(), options.measured.end());
+  for (const MeasuredFile& file : options.measured) sources.push_back(file.path);
   const std::vector<std::string> names = names_of(sources);
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const fs::path& folder = folders[i];
@@ -261,7 +261,8 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
   }
   if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
   for (std::size_t i = 0; i < options.measured.size(); ++i) {
-    runs.push_back(measured_run(options.measured[i].string(), names[folders.size() + i], runs));
+    runs.push_back(
+        measured_run(options.measured[i], options.columns, names[folders.size() + i], runs, options.warn));
   }
   return dump_json({{"schema", "bumpfoil-report/1"},
                     {"version", version()},
