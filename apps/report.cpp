@@ -87,19 +87,21 @@ void add_report_command(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("report", "Make one HTML file to look at from the results of runs");
   command->add_option("DIR", options->folders, "Folders of results; several are compared in the same charts")
       ->required();
-  command
-      ->add_option(
-          "--measured", options->measured,
-          "CSV file of measured loops to draw and list beside the computed ones, with columns displacement_um, "
-          "force_N (or \"Load (kN)\" and the like); where results have several directions also a column "
-          "direction, or FILE:+X. Of several cycles the last is used")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  CLI::Option* measured =
+      command
+          ->add_option(
+              "--measured", options->measured,
+              "CSV file of measured loops to draw and list beside the computed ones, with columns displacement_um, "
+              "force_N (or \"Load (kN)\" and the like); where results have several directions also a column "
+              "direction, or FILE:+X. Of several cycles the last is used")
+          ->type_name("FILE")
+          ->allow_extra_args(false);
   command
       ->add_option("--columns", options->columns,
                    "Names of the columns in measured files, with a unit behind them where the file has none; also "
                    "direction=, of a strip cycle=")
-      ->type_name("displacement=NAME,force=NAME");
+      ->type_name("displacement=NAME,force=NAME")
+      ->needs(measured);
   command->add_option("-o,--output", options->path, "File to write; report.html in the first folder without it")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "Replace the file if it exists");

@@ -79,6 +79,7 @@ class LoopsReader {
       : rows_(path), at_column_(std::move(at_column)), given_(std::move(columns)) {
     if (at.empty()) return;
     given_at_ = place(at);
+    numbers_ = {};  // the decimal sign of the file may be another
     if (!given_at_) rows_.fault(fmt::format("is to be of the {} {}, which is none", at_column_, at), at_advice());
   }
 
