@@ -23,17 +23,27 @@ namespace {
 
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
-  std::vector<std::filesystem::path> measured;
+  std::vector<std::string> measured;
+  std::string columns;
   std::filesystem::path path;
   bool force{};
   bool unchecked{};
 };
 
-/// The page must not take the place of what it is made from, by whatever name.
-void check_output(const std::filesystem::path& path, const ReportOptions& options) {
+/// A file that is given as FILE or FILE:DIRECTION.
+MeasuredFile measured_file(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
   std::error_code code;
-  for (const std::filesystem::path& file : options.measured) {
-    if (!std::filesystem::equivalent(path, file, code)) continue;
+  if (colon == std::string::npos || std::filesystem::exists(text, code)) return {text};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+/// The page must not take the place of what it is made from, by whatever name.
+void check_output(const std::filesystem::path& path, const ReportOptions& options,
+                  const std::vector<MeasuredFile>& measured) {
+  std::error_code code;
+  for (const MeasuredFile& file : measured) {
+    if (!std::filesystem::equivalent(path, file.path, code)) continue;
     throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is the file of measured loops that the report is of",
                                    "give the page another name, such as report.html"}});
   }
@@ -54,15 +64,19 @@ void run_report(const ReportOptions& options, const Session& session) {
                                    "install Node.js and npm (Debian: nodejs npm), then configure and build again"}});
   }
   const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
-  check_output(path, options);
+  std::vector<MeasuredFile> measured;
+  for (const std::string& file : options.measured) measured.push_back(measured_file(file));
+  check_output(path, options, measured);
   const auto warn = [&session](const std::string& warning) {
     if (!session.quiet) print_message("warning: " + warning);
   };
-  write_file(path,
-             fill_report(report_page(),
-                         report_json(options.folders,
-                                     {.checked = !options.unchecked, .warn = warn, .measured = options.measured})),
-             options.force ? Existing::replace : Existing::refuse);
+  write_file(
+      path,
+      fill_report(
+          report_page(),
+          report_json(options.folders,
+                      {.checked = !options.unchecked, .warn = warn, .measured = measured, .columns = options.columns})),
+      options.force ? Existing::replace : Existing::refuse);
   if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
 }
 
@@ -73,12 +87,21 @@ void add_report_command(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("report", "Make one HTML file to look at from the results of runs");
   command->add_option("DIR", options->folders, "Folders of results; several are compared in the same charts")
       ->required();
+  CLI::Option* measured =
+      command
+          ->add_option(
+              "--measured", options->measured,
+              "CSV file of measured loops to draw and list beside the computed ones, with columns displacement_um, "
+              "force_N (or \"Load (kN)\" and the like); where results have several directions also a column "
+              "direction, or FILE:+X. Of several cycles the last is used")
+          ->type_name("FILE")
+          ->allow_extra_args(false);
   command
-      ->add_option("--measured", options->measured,
-                   "CSV file of measured loops to draw and list beside the computed ones; columns displacement_um, "
-                   "force_N, and direction where results have several")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+      ->add_option("--columns", options->columns,
+                   "Names of the columns in measured files, with a unit behind them where the file has none; also "
+                   "direction=, of a strip cycle=")
+      ->type_name("displacement=NAME,force=NAME")
+      ->needs(measured);
   command->add_option("-o,--output", options->path, "File to write; report.html in the first folder without it")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "Replace the file if it exists");
@@ -89,6 +112,7 @@ void add_report_command(CLI::App& program, Session& session) {
       "  bumpfoil report results\n"
       "  bumpfoil report truss frame -o comparison.html\n"
       "  bumpfoil report results --measured loop.csv\n"
+      "  bumpfoil report results --measured rig.csv:+X --columns displacement=\"s [mm]\",force=\"Channel 3 [N]\"\n"
       "The file needs no network and nothing beside it: open it in a browser, print it, mail it.");
   command->callback([options, &session] { run_report(*options, session); });
 }

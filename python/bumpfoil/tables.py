@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _native
+
 if TYPE_CHECKING:
     import pandas
     import xarray
@@ -37,13 +39,8 @@ def of_samples(ensemble: xarray.Dataset) -> pandas.DataFrame:
         words = ensemble[name].attrs.get("flag_meanings", "").split()
         if words:
             table[name] = [None if np.isnan(number) else _meant(words, int(number)) for number in table[name]]
-    ends = {name: _end(ensemble[name].attrs.get("units", "")) for name in names}
-    return table.rename(columns={"direction": "direction_deg", **{name: f"{name}{end}" for name, end in ends.items()}})
+    return table.rename(columns={name: _native.key_of(name, ensemble[name].attrs.get("units", "")) for name in [place, *names]})
 
 
 def _meant(words: list[str], number: int) -> Any:
     return bool(number) if words == ["no", "yes"] else words[number]
-
-
-def _end(unit: str) -> str:
-    return "" if unit in ("", "1") else "_" + unit.replace("/", "_per_").replace(" ", "_")

@@ -175,6 +175,7 @@ PYBIND11_MODULE(_native, m) {
   m.def("read_case_text", read_case_text);
   m.def("case_template", [](const std::string& name) { return case_template(name); });
   m.def("quantity_names", quantity_names);
+  m.def("key_of", key_of);
   m.def("run", run);
   m.def("run_equilibrium", run_running);
   m.def("sweep", sweep);

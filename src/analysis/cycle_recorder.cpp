@@ -14,7 +14,6 @@ class CycleRecorder {
  public:
   CycleRecorder(FoilStepper& stepper, Recording recording, Cycle cycle)
       : stepper_(stepper),
-        everything_(recording == Recording::everything),
         keeps_curve_(recording == Recording::curve),
         normal_(unit_vector(cycle.direction)),
         cycle_(std::move(cycle)),
@@ -24,8 +23,9 @@ class CycleRecorder {
   /// The next increment. @return whether the cycle may go on
   /// @param displacement  where it led; if that was prescribed not a rounding beside it
   bool add(const Step& step, Branch branch, bool ends_leg, double displacement) {
-    // The last is judged, too: its work is the loop's energy.
-    const bool judged = everything_ || ends_leg || !cycle_.start;
+    // Whatever is recorded, the residual of a cycle is that at the same places. The last is judged, too: its work is
+    // the loop's energy.
+    const bool judged = ends_leg || !cycle_.start;
     const Increment next = log_.make(step, branch, normal_, displacement, judged);
     way_.clear();
     for (const Waypoint& point : step.waypoints) {
@@ -76,7 +76,6 @@ class CycleRecorder {
   }
 
   FoilStepper& stepper_;
-  bool everything_;
   bool keeps_curve_;
   Eigen::Vector2d normal_;
   Cycle cycle_;

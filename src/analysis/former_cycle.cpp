@@ -109,7 +109,7 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
     }
     record(model, position, solution.state, next.index, cycle.fields);
     cycle.increments.push_back(next);
-    quantities.add(next, true, ends_leg);
+    quantities.add(next, ends_leg || next.index == 0, ends_leg);
     if (next.index == 0 && next.converged()) {
       cycle.initial_journal_load = cycle.fields.journal_top.normal_force.row(0).sum();
     }

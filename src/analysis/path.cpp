@@ -4,9 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "analysis/increment_log.hpp"
+#include "analysis/orbit_energy.hpp"
 #include "analysis/program_runner.hpp"
 #include "analysis/settling.hpp"
 #include "bumpfoil/analysis/cycle_quantities.hpp"
@@ -55,12 +58,18 @@ class OrbitCounter {
 
   /// @return what the orbit took, if one ends here
   std::optional<OrbitLoop> pass(const Increment& increment) {
-    if (steps_ == 0 || increment.index < lead_in_ || (increment.index - lead_in_) % steps_ != 0) return std::nullopt;
+    if (steps_ == 0 || increment.index < lead_in_) return std::nullopt;
+    points_.push_back({{increment.x, increment.y}, {increment.force_x, increment.force_y}});
+    if ((increment.index - lead_in_) % steps_ != 0) return std::nullopt;
     const Increment begin = std::exchange(begin_, increment);
     if (increment.index == lead_in_) return std::nullopt;
+    const double energy =
+        orbit_energy(increment.work - begin.work, increment.dissipated_energy - begin.dissipated_energy,
+                     std::span(points_).first(points_.size() - 1));
+    points_.erase(points_.begin(), points_.end() - 1);
     const double force = std::hypot(increment.force_x - begin.force_x, increment.force_y - begin.force_y);
     const double distance = std::hypot(increment.x - begin.x, increment.y - begin.y);
-    return OrbitLoop{.energy = increment.work - begin.work,
+    return OrbitLoop{.energy = energy,
                      .force_defect = cleared(force, force_rounding_),
                      .position_defect = cleared(distance, length_rounding_)};
   }
@@ -71,6 +80,7 @@ class OrbitCounter {
   double force_rounding_;
   double length_rounding_;
   Increment begin_;
+  std::vector<OrbitPoint> points_;  ///< of the orbit that goes on
 };
 
 /// Takes the foils along the path.
@@ -83,14 +93,14 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
   OrbitCounter orbits(path, cycle.due, stepper.foils());
 
   Step step;
-  const auto add = [&] {
+  const auto add = [&](bool judged) {
     const Eigen::Vector2d& position = step.state.excitation.position;
     const Eigen::Vector2d direction = outward(position);
     Increment next = log.make(step, Branch::loading, direction, position.norm(), true);
     next.orbit = orbits.orbit_of(next.index);
     if (next.converged()) next.tangents = stepper.tangents(step.state);
     log.write_down(step, next, direction);
-    quantities.add(next, step.converged(), false);
+    quantities.add(next, judged && step.converged(), false);
     if (!next.converged()) return false;
     if (const auto loop = orbits.pass(next)) {
       cycle.orbits.push_back(*loop);
@@ -104,14 +114,15 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
   cycle.assembly_dissipation = step.state.dissipated_energy;
   step.state.work = step.state.dissipated_energy = 0.0;
   FoilState state = step.state;
-  bool goes_on = add();
+  bool goes_on = add(true);
   if (step.converged()) {
     cycle.initial_journal_load = interface_loads(stepper.foils(), step.state.contacts, Interface::journal_top).sum();
   }
   ProgramRunner runner(stepper, program, reach, state);
   while (goes_on && runner.has_next()) {
+    const bool ends_leg = runner.ends_leg();
     runner.try_next(step);
-    goes_on = add();
+    goes_on = add(ends_leg);
     if (goes_on) runner.commit(step);
   }
   if (!goes_on && cycle.converged()) cycle.status = Status::interrupted;

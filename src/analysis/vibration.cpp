@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/cycle_series.hpp"
+#include "analysis/orbit_energy.hpp"
 #include "analysis/program_runner.hpp"
 #include "analysis/settling.hpp"
 #include "bumpfoil/core/error.hpp"
@@ -113,11 +114,17 @@ class VibrationRunner {
     take(way, state, cycle, nullptr);
     for (int loop = 0; loop < most_vibration_loops && cycle.converged() && !cycle.settled; ++loop) {
       const double work = state.work;
+      const double dissipated = state.dissipated_energy;
       std::vector<Eigen::Vector2d> forces;
       cycle.curve.clear();
       take(orbit, state, cycle, &forces);
       if (!cycle.converged()) break;
-      cycle.loop_energy = cleared(state.work - work, stepper_.foils().roundings.energy);
+      std::vector<OrbitPoint> points;
+      for (std::size_t i = 0; i < forces.size(); ++i)
+        points.push_back({orbit[i].line.place(orbit[i].begin), forces[i]});
+      const double rounding = stepper_.foils().roundings.energy;
+      cycle.loop_energy = orbit_energy(cleared(state.work - work, rounding),
+                                       cleared(state.dissipated_energy - dissipated, rounding), points);
       cycle.loop_energies.push_back(*cycle.loop_energy);
       cycle.settled = is_settled(cycle.loop_energies);
       out.harmonic = orbit_harmonic(forces, radius);

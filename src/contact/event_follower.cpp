@@ -55,6 +55,7 @@ struct EventFollower::Workspace {
   bool begin_piece(const PartVisitor& visit, std::vector<ContactEvent>* events, EventProgress& report);
   [[nodiscard]] bool complete(ContactState& state, SolveCost& cost);
   [[nodiscard]] bool solve_begin(SolveCost& cost);
+  [[nodiscard]] bool lets_go() const;
   [[nodiscard]] bool jump(EventProgress& report);
   void keep_changes_nearby();
   void make_changes();
@@ -148,8 +149,8 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
 }
 
 /// Begins the piece with the exact state of its modes, and leaves the state so far in `next`. They differ where the
-/// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, and by
-/// the roundings of what was interpolated.
+/// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, where it
+/// was less than counts as a force, and by the roundings of what was interpolated.
 /// @return false where that state contradicts its modes: then it was no jump that these contacts could make, and
 /// nothing has changed
 bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
@@ -162,6 +163,13 @@ bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
   });
   if (obeys) std::swap(piece.begin, next);
   return obeys;
+}
+
+/// Whether the foils let go of what pressed on them: from this event on nothing carries a force. What is left of it at
+/// the event counts as none; but a long thin top foil is so soft that it is held by that a nanometre off where it
+/// stands free.
+bool EventFollower::Workspace::lets_go() const {
+  return !tableau && piece.target_force <= piece.force_tolerance && mode != piece.begin.mode;
 }
 
 /// Finds all unknowns of a state that the matrix of contacts has led to, which tells contacts alone.
@@ -195,7 +203,7 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
   // A state that the modes fit is kept unless a better one fits them, too.
   const bool fits = by_rates || piece.begin_obeys_modes();
   const bool cancels = piece.target_force > most_cancellation * piece.begin_force;
-  const bool solved = (!fits || cancels) && solve_begin(report.cost);
+  const bool solved = (!fits || cancels || lets_go()) && solve_begin(report.cost);
   if (!solved && !fits) return false;
   if (solved) {
     bool leads_on = true;

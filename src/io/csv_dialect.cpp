@@ -51,7 +51,7 @@ std::optional<std::string> behind_quantity(std::string_view column, std::string_
   const std::string text = without_micro(column);
   const auto is_filling = [](char c) { return brackets_and_spaces.find(c) != std::string_view::npos; };
   std::size_t at = 0;
-  for (const char c : quantity) {
+  for (const char c : without_micro(quantity)) {
     if (is_filling(c)) continue;
     while (at < text.size() && is_filling(text[at])) ++at;
     if (at == text.size() || lower(text[at]) != lower(c)) return std::nullopt;
@@ -139,7 +139,8 @@ bool is_column(std::string_view column, std::string_view name) {
 std::optional<ColumnUnit> unit_of_column(std::string_view column, std::string_view quantity, Dimension dimension) {
   const auto unit = behind_quantity(column, quantity);
   if (!unit || unit->empty()) return std::nullopt;
-  for (const std::string& name : {*unit, lower(*unit)}) {  // some write all in capitals
+  // Some write all in capitals, some "in mm".
+  for (const std::string& name : {*unit, lower(*unit), unit->starts_with("in ") ? unit->substr(3) : std::string()}) {
     const auto size = parse_quantity("1 " + name, dimension);
     if (const double* value = std::get_if<double>(&size)) return ColumnUnit{name, *value};
   }

@@ -13,12 +13,12 @@
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/ensemble_table.hpp"
 #include "bumpfoil/model/pads.hpp"
-#include "io/binary_file.hpp"
 #include "io/case_difference.hpp"
 #include "io/ensemble_netcdf.hpp"
 #include "io/ensemble_summary.hpp"
 #include "io/manifest.hpp"
 #include "io/netcdf_image.hpp"
+#include "io/stored_result.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -104,7 +104,10 @@ void stage_ensemble(const Case& input, const EnsembleLayout& layout, const Ensem
 }
 
 Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input) {
-  const NetcdfImage image(read_binary_file(file), file.string());
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const NetcdfImage image(
+      read_stored_result(folder, file.filename().string(), {.advice = "take it from a backup or run again"}).bytes,
+      file.string());
   const auto understood = image.texts().find("case_understood");
   if (understood == image.texts().end()) image.refuse("case_understood", "is missing: this is no ensemble");
   Case stored = parse_case(understood->second, file.string());

@@ -12,8 +12,8 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::size_t name_width = 30;
-constexpr std::size_t unit_width = 7;
+constexpr std::size_t quantity_width = 30;
+constexpr std::size_t quantity_unit_width = 7;
 constexpr std::size_t cell_width = 11;
 
 }  // namespace
@@ -22,11 +22,11 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
   std::string out;
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     if (!out.empty()) out += '\n';
-    out += fmt::format("{:<{}}", layout.places[place].name, name_width + unit_width);
+    out += fmt::format("{:<{}}", layout.places[place].name, quantity_width + quantity_unit_width);
     for (const std::string_view head : {"mean", "+-", "std", "5 %", "50 %", "95 %"}) {
       out += fmt::format("{:>{}}", head, cell_width);
     }
-    out += fmt::format("\n{:-<{}}\n", "", name_width + unit_width + 6 * cell_width);
+    out += fmt::format("\n{:-<{}}\n", "", quantity_width + quantity_unit_width + 6 * cell_width);
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       const EnsembleColumn& column = layout.columns[k];
       if (column.label.empty()) continue;
@@ -37,7 +37,8 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
                                  found.percentile[3], found.percentile[5]}) {
         cells.push_back(number_text(value, unit));
       }
-      out += fmt::format("{:<{}}{:<{}}", column.label, name_width, unit_beside(column.shown.name, cells), unit_width);
+      out += fmt::format("{:<{}}{:<{}}", column.label, quantity_width, unit_beside(column.shown.name, cells),
+                         quantity_unit_width);
       for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
       out += '\n';
     }

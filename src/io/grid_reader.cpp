@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/io/result_quantities.hpp"
 #include "io/base64.hpp"
 
 namespace bumpfoil {
@@ -47,7 +48,8 @@ std::vector<const StoredVariable*> those_that_fit(std::vector<const StoredVariab
 }
 
 Json variable_json(const NetcdfImage& file, const StoredVariable& variable) {
-  return {{"dims", variable.dims},
+  return {{"key", key_of(variable.name, variable.units)},
+          {"dims", variable.dims},
           {"unit", variable.units == "1" ? "" : variable.units},
           {"text", variable.long_name},
           {"words", variable.flag_meanings},

@@ -13,6 +13,7 @@
 
 #include "bumpfoil/analysis/measured_loop.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
 #include "io/base64.hpp"
@@ -75,18 +76,34 @@ Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
   return json;
 }
 
+std::string cycle_name(double at, bool strip) {
+  return strip ? fmt::format("{}", at) : direction_name(at * std::numbers::pi / 180.0);
+}
+
+/// What is to be known of a loop, a sentence each.
+std::vector<std::string> remarks_on(const LastCycle& loop) {
+  std::vector<std::string> remarks;
+  if (loop.found > 1) remarks.push_back(fmt::format("{} cycles found, the last is used", loop.found));
+  if (loop.rest) remarks.emplace_back("goes on after its last whole cycle; the rest is left out");
+  if (loop.gap) {
+    remarks.push_back(
+        fmt::format("does not close: it ends {:.3g} um and {:.3g} N from where it begins; a straight line closes it",
+                    1e6 * std::abs(loop.gap->displacement), std::abs(loop.gap->force)));
+  }
+  return remarks;
+}
+
 /// The cycle that a loop is of.
 double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::vector<double>& cycles, bool strip) {
   const std::string_view column = strip ? "cycle" : "direction";
   std::vector<std::string> names;
   names.reserve(cycles.size());
-  for (const double at : cycles) {
-    names.push_back(strip ? fmt::format("{}", at) : direction_name(at * std::numbers::pi / 180.0));
-  }
+  for (const double at : cycles) names.push_back(cycle_name(at, strip));
   if (!loop.at) {
     if (cycles.size() == 1) return cycles.front();
     refuse(path, fmt::format("does not say of which {} its loop is", column),
-           fmt::format("add a column {}: the results have {}", column, fmt::join(names, ", ")));
+           fmt::format("add a column {0}, or name it behind the file, FILE:{1}: the results have {2}", column,
+                       names.front(), fmt::join(names, ", ")));
   }
   // Of directions a turn more is the same.
   const auto same = [&loop, strip](double at) {
@@ -103,7 +120,9 @@ double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::ve
 
 }  // namespace
 
-Json measured_run(const std::string& path, const std::string& name, const Json& runs) {
+Json measured_run(const MeasuredFile& file, const std::string& columns, const std::string& name, const Json& runs,
+                  const std::function<void(const std::string&)>& warn) {
+  const std::string path = file.path.string();
   const auto like = std::find_if(runs.begin(), runs.end(),
                                  [](const Json& run) { return has_cycles(run["kind"].get<std::string>()); });
   if (like == runs.end()) {
@@ -132,12 +151,17 @@ Json measured_run(const std::string& path, const std::string& name, const Json& 
   std::size_t most = 0;
   Json loops = Json::array();
   Json summaries = Json::array();
-  for (const MeasuredLoop& loop : read_measured_loops(path, strip ? "cycle" : "direction")) {
+  for (const MeasuredLoop& loop :
+       read_measured_loops(path, strip ? "cycle" : "direction", parse_measured_columns(columns), file.at)) {
     const double at = cycle_of(path, loop, cycles, strip);
-    const Cycle cycle = measured_cycle(loop.points, clearance_forces);
+    const Cycle cycle = measured_cycle(loop.cycle.points, clearance_forces);
     most = std::max(most, cycle.increments.size());
     loops.push_back(increments_json(cycle, at));
     summaries.push_back(summary_of(cycle, at, strip ? Experiment::strip : Experiment::cycle));
+    summaries.back()["warnings"] = remarks_on(loop.cycle);
+    for (const std::string& remark : remarks_on(loop.cycle)) {
+      if (warn) warn(fmt::format("{}: {}: {}", printable(path, longest_path), cycle_name(at, strip), remark));
+    }
   }
   return {{"name", name},
           {"kind", kind},

@@ -11,12 +11,10 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/ensemble_layout.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/io/result_folder.hpp"
 #include "bumpfoil/io/result_quantities.hpp"
-#include "io/binary_file.hpp"
 #include "io/case_json.hpp"
 #include "io/ensemble_reader.hpp"
 #include "io/measured_run.hpp"
@@ -25,6 +23,7 @@
 #include "io/shown_deviations.hpp"
 #include "io/shown_run.hpp"
 #include "io/shown_samples.hpp"
+#include "io/stored_result.hpp"
 #include "io/summary_reader.hpp"
 #include "io/vibration_quantities.hpp"
 
@@ -34,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
+constexpr const char* advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
 
 /// What a report shows of the summary of numbers that result.nc or sweep.nc has.
 constexpr std::array summary_head{"schema", "command", "case", "version", "commit", "solver", "status"};
@@ -42,20 +41,7 @@ constexpr std::array summary_head{"schema", "command", "case", "version", "commi
 constexpr std::array ensemble_summary_parts{"samples_due",   "samples", "statistics", "bump_loads",
                                             "sensitivities", "limits",  "yield"};
 
-[[noreturn]] void refuse_damaged(const fs::path& path, std::string what) {
-  throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is damaged: " + std::move(what),
-                                 "take it from a backup or run again; --unchecked reads what can be read"}});
-}
-
-/// Verifies a file beside summary.json.
-void require_intact(const fs::path& path, std::string_view bytes, const StoredSummary& summary) {
-  const auto listed = summary.files.find(path.filename().string());
-  if (listed == summary.files.end()) refuse_damaged(path, "summary.json does not list it");
-  const auto& [size, checksum] = listed->second;
-  if (bytes.size() != size)
-    refuse_damaged(path, fmt::format("it has {} bytes, where summary.json lists {}", bytes.size(), size));
-  if (xxh3_128(bytes) != checksum) refuse_damaged(path, "its checksum is not the one that summary.json lists");
-}
+constexpr const char* advice_on_damage = "take it from a backup or run again; --unchecked reads what can be read";
 
 /// What a variable is, in the words of the file that it is in.
 std::string meaning_of(const Json& result, const std::string& name) {
@@ -125,10 +111,10 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
     try {
       return parse_case(result["attributes"].value("case_understood", ""), name);
     } catch (const Error&) {
-      refuse_damaged(name, "the case in it cannot be read");
+      refuse_damaged(name, "the case in it cannot be read", advice_on_damage);
     }
   }();
-  if (!input.montecarlo) refuse_damaged(name, "the case in it has no ensemble");
+  if (!input.montecarlo) refuse_damaged(name, "the case in it has no ensemble", advice_on_damage);
   Json quantities = Json::array();
   const EnsembleLayout layout = make_ensemble_layout(input);
   for (const EnsembleColumn& column : layout.columns) {
@@ -191,38 +177,16 @@ const char* result_name_in(const fs::path& folder) {
 /// What a folder shows. @throws Error (file)
 Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOptions& options) {
   const auto refuse = [&folder](std::string what) {
-    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), std::string(advice)}});
+    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), advice}});
   };
   std::error_code code;
   if (!fs::exists(folder, code)) refuse("does not exist");
   if (!fs::is_directory(folder, code)) refuse("is no folder");
-  complete_publication_quietly(folder);
-  const auto has = [&](const char* name) { return fs::exists(published_file(folder, name), code); };
-  const auto read = [&folder](const char* name) { return read_binary_file(published_file(folder, name)); };
   const char* result_name = result_name_in(folder);
-  for (const char* name : {result_name, "summary.json"}) {
-    if (!has(name)) refuse(fmt::format("holds no results: {} is missing", name));
-  }
-  const fs::path summary_path = folder / "summary.json";
   const fs::path result_path = folder / result_name;
-  std::string summary_text = read("summary.json");
-  std::string bytes = read(result_name);
-  // Another set may have been published between the two.
-  for (std::string now = read("summary.json"); now != summary_text; now = read("summary.json")) {
-    summary_text = std::move(now);
-    bytes = read(result_name);
-  }
-  const StoredSummary summary = read_summary(summary_text, summary_path.string());
-  if (summary.run_id.empty()) {
-    if (options.warn)
-      options.warn(fmt::format("{}: was written by version 0.1, without checksums: damage may show as wrong numbers",
-                               printable(folder.string(), longest_path)));
-  } else if (options.checked) {
-    if (!is_sealed(summary_text, summary.xxh3_128)) refuse_damaged(summary_path, "it has not the checksum in it");
-    require_intact(result_path, bytes, summary);
-  }
+  auto [summary, bytes] = read_stored_result(folder, result_name, {options.checked, advice_on_damage, options.warn});
   Json result = read_result(std::move(bytes), result_path.string(), most_values);
-  match_runs(summary, result, summary_path.string(), result_name);
+  match_runs(summary, result, (folder / "summary.json").string(), result_name);
   Json& attributes = result["attributes"];
   attributes.erase("history");  // the date and the command line again
   attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
@@ -245,7 +209,7 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
   Json runs = Json::array();
   std::vector<Fault> faults;
   std::vector<fs::path> sources = folders;
-  sources.insert(sources.end(), options.measured.begin(), options.measured.end());
+  for (const MeasuredFile& file : options.measured) sources.push_back(file.path);
   const std::vector<std::string> names = names_of(sources);
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const fs::path& folder = folders[i];
@@ -261,7 +225,7 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
   }
   if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
   for (std::size_t i = 0; i < options.measured.size(); ++i) {
-    runs.push_back(measured_run(options.measured[i].string(), names[folders.size() + i], runs));
+    runs.push_back(measured_run(options.measured[i], options.columns, names[folders.size() + i], runs, options.warn));
   }
   return dump_json({{"schema", "bumpfoil-report/1"},
                     {"version", version()},

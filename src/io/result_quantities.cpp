@@ -275,8 +275,8 @@ constexpr auto cycle_table = std::to_array<CycleQuantity>({
             total<&SolveCost::factorisations>, whole, "factorisations", shown::unitless}),
     solver({"total_substeps", "1", "extra solves of all increments because they had to be halved",
             of_cycle<&Cycle::substeps>, whole, "halved increments", shown::unitless}),
-    solver({"max_residual", "1", "largest residual of all increments", once_begun<&Cycle::max_residual>, real,
-            "largest residual", shown::unitless}),
+    solver({"max_residual", "1", "largest residual at the start and where legs end", once_begun<&Cycle::max_residual>,
+            real, "largest residual", shown::unitless}),
     solver({"wall_time", "s", "time that the cycle took", of_cycle<&Cycle::wall_time>, real, "time", {"ms", 1e-3}}),
 });
 

@@ -10,6 +10,7 @@
 
 #include "bumpfoil/io/equilibrium_files.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "bumpfoil/io/result_quantities.hpp"
 #include "io/absent.hpp"
 #include "io/base64.hpp"
 #include "io/shown_run.hpp"
@@ -40,7 +41,8 @@ Json grid_variables_json(const ResultGrid& grid) {
         for (const std::string& dim : variable.dims) size *= sizes.at(dim);
         values.assign(size, absent);
       }
-      json[meaning.name] = {{"dims", variable.dims},
+      json[meaning.name] = {{"key", key_of(meaning.name, meaning.unit)},
+                            {"dims", variable.dims},
                             {"unit", meaning.unit == "1" ? "" : meaning.unit},
                             {"text", meaning.long_name},
                             {"words", fmt::format("{}", fmt::join(meaning.form.words, " "))},

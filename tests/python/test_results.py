@@ -176,6 +176,35 @@ def test_samples_are_a_table():
     assert f"<td>{means[0]:.4g} ± " in result._repr_html_()
 
 
+FILM = {"film": {"rows": 4}, "equilibrium": {"loads": [["10 N", "0 N"]]}}
+ENSEMBLES = {
+    "sweep": lambda: bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=2, cycle={"steps": 5}),
+    "equilibrium": lambda: bumpfoil.run_montecarlo(EXAMPLES / "running_tolerances.toml", samples=2, **FILM),
+}
+
+
+def columns_of(data, names):
+    return {bumpfoil._native.key_of(name, data[name].attrs.get("units", "")) for name in names}
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+@pytest.mark.parametrize("command", ENSEMBLES)
+def test_columns_of_samples_are_those_of_csv_files(command):
+    alone, ensemble = SHORT[command](), ENSEMBLES[command]()
+    data = alone.to_xarray()
+    missing = set(alone.to_dataframe()) - set(ensemble.to_dataframe())
+    assert missing <= columns_of(data, set(data.variables) - set(ensemble.data)), missing
+    assert {"sweep": "loaded_stiffness_N_per_m", "equilibrium": "attitude_angle_deg"}[command] in ensemble.to_dataframe()
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+@pytest.mark.parametrize("command", SHORT)
+def test_columns_have_their_units_by_one_rule(command):
+    result = SHORT[command]()
+    data = result.to_xarray()
+    assert set(result.to_dataframe()) <= columns_of(data, data.variables)
+
+
 def test_others_are_shown_in_a_notebook(result):
     assert result.case.toml.splitlines()[2] in result.case._repr_html_()
     assert f"<td>{result.cycles[1].max_force:.4g}</td>" in result.cycles[1]._repr_html_()

@@ -46,6 +46,14 @@ test('curves over speed and load are those of equilibrium.csv', () =>
     assert.deepEqual(await panelOf(page, 'Least film thickness').locator('.legend li').allTextContents(), ['Speed 30000 rpm', 'Speed 45000 rpm']);
   }));
 
+test('columns of the table are called as in equilibrium.csv and summary.json', () =>
+  withReport('grid.html', async (page) => {
+    const columns = Object.keys((await shownIn(page, 'Results by state'))[0]).filter((name) => !['speed_rpm', 'journal_N', 'path'].includes(name));
+    assert.ok(columns.includes('attitude_angle_deg'));
+    const known = { ...csvOf('grid')[0], ...summaryOf('grid').states[0] };
+    for (const column of columns) assert.ok(column in known, column);
+  }));
+
 test('film, bumps and journal are those of the state looked at', () =>
   withReport('grid.html', async (page) => {
     const states = summaryOf('grid').states;

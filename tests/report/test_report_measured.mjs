@@ -14,6 +14,9 @@ before(() => {
   const rows = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8')).filter((row) => row.direction_deg === '0');
   const lines = rows.map((row) => `+X;${1e6 * row.displacement_m};${softer * row.force_direct_N}`.replaceAll('.', ','));
   writeFileSync(join(folder, 'rig.csv'), ['# a rig', 'direction;displacement_um;force_N', ...lines, ''].join('\n'));
+  const points = lines.map((line) => line.slice('+X;'.length));
+  writeFileSync(join(folder, 'twice.csv'), ['Weg [µm];Kraft [N]', ...points, ...points.slice(1), ''].join('\n'));
+  run(['report', join(folder, 'truss'), '--measured', join(folder, 'twice.csv:+X'), '-o', join(folder, 'twice.html')]);
   run(['report', join(folder, 'truss'), '--measured', join(folder, 'rig.csv'), '-o', join(folder, 'measured.html')]);
 });
 
@@ -32,6 +35,13 @@ test('the loops are in one chart, by their names', () =>
     // A rig knows no cross force.
     await page.getByRole('region', { name: 'Loops, +X', exact: true }).getByText('Cross', { exact: true }).click();
     assert.doesNotMatch(await page.locator('#cycle-loops .chart').first().getAttribute('aria-label'), /rig/);
+  }));
+
+test('of several cycles the last is shown, and the page says so', () =>
+  withReport('twice.html', async (page) => {
+    assert.match(await page.locator('.warnings').textContent(), /twice\.csv: \+X: 2 cycles found, the last is used\./);
+    const [, measured, computed] = await page.locator('.results tr[data-key=loop_energy_J] td').allTextContents();
+    near(quantity(`${measured} mJ`, 'J'), softer * quantity(`${computed} mJ`, 'J'), 1e-3, 'loop energy');
   }));
 
 test('differences are listed against the measured loop', () =>

@@ -70,6 +70,13 @@ test('every orbit has its energy, and what has not settled is told', () =>
     assert.ok((await page.locator('.warnings').textContent()).includes(warnings[0]));
   }));
 
+test('columns of the results are called as in summary.json', () =>
+  withReport('orbit.html', async (page) => {
+    const [header] = (await saved(page, 'Results of the path', /CSV/)).bytes.toString().split('\n');
+    const [cycle] = summaryOf('orbit').cycles;
+    for (const column of header.trim().split(',')) assert.ok(column in cycle, column);
+  }));
+
 test('centre and axes of an orbit have their unit', () =>
   withReport('orbit.html', async (page) => {
     const row = (name) => page.locator('table.case tr', { has: page.getByRole('rowheader', { name, exact: true }) }).locator('td').textContent();

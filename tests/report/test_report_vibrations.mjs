@@ -54,6 +54,16 @@ test('stiffness and damping are drawn over the amplitude at the load chosen', ()
     assert.deepEqual((await (await plotsIn(page.getByRole('region', { name: 'Stiffness' }))).locator('text').allTextContents()).filter((text) => text.endsWith(' N')), ['(0, −50) N', '(50, 0) N']);
   }));
 
+test('columns of tables are called as in the CSV files', () =>
+  withReport('vib.html', async (page) => {
+    for (const [table, file, places] of [['Coefficients by load', 'coefficients.csv', 3], ['Loops by vibration', 'vibration.csv', 3]]) {
+      const [header] = (await saved(page, table, /CSV/)).bytes.toString().split('\n');
+      const columns = header.trim().split(',').slice(places);
+      assert.ok(columns.length > 10, table);
+      for (const column of columns) assert.ok(column in csvOf('vib', file)[0], `${column} of ${table}`);
+    }
+  }));
+
 test('the loss factor is that of each load and direction', () =>
   withReport('vib.html', async (page) => {
     await chooser(page, 'Static load').selectOption('(0, −50) N');

@@ -8,7 +8,7 @@ function base64(numbers: number[]): string {
   return btoa(String.fromCharCode(...new Uint8Array(new Float32Array(numbers).buffer)));
 }
 
-const variable = (dims: string[], values: number[], words = ''): GridData['variables'][string] => ({ dims, unit: 'N', text: 'a force', words, values: base64(values) });
+const variable = (dims: string[], values: number[], words = ''): GridData['variables'][string] => ({ key: 'force_N', dims, unit: 'N', text: 'a force', words, values: base64(values) });
 
 /** Two amplitudes, three directions, loops of up to four increments. */
 const grid = new Grid({

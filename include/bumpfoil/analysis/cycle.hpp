@@ -74,7 +74,7 @@ struct Clearance {
 
 /// What one orbit of a path took, and how far it was from closing.
 struct OrbitLoop {
-  double energy{};           ///< closed integral of F.dx, J
+  double energy{};           ///< closed integral of F.dx, J; 0 without dissipation, see docs/theory/energies.md
   double force_defect{};     ///< from the force where it began to that where it ended, N
   double position_defect{};  ///< the same of the position, m
 
@@ -138,7 +138,7 @@ struct Cycle {
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
   std::optional<CompressionPeak> compression;  ///< absent with quantities alone
-  double max_residual{};                       ///< equilibrium, largest of all increments that were judged
+  double max_residual{};                       ///< equilibrium, largest at the start and where legs end
   SolveCost cost;                              ///< of all increments
   int substeps{};                              ///< of all increments
   double wall_time{};                          ///< s

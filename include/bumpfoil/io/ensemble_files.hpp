@@ -27,8 +27,9 @@ void stage_ensemble(const Case& input, const EnsembleLayout& layout, const Ensem
 
 /// The case of a stored sample, to be run again in full. What is done to the bearing may be another than in the
 /// ensemble; the bearing itself may not.
-/// @param file   an ensemble.nc   @param input  the case that the ensemble was drawn for
-/// @throws Error (file) if it cannot be read; Error (input) if it has no such sample, or is of another bearing
+/// @param file   an ensemble.nc, summary.json beside it   @param input  the case that the ensemble was drawn for
+/// @throws Error (file) if it cannot be read, or has not the checksum that summary.json lists; Error (input) if it has
+/// no such sample, or is of another bearing
 Case read_sampled_case(const std::filesystem::path& file, std::size_t number, const Case& input);
 
 }  // namespace bumpfoil

@@ -16,15 +16,24 @@ inline constexpr std::string_view report_placeholder = "@bumpfoil-report-data@";
 /// numbers.
 inline constexpr std::size_t most_report_values = 2'000'000;
 
+/// A CSV file of measured loops.
+struct MeasuredFile {
+  std::filesystem::path path;
+  std::string at{};  ///< direction ("+X" or degrees) or strip cycle of its loop, where no column of it says so
+};
+
 struct ReadingOptions {
   std::size_t most_values = most_report_values;  ///< over all folders
   /// Whether result.nc must have the checksum that summary.json lists. Without, a damaged file may still be found out
   /// by its shape, show wrong numbers, or crash libhdf5.
   bool checked = true;
   std::function<void(const std::string&)> warn{};  ///< called, where given, with what users should know of a folder
-  /// CSV files of measured loops, each shown as one more run: columns displacement_um (or _nm, _mm, _m) and force_N (or
-  /// _mN, _kN), and where the results have several cycles `direction` (+X, degrees) or, of a strip, `cycle`.
-  std::vector<std::filesystem::path> measured{};
+  /// Each is shown as one more run: columns displacement_um (or _nm, _mm, _m) and force_N (or _mN, _kN), or by other
+  /// names of rigs, and where the results have several cycles `direction` (+X, degrees) or, of a strip, `cycle`. Of
+  /// several cycles one after the other the last is shown.
+  std::vector<MeasuredFile> measured{};
+  /// Names of these columns where they are others: displacement=NAME,force=NAME,direction=NAME.
+  std::string columns{};
 };
 
 /// Everything that a report shows of the results in some folders, as JSON.
@@ -51,8 +60,8 @@ struct ReadingOptions {
 ///
 /// Grids (`equilibrium`, `film`, `path`, `sweep`, `vibration`): `summary` is what summary.json begins with, up to the
 /// status, and its `limits`; `dimensions`
-/// (sizes by name), `variables` (by name: `dims`, the last running fastest, `unit`, `text`, `words` of flags, `values`,
-/// all binary32) and `left_out` (names of those that were too large).
+/// (sizes by name), `variables` (by name: `key` in tables, `dims`, the last running fastest, `unit`, `text`, `words` of
+/// flags, `values`, all binary32) and `left_out` (names of those that were too large).
 ///
 /// Ensembles (`montecarlo`): `summary` has the statistics of summary.json as well; `directions` in degrees,
 /// `sample_count`, and `distributions` by the names of quantities: `unit`, `text`, `from` and `to` (the least and the

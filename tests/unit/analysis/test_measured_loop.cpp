@@ -75,12 +75,94 @@ TEST(MeasuredLoop, OfComputedPointsHasTheirQuantities) {
   EXPECT_NEAR(measured.clearances[0].displacement.value(), computed.clearance_5N.value(), 2e-6);
 }
 
+/// Straight ways between displacements, 100 points each, with the force of a loop of half width `width`: what a rig
+/// records of several cycles. Noise of +-1 % of 10 um lies on the displacements.
+Points recorded(const std::vector<double>& turns, double noise = 0.1e-6) {
+  constexpr double stiffness = 5e6, width = 4.0;
+  Points points;
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double way = turns[i] - turns[i - 1];
+    for (int k = 0; k < 100; ++k) {
+      const double displacement = turns[i - 1] + way * k / 100.0;
+      // Friction turns round over a fifth of the way.
+      const double friction = i == 1 ? 0.0 : width * (way > 0 ? 1.0 : -1.0) * std::min(1.0, k / 10.0 - 1.0);
+      points.push_back({displacement + (k % 2 == 0 ? noise : -noise), stiffness * displacement + friction});
+    }
+  }
+  const bool up = turns.back() > turns[turns.size() - 2];
+  points.push_back({turns.back(), stiffness * turns.back() + (up ? width : -width)});
+  return points;
+}
+
+struct Recording {
+  std::vector<double> turns;  ///< um
+  std::size_t found;
+  double first;  ///< of the last whole cycle, um
+  double last;
+  bool rest;
+};
+
+TEST(MeasuredLoop, OfSeveralCyclesTheLastWholeOneIsTaken) {
+  const std::vector<Recording> recordings{{{0, 10, 0}, 1, 0, 0, false},
+                                          {{0, 10, 2}, 1, 0, 2, false},
+                                          {{0, 10, 0, 10, 0, 10, 0}, 3, 0, 0, false},
+                                          {{0, 10, 0, 10, 0, 10}, 2, 0, 0, true},      // half a cycle more
+                                          {{0, 10, 0, 10, 0, 10, 5}, 2, 0, 0, true},   // not back yet
+                                          {{0, 10, 1, 11, 2, 12, 3}, 3, 2, 3, false},  // drifts
+                                          {{0, 4, 0, 7, 0, 10, 0}, 3, 0, 0, false},    // grows
+                                          {{5, 10, 0, 10, 0}, 2, 0, 0, false},         // begins on a way up
+                                          {{5, 0, 10, 0}, 1, 0, 0, false},             // and on a way down
+                                          {{0, 10, -10, 10}, 1, 0, 10, false},         // to both sides, from the middle
+                                          {{0, 10, -10, 0}, 1, 0, 0, false},
+                                          {{0, 10, -10, 10, 0}, 1, 0, 10, true},
+                                          {{0, 10, -10, 10, -10, 10, -10, 0}, 3, -10, -10, true},
+                                          {{0, -10, 10, -10, 10, -10}, 2, -10, -10, false},
+                                          {{-10, 10, -10}, 1, -10, -10, false}};
+  for (const double noise : {0.0, 0.1e-6}) {
+    for (const Recording& recording : recordings) {
+      std::vector<double> turns = recording.turns;
+      for (double& turn : turns) turn *= 1e-6;
+      const auto cycle = last_cycle(recorded(turns, noise));
+      ASSERT_TRUE(cycle) << ::testing::PrintToString(recording.turns);
+      EXPECT_EQ(cycle->found, recording.found) << ::testing::PrintToString(recording.turns);
+      EXPECT_EQ(cycle->rest, recording.rest) << ::testing::PrintToString(recording.turns);
+      EXPECT_NEAR(cycle->points.front().displacement, 1e-6 * recording.first, 0.3e-6)
+          << ::testing::PrintToString(recording.turns);
+      EXPECT_NEAR(cycle->points.back().displacement, 1e-6 * recording.last, 0.3e-6)
+          << ::testing::PrintToString(recording.turns);
+    }
+  }
+}
+
+TEST(MeasuredLoop, OfSeveralCyclesHasTheEnergyOfOne) {
+  const auto energy = [](const std::vector<double>& turns) {
+    return measured_cycle(last_cycle(recorded(turns, 0.0))->points, {}).loop_energy.value();
+  };
+  // Two ways of 10 um at 4 N, less a fifth: friction turns round in a straight line over a fifth of the way.
+  const double two = energy({0, 10e-6, 0, 10e-6, 0});
+  EXPECT_NEAR(two, 0.8 * 2 * 4.0 * 10e-6, 1e-9 * two);
+  EXPECT_NEAR(energy({0, 10e-6, 0, 10e-6, 0, 10e-6, 0}), two, 1e-9 * two);
+  const double across = energy({0, 10e-6, -10e-6, 10e-6, -10e-6, 0});
+  EXPECT_NEAR(across, 2 * two, 1e-9 * two);
+  EXPECT_NEAR(energy({-10e-6, 10e-6, -10e-6, 10e-6, -10e-6}), across, 1e-9 * two);
+}
+
+TEST(MeasuredLoop, SaysHowFarItIsFromClosing) {
+  EXPECT_FALSE(last_cycle(recorded({0, 10e-6, 0, 10e-6, 0}, 0.0))->gap);
+  const auto gap = last_cycle(recorded({0, 10e-6, 0, 11e-6, 1e-6}, 0.0))->gap;
+  ASSERT_TRUE(gap);
+  EXPECT_NEAR(gap->displacement, 1e-6, 1e-12);
+  EXPECT_NEAR(gap->force, 5.0, 1e-6);
+  EXPECT_FALSE(last_cycle(recorded({0, 10e-6, -10e-6, 10e-6}, 0.0))->gap);
+}
+
 TEST(MeasuredLoop, GoesThereAndBack) {
-  EXPECT_TRUE(turns_round({{0.0, 0.0}, {1e-6, 1.0}, {0.0, 0.0}}));
-  EXPECT_FALSE(turns_round({}));
-  EXPECT_FALSE(turns_round({{0.0, 0.0}, {1e-6, 1.0}}));
-  EXPECT_FALSE(turns_round({{1e-6, 1.0}, {0.0, 0.0}, {0.5e-6, 1.0}}));
-  EXPECT_FALSE(turns_round({{-2e-6, 1.0}, {-1e-6, 0.0}, {-2e-6, 1.0}}));
+  EXPECT_TRUE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}, {0.0, 0.0}}));
+  EXPECT_FALSE(last_cycle({}));
+  EXPECT_FALSE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}}));
+  EXPECT_FALSE(last_cycle({{0.0, 0.0}, {1e-6, 1.0}, {0.95e-6, 0.9}, {0.98e-6, 0.9}}));  // noise is no way back
+  EXPECT_FALSE(last_cycle({{1e-6, 1.0}, {0.0, 0.0}, {0.5e-6, 1.0}}));
+  EXPECT_FALSE(last_cycle({{-2e-6, 1.0}, {-1e-6, 0.0}, {-2e-6, 1.0}}));
 }
 
 }  // namespace

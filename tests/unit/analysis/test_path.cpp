@@ -149,6 +149,37 @@ TEST(RunPath, OrbitsWithoutFrictionTakeNothing) {
   EXPECT_NEAR(only(result).orbits.front().force_defect, 0.0, 1e-8);
 }
 
+/// The trapezoidal rule leaves more or less than nothing of a force that is not linear over an increment.
+TEST(RunPath, OrbitsWithoutFrictionTakeExactlyNothing) {
+  for (const SolverName solver : {SolverName::newton, SolverName::events}) {
+    for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
+      for (const Eigen::Vector2d& axes : {Eigen::Vector2d(10e-6, 4e-6), {3e-6, 30e-6}, {45e-6, 45e-6}}) {
+        for (const int steps : {8, 40, 41}) {
+          Case input = orbiting(solver);
+          input.friction = {};
+          input.path->sense = sense;
+          input.path->semi_axes.value = axes;
+          input.path->steps = steps;
+          const CycleResult result = run_path(input);
+          ASSERT_TRUE(result.converged());
+          for (const OrbitLoop& orbit : only(result).orbits) EXPECT_EQ(orbit.energy, 0.0) << axes << ' ' << steps;
+        }
+      }
+    }
+  }
+}
+
+TEST(RunPath, OrbitsWithFrictionTakeTheirWork) {
+  for (const int steps : {8, 40}) {
+    Case input = orbiting();
+    input.path->steps = steps;
+    const CycleResult result = run_path(input);
+    const auto& increments = only(result).increments;
+    const auto at = [&](int orbit) { return increments[static_cast<std::size_t>((orbit + 1) * steps)].work; };
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(only(result).orbits[static_cast<std::size_t>(i)].energy, at(i + 1) - at(i));
+  }
+}
+
 TEST(RunPath, FollowsLoadsInThePlane) {
   Case input = orbiting();
   input.path->centre = {Control::load, {0.0, -80.0}};

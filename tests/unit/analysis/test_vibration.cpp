@@ -335,6 +335,11 @@ TEST(RunVibration, RoundASmallCircleWithoutFrictionIsElastic) {
   EXPECT_TRUE(std::isnan(foils.loss_factor.x()));
   EXPECT_EQ(result.vibrations[0].sense, Sense::counterclockwise);
   EXPECT_EQ(result.vibrations[1].sense, Sense::clockwise);
+  for (const double radius : {2e-9, 5e-6}) {
+    for (const Vibration& orbit : run_vibration(orbiting_case(0.0, radius)).vibrations) {
+      EXPECT_EQ(orbit.cycle.loop_energy, 0.0) << radius;
+    }
+  }
 }
 
 TEST(RunVibration, RoundACircleTakesTheEnergyOfTheLoss) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -105,6 +107,24 @@ TEST_F(EnsembleFiles, AStoredSampleIsTheOneThatWasDrawn) {
   EXPECT_EQ(read_sampled_case(netcdf_, 2, finer).cycle.steps, 400);
 }
 
+TEST_F(EnsembleFiles, ASampleOfADamagedFileIsRefused) {
+  // One bit of what was drawn: HDF5 reads it without a complaint.
+  std::fstream file(netcdf_, std::ios::binary | std::ios::in | std::ios::out);
+  std::string bytes((std::istreambuf_iterator<char>(file)), {});
+  const double deviation = draw_sample(input_, 2).height_deviations.front();
+  const std::size_t place = bytes.find(std::string_view(reinterpret_cast<const char*>(&deviation), sizeof deviation));
+  ASSERT_NE(place, std::string::npos);
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(place) + 6);
+  file.put(static_cast<char>(bytes[place + 6] ^ 1));
+  file.close();
+  EXPECT_NE(refusal(2, input_).find("is damaged: its checksum is not the one that summary.json lists"),
+            std::string::npos)
+      << refusal(2, input_);
+  std::filesystem::remove(netcdf_.parent_path() / "summary.json");
+  EXPECT_NE(refusal(2, input_).find("holds no results: summary.json is missing"), std::string::npos);
+}
+
 TEST_F(EnsembleFiles, AnotherBearingIsRefused) {
   EXPECT_NE(refusal(4, input_).find("sample = 4: is not there; give a number below 4"), std::string::npos);
   Case other = input_;
@@ -112,7 +132,7 @@ TEST_F(EnsembleFiles, AnotherBearingIsRefused) {
   EXPECT_NE(refusal(0, other).find("bearing.radial_clearance = 3.18e-05: is 3e-05 in this case"), std::string::npos)
       << refusal(0, other);
   folder_.write("results/ensemble.nc", "none");
-  EXPECT_NE(refusal(0, input_).find("is no netCDF-4 file"), std::string::npos);
+  EXPECT_NE(refusal(0, input_).find("is damaged: it has 4 bytes, where summary.json lists"), std::string::npos);
 }
 
 TEST_F(EnsembleFiles, AReportShowsDistributionsAndTheFirstBearings) {

@@ -187,7 +187,7 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
   const Results results(run_cycles(short_case()));
   const TemporaryFolder folder;
   const auto with = [&](const std::string& text) {
-    return report_json({results.path()}, {.measured = {folder.write("rig.csv", text)}});
+    return report_json({results.path()}, {.measured = {{folder.write("rig.csv", text)}}});
   };
   const json run =
       json::parse(with("direction,displacement_um,force_N\n450,0,0\n450,10,100\n450,2,0\n")).at("runs").at(1);
@@ -211,15 +211,15 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
     }
     return "";
   };
-  EXPECT_NE(
-      refusal("displacement_um,force_N\n0,0\n10,100\n2,0\n").find("add a column direction: the results have +X, +Y"),
-      std::string::npos);
+  EXPECT_NE(refusal("displacement_um,force_N\n0,0\n10,100\n2,0\n")
+                .find("add a column direction, or name it behind the file, FILE:+X: the results have +X, +Y"),
+            std::string::npos);
   Case turned = short_case();
   std::swap(turned.cycle.directions[0], turned.cycle.directions[1]);
   const Results other(run_cycles(turned), turned);
   try {
     report_json({other.path(), results.path()},
-                {.measured = {folder.write("rig.csv", "displacement_um,force_N\n0,0\n10,100\n2,0\n")}});
+                {.measured = {{folder.write("rig.csv", "displacement_um,force_N\n0,0\n10,100\n2,0\n")}}});
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("the results have +Y, +X"), std::string::npos) << error.what();
@@ -227,6 +227,26 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
   EXPECT_NE(
       refusal("direction,displacement_um,force_N\n-X,0,0\n-X,10,100\n-X,2,0\n").find("of the direction 180, which"),
       std::string::npos);
+}
+
+TEST(Report, SaysWhichOfSeveralMeasuredCyclesItShows) {
+  const Results results(run_cycles(short_case()));
+  const TemporaryFolder folder;
+  std::vector<std::string> warnings;
+  const ReadingOptions options{
+      .warn = [&](const std::string& warning) { warnings.push_back(warning); },
+      .measured = {{folder.write("rig.csv", "s [um],Load (N)\n0,0\n10,100\n0,0\n20,200\n1,0\n20,200\n"), "+Y"}},
+      .columns = "displacement=s"};
+  const json run = json::parse(report_json({results.path()}, options)).at("runs").at(1);
+  EXPECT_EQ(run.at("cycles")[0].at("at"), 90.0);
+  const json& summary = run.at("summary").at("cycles")[0];
+  EXPECT_EQ(summary.at("max_force_N"), 200.0);
+  EXPECT_EQ(summary.at("warnings"),
+            (std::vector<std::string>{
+                "2 cycles found, the last is used", "goes on after its last whole cycle; the rest is left out",
+                "does not close: it ends 1 um and 0 N from where it begins; a straight line closes it"}));
+  ASSERT_EQ(warnings.size(), 3U);
+  EXPECT_NE(warnings[0].find("rig.csv: +Y: 2 cycles found, the last is used"), std::string::npos) << warnings[0];
 }
 
 TEST(Report, NamesRunsByAsManyPartsOfTheirPathsAsTellThemApart) {

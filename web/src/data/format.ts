@@ -77,6 +77,8 @@ export interface DistributionData {
 }
 
 export interface VariableData {
+  /** In tables: with its unit, as in CSV files. */
+  key: string;
   /** The last runs fastest. */
   dims: string[];
   unit: string;

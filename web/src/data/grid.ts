@@ -20,6 +20,11 @@ export class Variable {
     return this.data.unit;
   }
 
+  /** What columns of tables are called. */
+  get key(): string {
+    return this.data.key;
+  }
+
   /** What it is. */
   get text(): string {
     return this.data.text;

@@ -25,8 +25,7 @@ export interface GridColumn {
 export function columnOf(grid: Grid, name: string, label: string): GridColumn[] {
   const variable = grid.variable(name);
   if (!variable) return [];
-  const { unit, text, words } = variable;
-  const key = unit === '' ? name : `${name}_${unit.replaceAll('/', '_per_').replaceAll(' ', '_')}`;
+  const { key, unit, text, words } = variable;
   return [{ key, name, label, unit, whole: variable.isWhole, meaning: text, words, value: (place) => variable.at(place) }];
 }
 
