@@ -14,15 +14,15 @@
 namespace bumpfoil {
 namespace {
 
-Outcome outcome_of(const Case& input, EquilibriumResult result) {
+Outcome outcome_of(const Case& input, EquilibriumResult result, int ross_version = 3) {
   const RunStatus status = status_of(result);
   Outcome outcome{.status = status,
                   .table = equilibrium_table(result),
                   .warnings = warning_lines(input, result),
                   .failures = failure_lines(result),
                   .files = {}};
-  outcome.files = [input, status, result = std::move(result)](const Provenance& provenance) {
-    return equilibrium_files(input, result, status, provenance);
+  outcome.files = [input, status, ross_version, result = std::move(result)](const Provenance& provenance) {
+    return equilibrium_files(input, result, status, provenance, ross_version);
   };
   return outcome;
 }
@@ -30,6 +30,7 @@ Outcome outcome_of(const Case& input, EquilibriumResult result) {
 struct EquilibriumFlags {
   bool all_paths{};
   bool limits{};
+  int ross_version{3};
 };
 
 }  // namespace
@@ -52,12 +53,18 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
              flags->all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{};
          EquilibriumResult result = run_equilibrium(input, paths, progress);
          if (flags->limits) result.limits = run_film_limits(input, progress);
-         return outcome_of(input, std::move(result));
+         tabulate_whirls(input, result);
+         return outcome_of(input, std::move(result), flags->ross_version);
        }});
   command->add_flag("--paths", flags->all_paths,
                     "Come to every state by every path that leads there, and tell how far they lie apart");
   command->add_flag("--limits", flags->limits,
                     "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin");
+  command
+      ->add_option("--ross-version", flags->ross_version,
+                   "Version of ROSS that coefficients.toml is for: 2 has synchronous coefficients alone")
+      ->check(CLI::Range(2, 3).description("2 or 3"))
+      ->capture_default_str();
 }
 
 void add_film_command(CLI::App& program, Session& session) {

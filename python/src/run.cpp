@@ -104,6 +104,7 @@ Run find_running_states(const Case& input, const std::string& case_text, const R
   EquilibriumResult result = run_equilibrium(
       input, request.all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{}, progress);
   if (request.limits) result.limits = run_film_limits(input, progress);
+  tabulate_whirls(input, result);
   return equilibrium_run(input, case_text, std::move(result));
 }
 

@@ -142,13 +142,13 @@ std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
 }
 
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
-                                          const Provenance& provenance) try {
+                                          const Provenance& provenance, int ross_version) try {
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
   files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
   if (result.foils) {
     files.push_back({"coefficients.csv", film_coefficients_csv(result)});
-    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id)});
+    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id, ross_version)});
   }
   files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
   files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});
