@@ -21,10 +21,11 @@ constexpr double least_opened_room = 10e-6;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
 /// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
-/// speed itself is to lie inside. Between the two of one speed there are so many intervals.
+/// speed itself is to lie inside. So many equal ratios lead from the one to the other: nine frequencies at least lie
+/// between those of any speed, wherever the grid begins.
 constexpr double lowest_frequency = 0.2;
 constexpr double highest_frequency = 1.2;
-constexpr double frequency_intervals = 8.0;
+constexpr double frequency_intervals = 9.0;
 
 OperatingPoint at_speed(OperatingPoint point, double speed) {
   point.speed = speed;

@@ -116,8 +116,8 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
                                   const std::function<bool(double)>& progress = {});
 
 /// Frequencies that all states of a case are tabulated at, rad/s, rising: those of the case; where it names none, from
-/// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine lie between 0.2 and 1.2
-/// times any speed.
+/// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2
+/// and 1.2 times any speed.
 std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium);
 
 /// Adds stiffness and damping in synchronous whirl and at tabulated_frequencies() to every state that was found.
