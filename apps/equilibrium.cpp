@@ -64,6 +64,7 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
       ->add_option("--ross-version", flags->ross_version,
                    "Version of ROSS that coefficients.toml is for: 2 has synchronous coefficients alone")
       ->check(CLI::Range(2, 3).description("2 or 3"))
+      ->type_name("N")
       ->capture_default_str();
 }
 
