@@ -12,23 +12,28 @@
 namespace bumpfoil {
 namespace {
 
-Outcome outcome_of(const Case& input, EquilibriumResult result) {
+Outcome outcome_of(const Case& input, EquilibriumResult result, int ross_version = 3) {
   const RunStatus status = status_of(result);
   Outcome outcome{.status = status,
                   .table = equilibrium_table(result),
                   .warnings = warning_lines(input, result),
                   .failures = failure_lines(result),
                   .files = {}};
-  outcome.files = [input, status, result = std::move(result)](const Provenance& provenance) {
-    return equilibrium_files(input, result, status, provenance);
+  outcome.files = [input, status, ross_version, result = std::move(result)](const Provenance& provenance) {
+    return equilibrium_files(input, result, status, provenance, ross_version);
   };
   return outcome;
 }
 
+struct EquilibriumFlags {
+  RunningRequest request;
+  int ross_version{3};
+};
+
 }  // namespace
 
 void add_equilibrium_command(CLI::App& program, Session& session) {
-  const auto flags = std::make_shared<RunningRequest>();
+  const auto flags = std::make_shared<EquilibriumFlags>();
   CLI::App* command = add_experiment(
       program, session,
       {.name = "equilibrium",
@@ -41,12 +46,18 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
        .files = equilibrium_file_names("equilibrium"),
        .takes_samples = true,
        .run = [flags](const Case& input, const ProgressCallback& progress) {
-         return outcome_of(input, analyse_running_bearing(input, *flags, progress));
+         return outcome_of(input, analyse_running_bearing(input, flags->request, progress), flags->ross_version);
        }});
-  command->add_flag("--paths", flags->all_paths,
+  command->add_flag("--paths", flags->request.all_paths,
                     "Reach every state by every path that leads there, and report the spread: equilibrium.paths=all");
-  command->add_flag("--limits", flags->limits,
+  command->add_flag("--limits", flags->request.limits,
                     "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin");
+  command
+      ->add_option("--ross-version", flags->ross_version,
+                   "Version of ROSS that coefficients.toml is for: 2 has synchronous coefficients alone")
+      ->check(CLI::Range(2, 3).description("2 or 3"))
+      ->type_name("N")
+      ->capture_default_str();
 }
 
 void add_film_command(CLI::App& program, Session& session) {

@@ -44,7 +44,8 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
       parse_sweep(case_text, options.case_path,
                   {.command = command_called(options.command), .over = options.over, .overrides = options.overrides});
   const InterruptionGuard guard;  // from before there is anything to clean up
-  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, sweep_file_names());
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse,
+                      sweep_file_names(sweep.command));
 
   std::vector<SweepPoint> points(sweep.cases.size());
   {
@@ -65,7 +66,8 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   folder.publish();
   if (!session.quiet) {
     print_output(sweep_table(sweep, points));
-    print_output(fmt::format("\n{} points; results in {} (summary.json, sweep.csv, sweep.nc)\n", points.size(), place));
+    print_output(fmt::format("\n{} points; results in {} ({})\n", points.size(), place,
+                             fmt::join(sweep_file_names(sweep.command), ", ")));
     if (!sweep.with_loops) print_message("warning: sweep.nc is without the loops, which are too many");
     print_some("warning: ", warning_lines(sweep, points));
   }
@@ -97,7 +99,9 @@ void add_sweep_command(CLI::App& program, Session& session) {
       ->allow_extra_args(false)
       ->take_all()
       ->required();
-  command->add_option("-o,--output", options->folder, "Folder for summary.json, sweep.csv and sweep.nc")
+  command
+      ->add_option("-o,--output", options->folder,
+                   "Folder for summary.json, sweep.csv and sweep.nc, of equilibrium coefficients.csv, too")
       ->type_name("DIR")
       ->required();
   command->add_option("--command", options->command, "What is run at every point")

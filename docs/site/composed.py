@@ -1,14 +1,16 @@
 """What the site adds to pages: navigation, which is the sections of docs/index.md and the pages that each of them links to,
-in that order; what the programs of the gallery draw and print; and pictures of the cases."""
+in that order; what the programs of the gallery draw and print; pictures of the cases; and links to the sources that are cited."""
 
 import posixpath
 import re
 from pathlib import Path
 
+from sources import with_links
+
 # Pages that only the site has.
 MADE = {
     "Begin here": [f"/docs/notebooks/{page}" for page in ("first_steps", "rotor_in_time")],
-    "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp")],
+    "Reference": [f"/docs/reference/{page}" for page in ("variables", "python", "cpp", "sources")],
 }
 
 # Pages about what a case shows.
@@ -55,6 +57,8 @@ def compose(app, name, source):
     elif case := CASES.get(name):
         block = f"What comes of `{case}.toml` ([gallery](gallery.md#cases)):\n\n{picture_of(case)}"
         source[0] = after_introduction(source[0], block)
+    if name.startswith("docs/"):
+        source[0] = with_links(source[0], posixpath.dirname(name))
 
 
 def setup(app):

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "bumpfoil/analysis/film_fields.hpp"
@@ -20,6 +21,12 @@ constexpr double start_towards_position = 0.7;
 constexpr double room_left_at_start = 1.0 - start_towards_position;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
+/// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
+/// speed itself is to lie inside. So many equal ratios lead from the one to the other: nine frequencies at least lie
+/// between those of any speed, wherever the grid begins.
+constexpr double lowest_frequency = 0.2;
+constexpr double highest_frequency = 1.2;
+constexpr double frequency_intervals = 9.0;
 
 OperatingPoint at_speed(OperatingPoint point, double speed) {
   point.speed = speed;
@@ -31,6 +38,26 @@ OperatingPoint at_speed(OperatingPoint point, double speed) {
 double opening_to_begin(const FilmBearing& bearing, double floor) {
   const bool has_room = bearing.room > 0.0 && room_left_at_start * bearing.room >= floor;
   return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
+}
+
+std::vector<double> frequencies_of(const EquilibriumSettings& settings, double speed) {
+  return settings.frequencies.empty() ? std::vector{std::abs(speed)} : settings.frequencies;
+}
+
+std::vector<FilmWhirl> whirls_at(FilmBearingSolver& solver, const FilmBearingState& state,
+                                 const std::vector<double>& frequencies) {
+  std::vector<std::complex<double>> rates;
+  rates.reserve(frequencies.size());
+  for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
+  const auto moving = solver.impedances(state, rates);
+  const auto stuck = solver.impedances(state, rates, true);
+  std::vector<FilmWhirl> whirls(frequencies.size());
+  for (std::size_t i = 0; i < whirls.size(); ++i) {
+    whirls[i].frequency = frequencies[i];
+    if (moving) whirls[i].impedance = (*moving)[i];
+    if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
+  }
+  return whirls;
 }
 
 /// Walks along paths and keeps what is found.
@@ -94,7 +121,7 @@ class PathWalker {
     if (moving || stuck) {
       found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
     }
-    found.whirls = whirls();
+    found.whirls = whirls_at(solver_, *state_, frequencies_of(settings_, state_->speed));
     find_stresses(found);
   }
 
@@ -116,23 +143,6 @@ class PathWalker {
       found.bump_foil_stress = std::max(
           {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});
     }
-  }
-
-  [[nodiscard]] std::vector<FilmWhirl> whirls() {
-    std::vector<double> frequencies = settings_.frequencies;
-    if (frequencies.empty()) frequencies.push_back(std::abs(state_->speed));
-    std::vector<std::complex<double>> rates;
-    rates.reserve(frequencies.size());
-    for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
-    const auto moving = solver_.impedances(*state_, rates);
-    const auto stuck = solver_.impedances(*state_, rates, true);
-    std::vector<FilmWhirl> whirls(frequencies.size());
-    for (std::size_t i = 0; i < whirls.size(); ++i) {
-      whirls[i].frequency = frequencies[i];
-      if (moving) whirls[i].impedance = (*moving)[i];
-      if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
-    }
-    return whirls;
   }
 
   static void add(FilmReport& total, const FilmReport& more) {
@@ -292,6 +302,43 @@ std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
   std::vector<FilmPath> paths{FilmPath::speed_ramp, FilmPath::position_ray, FilmPath::cold_start};
   if (!equilibrium.loads.empty()) paths.insert(paths.begin(), FilmPath::load_ramp);
   return paths;
+}
+
+std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium) {
+  std::vector<double> frequencies = equilibrium.frequencies;
+  if (frequencies.empty()) {
+    const auto slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto [slowest, fastest] = std::minmax_element(equilibrium.speeds.begin(), equilibrium.speeds.end(), slower);
+    const double first = lowest_frequency * std::abs(*slowest);
+    const double range = highest_frequency * std::abs(*fastest) / first;
+    // Less a rounding, that one speed has not one more.
+    const double intervals =
+        std::ceil(frequency_intervals * std::log(range) / std::log(highest_frequency / lowest_frequency) - 1e-9);
+    for (double i = 0.0; i <= intervals; ++i) frequencies.push_back(first * std::pow(range, i / intervals));
+  }
+  std::sort(frequencies.begin(), frequencies.end());
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  return frequencies;
+}
+
+void tabulate_whirls(const Case& input, EquilibriumResult& result) {
+  FilmBearingSolver solver(*result.bearing);
+  const bool given = !input.equilibrium->frequencies.empty();
+  const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
+  for (RunningState& state : result.states) {
+    if (!state.found()) continue;
+    if (given) {
+      state.synchronous = whirls_at(solver, *state.last, {std::abs(state.last->speed)}).front();
+      state.tabulated.clear();
+      for (const double frequency : frequencies) {
+        state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
+                                                [=](const FilmWhirl& whirl) { return whirl.frequency == frequency; }));
+      }
+    } else {
+      state.synchronous = state.whirls.front();
+      state.tabulated = whirls_at(solver, *state.last, frequencies);
+    }
+  }
 }
 
 FilmBearing require_running_bearing(const Case& input) {

@@ -53,6 +53,7 @@ EquilibriumResult analyse_running_bearing(const Case& input, const RunningReques
   EquilibriumResult result =
       run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress);
   estimate_mesh_errors(input, result);
+  tabulate_whirls(input, result);
   if (second) {
     done += 1.0;
     result.other_branches = other_branches(result, run_equilibrium(input, {second_path(settings)}, part_progress));

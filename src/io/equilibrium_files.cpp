@@ -17,7 +17,7 @@
 #include "io/film_ross_toml.hpp"
 #include "io/manifest.hpp"
 #include "io/summary_json.hpp"
-#include "io/vibration_quantities.hpp"
+#include "io/whirl_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -97,10 +97,7 @@ std::string equilibrium_csv(const EquilibriumResult& result) {
 
 std::string film_coefficients_csv(const EquilibriumResult& result) {
   std::string out = "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s";
-  for (const std::string_view contacts : {"", "_stuck"}) {
-    for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",k{}{}_N_per_m", entry.axes, contacts);
-    for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",c{}{}_N_s_per_m", entry.axes, contacts);
-  }
+  for (const WhirlQuantity& quantity : whirl_quantities()) out += ',' + key_of(quantity.name(), quantity.unit);
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
     const bool by_load = state.asked.control == OperatingPoint::Control::load;
@@ -110,13 +107,7 @@ std::string film_coefficients_csv(const EquilibriumResult& result) {
       for (const int axis : {0, 1}) append_csv(out += ',', state.last->position[axis]);
       out += fmt::format(",{}", name_of(state.path));
       append_csv(out += ',', whirl.frequency);
-      for (const auto& impedance : {whirl.impedance, whirl.stuck_impedance}) {
-        const Eigen::Matrix2cd Z = impedance.value_or(Eigen::Matrix2cd::Constant({absent, absent}));
-        for (const auto& [axes, row, column] : matrix_entries) append_csv(out += ',', Z(row, column).real());
-        for (const auto& [axes, row, column] : matrix_entries) {
-          append_csv(out += ',', Z(row, column).imag() / whirl.frequency);
-        }
-      }
+      for (const WhirlQuantity& quantity : whirl_quantities()) append_csv(out += ',', quantity.value(whirl));
     }
   }
   return out + '\n';
@@ -142,13 +133,13 @@ std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
 }
 
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
-                                          const Provenance& provenance) try {
+                                          const Provenance& provenance, int ross_version) try {
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
   files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
   if (result.foils) {
     files.push_back({"coefficients.csv", film_coefficients_csv(result)});
-    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id)});
+    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id, ross_version)});
   }
   files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
   files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});

@@ -10,6 +10,7 @@
 
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "io/absent.hpp"
+#include "io/whirl_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -94,6 +95,9 @@ ResultGrid equilibrium_grid(const EquilibriumSettings& settings, const Equilibri
     variable.shown = quantity.shown;
   }
   add_pads(settings, result, journal, grid);
+  std::vector<std::size_t> places(result.states.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = place_of(settings, i);
+  add_whirls(settings, result, {"speed", journal}, places, grid);
   return grid;
 }
 

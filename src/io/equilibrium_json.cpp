@@ -4,6 +4,7 @@
 
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "io/summary_json.hpp"
+#include "io/whirl_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -17,6 +18,17 @@ void add_pad_forces(Json& json, const FilmBearing& bearing, const RunningState& 
     Json& forces = json[axis == 0 ? "pad_forces_x_N" : "pad_forces_y_N"];
     for (Eigen::Index k = 0; k < std::ssize(bearing.pads); ++k) {
       forces.push_back(known ? Json(state.outcome->pad_forces(axis, k)) : Json());
+    }
+  }
+}
+
+/// Stiffness and damping at each frequency.
+void add_motions(Json& json, const RunningState& state) {
+  json["motions"] = Json::array();
+  for (const FilmWhirl& whirl : state.found() ? state.whirls : std::vector<FilmWhirl>{}) {
+    Json& motion = json["motions"].emplace_back(Json{{"frequency_rad_per_s", whirl.frequency}});
+    for (const WhirlQuantity& quantity : whirl_quantities()) {
+      motion[key_of(quantity.name(), quantity.unit)] = value_json(quantity.value(whirl), {});
     }
   }
 }
@@ -41,6 +53,7 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
     json[key_of(quantity.name, quantity.unit)] = value_json(value_of(quantity, bearing, state), quantity.form);
   }
   add_pad_forces(json, bearing, state, state.found());
+  if (bearing.bumps() > 0) add_motions(json, state);
   const std::string failure = running_failure(bearing, state);
   json["reason"] = failure.empty() ? Json() : Json(failure);
   json["last_state"] = Json();

@@ -7,15 +7,19 @@
 
 #include "bumpfoil/io/equilibrium_files.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "io/absent.hpp"
 #include "io/number_text.hpp"
+#include "io/shown_units.hpp"
+#include "io/whirl_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
 
 constexpr std::size_t columns_per_block = 6;
 constexpr std::size_t most_columns = 24;
-constexpr std::size_t label_column = 26;
-constexpr std::size_t unit_column = 6;
+constexpr std::size_t most_frequencies = 8;
+constexpr std::size_t name_width = 26;
+constexpr std::size_t unit_width = 6;
 constexpr std::size_t column_width = 14;
 
 std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, double value) {
@@ -40,7 +44,7 @@ std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::si
   std::string out;
   const std::size_t pads = result.bearing->pads.size();
   for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
-    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, size", k + 1), label_column, "N", unit_column);
+    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, size", k + 1), name_width, "N", unit_width);
     for (std::size_t i = first; i < end; ++i) {
       const RunningState& state = result.states[i];
       out += fmt::format(
@@ -49,6 +53,34 @@ std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::si
           column_width);
     }
     out += '\n';
+  }
+  return out;
+}
+
+/// Whirl stiffness and damping at the frequencies behind the first, which is among the quantities.
+std::string whirl_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
+  std::string out;
+  std::size_t frequencies = 0;
+  for (std::size_t i = first; i < end; ++i) frequencies = std::max(frequencies, result.states[i].whirls.size());
+  const auto row = [&](const std::string& label, const ShownUnit& shown, std::size_t k, const auto& value) {
+    out += fmt::format("{:<{}}{:<{}}", label, name_width, shown.name, unit_width);
+    for (std::size_t i = first; i < end; ++i) {
+      const RunningState& state = result.states[i];
+      const double number = state.found() && k < state.whirls.size() ? value(state.whirls[k]) : absent;
+      out += fmt::format("{:>{}}", std::isfinite(number) ? number_text(number, shown.size) : "-", column_width);
+    }
+    out += '\n';
+  };
+  for (std::size_t k = 1; k < std::min(frequencies, most_frequencies); ++k) {
+    row("whirl frequency", shown::revolutions, k, [](const FilmWhirl& whirl) { return whirl.frequency; });
+    for (const WhirlQuantity& quantity : whirl_quantities()) {
+      if (!quantity.suffix.empty()) continue;
+      row(fmt::format("  {}, {}", quantity.damping ? "damping" : "stiffness", quantity.axes),
+          quantity.damping ? shown::damping : shown::stiffness, k, quantity.value);
+    }
+  }
+  if (frequencies > most_frequencies) {
+    out += fmt::format("{} more frequencies are in the files only\n", frequencies - most_frequencies);
   }
   return out;
 }
@@ -68,9 +100,9 @@ std::string spread_lines(const EquilibriumResult& result) {
         most = std::max(most, value);
       }
       if (!std::isfinite(least) || !std::isfinite(most)) continue;
-      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, label_column, quantity.shown.name,
-                         unit_column, cell(*result.bearing, quantity, least), column_width,
-                         cell(*result.bearing, quantity, most), column_width);
+      out += fmt::format("{:<{}}{:<{}}{:>{}} to{:>{}}\n", quantity.label, name_width, quantity.shown.name, unit_width,
+                         cell(*result.bearing, quantity, least), column_width, cell(*result.bearing, quantity, most),
+                         column_width);
     }
   }
   return out;
@@ -103,7 +135,7 @@ std::string equilibrium_table(const EquilibriumResult& result) {
     if (!out.empty()) out += '\n';
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
       if (quantity.label.empty() || !is_known(result, quantity)) continue;
-      out += fmt::format("{:<{}}{:<{}}", quantity.label, label_column, quantity.shown.name, unit_column);
+      out += fmt::format("{:<{}}{:<{}}", quantity.label, name_width, quantity.shown.name, unit_width);
       for (std::size_t i = first; i < end; ++i) {
         const double value = value_of(quantity, *result.bearing, result.states[i]);
         out += fmt::format("{:>{}}", cell(*result.bearing, quantity, value), column_width);
@@ -111,6 +143,7 @@ std::string equilibrium_table(const EquilibriumResult& result) {
       out += '\n';
       if (quantity.name == "force_y") out += pad_rows(result, first, end);
     }
+    out += whirl_rows(result, first, end);
   }
   if (shown < result.states.size()) {
     out += fmt::format("states {} to {} are in the files only\n", shown + 1, result.states.size());

@@ -8,10 +8,13 @@
 namespace bumpfoil {
 
 /// Contents of coefficients.toml of a running bearing: for each path, load (or position) and kind of small motion the
-/// arguments of the constructor of ROSS's BearingElement. With frequencies of the case they are given at these, over
-/// the speeds if there are several; else in synchronous whirl, so that each frequency is the speed of its state.
-/// Speeds whose state was not found or whose coefficients are not known are left out. docs/rotor_dynamics.md explains
-/// them.
-std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id);
+/// arguments of the constructor of ROSS's BearingElement, over the speeds if there are several. Version 3 has them over
+/// the tabulated frequencies, and in synchronous whirl beside that; version 2, which knows one axis, in synchronous
+/// whirl alone. Speeds whose state was not found or whose coefficients are not known are left out.
+/// docs/rotor_dynamics.md explains them.
+/// @param result        with tabulated whirls, see tabulate_whirls()
+/// @param ross_version  2 or 3
+std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id,
+                           int ross_version);
 
 }  // namespace bumpfoil

@@ -3,24 +3,27 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "bumpfoil/core/assert.hpp"
 #include "io/vibration_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
 
-/// One entry of the matrices as the lists that ROSS wants.
-std::string coefficient(const RossElement& element, const std::vector<Eigen::Matrix2d>& matrices, int row, int column) {
+/// One entry of the matrices as the lists that ROSS wants, in rows of so many.
+std::string coefficient(const std::vector<Eigen::Matrix2d>& matrices, std::size_t row_size, int row, int column) {
   if (matrices.size() == 1) return toml_number(matrices.front()(row, column));
   std::vector<std::string> rows;
   std::vector<double> values;
   for (const Eigen::Matrix2d& matrix : matrices) {
     values.push_back(matrix(row, column));
-    if (values.size() < element.frequencies.size()) continue;
+    if (values.size() < row_size) continue;
     rows.push_back(toml_list(values));
     values.clear();
   }
-  return element.speeds.empty() ? rows.front() : fmt::format("[{}]", fmt::join(rows, ", "));
+  return rows.size() == 1 ? rows.front() : fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
 }  // namespace
@@ -38,18 +41,19 @@ std::string toml_list(const std::vector<double>& values) {
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
-std::string toml_of(const RossElement& element) {
-  [[maybe_unused]] const std::size_t rows = std::max<std::size_t>(1, element.speeds.size());
-  BUMPFOIL_ASSERT(element.stiffness.size() == rows * element.frequencies.size());
+std::string toml_of(const RossElement& element, std::string_view name) {
+  const std::size_t speeds = std::max<std::size_t>(1, element.speeds.size());
+  const std::size_t frequencies = std::max<std::size_t>(1, element.frequencies.size());
+  BUMPFOIL_ASSERT(element.stiffness.size() == speeds * frequencies);
   BUMPFOIL_ASSERT(element.damping.size() == element.stiffness.size());
-  std::string out = "\n[bearing.element]\n";
-  if (!element.speeds.empty()) out += fmt::format("speed = {}\n", toml_list(element.speeds));
-  if (element.stiffness.size() > 1) out += fmt::format("frequency = {}\n", toml_list(element.frequencies));
-  for (const auto& [axes, row, column] : matrix_entries) {
-    out += fmt::format("k{} = {}\n", axes, coefficient(element, element.stiffness, row, column));
-  }
-  for (const auto& [axes, row, column] : matrix_entries) {
-    out += fmt::format("c{} = {}\n", axes, coefficient(element, element.damping, row, column));
+  std::string out = fmt::format("\n[bearing.{}]\n", name);
+  if (speeds > 1) out += fmt::format("speed = {}\n", toml_list(element.speeds));
+  if (frequencies > 1) out += fmt::format("frequency = {}\n", toml_list(element.frequencies));
+  const std::size_t row_size = frequencies > 1 ? frequencies : speeds;
+  for (const auto& [letter, matrices] : {std::pair{'k', &element.stiffness}, std::pair{'c', &element.damping}}) {
+    for (const auto& [axes, row, column] : matrix_entries) {
+      out += fmt::format("{}{} = {}\n", letter, axes, coefficient(*matrices, row_size, row, column));
+    }
   }
   return out;
 }

@@ -1,9 +1,13 @@
 #include "io/shown_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/core/assert.hpp"
@@ -84,6 +88,27 @@ Json geometry_of(const ResultLayout& layout) {
   return geometry;
 }
 
+/// Of quantities that have no label of their own, those whose names are no words.
+constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"h_min_theta", "angle of the least film thickness"},
+    {"h_min_pad", "pad of the least film thickness"},
+    {"h_min_vertex", "least film thickness, by a parabola"},
+    {"h_min_vertex_theta", "angle of the least film thickness, by a parabola"},
+    {"h_min_crest", "least film thickness over a crest"},
+    {"couette_torque", "Couette torque"},
+    {"poiseuille_torque", "Poiseuille torque"},
+    {"couette_dissipation", "Couette dissipation"},
+    {"poiseuille_dissipation", "Poiseuille dissipation"},
+    {"flow_weld", "flow past the weld"},
+    {"flow_free_end", "flow past the free end"},
+    {"flow_sides", "flow out at the sides"},
+    {"lifted_bumps_at_entry", "lifted bumps where gas enters"},
+    {"highest_loaded_bump", "bump with the highest load"},
+    {"jumps", "folds jumped over"},
+    {"stiffness_cross", "stiffness across the direction"},
+    {"loss_stiffness_cross", "loss stiffness across the direction"},
+});
+
 }  // namespace
 
 bool is_left_out(std::string_view field) {
@@ -101,6 +126,14 @@ Json shown_quantity(std::string_view name, std::string_view unit, std::string_vi
 
 std::string shown_label(std::string_view label, std::string_view name) {
   const bool own = !label.empty() && !label.starts_with(' ');
+  if (!own && (name.starts_with("kx") || name.starts_with("ky") || name.starts_with("cx") || name.starts_with("cy"))) {
+    return fmt::format("{}{}, {}{}", name.find("_whirl") == std::string_view::npos ? "" : "whirl ",
+                       name.front() == 'k' ? "stiffness" : "damping", name.substr(1, 2),
+                       name.ends_with("_stuck") ? ", all stuck" : "");
+  }
+  const auto named =
+      std::find_if(names_in_words.begin(), names_in_words.end(), [name](const auto& one) { return one.first == name; });
+  if (!own && named != names_in_words.end()) return std::string(named->second);
   std::string shown(own ? label : name);
   std::replace(shown.begin(), shown.end(), '_', ' ');
   return shown;

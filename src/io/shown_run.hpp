@@ -13,8 +13,8 @@ namespace bumpfoil {
 nlohmann::ordered_json shown_quantity(std::string_view name, std::string_view unit, std::string_view label,
                                       std::string_view meaning);
 
-/// What tables on a page call a quantity of states or vibrations. Labels that belong under another one on the terminal,
-/// which they begin with blanks for, are told by the name of the quantity.
+/// What tables on a page call a quantity of states or vibrations: its label, or words for its name where it has none,
+/// or one that belongs under another on the terminal, which it begins with blanks for.
 std::string shown_label(std::string_view label, std::string_view name);
 
 /// Fields that the page does not show; gaps follow from displacements.

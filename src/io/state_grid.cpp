@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "bumpfoil/model/pads.hpp"
 #include "io/absent.hpp"
 #include "io/result_layout.hpp"
+#include "io/whirl_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -79,6 +81,12 @@ class StateGrid {
     };
     add({"position_x", "m", "position of the journal that was asked for, X"}, {"state"}, asked(0));
     add({"position_y", "m", "position of the journal that was asked for, Y"}, {"state"}, asked(1));
+  }
+
+  void add_motions() {
+    std::vector<std::size_t> places(result_.states.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    add_whirls(*input_.equilibrium, result_, {"state"}, places, grid_);
   }
 
   /// What each of several pads takes of the force.
@@ -225,6 +233,7 @@ ResultGrid state_grid(const Case& input, const EquilibriumResult& result) {
   StateGrid grid(input, result);
   grid.add_geometry();
   grid.add_quantities();
+  grid.add_motions();
   grid.add_pads();
   grid.add_film();
   if (result.foils) grid.add_foils();

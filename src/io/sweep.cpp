@@ -224,6 +224,7 @@ bool keeps_loops(const Sweep& sweep) {
 SweepPoint kept(SweptResult result) {
   SweepPoint point{.status = result.status,
                    .rows = std::move(result.rows),
+                   .coefficients = std::move(result.coefficients),
                    .lists = dump_json(result.lists, -1),
                    .failures = std::move(result.failures),
                    .warnings = std::move(result.warnings)};

@@ -19,11 +19,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The rows of every point behind its keys.
-std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+/// Rows of every point behind its keys.
+std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points, std::string SweepPoint::*lines) {
   std::string out;
   for (const SweepAxis& axis : sweep.axes) out += key_of(axis.name, axis.unit) + ',';
-  const std::string& first = points.front().rows;
+  const std::string& first = points.front().*lines;
   out += first.substr(0, first.find('\n') + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::vector<std::size_t> indices = indices_of(sweep, i);
@@ -31,7 +31,7 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points)
     for (std::size_t k = 0; k < indices.size(); ++k) {
       fmt::format_to(std::back_inserter(keys), "{:.17g},", sweep.axes[k].values[indices[k]]);
     }
-    std::istringstream rows(points[i].rows);
+    std::istringstream rows(points[i].*lines);
     std::string row;
     std::getline(rows, row);  // the header
     while (std::getline(rows, row)) out += keys + row + '\n';
@@ -67,8 +67,9 @@ std::string sweep_summary(const Sweep& sweep, const std::vector<SweepPoint>& poi
 
 }  // namespace
 
-std::vector<std::string> sweep_file_names() {
-  return {"sweep.csv", "sweep.nc", "summary.json"};
+std::vector<std::string> sweep_file_names(SweptCommand command) {
+  if (command == SweptCommand::equilibrium) return {"summary.json", "sweep.csv", "coefficients.csv", "sweep.nc"};
+  return {"summary.json", "sweep.csv", "sweep.nc"};
 }
 
 std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepPoint>& points,
@@ -76,7 +77,10 @@ std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepP
   BUMPFOIL_ASSERT(points.size() == sweep.cases.size());
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
-  files.push_back({"sweep.csv", sweep_csv(sweep, points)});
+  files.push_back({"sweep.csv", sweep_csv(sweep, points, &SweepPoint::rows)});
+  if (sweep.command == SweptCommand::equilibrium) {
+    files.push_back({"coefficients.csv", sweep_csv(sweep, points, &SweepPoint::coefficients)});
+  }
   files.push_back({"sweep.nc", sweep_netcdf(sweep, points, provenance, run_id)});
   files.push_back({"summary.json", sweep_summary(sweep, points, make_manifest(run_id, files))});
   return files;

@@ -65,6 +65,7 @@ SweptResult swept_result(const Case& input, const EquilibriumResult& result) {
                     .grid = equilibrium_grid(settings, result),
                     .parts = {},
                     .rows = equilibrium_csv(result),
+                    .coefficients = film_coefficients_csv(result),
                     .lists = {{"states", nlohmann::ordered_json::array()}},
                     .failures = failure_lines(result),
                     .warnings = warning_lines(input, result)};

@@ -23,6 +23,7 @@ struct SweptResult {
   ResultGrid grid;
   std::vector<SweptPart> parts;
   std::string rows;              ///< of sweep.csv, under their header
+  std::string coefficients{};    ///< of coefficients.csv, likewise; of running bearings
   nlohmann::ordered_json lists;  ///< of summary.json
   std::vector<std::string> failures, warnings;
 };

@@ -154,7 +154,7 @@ bool judge_bump(Judge& judge, const BumpFoil& foil, std::size_t bump, const Bump
   if (!usable[height] || !usable[thickness]) return right;
   const double whole = foil.height_reference == HeightReference::overall ? shape.rise + shape.thickness : shape.rise;
   if (!judge.require(shape.rise > 0.0, key_of(foil, height, bump), quantity(whole, "m"),
-                     fmt::format("leaves no rise: the foil alone is {:.6g} m thick", shape.thickness),
+                     fmt::format("leaves no rise: the foil alone is {:.6g} mm thick", 1e3 * shape.thickness),
                      "give the overall height over the sleeve, or set height_reference = \"midsurface\"")) {
     return false;
   }

@@ -55,7 +55,16 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
             "kyy_stuck_N_per_m");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 
+  EXPECT_NE(folder_.read("results/coefficients.toml").find("[bearing.synchronous]"), std::string::npos);
   EXPECT_EQ(run(command("equilibrium", {"equilibrium.loads=[[20, 0]]"})).exit_code, 4);  // there are results
+  const auto for_ross = [&](const std::string& version) {
+    return run(command("equilibrium", {"equilibrium.loads=[[20, 0]]", "--ross-version", version, "--force"}));
+  };
+  EXPECT_EQ(for_ross("2").exit_code, 0);
+  EXPECT_EQ(folder_.read("results/coefficients.toml").find("[bearing.synchronous]"), std::string::npos);
+  const Outcome unknown = for_ross("4");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.errors.find("not in range 2 to 3"), std::string::npos) << unknown.errors;
   const Outcome other = run(command("equilibrium", {"equilibrium.loads=[[20, 0]]", "--solver", "uzawa", "--force"}));
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.errors.find("solver.name = uzawa: cannot solve contacts under a film"), std::string::npos)

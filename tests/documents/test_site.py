@@ -61,6 +61,10 @@ class Site(unittest.TestCase):
                 if parts.fragment and target in self.pages:
                     self.assertIn(unquote(parts.fragment), self.pages[target].ids | {""}, f"{path}: {link}")
 
+    def test_citations_lead_to_their_source(self):
+        links = self.pages[self.html / "docs/theory/top_foil.html"].links
+        self.assertIn("../reference/sources.html#arghir2019", links)
+
     def test_loads_nothing_from_elsewhere(self):
         self.assertGreater(len(self.pages), 40)
         for path, page in self.pages.items():

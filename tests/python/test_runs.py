@@ -5,6 +5,7 @@ import resource
 import signal
 import threading
 import time
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 
 import netCDF4
@@ -182,6 +183,28 @@ def test_paths_and_limits_of_running_bearings():
     assert {limit["kind"] for limit in result.summary["limits"]} == {"lift_off_speed", "load_capacity"}
     with pytest.raises(bumpfoil.CaseError, match="h_lift_off"):
         bumpfoil.run_equilibrium(EXAMPLES / "running.toml", limits=True, equilibrium=case)
+
+
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+def test_coefficients_of_running_bearings_over_frequency():
+    case = {"loads": [["20 N", "0 N"]], "speeds": ["45000 rpm", "30000 rpm"]}
+    for frequencies in ({"frequencies": ["750 Hz", "200 Hz"]}, {}):
+        result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case | frequencies)
+        data = result.to_xarray()
+        data = data.assign_coords(state=data.speed.values).sortby(["state", "frequency"])
+        tables = tomllib.loads(result.files["coefficients.toml"].decode())["bearing"]
+        assert [table["contacts"] for table in tables] == ["stuck", "slipping"]
+        for table, end in zip(tables, ["_stuck", ""]):
+            element = table["element"]
+            assert data.frequency.values.tolist() == element["frequency"]
+            assert data.state.values.tolist() == element["speed"] == table["synchronous"]["speed"]
+            for name in ("kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"):
+                assert data[f"{name}_at_frequency{end}"].dims == ("state", "frequency")
+                np.testing.assert_array_equal(data[f"{name}_at_frequency{end}"], element[name])
+            if not frequencies:
+                np.testing.assert_array_equal(data[f"kyx_whirl{end}"], table["synchronous"]["kyx"])
+        rows = result.to_dataframe("coefficients")
+        assert len(rows) == 2 * max(1, len(frequencies.get("frequencies", [])))
 
 
 def test_several_threads_at_once():

@@ -70,6 +70,19 @@ test('every chart is drawn', () =>
     }
   }));
 
+test('the case of a dry bearing has no gas', () =>
+  withReport('one.html', async (page) => {
+    const groups = await page.locator('table.case th.group').allTextContents();
+    assert.ok(groups.includes('Bump foil'));
+    assert.deepEqual(groups.filter((name) => name === 'Gas' || name === 'Film'), []);
+  }));
+
+test('beside the bearing the loops end where it does', () =>
+  withReport('one.html', async (page) => {
+    const bottoms = await page.locator('.beside').evaluate((both) => [...both.querySelectorAll('.panel')].map((panel) => panel.getBoundingClientRect().bottom));
+    assert.ok(Math.max(...bottoms) - Math.min(...bottoms) < 40, bottoms.join());
+  }, { viewport: { width: 1920, height: 1080 } }));
+
 test('the slider and its keys move the bearing', () =>
   withReport('one.html', async (page) => {
     const rows = rowsOf(readFileSync(join(folder, 'truss', 'cycle.csv'), 'utf8'));

@@ -20,7 +20,8 @@ before(() => {
   equilibrium('failed', ['equilibrium.loads=[["20 N", "0 N"], ["5000 N", "0 N"]]', 'title=</script><b>x</b>'], [], 3);
   equilibrium('limits', ['film.h_lift_off="5 um"', 'equilibrium.loads=[["50 N", "0 N"]]'], ['--limits']);
   run(['film', runningFile, '-o', join(folder, 'rigid'), ...[...mesh, 'film.closed=true', 'equilibrium.path=position_ray', 'equilibrium.loads=[]', 'equilibrium.positions=[["10 um", "0 um"], ["15 um", "0 um"]]'].flatMap((pair) => ['--set', pair])]);
-  for (const name of ['limits', 'rigid', 'grid', 'back', 'paths', 'failed']) report(`${name}.html`, name);
+  equilibrium('frequencies', ['equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"]]', 'equilibrium.frequencies=["200 Hz", "375 Hz", "750 Hz"]']);
+  for (const name of ['limits', 'rigid', 'grid', 'back', 'paths', 'failed', 'frequencies']) report(`${name}.html`, name);
 });
 
 const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'equilibrium.csv'), 'utf8'));
@@ -86,6 +87,50 @@ test('film, bumps and journal are those of the state looked at', () =>
       const polar = await panelOf(page, 'Film around the journal').locator('svg.round').innerHTML();
       assert.doesNotMatch(polar + drawn, /NaN|undefined/);
     }
+  }));
+
+test('stiffness and damping over frequency are those of coefficients.csv', () =>
+  withReport('frequencies.html', async (page) => {
+    const rows = rowsOf(readFileSync(join(folder, 'frequencies', 'coefficients.csv'), 'utf8'));
+    const section = page.getByRole('region', { name: 'Frequency-dependent coefficients' });
+    await section.getByRole('combobox', { name: 'Frequencies: Load to +X' }).selectOption('(20, 0) N');
+    for (const [panel, letter, unit] of [['Frequency-dependent stiffness', 'k', 'N_per_m'], ['Frequency-dependent damping', 'c', 'N_s_per_m']]) {
+      for (const stuck of ['', '_stuck']) {
+        await section.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(`${letter === 'k' ? 'Stiffness K' : 'Damping c'}${stuck === '' ? '' : ', all stuck'}`);
+        const shown = await shownIn(page, panel);
+        assert.equal(shown.length, 3);
+        shown.forEach((row, i) => ['xx', 'xy', 'yx', 'yy'].forEach((axes) => near(Number(row[`${letter}${axes}${stuck}_${unit}`]), Number(rows[i][`${letter}${axes}${stuck}_${unit}`]), 1e-5, `${panel} ${axes}`)));
+      }
+    }
+    const table = section.getByRole('region', { name: 'Coefficients by frequency' });
+    assert.equal(await table.locator('tbody tr').count(), 6);
+    assert.match(await table.locator('tbody tr').nth(4).textContent(), /\(50, 0\) N.*375 Hz/);
+    assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
+  }));
+
+test('what people read are words and units as they are written, and links lead somewhere', async () => {
+  for (const name of ['frequencies', 'grid']) {
+    await withReport(`${name}.html`, async (page) => {
+      await page.getByRole('region', { name: 'Results by state' }).getByRole('button', { name: 'All' }).click();
+      const text = await page.locator('main').innerText();
+      assert.deepEqual(text.match(/\bh min\b|whirl stuck|dF_|krad|flow weld|m3/gi), null);
+      const dead = await page.locator('a[href^="#"]').evaluateAll((links) => links.map((link) => link.getAttribute('href')).filter((href) => !document.getElementById(href.slice(1))));
+      assert.deepEqual([...new Set(dead)], []);
+      const row = (title) => page.locator('table.case tr', { has: page.getByRole('rowheader', { name: title, exact: true }) }).locator('td').innerText();
+      assert.equal(await row('Speeds'), name === 'grid' ? '30000 rpm, 45000 rpm' : '45000 rpm');
+      if (name === 'frequencies') {
+        assert.equal(await row('Frequencies'), '200 Hz, 375 Hz, 750 Hz');
+        assert.equal(await row('Loads'), '(20, 0) N, (50, 0) N');
+      }
+    });
+  }
+});
+
+test('no row of panels is left half empty', () =>
+  withReport('grid.html', async (page) => {
+    const ends = await page.locator('.multiples').evaluateAll((groups) => groups.map((group) => [group.getBoundingClientRect().right, group.lastElementChild.getBoundingClientRect().right]));
+    assert.ok(ends.length > 1);
+    for (const [group, last] of ends) assert.ok(Math.abs(group - last) < 1, `${last} of ${group}`);
   }));
 
 test('the way there and back shows both states at a load', () =>

@@ -240,6 +240,7 @@ test('the drawings name their parts and say how much they exaggerate', () =>
     near(displacement / height, 4, 0.05, 'default factor');
     await page.getByRole('combobox', { name: 'Magnification of displacements' }).selectOption('×2');
     near((await factors())[1] / (await factors())[0], 2, 0.05, 'factor chosen');
+    assert.match(await subject.textContent(), /displacements and gaps against heights ×2\./);
   }));
 
 /** Parts of a drawing that are not wholly in it. */

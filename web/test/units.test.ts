@@ -5,6 +5,8 @@ describe('prefixes', () => {
   it('bring the largest number between 1 and 1000', () => {
     expect(scaleFor(79.5e-6, 'm').unit).toBe('µm');
     expect(scaleFor(79.5e-6, 'm').factor * 79.5e-6).toBeCloseTo(79.5, 10);
+    expect(scaleFor(628.3, 'rad/s').unit).toBe('Hz');
+    expect(scaleFor(2e-6, 'm3/s')).toEqual({ factor: 1e6, unit: 'cm³/s' });
     expect(scaleFor(851, 'N')).toEqual({ factor: 1, unit: 'N' });
     expect(scaleFor(9.3e6, 'N/m').unit).toBe('MN/m');
     expect(scaleFor(12.6e-3, 'J').unit).toBe('mJ');

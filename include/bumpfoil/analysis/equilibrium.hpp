@@ -45,6 +45,10 @@ struct RunningState {
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
   std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
+  /// For rotor dynamics, as tabulate_whirls() adds them: at the frequency of the rotation, and at the frequencies that
+  /// all states have in common.
+  std::optional<FilmWhirl> synchronous;
+  std::vector<FilmWhirl> tabulated;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
 
@@ -127,6 +131,15 @@ FilmBearing require_running_bearing(const Case& input);
 /// @throws Error (input) as require_running_bearing() does
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
                                   const std::function<bool(double)>& progress = {});
+
+/// Frequencies that all states of a case are tabulated at, rad/s, rising: those of the case; where it names none, from
+/// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2
+/// and 1.2 times any speed.
+std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium);
+
+/// Adds stiffness and damping in synchronous whirl and at tabulated_frequencies() to every state that was found.
+/// @param input  case that the result is of
+void tabulate_whirls(const Case& input, EquilibriumResult& result);
 
 /// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
 /// and all have this status.

@@ -74,6 +74,7 @@ struct SweepPoint {
   std::vector<std::size_t> extents{};         ///< of the dimensions of the result
   std::vector<std::vector<double>> values{};  ///< of its quantities and loops; none where all of one are absent
   std::string rows{};                         ///< of sweep.csv, under their header
+  std::string coefficients{};                 ///< of coefficients.csv, likewise; of running bearings
   std::string lists{};  ///< of summary.json, as text, which takes less room than what is read of it
   std::vector<std::string> failures{};
   std::vector<std::string> warnings{};

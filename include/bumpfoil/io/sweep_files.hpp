@@ -9,11 +9,11 @@
 
 namespace bumpfoil {
 
-/// Names of the files that a sweep writes.
-std::vector<std::string> sweep_file_names();
+/// Names of the files that a sweep of a command writes.
+std::vector<std::string> sweep_file_names(SweptCommand command);
 
-/// The files of a sweep, as docs/results.md describes them: sweep.csv, sweep.nc and summary.json, with the same run id
-/// and checksums as those of cycle_files().
+/// The files of a sweep, as docs/results.md describes them: sweep.csv, sweep.nc and summary.json, of running
+/// bearings coefficients.csv, too, with the same run id and checksums as those of cycle_files().
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 /// @param points  one for each case of the sweep; points and cycles that were not begun are flagged as such

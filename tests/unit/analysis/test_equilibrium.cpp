@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "bumpfoil/core/error.hpp"
 #include "support/film_bearing_cases.hpp"
@@ -56,6 +57,50 @@ TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
   const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, 0.1 * speed}}, true);
   ASSERT_TRUE(Z && state.whirls[0].stuck_impedance);
   EXPECT_LT(((*Z)[0] - *state.whirls[0].stuck_impedance).norm(), 1e-8 * (*Z)[0].norm());
+}
+
+TEST(Equilibrium, TabulatesFrequenciesThatCoverTheSpeeds) {
+  const std::vector<double> of_one = tabulated_frequencies({.speeds = {-1000.0}});
+  ASSERT_EQ(of_one.size(), 10U);
+  EXPECT_NEAR(of_one.front(), 200.0, 1e-9);
+  EXPECT_NEAR(of_one.back(), 1200.0, 1e-9);
+  const std::vector<double> of_many = tabulated_frequencies({.speeds = {3000.0, -1000.0, 7000.0}});
+  EXPECT_NEAR(of_many.front(), 200.0, 1e-9);
+  EXPECT_NEAR(of_many.back(), 8400.0, 1e-9);
+  for (const double one : {1000.0, 3000.0, 7000.0}) {
+    const auto inside = [=](double frequency) { return frequency > 0.199 * one && frequency < 1.201 * one; };
+    EXPECT_GE(std::count_if(of_many.begin(), of_many.end(), inside), 9) << one;
+  }
+  EXPECT_EQ(tabulated_frequencies({.speeds = {1000.0}, .frequencies = {5.0, 3.0, 5.0}}),
+            (std::vector<double>{3.0, 5.0}));
+}
+
+TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
+  EquilibriumSettings settings{
+      .speeds = {speed, 0.8 * speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::cold_start, .steps = 2};
+  Case input = running_case(settings, 0.1);
+  EquilibriumResult result = run_equilibrium(input);
+  EXPECT_FALSE(result.states[0].synchronous);
+  result.states[1].report.status = FilmStatus::fold;
+  tabulate_whirls(input, result);
+  EXPECT_FALSE(result.states[1].synchronous);
+  EXPECT_TRUE(result.states[1].tabulated.empty());
+  const RunningState& state = result.states[0];
+  ASSERT_TRUE(state.synchronous);
+  EXPECT_EQ(state.synchronous->frequency, speed);
+  const std::vector<double> frequencies = tabulated_frequencies(settings);
+  ASSERT_EQ(state.tabulated.size(), frequencies.size());
+  const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, frequencies[2]}});
+  ASSERT_TRUE(Z && state.tabulated[2].impedance);
+  EXPECT_LT(((*Z)[0] - *state.tabulated[2].impedance).norm(), 1e-8 * (*Z)[0].norm());
+
+  input.equilibrium->frequencies = {2.0 * speed, 0.5 * speed};
+  EquilibriumResult given = run_equilibrium(input);
+  tabulate_whirls(input, given);
+  ASSERT_EQ(given.states[1].tabulated.size(), 2U);
+  EXPECT_EQ(given.states[1].tabulated[0].frequency, 0.5 * speed);
+  EXPECT_EQ(*given.states[1].tabulated[0].impedance, *given.states[1].whirls[1].impedance);
+  EXPECT_EQ(given.states[1].synchronous->frequency, 0.8 * speed);
 }
 
 /// Every path leads to states that carry the load, if not to the same ones.

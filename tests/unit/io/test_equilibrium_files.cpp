@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <netcdf>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/checksum.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
 #include "bumpfoil/io/report.hpp"
+#include "io/number_text.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -103,6 +105,53 @@ TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
   EXPECT_EQ(state.at("kyx_whirl_N_per_m"), Z(1, 0).real());
   EXPECT_EQ(state.at("cxy_whirl_N_s_per_m"), Z(0, 1).imag() / whirl.frequency);
   EXPECT_EQ(state.at("cyy_whirl_stuck_N_s_per_m"), whirl.stuck_impedance->imag()(1, 1) / whirl.frequency);
+}
+
+TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
+  Case input = small_case();
+  input.equilibrium->frequencies = {4000.0, 2000.0, 1000.0};
+  EquilibriumResult result = run_equilibrium(input);
+  tabulate_whirls(input, result);
+  const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
+  const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
+  const testing::TemporaryFolder folder;
+  const netCDF::NcFile file(folder.write("result.nc", files[3].contents), netCDF::NcFile::read);
+  std::vector<double> frequencies(3), stiffness(6), damping(6);
+  file.getVar("frequency").getVar(frequencies.data());
+  file.getVar("kxy_at_frequency").getVar(stiffness.data());
+  file.getVar("cyx_at_frequency_stuck").getVar(damping.data());
+  EXPECT_EQ(frequencies, input.equilibrium->frequencies);
+  const json motions = json::parse(files[4].contents).at("states").at(1).at("motions");
+  ASSERT_EQ(motions.size(), 3U);
+  const std::string table = equilibrium_table(result);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(stiffness[3 + i], (*whirls[i].impedance)(0, 1).real());
+    EXPECT_EQ(damping[3 + i], (*whirls[i].stuck_impedance)(1, 0).imag() / whirls[i].frequency);
+    EXPECT_EQ(motions[i].at("frequency_rad_per_s"), whirls[i].frequency);
+    EXPECT_EQ(motions[i].at("kxy_N_per_m"), stiffness[3 + i]);
+    EXPECT_EQ(motions[i].at("cyx_stuck_N_s_per_m"), damping[3 + i]);
+    const std::string rpm = number_text(whirls[i].frequency, std::numbers::pi / 30.0);
+    EXPECT_NE(table.find("whirl frequency           rpm   " + fmt::format("{:>14}{:>14}", rpm, rpm)), std::string::npos)
+        << table;
+  }
+  // The axis of the other file rises.
+  EXPECT_NE(files[2].contents.find("\nfrequency = [1000"), std::string::npos) << files[2].contents;
+}
+
+TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
+  EquilibriumResult result = example();
+  tabulate_whirls(small_case(), result);
+  const testing::TemporaryFolder folder;
+  const netCDF::NcFile file(
+      folder.write("result.nc", equilibrium_files(small_case(), result, RunStatus::complete, {})[3].contents),
+      netCDF::NcFile::read);
+  std::vector<double> stiffness(2 * 10);
+  ASSERT_EQ(file.getDim("frequency").getSize(), 10U);
+  file.getVar("kyy_at_frequency").getVar(stiffness.data());
+  EXPECT_EQ(stiffness[9], (*result.states[0].tabulated[9].impedance)(1, 1).real());
+  // Of one frequency alone there is nothing to say beside the whirl of the state.
+  const std::string table = equilibrium_table(result);
+  EXPECT_EQ(table.find("whirl frequency"), table.rfind("whirl frequency"));
 }
 
 TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {

@@ -71,7 +71,7 @@ class SweepFiles : public ::testing::Test {
 };
 
 TEST_F(SweepFiles, AreASetThatVouchesForItself) {
-  EXPECT_EQ(sweep_file_names(), (std::vector<std::string>{"sweep.csv", "sweep.nc", "summary.json"}));
+  EXPECT_EQ(sweep_file_names(SweptCommand::cycle), (std::vector<std::string>{"summary.json", "sweep.csv", "sweep.nc"}));
   const json written = summary();
   EXPECT_TRUE(is_sealed(folder_.read("summary.json"), written.at("xxh3_128").get<std::string>()));
   for (const char* name : {"sweep.csv", "sweep.nc"}) {
@@ -351,7 +351,7 @@ Sweep sweep_of_equilibria(const std::string& path) {
                       .over = {"bearing.radial_clearance=[31 um, 32 um]"},
                       .overrides = {"film.columns_per_pitch=4", "film.rows=4", "equilibrium.speeds=[4700, 4000]",
                                     "equilibrium.loads=[[30, 0], [40, 0], [60, 0]]", "equilibrium.steps=3",
-                                    "equilibrium.path=" + path}});
+                                    "equilibrium.frequencies=[900, 300]", "equilibrium.path=" + path}});
 }
 
 TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) {
@@ -386,6 +386,11 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
           EXPECT_EQ(swept, NC_FILL_DOUBLE) << quantity.name;
         }
       }
+      for (const std::size_t frequency : {0U, 1U}) {
+        EXPECT_EQ(numbers_of(file.getVar("kxy_at_frequency_stuck"), {1, speed, load, frequency}).front(),
+                  state.whirls[frequency].stuck_impedance->real()(0, 1));
+        EXPECT_EQ(numbers_of(file.getVar("cyy_at_frequency"), {0, speed, load, frequency}).front(), NC_FILL_DOUBLE);
+      }
       EXPECT_EQ(numbers_of(file.getVar("status"), {0, speed, load}).front(),
                 static_cast<double>(FilmStatus::interrupted));
       EXPECT_EQ(numbers_of(file.getVar("h_min"), {0, speed, load}).front(), NC_FILL_DOUBLE);
@@ -393,6 +398,10 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
     const std::string csv = folder.read("sweep.csv");
     EXPECT_EQ(csv.find("bearing_radial_clearance_m,speed_rad_per_s,load_x_N,"), 0U) << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 6);
+    EXPECT_EQ(numbers_of(file.getVar("frequency")), (std::vector<double>{900.0, 300.0}));
+    const std::string coefficients = folder.read("coefficients.csv");
+    EXPECT_EQ(coefficients.find("bearing_radial_clearance_m,speed_rad_per_s,load_x_N,"), 0U) << coefficients;
+    EXPECT_EQ(std::count(coefficients.begin(), coefficients.end(), '\n'), 1 + 6 * 2);
     const json written = json::parse(folder.read("summary.json"));
     EXPECT_EQ(written.at("points").at(0).at("states").at(5).at("status"), "interrupted");
     EXPECT_EQ(written.at("points").at(1).at("states").at(5).at("status"), "converged");

@@ -92,7 +92,7 @@ export class BearingPanels {
         subject: () => this.subject(this.layout?.stretch ?? 1),
         legend: () => [...arrows, ...marks],
         controls: [
-          el('label', { class: 'control' }, 'Displacements and gaps', factors),
+          el('label', { class: 'control' }, 'Displacements and gaps against heights', factors),
           forces,
         ],
         file: () => this.file('foils'),
@@ -172,7 +172,7 @@ export class BearingPanels {
   private subject(stretch: number): string {
     const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
     const grading = gradingOf(this.geometry);
-    return `${this.where}. Against true scale: height of bumps ${times(stretch)}, displacements and gaps ${times(stretch * this.inwards)}, slip ${times(this.along)}.${grading === '' ? '' : ` ${capital(grading)}.`}`;
+    return `${this.where}. Against true scale: height of bumps ${times(stretch)}, displacements and gaps ${times(stretch * this.inwards)}, slip ${times(this.along)}; displacements and gaps against heights ×${this.inwards}.${grading === '' ? '' : ` ${capital(grading)}.`}`;
   }
 
   private describe(): void {

@@ -96,7 +96,9 @@ export class HistogramPanel {
     if (!statistics || statistics.count === 0) return 'not known of any bearing';
     const [low, high] = statistics.mean_interval_95;
     const half = 0.5 * ((high ?? NaN) - (low ?? NaN));
-    const value = (number: number): string => (quantity.unit === '' ? formatNumber(number) : formatQuantity(number, quantity.unit));
+    // One unit for all.
+    const { factor, unit } = scaleFor(Math.abs(this.number('mean')), quantity.unit);
+    const value = (number: number): string => `${formatNumber(number * factor)} ${unit}`.trimEnd();
     return [
       `mean ${value(this.number('mean'))}${Number.isFinite(half) ? ` ± ${value(half)} (95 %)` : ''}`,
       `5 % below ${value(this.number('p5'))}, 5 % above ${value(this.number('p95'))}`,

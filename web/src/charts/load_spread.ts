@@ -2,7 +2,7 @@ import { axisText, numberText, tickText } from '../data/counted';
 import { toCsv } from '../data/csv';
 import type { Ensemble } from '../data/ensemble';
 import { at, largest } from '../data/run';
-import { axisTitle, formatQuantity, scaleFor, type Scale } from '../data/units';
+import { axisTitle, formatNumber, scaleFor, type Scale } from '../data/units';
 import { svg } from '../ui/dom';
 import type { EnsembleSelection } from '../ui/ensemble_selection';
 import { fileName } from '../ui/save';
@@ -22,7 +22,7 @@ export function loadSpread(ensemble: Ensemble, selection: EnsembleSelection): HT
   const where = ensemble.hasStates ? '' : ' at full displacement';
   const words = (bump: number): string => {
     const { mean, deviation } = loads();
-    return `${formatQuantity(mean[bump], 'N')} ± ${formatQuantity(deviation[bump], 'N')}`;
+    return `${formatNumber((mean[bump] ?? NaN) * scale.factor)} ± ${formatNumber((deviation[bump] ?? NaN) * scale.factor)} ${scale.unit}`;
   };
   const heaviest = (): number => loads().mean.indexOf(Math.max(...loads().mean.filter(Number.isFinite)));
   const option = (current: Look): Option => {

@@ -147,7 +147,7 @@ export class LoopPanel {
     // Three lines of warnings at most, and the cards of runs that did not end say why.
     const above = (this.comparison.several ? 508 : 448) + (document.querySelector('.warnings') ? 90 : 0);
     const room = isPrinting() ? 380 : window.innerHeight - above;
-    return Math.max(230, Math.min(0.82 * width, 560, room));
+    return Math.max(230, Math.min(0.82 * width, 620, room));
   }
 
   /** What the axes must have room for. */

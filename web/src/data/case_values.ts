@@ -1,5 +1,6 @@
 /** Values of a case by their keys, and how people write them. */
 import type { CaseKeys, CaseValue } from './format';
+import { vectorText } from './grid';
 import { directionName } from './kinds';
 import type { Run } from './run';
 import { formatNumber, formatQuantity } from './units';
@@ -34,14 +35,17 @@ export function labelOf(keys: CaseKeys, path: string): CaseKeys[string] | undefi
   return keys[first] ?? keys[first.replace(/^pad\[1\]\./, '')];
 }
 
-/** SI unit of the numbers of a key; of one that takes lengths or forces, which of both the keys beside it are. */
+/** Unit that the numbers of a key, SI, are shown in; of one that takes lengths or forces, which of both the keys beside it are. */
 export function unitOf(keys: CaseKeys, path: string, entries: Map<string, CaseValue>): string {
   const table = groupOf(path);
   // A centre or a point that is a load is written as a text, with its unit.
   if (path === 'path.centre' || path === 'path.points') return 'm';
   if (path === 'path.semi_axes') return [entries.get('path.centre')].flat().some((one) => typeof one === 'string') ? 'N' : 'm';
   if (path === `${table}.preload`) return entries.has(`${table}.load`) ? 'N' : 'm';
-  return labelOf(keys, path)?.unit ?? '';
+  const unit = labelOf(keys, path)?.unit ?? '';
+  // As they are written.
+  if (unit === 'rad/s') return path.endsWith('speeds') ? 'rpm' : 'Hz';
+  return unit;
 }
 
 /** The title of a table, counted where there may be several. */
@@ -51,15 +55,22 @@ export function titleOf(keys: CaseKeys, table: string): string | undefined {
   return title === undefined || number === undefined ? title : `${title} ${number}`;
 }
 
+function isVector(value: CaseValue): value is [number, number] {
+  return Array.isArray(value) && value.length === 2 && value.every((one) => typeof one === 'number');
+}
+
 export function valueText(value: CaseValue | undefined, unit: string): string {
   if (value === undefined || value === null) return '–';
   // What goes along the foil by a law.
   if (isTable(value) && 'law' in value) return `${valueText(value['start'], unit)} to ${valueText(value['end'], unit)}, ${String(value['law'])}`;
+  if (Array.isArray(value) && value.length > 0 && value.every(isVector)) return value.map(([x, y]) => vectorText(x, y, unit)).join(', ');
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.map((one) => valueText(one, unit)).join(', ');
   if (typeof value === 'object') return JSON.stringify(value);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value !== 'number') return String(value).replaceAll('_', ' ').replace(/^-(?=\d)/, '−');
   if (unit === 'direction') return directionName(Number(((value * 180) / Math.PI).toPrecision(9)));
+  if (unit === 'rpm') return `${Number(((value * 30) / Math.PI).toPrecision(6))} rpm`.replace('-', '−');
+  if (unit === 'Hz') return `${Number((value / (2 * Math.PI)).toPrecision(6))} Hz`;
   if (unit === 'rad') return `${Number(((value * 180) / Math.PI).toPrecision(6))}°`.replace('-', '−');
   if (unit !== '') return trimmed(formatQuantity(value, unit, 5));
   return Number.isInteger(value) ? String(value) : trimmed(formatNumber(value, 5));

@@ -123,7 +123,6 @@ export function placesOf(coordinates: Coordinate[]): Place[] {
 /** As an axis shows them: radians in degrees. */
 export function axisScale({ numbers = [], unit }: Coordinate): Scale {
   if (unit === 'rad') return { factor: 180 / Math.PI, unit: '°' };
-  if (unit === 'rad/s') return { factor: 0.5 / Math.PI, unit: 'Hz' };
   if (unit === 'rpm') return { factor: 1, unit };
   return scaleFor(Math.max(...numbers.map(Math.abs)), unit);
 }

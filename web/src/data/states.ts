@@ -107,7 +107,7 @@ export class States extends Grid {
   /** A number of the state at a place. */
   numberAt(name: string, place: Place): number {
     const state = this.stateAt(place);
-    return state < 0 ? NaN : (this.variable(name)?.at({ state }) ?? NaN);
+    return state < 0 ? NaN : (this.variable(name)?.at({ ...place, state }) ?? NaN);
   }
 
   isFound(place: Place): boolean {

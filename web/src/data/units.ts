@@ -19,8 +19,12 @@ const prefixes: Record<number, string> = {
   12: 'T',
 };
 
+/** Units that people write in another way: a prefix of a volume would mean its cube. */
+const written: Record<string, Scale> = { 'rad/s': { factor: 0.5 / Math.PI, unit: 'Hz' }, 'm3/s': { factor: 1e6, unit: 'cm³/s' } };
+
 /** The prefix that brings `largest` between 1 and 1000. */
 export function scaleFor(largest: number, unit: string): Scale {
+  if (written[unit]) return written[unit];
   if (unit === '' || !(largest > 0) || !Number.isFinite(largest)) return { factor: 1, unit };
   // Half a unit of the fourth digit more, so that 999.99 becomes 1 of the next prefix.
   const exponent = Math.min(12, Math.max(-12, 3 * Math.floor(Math.log10(largest * 1.00005) / 3)));

@@ -60,8 +60,16 @@ function tables({ several, focus, shown }: ComparedCases, caseKeys: CaseKeys): H
   return tables;
 }
 
+/** Whether a result is of bearings with a film; the others have nothing of gas and film. */
+function hasFilm({ data }: Result): boolean {
+  const of = [data.kind, data.attributes['swept_command']];
+  return of.includes('equilibrium') || of.includes('film') || ('states' in data && Array.isArray(data.states) && data.states.length > 0);
+}
+
 function keysOf(runs: Result[]): string[] {
-  return [...new Set(runs.flatMap((run) => [...flatten(run.data.summary.case).keys()]))].filter((key) => key !== 'title');
+  const keys = [...new Set(runs.flatMap((run) => [...flatten(run.data.summary.case).keys()]))];
+  const dry = !runs.some(hasFilm);
+  return keys.filter((key) => key !== 'title' && !(dry && /^(gas|film)\./.test(key)));
 }
 
 function csv(runs: Result[]): string {

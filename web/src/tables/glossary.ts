@@ -37,7 +37,9 @@ const drawn: Record<string, string> = {
 
 /** A meaning of result.nc as a sentence. */
 function sentence(meaning: string): string {
-  return `${capital(meaning).replaceAll('`', '').replace(/\bpi\b/g, 'π').replaceAll('^2', '²')}.`;
+  const derivative = /\bdF_([xy])\/d(?:([xy])|\(d([xy])\/dt\))/g;
+  const words = meaning.replace(derivative, (_, force: string, place?: string, velocity?: string) => `force along ${force.toUpperCase()} per ${place ? 'displacement' : 'velocity'} along ${(place ?? velocity ?? '').toUpperCase()}`);
+  return `${capital(words.replaceAll('_', ' ')).replaceAll('`', '').replace(/\bpi\b/g, 'π').replaceAll('^2', '²')}.`;
 }
 
 function anchorOf(name: string): string {
@@ -85,7 +87,7 @@ export function glossary(entries: Entry[]): HTMLElement {
     return el(
       'div',
       first ? { id } : {},
-      el('dt', {}, capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit}`)])),
+      el('dt', {}, capital(label), ...(unit === '' ? [] : [el('span', { class: 'unit' }, ` ${unit.replace('m3', 'm³').replace('degree', '°')}`)])),
       el('dd', {}, sentence(text)),
     );
   });

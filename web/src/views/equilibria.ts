@@ -11,6 +11,7 @@ import { gridTable, type GridColumn } from '../tables/grid';
 import { limitTable } from '../tables/limits';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
+import { frequencyEntries, frequencySections } from './frequencies';
 import { gridControls } from './grid_controls';
 import { part, type View } from './view';
 
@@ -50,9 +51,10 @@ function padParts(states: States): Part[] {
   return states.variable('pad_force_x') ? states.padColumns.map(({ name }, pad) => ({ key: `pad_force_${pad + 1}`, text: name, has: () => true, value: (place) => states.padForceAt(pad, place) })) : [];
 }
 
+const padForce = 'size of the force that the pad takes';
+
 function columnsOf(states: States): GridColumn[] {
-  const meaning = 'size of the force that the pad takes';
-  const pads = padParts(states).map(({ key, text, value }): GridColumn => ({ key: `${key}_N`, name: 'pad_force', label: `force of ${text}`, unit: 'N', whole: false, meaning, words: [], value }));
+  const pads = padParts(states).map(({ key, text, value }): GridColumn => ({ key: `${key}_N`, name: 'pad_force', label: `force of ${text}`, unit: 'N', whole: false, meaning: padForce, words: [], value }));
   return [...pads, ...quantityColumns(states)];
 }
 
@@ -81,6 +83,7 @@ function sectionsOf(states: States, id: string, title: (text: string) => string,
       el('div', { class: 'multiples' }, ...film, ...loads, ...(film.length > 0 ? [polarPlot(states, selection)] : []), ...runningBearing(states, selection)),
     ),
     ...(curves.length > 0 ? [part(`${id}-curves`, title('Over speed and load'), el('div', { class: 'multiples' }, ...curves))] : []),
+    ...frequencySections(states, { id, title, coordinates: states.coordinates, axes: [speed, journal], value: (name, place) => states.numberAt(name, place) }),
     part(`${id}-states`, title('States'), ...limitTable(states), gridTable({ title: 'Results by state', label, coordinates: states.coordinates, columns: columnsOf(states), main })),
     part(
       `${id}-case`,
@@ -99,6 +102,10 @@ export function equilibriumView(results: ResultData[], caseKeys: CaseKeys, alone
       return sectionsOf(states, `${states.data.kind}-${i + 1}`, (text) => (several ? `${text}, ${states.label}` : text), caseKeys);
     }),
     warnings: all.map((states) => gridWarnings(states)),
-    entries: all.flatMap(({ data }) => data.quantities.map(entryOf).map((entry) => ({ ...entry, label: capital(entry.label) }))),
+    entries: all.flatMap((states) => [
+      ...states.data.quantities.map(entryOf).map((entry) => ({ ...entry, label: capital(entry.label) })),
+      ...frequencyEntries(states),
+      ...(states.pads > 1 ? [{ name: 'pad_force', label: 'Force of a pad', unit: 'N', text: padForce }] : []),
+    ]),
   };
 }

@@ -12,6 +12,7 @@ import { entryOf } from '../tables/glossary';
 import { gridTable } from '../tables/grid';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
+import { frequencyEntries, frequencySections } from './frequencies';
 import { gridControls } from './grid_controls';
 import { vibrationEntries, vibrationSections } from './vibrations';
 import { part, type View } from './view';
@@ -139,6 +140,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
   return [
     part(`${id}-charts`, title('Sweep'), gridControls(selection), el('div', { class: 'multiples' }, ...charts)),
+    ...frequencySections(grid, { id, title, coordinates, axes, value: (name, place) => grid.variable(name)?.at(place) ?? NaN }),
     part(
       `${id}-points`,
       title('Points'),
@@ -170,6 +172,6 @@ export function sweepView(results: ResultData[], caseKeys: CaseKeys, alone: bool
       return sectionsOf(grid, `sweep-${i + 1}`, (text) => (several ? `${text}, ${grid.label}` : text), caseKeys);
     }),
     warnings: grids.map((grid) => gridWarnings(grid)),
-    entries: grids.flatMap((grid) => (isOfVibrations(grid) ? vibrationEntries(grid) : quantitiesOf(grid).map(entryOf))),
+    entries: grids.flatMap((grid) => (isOfVibrations(grid) ? vibrationEntries(grid) : [...quantitiesOf(grid).map(entryOf), ...frequencyEntries(grid)])),
   };
 }

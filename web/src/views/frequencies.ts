@@ -1,0 +1,91 @@
+import { OverPanel, type Measure, type Part } from '../charts/over';
+import { numbersOf, type Coordinate, type Grid, type Place } from '../data/grid';
+import type { Entry } from '../tables/glossary';
+import { gridTable, type GridColumn } from '../tables/grid';
+import { el } from '../ui/dom';
+import { GridSelection } from '../ui/grid_selection';
+import { gridControls, type ControlNames } from './grid_controls';
+import { part } from './view';
+
+const entries = ['xx', 'xy', 'yx', 'yy'] as const;
+
+/** Stiffness, then damping, of contacts that slip on and of stuck ones. */
+const kinds = [
+  { letter: 'k', symbol: 'K', stuck: '', text: 'Stiffness K' },
+  { letter: 'k', symbol: 'K', stuck: '_stuck', text: 'Stiffness K, all stuck' },
+  { letter: 'c', symbol: 'c', stuck: '', text: 'Damping c' },
+  { letter: 'c', symbol: 'c', stuck: '_stuck', text: 'Damping c, all stuck' },
+] as const;
+
+/** Other sections have controls of the same labels. */
+const names: ControlNames = { along: 'Frequencies: over', by: 'Frequencies: told apart by', at: (title) => `Frequencies: ${title}` };
+
+/** Where small motions of running bearings are looked at. */
+export interface Motions {
+  id: string;
+  title: (text: string) => string;
+  /** What tells states apart. */
+  coordinates: Coordinate[];
+  /** Those of them that charts may go along. */
+  axes: Coordinate[];
+  value: (name: string, place: Place) => number;
+}
+
+function columnsOf(grid: Grid, value: Motions['value']): GridColumn[] {
+  return kinds.flatMap(({ letter, symbol, stuck }) =>
+    entries.flatMap((axes): GridColumn[] => {
+      const name = `${letter}${axes}_at_frequency${stuck}`;
+      const variable = grid.variable(name);
+      if (!variable) return [];
+      const { unit, text } = variable;
+      const key = `${letter}${axes}${stuck}_${unit.replaceAll('/', '_per_').replaceAll(' ', '_')}`;
+      return [{ key, name, label: `${symbol}${axes}${stuck.replace('_', ', ')}`, unit, whole: false, meaning: text, words: [], value: (place) => value(name, place) }];
+    }),
+  );
+}
+
+/** Of the glossary. */
+export function frequencyEntries(grid: Grid): Entry[] {
+  return columnsOf(grid, () => NaN).map(({ name, label, unit, meaning }) => ({ name, label: `frequency-dependent ${label}`, unit, text: meaning }));
+}
+
+/** Stiffness and damping of running bearings over the frequency of small motions; none where no file has them. */
+export function frequencySections(grid: Grid, { id, title, coordinates, axes, value }: Motions): HTMLElement[] {
+  const frequencies = numbersOf(grid, 'frequency');
+  if (frequencies.length === 0) return [];
+  const frequency: Coordinate = {
+    name: 'frequency',
+    title: 'Frequency',
+    texts: frequencies.map((one) => `${Number((one / (2 * Math.PI)).toPrecision(5))} Hz`),
+    numbers: frequencies,
+    unit: 'rad/s',
+  };
+  const selection = new GridSelection([...coordinates, frequency], [frequency, ...axes]);
+  const columns = columnsOf(grid, value);
+  const measures = kinds.flatMap(({ letter, stuck, text }): Measure[] => {
+    const parts = columns
+      .filter(({ name }) => name.startsWith(letter) && name.endsWith(`at_frequency${stuck}`))
+      .map(({ key, label, value: of }): Part => ({ key, text: label, has: () => true, value: of }));
+    const unit = letter === 'k' ? 'N/m' : 'N s/m';
+    return parts.length === 0 ? [] : [{ text, unit, parts }, ...parts.map((one) => ({ text: one.text, unit, parts: [one] }))];
+  });
+  const panels = (['N/m', 'N s/m'] as const).map((unit) => {
+    const own = measures.filter((one) => one.unit === unit);
+    return new OverPanel(unit === 'N/m' ? 'Frequency-dependent stiffness' : 'Frequency-dependent damping', own, selection, grid.label).root;
+  });
+  return [
+    part(
+      `${id}-frequency`,
+      title('Frequency-dependent coefficients'),
+      gridControls(selection, names),
+      el('div', { class: 'multiples' }, ...panels),
+      gridTable({
+        title: 'Coefficients by frequency',
+        label: grid.label,
+        coordinates: [...coordinates, frequency],
+        columns,
+        main: columns.filter(({ name }) => name.endsWith('at_frequency')).map(({ name }) => name),
+      }),
+    ),
+  ];
+}
