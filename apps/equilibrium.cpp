@@ -46,7 +46,7 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
                    "found.\n"
                    "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
        .files = equilibrium_file_names("equilibrium"),
-       .takes_samples = true,
+       .sampled = EnsembleCommand::equilibrium,
        .run = [flags](const Case& input, const ProgressCallback& progress) {
          const std::vector<FilmPath> paths =
              flags->all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{};

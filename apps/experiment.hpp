@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,7 @@ struct ExperimentCommand {
   std::string summary;  ///< what it does, for --help
   std::string examples;
   std::vector<std::string> files;  ///< names of all that it writes
-  bool takes_samples{};            ///< it runs samples of an ensemble as well
+  std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   std::function<Outcome(const Case&, const ProgressCallback&)> run;
 };
 

@@ -40,7 +40,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
     CycleSeries series(*stepper, course, centre, step_);
     return series.until_settled(settings.cycles, recording, progress, clearances);
   };
-  const bool needs_no_steps = recording == Recording::quantities && settings_.name == SolverName::events &&
+  const bool needs_no_steps = recording == Recording::quantities && settings_.chosen() == SolverName::events &&
                               !settings.preload && settings.amplitude.control == Control::displacement;
   if (needs_no_steps) {
     Cycle cycle = run_with(fast_, Rates::by_tableau, 1);

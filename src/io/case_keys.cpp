@@ -254,8 +254,10 @@ void describe(CaseVisitor& keys, Friction& friction) {
 
 void describe(CaseVisitor& keys, SolverSettings& solver) {
   keys.choice({"name", defaulted, "Name",
-               "exact contact and friction; \"events\" follows the path from one change of contact to the next; "
-               "\"uzawa\" is the method of the 2019 paper, with the penalties below"},
+               "exact contact and friction; \"events\" follows the path from one change of contact to the next, and is the "
+               "default of montecarlo for cycles of small displacements; \"uzawa\" is the method of the 2019 paper, with "
+               "the penalties below",
+               "\"newton\""},
               solver.name);
   UzawaParameters& uzawa = solver.uzawa;
   keys.value({"eps_alm", optional, "Penalty, normal contacts",

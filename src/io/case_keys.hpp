@@ -56,14 +56,22 @@ class CaseVisitor {
   /// A list of vectors in the X-Y plane, each by its components along X and Y.
   virtual void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) = 0;
 
-  /// One of a few words, by its index.
-  virtual void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) = 0;
+  /// One of a few words, by its index, or none.
+  virtual void word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) = 0;
+
+  template <typename Enum>
+  void choice(const Key& key, std::optional<Enum>& value) {
+    std::optional<std::size_t> index;
+    if (value) index = static_cast<std::size_t>(*value);
+    word(key, enum_names<Enum>, index);
+    if (index) value = static_cast<Enum>(*index);
+  }
 
   template <typename Enum>
   void choice(const Key& key, Enum& value) {
-    auto index = static_cast<std::size_t>(value);
-    word(key, enum_names<Enum>, index);
-    value = static_cast<Enum>(index);
+    std::optional<Enum> chosen = value;
+    choice(key, chosen);
+    value = *chosen;
   }
 
   /// A number that is given once for all of several keys, or for each by its own.

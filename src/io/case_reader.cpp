@@ -55,8 +55,9 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   }
   std::vector<std::string> tables = request.required_tables;
   const bool runs_ensemble = std::find(tables.begin(), tables.end(), "montecarlo") != tables.end();
-  if (runs_ensemble && input.montecarlo && input.montecarlo->command == EnsembleCommand::cycle) {
-    tables.emplace_back("cycle");
+  if (runs_ensemble && input.montecarlo) {
+    if (input.montecarlo->command == EnsembleCommand::cycle) tables.emplace_back("cycle");
+    if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
   for (const std::string& table : tables) {
     if (document.contains(table)) continue;

@@ -139,7 +139,7 @@ Json answer_cycles(const Json& request) {
   const std::array<std::size_t, 2> whole{0, 1};
   own.cycle.directions = part_of(input.cycle.directions, request.value("part", whole));
   // Where there are fewer directions than parts.
-  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.name, .cycles = {}})}};
+  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.chosen(), .cycles = {}})}};
   return {{"run", shown_run(input, run_cycles(own))}};
 }
 

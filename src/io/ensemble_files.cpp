@@ -103,7 +103,7 @@ void stage_ensemble(const Case& input, const EnsembleLayout& layout, const Ensem
   folder.stage("summary.json", ensemble_summary(input, layout, statistics, yields, status, manifest));
 }
 
-Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input) {
+Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input, EnsembleCommand command) {
   const NetcdfImage image(read_binary_file(file), file.string());
   const auto understood = image.texts().find("case_understood");
   if (understood == image.texts().end()) image.refuse("case_understood", "is missing: this is no ensemble");
@@ -117,6 +117,7 @@ Case read_sampled_case(const fs::path& file, std::size_t number, const Case& inp
   }
   const Sample sample = read_sample(image, number, stored);
   Case drawn = input;
+  if (!drawn.solver.name && stored.montecarlo->command == command) drawn.solver.name = stored.solver.name;
   drawn.montecarlo = std::move(stored.montecarlo);
   return sampled_case(drawn, sample);
 }

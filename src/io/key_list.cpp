@@ -83,8 +83,9 @@ class KeyLister final : public CaseVisitor {
     add(key, "list of pairs of " + plural(noun(key)), std::move(value));
   }
 
-  void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override {
-    add(key, fmt::format("\"{}\"", fmt::join(words, "\", \"")), words[index]);
+  void word(const Key& key, std::span<const std::string_view> words,
+            std::optional<std::size_t>& index) override {
+    add(key, fmt::format("\"{}\"", fmt::join(words, "\", \"")), index ? Json(words[*index]) : Json());
   }
 
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override {

@@ -92,7 +92,7 @@ SweptResult not_begun(SweptCommand command, const Case& input, bool with_loops) 
     case SweptCommand::cycle:
     case SweptCommand::strip: {
       CycleResult result;
-      result.solver = input.solver.name;
+      result.solver = input.solver.chosen();
       result.experiment = experiment_of(command);
       return swept_result(input, result, RunStatus::interrupted, with_loops);
     }

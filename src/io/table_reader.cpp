@@ -134,7 +134,7 @@ void TableReader::vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors)
   }
 }
 
-void TableReader::word(const Key& key, std::span<const std::string_view> words, std::size_t& index) {
+void TableReader::word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
   const std::string choices = fmt::format("write one of \"{}\"", fmt::join(words, "\", \""));

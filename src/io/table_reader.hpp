@@ -20,7 +20,7 @@ class TableReader final : public CaseVisitor {
   void value(const Key& key, Value value) override;
   void directions(const Key& key, std::vector<double>& angles) override;
   void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) override;
-  void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override;
+  void word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) override;
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override;
   void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) override;
   void one_of(const Key& displacement, const Key& load, Target& target) override;

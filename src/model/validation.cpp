@@ -278,8 +278,8 @@ void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit)
 }
 
 void judge_combination(Judge& judge, const Case& input) {
-  judge.require(input.solver.name == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
-                "solver.name", std::string(name_of(input.solver.name)),
+  judge.require(input.solver.chosen() == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
+                "solver.name", std::string(name_of(input.solver.chosen())),
                 "the former model has no increments of contact to solve", "leave it out");
   judge.require(!input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)),
@@ -320,8 +320,8 @@ void judge_combination(Judge& judge, const Case& input) {
                 std::string(name_of(input.bump_foil.geometry)), "only the frame model can follow large displacements",
                 "set geometry = \"linear\" or model = \"frame\"");
   judge.require(
-      input.solver.name == SolverName::newton, "solver.name", std::string(name_of(input.solver.name)),
-      input.solver.name == SolverName::uzawa
+      input.solver.chosen() == SolverName::newton, "solver.name", std::string(name_of(input.solver.chosen())),
+      input.solver.chosen() == SolverName::uzawa
           ? "solves linear elastic forces only, and bump_foil.geometry is nonlinear"
           : "follows a response that is linear between events, and with bump_foil.geometry = nonlinear it is not",
       "set name = \"newton\" or bump_foil.geometry = \"linear\"");

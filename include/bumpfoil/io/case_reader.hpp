@@ -12,7 +12,8 @@ namespace bumpfoil {
 struct CaseRequest {
   /// "table.key=value" each, applied in order: the value is TOML, or a bare string where it is not.
   std::vector<std::string> overrides;
-  /// Optional tables without which the caller has nothing to do, such as "cycle".
+  /// Optional tables without which the caller has nothing to do, such as "cycle". With "montecarlo" a case that names no
+  /// solver gets ensemble_solver().
   std::vector<std::string> required_tables;
 };
 

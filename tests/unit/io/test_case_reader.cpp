@@ -52,6 +52,25 @@ sleeve_waviness = { harmonic = 3, amplitude = "5 um" }
   EXPECT_NE(refusal({"montecarlo.bump_hight.std=10 um"}).find("did you mean \"bump_height\"?"), std::string::npos);
 }
 
+TEST(ParseCase, EnsemblesOfCyclesFollowEventsUnlessASolverIsNamed) {
+  const auto solver = [](const std::string& command, std::vector<std::string> overrides) {
+    const std::string text = cut(whole_case(), "name = \"newton\"\n");
+    overrides.emplace_back("montecarlo.bump_height.std=10 um");
+    return parse_case(text, "case.toml", {.overrides = overrides, .required_tables = {command}}).solver.chosen();
+  };
+  EXPECT_EQ(solver("montecarlo", {}), SolverName::events);
+  EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame"}), SolverName::events);
+  EXPECT_EQ(solver("montecarlo", {"solver.name=newton"}), SolverName::newton);
+  EXPECT_EQ(solver("montecarlo", {"solver.name=uzawa"}), SolverName::uzawa);
+  // It follows what is straight between events, and films are beyond it.
+  EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame", "bump_foil.geometry=nonlinear"}), SolverName::newton);
+  EXPECT_EQ(solver("montecarlo", {"montecarlo.command=equilibrium", "equilibrium.speeds=[\"45000 rpm\"]",
+                                  "equilibrium.loads=[[\"50 N\", \"0 N\"]]"}),
+            SolverName::newton);
+  EXPECT_EQ(solver("cycle", {}), SolverName::newton);
+  EXPECT_EQ(case_to_toml(with({})).find("events"), std::string::npos);
+}
+
 TEST(ParseCase, ReadsTheWavesOfASleeve) {
   // One alone is a table, several are a list of tables.
   EXPECT_EQ(with({"bearing.sleeve_waviness={harmonic=3, amplitude=\"5 um\"}"}).bearing.sleeve.waves,
