@@ -25,7 +25,6 @@ struct Outcome {
 /// A command that does to the foils what its table of the case says, and writes the results to a folder.
 struct ExperimentCommand {
   std::string name;
-  std::string table{};  ///< of the case that it needs; empty: the one of its own name
   std::string summary;  ///< what it does, for --help
   std::string examples;
   std::vector<std::string> files;  ///< names of all that it writes

@@ -82,7 +82,7 @@ Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& 
   std::vector<Shorthand> given{{"--samples", "montecarlo.samples", options.samples},
                                {"--seed", "montecarlo.seed", options.seed}};
   std::erase_if(given, [](const Shorthand& one) { return one.value.empty(); });
-  CaseRequest request{.overrides = options.overrides, .required_tables = {"montecarlo"}};
+  CaseRequest request{.overrides = options.overrides, .commands = {"montecarlo"}};
   for (const Shorthand& one : given) request.overrides.push_back(one.key + '=' + one.value);
   try {
     return parse_case(case_text, options.case_path, request);

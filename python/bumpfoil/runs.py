@@ -81,7 +81,9 @@ def check(case: Any = None, /, **tables: Any) -> Case:
     CaseError
         With every fault, its place, the value met, what to change.
     """
-    return as_case(case, tables)
+    checked = as_case(case, tables)
+    checked._source.check()
+    return checked
 
 
 def properties(case: Any, /, **tables: Any) -> dict[str, Any]:

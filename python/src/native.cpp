@@ -160,6 +160,7 @@ PYBIND11_MODULE(_native, m) {
       .def_readonly("changes", &CaseSource::changes)
       .def("toml", [](const CaseSource& source) { return case_to_toml(read_source(source)); })
       .def("json", [](const CaseSource& source) { return case_to_json(read_source(source)); })
+      .def("check", check_source)
       .def("properties", [](const CaseSource& source) {
         const Case input = read_source(source);
         return properties_json(input, compute_properties(input));

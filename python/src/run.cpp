@@ -75,10 +75,14 @@ Run equilibrium_run(const Case& input, const std::string& case_text, Equilibrium
 
 }  // namespace
 
-Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables) {
+Case read_source(const CaseSource& source, const std::vector<std::string>& commands) {
   return told_by_keys([&] {
-    return parse_case(source.text, source.name, {.overrides = source.changes, .required_tables = required_tables});
+    return parse_case(source.text, source.name, {.overrides = source.changes, .commands = commands});
   });
+}
+
+void check_source(const CaseSource& source) {
+  told_by_keys([&] { return check_case(source.text, source.name, source.changes); });
 }
 
 Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over) {

@@ -21,7 +21,10 @@ struct CaseSource {
 };
 
 /// @throws Error as parse_case() does; what was given in Python is told by its keys alone
-Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables = {});
+Case read_source(const CaseSource& source, const std::vector<std::string>& commands = {});
+
+/// @throws Error as check_case() does, told in the same way
+void check_source(const CaseSource& source);
 
 /// What a command gave.
 struct Run {

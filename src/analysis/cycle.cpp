@@ -52,7 +52,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   if (input.bump_foil.model == BumpFoilModel::former) return run_former_cycles(input, progress);
-  CycleRunner runner(make_bearing_foils(input), input.solver);
+  CycleRunner runner(make_bearing_foils(input, {"cycle"}), input.solver);
   const CycleSettings& settings = input.cycle;
   return run_each_cycle(Experiment::cycle, input, std::ssize(settings.directions), progress,
                         [&](std::size_t i, const ProgressCallback& progress_of_cycle) {

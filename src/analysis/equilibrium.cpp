@@ -282,10 +282,6 @@ FilmBearing require_running_bearing(const Case& input) {
   if (!input.equilibrium) {
     throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
   }
-  if (input.solver.chosen() != SolverName::newton) {
-    throw Error(ErrorKind::input, {{"", 0, "solver.name", std::string(name_of(input.solver.chosen())),
-                                    "cannot solve contacts under a film", "use newton"}});
-  }
   return make_film_bearing(input);
 }
 

@@ -135,7 +135,7 @@ Program path_program(const PathSettings& path) {
 }
 
 CycleResult run_path(const Case& input, const ProgressCallback& progress) {
-  const SharedFoils foils = make_bearing_foils(input);
+  const SharedFoils foils = make_bearing_foils(input, {"path"});
   if (!input.path) throw Error(ErrorKind::input, {{"", 0, "path", "", "this table is missing", "add [path]"}});
   const auto begin = std::chrono::steady_clock::now();
   FoilStepper stepper(foils, input.solver);

@@ -118,7 +118,7 @@ Case sampled_case(const Case& input, const Sample& sample) {
 CycleResult SampleRunner::run(const Case& sampled, const ProgressCallback& progress) {
   SharedFoils foils;
   try {
-    foils = make_bearing_foils(sampled);
+    foils = make_bearing_foils(sampled, {"cycle"});
   } catch (const Error&) {
     return not_run(sampled);
   }

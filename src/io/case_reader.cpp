@@ -23,10 +23,10 @@ std::string name_in_messages(const std::string& path) {
   return path == standard_input ? "standard input" : path;
 }
 
-/// All commands that ask for a table, but that about a strip between plates.
+/// All commands do, but that about a strip between plates.
 bool needs_bearing(const CaseRequest& request) {
-  return std::any_of(request.required_tables.begin(), request.required_tables.end(),
-                     [](const std::string& table) { return table != "strip"; });
+  return std::any_of(request.commands.begin(), request.commands.end(),
+                     [](const std::string& command) { return command != "strip"; });
 }
 
 }  // namespace
@@ -53,14 +53,17 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     missed("bearing.radius", "give it, or bearing.diameter");
     if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
   }
-  std::vector<std::string> tables = request.required_tables;
-  const bool runs_ensemble = std::find(tables.begin(), tables.end(), "montecarlo") != tables.end();
+  std::vector<std::string> commands = request.commands;
+  const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
   if (runs_ensemble && input.montecarlo) {
-    if (input.montecarlo->command == EnsembleCommand::cycle) tables.emplace_back("cycle");
+    commands.emplace_back(name_of(input.montecarlo->command));
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
-  for (const std::string& table : tables) {
-    if (document.contains(table)) continue;
+  for (const std::string& command : commands) {
+    const std::string table = command == "film" ? "equilibrium" : command;
+    // That an ensemble needs [equilibrium] is told of its command.
+    const bool told = runs_ensemble && command == "equilibrium";
+    if (told || document.contains(table)) continue;
     // To add what is refused beside pads would lead nowhere.
     const bool knows_pads = table != "strip";
     if (knows_pads || input.pads.empty()) {
@@ -73,7 +76,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
                       table));
     }
   }
-  std::vector<Fault> faults = find_faults(input);
+  std::vector<Fault> faults = find_faults(input, commands);
   if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) {
     for (const PlacedPad& pad : place_pads(input)) {
       faults = find_truss_faults(make_bearing_design(pad.alone));
@@ -83,6 +86,35 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;
+}
+
+CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}}), .commands = {}};
+  const Case& input = checked.input;
+  std::vector<Fault> faults;
+  for (const auto& [command, has_table] :
+       {std::pair{"cycle", !input.cycle.directions.empty()}, std::pair{"strip", input.strip.has_value()},
+        std::pair{"path", input.path.has_value()}, std::pair{"vibration", input.vibration.has_value()},
+        std::pair{"equilibrium", input.equilibrium.has_value()},
+        std::pair{"montecarlo", input.montecarlo.has_value()}}) {
+    if (!has_table) continue;
+    CheckedCommand& one = checked.commands.emplace_back(CheckedCommand{command, {}});
+    try {
+      static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}}));
+    } catch (const Error& error) {
+      one.faults = error.faults();
+      for (const Fault& fault : one.faults) {
+        const bool told = std::any_of(faults.begin(), faults.end(), [&fault](const Fault& before) {
+          return format_fault(before) == format_fault(fault);
+        });
+        if (!told) faults.push_back(fault);
+      }
+    }
+  }
+  const bool runs = std::any_of(checked.commands.begin(), checked.commands.end(),
+                                [](const CheckedCommand& one) { return one.faults.empty(); });
+  if (!runs && !faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  return checked;
 }
 
 Case read_case(const std::string& path, const CaseRequest& request) {

@@ -40,10 +40,10 @@ using Json = nlohmann::ordered_json;
 /// Stands for the case in messages, which it does not need: there is one alone.
 const std::string no_name;
 
-/// @param tables  that the case must have, as for the command that answers alike
-Case read(const Json& request, std::vector<std::string> tables) {
+/// @param commands  that answer alike
+Case read(const Json& request, std::vector<std::string> commands) {
   Case input = parse_case(request.at("text").get<std::string>(), no_name,
-                          {.overrides = {}, .required_tables = std::move(tables)});
+                          {.overrides = {}, .commands = std::move(commands)});
   if (input.pads.empty()) return input;
   throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
                                   "remove [[pad]], or run `bumpfoil cycle`"}});

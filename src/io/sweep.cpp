@@ -239,7 +239,7 @@ Sweep parse_sweep(std::string_view text, const std::string& name, const SweepReq
   const std::size_t points = points_of(sweep.axes);
   GridFaults faults(sweep, points);
   for (std::size_t point = 0; point < points; ++point) {
-    CaseRequest one{.overrides = request.overrides, .required_tables = {std::string(name_of(request.command))}};
+    CaseRequest one{.overrides = request.overrides, .commands = {std::string(name_of(request.command))}};
     const std::vector<std::size_t> indices = indices_of(sweep, point);
     for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
       const SweptKey& swept = sweep.axes[i].swept;

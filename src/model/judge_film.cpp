@@ -44,9 +44,12 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
                     "is no possible number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (runs && columns_right && rows_right) {
     const std::int64_t all_columns = std::int64_t{columns} * bumps;
-    judge.require(
-        all_columns * film.rows * film.rows <= most_couplings, "film.columns_per_pitch", std::to_string(columns),
-        fmt::format("{} columns of {} rows would not fit in memory", all_columns, film.rows), "give a coarser mesh");
+    for (const char* const command : {"equilibrium", "film"}) {
+      judge.require_for(command, all_columns * film.rows * film.rows <= most_couplings, "film.columns_per_pitch",
+                        std::to_string(columns),
+                        fmt::format("{} columns of {} rows would not fit in memory", all_columns, film.rows),
+                        "give a coarser mesh");
+    }
   }
   if (film.wall != FilmWall::rigid) {
     judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "", "is missing, and the wall yields",
@@ -83,8 +86,8 @@ void judge_mesh_of(Judge& judge, const BumpFoil& foil) {
       std::all_of(pitch.values.begin(), pitch.values.end(), [&](double one) { return one == pitch.values.front(); }) &&
       std::none_of(foil.sections.begin(), foil.sections.end(),
                    [&](const BumpSection& one) { return other(one.pitch); });
-  judge.require(equal, "bump_foil.pitch", "", "differs along the foil, and the mesh of a film needs equal pitches",
-                "give one pitch, or remove [equilibrium]");
+  judge.require_for("equilibrium", equal, "bump_foil.pitch", "",
+                    "differs along the foil, and the mesh of a film needs equal pitches", "give one pitch");
 }
 
 void judge_equilibrium(Judge& judge, const Case& input) {
@@ -101,7 +104,7 @@ void judge_equilibrium(Judge& judge, const Case& input) {
                   fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
   }
   const bool by_load = !equilibrium.loads.empty();
-  judge.require(by_load || !equilibrium.positions.empty(), "equilibrium.loads", "", "there is no load to carry",
+  judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "", "there is no load to carry",
                 "give a list such as [[\"50 N\", \"0 N\"]], or positions");
   judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
                 "contradicts equilibrium.loads, which is given too", "give one of the two");
@@ -120,13 +123,15 @@ void judge_equilibrium(Judge& judge, const Case& input) {
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
     judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }
-  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+  judge.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
-                "set model = \"truss\" or \"frame\", or remove [equilibrium]");
-  judge.require(input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
+                "set model = \"truss\" or \"frame\"");
+  judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
                 std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
-                "set geometry = \"linear\", or remove [equilibrium]");
+                "set geometry = \"linear\"");
   judge_mesh_of(judge, input.bump_foil);
+  judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
+                    std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
 }
 
 }  // namespace
@@ -134,6 +139,11 @@ void judge_equilibrium(Judge& judge, const Case& input) {
 void judge_film_settings(Judge& judge, const Case& input, bool bumps) {
   judge_gas(judge, input.gas);
   judge_film(judge, input.film, bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
+  for (const char* const command : {"equilibrium", "film"}) {
+    judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
+                      "has a journal that is not round, under which no film is steady once it turns",
+                      "remove journal_waviness and journal_profile");
+  }
   if (input.equilibrium) judge_equilibrium(judge, input);
 }
 

@@ -10,7 +10,7 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
   Case input = reference_case();
   change(input);
   Keys keys;
-  for (const Fault& fault : find_faults(input)) {
+  for (const auto& [command, fault] : judge_case(input)) {
     EXPECT_TRUE(fault.file.empty());
     EXPECT_FALSE(fault.what.empty());
     EXPECT_FALSE(fault.advice.empty());

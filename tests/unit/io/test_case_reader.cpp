@@ -1,5 +1,6 @@
 #include "bumpfoil/io/case_reader.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -56,7 +57,7 @@ TEST(ParseCase, EnsemblesOfCyclesFollowEventsUnlessASolverIsNamed) {
   const auto solver = [](const std::string& command, std::vector<std::string> overrides) {
     const std::string text = cut(whole_case(), "name = \"newton\"\n");
     overrides.emplace_back("montecarlo.bump_height.std=10 um");
-    return parse_case(text, "case.toml", {.overrides = overrides, .required_tables = {command}}).solver.chosen();
+    return parse_case(text, "case.toml", {.overrides = overrides, .commands = {command}}).solver.chosen();
   };
   EXPECT_EQ(solver("montecarlo", {}), SolverName::events);
   EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame"}), SolverName::events);
@@ -69,6 +70,28 @@ TEST(ParseCase, EnsemblesOfCyclesFollowEventsUnlessASolverIsNamed) {
             SolverName::newton);
   EXPECT_EQ(solver("cycle", {}), SolverName::newton);
   EXPECT_EQ(case_to_toml(with({})).find("events"), std::string::npos);
+}
+
+TEST(CheckCase, SaysWhatEachCommandWouldSay) {
+  const std::string text = whole_case() +
+                           "[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[\"50 N\", \"0 N\"]]\n"
+                           "[strip]\ndisplacement = \"20 um\"\n[montecarlo]\nbump_height = { std = \"10 um\" }\n";
+  const auto verdicts = [&text](const std::vector<std::string>& overrides) {
+    std::string out;
+    for (const auto& [name, faults] : check_case(text, "case.toml", overrides).commands) {
+      out += name;
+      for (const Fault& fault : faults) out += fmt::format(" {}:{}", fault.line, fault.key);
+      out += ' ';
+    }
+    return out;
+  };
+  EXPECT_EQ(verdicts({}), "cycle strip equilibrium montecarlo ");
+  const std::string graded = "bump_foil.pitch={start=\"4.5 mm\", end=\"4.6 mm\"}";
+  EXPECT_EQ(verdicts({graded}), "cycle strip equilibrium 0:bump_foil.pitch montecarlo ");
+  EXPECT_EQ(verdicts({"cycle.amplitude=0.6 mm"}),
+            "cycle 0:cycle.amplitude strip equilibrium montecarlo 0:cycle.amplitude ");
+  EXPECT_EQ(verdicts({"strip.displacement=0.6 mm", "solver.name=events"}),
+            "cycle strip 0:strip.displacement equilibrium 0:solver.name montecarlo ");
 }
 
 TEST(ParseCase, ReadsTheWavesOfASleeve) {
@@ -185,7 +208,7 @@ TEST(ParseCase, TakesADiameterForTheRadius) {
   EXPECT_EQ(refused("\"2 N\"").find('\n'), std::string::npos);
   // On the command line it stands in for the radius of the file, and the radius for a diameter there.
   EXPECT_EQ(with({"bearing.diameter=40 mm"}).bearing.radius, 20e-3);
-  const CaseRequest request{.overrides = {"bearing.radius=20 mm"}, .required_tables = {}};
+  const CaseRequest request{.overrides = {"bearing.radius=20 mm"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", request).bearing.radius, 20e-3);
   EXPECT_EQ(refusal({"bearing.diameter=40 mm", "bearing.radius=20 mm"}),
             "--set: bearing.radius = 20 mm: contradicts diameter, which is given too; give one of the two");
@@ -310,7 +333,7 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
   EXPECT_TRUE(input.cycle.directions.empty());
   EXPECT_EQ(input.solver, SolverSettings{});
   try {
-    parse_case(text, "case.toml", {.overrides = {}, .required_tables = {"cycle"}});
+    parse_case(text, "case.toml", {.overrides = {}, .commands = {"cycle"}});
     ADD_FAILURE() << "the missing table went unnoticed";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -321,7 +344,7 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
 
 TEST(ParseCase, TablesThatPadsCannotHaveAreNotAskedFor) {
   const auto refusal_of = [](const std::string& table) {
-    const CaseRequest request{.overrides = {"pad=[{}, {}]", "bump_foil.bumps=7"}, .required_tables = {table}};
+    const CaseRequest request{.overrides = {"pad=[{}, {}]", "bump_foil.bumps=7"}, .commands = {table}};
     try {
       parse_case(whole_case(), "case.toml", request);
     } catch (const Error& error) {
@@ -348,7 +371,7 @@ TEST(ParseCase, AxesAreExact) {
 
 TEST(ParseCase, FrictionMayDifferPerInterface) {
   const std::string text = cut(whole_case(), "coefficient = 0.1\n");
-  const CaseRequest both{.overrides = {"friction.top_bump=0.1", "friction.bump_sleeve=0"}, .required_tables = {}};
+  const CaseRequest both{.overrides = {"friction.top_bump=0.1", "friction.bump_sleeve=0"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", both).friction, (Friction{.top_bump = 0.1, .bump_sleeve = 0.0}));
   EXPECT_EQ(refusal({"friction.coefficient=none"}),  // said once
             "--set: friction.coefficient = none: is not a number; write a number without quotes, such as 0.1");
@@ -463,11 +486,11 @@ TEST(ReadCase, FilesThatCannotBeReadAreNoWrongInput) {
   EXPECT_EQ(kind((folder.path() / "missing.toml").string()), ErrorKind::file);
   EXPECT_EQ(kind(folder.path().string()), ErrorKind::file);
   EXPECT_EQ(kind(folder.write("case.toml", whole_case()),
-                 {.overrides = {"bump_foil.height_errors_file=missing.csv"}, .required_tables = {}}),
+                 {.overrides = {"bump_foil.height_errors_file=missing.csv"}, .commands = {}}),
             ErrorKind::file);
   EXPECT_EQ(
       kind((folder.path() / "case.toml").string(),
-           {.overrides = {"bump_foil.height_errors_file=missing.csv", "bearing.radius=0"}, .required_tables = {}}),
+           {.overrides = {"bump_foil.height_errors_file=missing.csv", "bearing.radius=0"}, .commands = {}}),
       ErrorKind::input);
 }
 

@@ -180,7 +180,7 @@ TEST(CaseKeyNames, AreThoseThatChangesGoBy) {
     // Whatever is wrong with the value: of a key that is not there the message says that it is not known.
     try {
       static_cast<void>(
-          parse_case(case_template("gen1"), "case.toml", {.overrides = {name + "=?"}, .required_tables = {}}));
+          parse_case(case_template("gen1"), "case.toml", {.overrides = {name + "=?"}, .commands = {}}));
     } catch (const Error& error) {
       return std::string(error.what()).find("no known key") == std::string::npos;
     }
