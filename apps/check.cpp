@@ -35,10 +35,12 @@ void add_check_command(CLI::App& program, Session& session) {
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   add_overrides(*command, options->overrides);
   command->footer(
-      "Example:\n  bumpfoil check case.toml\nWhat is printed is a case file itself. Its last lines, comments, say which of "
-      "the commands that it has a table for can run it, and why others cannot. Where none can, that is an error.");
+      "Example:\n  bumpfoil check case.toml\nWhat is printed is a case file itself. Its last lines, comments, say "
+      "which of the commands that it has a table for can run it, and why others cannot. Where none can, that is an "
+      "error.");
   command->callback([options, &session] {
     const CheckedCase checked = check_case(read_case_text(options->case_path), options->case_path, options->overrides);
+    if (!session.quiet) print_some("warning: ", checked.input.remarks);
     if (!session.quiet) print_output(case_to_toml(checked.input) + verdicts(checked.commands));
   });
 }

@@ -51,7 +51,7 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
          const std::vector<FilmPath> paths =
              flags->all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{};
          EquilibriumResult result = run_equilibrium(input, paths, progress);
-         if (flags->limits) result.limits = run_film_limits(input, progress);
+         if (flags->limits) add_film_limits(input, result, progress);
          return outcome_of(input, std::move(result));
        }});
   command->add_flag("--paths", flags->all_paths,

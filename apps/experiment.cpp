@@ -46,8 +46,8 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
 ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& options, const Session& session) {
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
-  Case input = parse_case(case_text, options.case_path,
-                          {.overrides = options.overrides, .commands = {experiment.name}});
+  Case input =
+      parse_case(case_text, options.case_path, {.overrides = options.overrides, .commands = {experiment.name}});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);

@@ -27,7 +27,7 @@ struct ExperimentCommand {
   std::string name;
   std::string summary;  ///< what it does, for --help
   std::string examples;
-  std::vector<std::string> files;  ///< names of all that it writes
+  std::vector<std::string> files;            ///< names of all that it writes
   std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   std::function<Outcome(const Case&, const ProgressCallback&)> run;
 };

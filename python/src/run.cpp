@@ -76,18 +76,18 @@ Run equilibrium_run(const Case& input, const std::string& case_text, Equilibrium
 }  // namespace
 
 Case read_source(const CaseSource& source, const std::vector<std::string>& commands) {
-  return told_by_keys([&] {
-    return parse_case(source.text, source.name, {.overrides = source.changes, .commands = commands});
-  });
+  return told_by_keys(
+      [&] { return parse_case(source.text, source.name, {.overrides = source.changes, .commands = commands}); });
 }
 
 void check_source(const CaseSource& source) {
   told_by_keys([&] { return check_case(source.text, source.name, source.changes); });
 }
 
-Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over) {
+Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over, bool limits) {
   return told_by_keys([&] {
-    return parse_sweep(source.text, source.name, {.command = command, .over = over, .overrides = source.changes});
+    return parse_sweep(source.text, source.name,
+                       {.command = command, .over = over, .overrides = source.changes, .limits = limits});
   });
 }
 
@@ -107,7 +107,7 @@ Run find_running_states(const Case& input, const std::string& case_text, const R
                         const ProgressCallback& progress) {
   EquilibriumResult result = run_equilibrium(
       input, request.all_paths ? possible_paths(*input.equilibrium) : std::vector<FilmPath>{}, progress);
-  if (request.limits) result.limits = run_film_limits(input, progress);
+  if (request.limits) add_film_limits(input, result, progress);
   return equilibrium_run(input, case_text, std::move(result));
 }
 

@@ -38,7 +38,7 @@ struct Run {
 
 /// The grid of a sweep.
 /// @throws Error as parse_sweep() and read_source() do
-Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over);
+Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over, bool limits);
 
 /// Where results come from. @param case_text  see kept_text()
 Provenance provenance_of(const std::string& command, const std::string& case_text);

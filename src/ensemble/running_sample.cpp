@@ -1,5 +1,6 @@
 #include "bumpfoil/ensemble/running_sample.hpp"
 
+#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/core/error.hpp"
 
 namespace bumpfoil {
@@ -19,9 +20,11 @@ EquilibriumResult not_run(const EquilibriumSettings& equilibrium) {
 
 }  // namespace
 
-EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress) {
+EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress, bool limits) {
   try {
-    return run_equilibrium(sampled, {}, progress);
+    EquilibriumResult result = run_equilibrium(sampled, {}, progress);
+    if (limits) add_film_limits(sampled, result, progress);
+    return result;
   } catch (const Error&) {
     return not_run(*sampled.equilibrium);
   }

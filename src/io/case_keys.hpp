@@ -33,8 +33,9 @@ struct Key {
   std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
   std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
   bool instead{};                        ///< in place of the key before it: nobody gives both
-  std::string_view spared_by{};          ///< table beside which a required key may be left out
-  std::string_view stand_in{};           ///< key of its table that may be given in its place
+  bool left_open{};              ///< the reader may know better than the default, which authors do not write then
+  std::string_view spared_by{};  ///< table beside which a required key may be left out
+  std::string_view stand_in{};   ///< key of its table that may be given in its place
 };
 
 /// Where the value of a key is kept. An absent number and an empty list stand for no value.

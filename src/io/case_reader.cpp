@@ -29,6 +29,38 @@ bool needs_bearing(const CaseRequest& request) {
                      [](const std::string& command) { return command != "strip"; });
 }
 
+/// What keeps the foils from being built, where they are to be a truss.
+std::vector<Fault> truss_faults(const Case& input) {
+  if (input.bump_foil.model == BumpFoilModel::frame) return {};
+  for (const PlacedPad& pad : place_pads(input)) {
+    std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
+    if (!faults.empty()) return faults;
+  }
+  return {};
+}
+
+/// Whether the author of a case chose a model, or gave constants of a truss.
+bool chooses_truss(const toml::table& document) {
+  const auto chosen_in = [](const toml::node_view<const toml::node>& foil) { return foil["model"] || foil["truss"]; };
+  if (chosen_in(document["bump_foil"])) return true;
+  const toml::array* pads = document["pad"].as_array();
+  return pads != nullptr && std::any_of(pads->begin(), pads->end(), [&](const toml::node& pad) {
+           return chosen_in(toml::node_view<const toml::node>(pad)["bump_foil"]);
+         });
+}
+
+/// In place of a truss that nobody asked for. @param fault  of the truss
+void take_frame(Case& input, const Fault& fault) {
+  input.bump_foil.model = BumpFoilModel::frame;
+  for (Pad& pad : input.pads) {
+    if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
+  }
+  input.remarks.push_back(
+      fmt::format("the bump foil is modelled as a frame, since no truss can stand for it ({} {}); write "
+                  "bump_foil.model = \"frame\" to choose that, or give the constants of a truss in [bump_foil.truss]",
+                  fault.key, fault.what));
+}
+
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& file, const CaseRequest& request) {
@@ -57,10 +89,11 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
   if (runs_ensemble && input.montecarlo) {
     commands.emplace_back(name_of(input.montecarlo->command));
+    if (input.montecarlo->limits) commands.emplace_back("limits");
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
   for (const std::string& command : commands) {
-    const std::string table = command == "film" ? "equilibrium" : command;
+    const std::string table = command == "film" || command == "limits" ? "equilibrium" : command;
     // That an ensemble needs [equilibrium] is told of its command.
     const bool told = runs_ensemble && command == "equilibrium";
     if (told || document.contains(table)) continue;
@@ -77,10 +110,12 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     }
   }
   std::vector<Fault> faults = find_faults(input, commands);
-  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) {
-    for (const PlacedPad& pad : place_pads(input)) {
-      faults = find_truss_faults(make_bearing_design(pad.alone));
-      if (!faults.empty()) break;
+  if (faults.empty()) {
+    const std::vector<Fault> of_truss = truss_faults(input);
+    if (!of_truss.empty() && !chooses_truss(document)) {
+      take_frame(input, of_truss.front());
+    } else if (!commands.empty()) {
+      faults = of_truss;
     }
   }
   for (const Fault& fault : faults) log.later_fault(fault);

@@ -42,8 +42,8 @@ const std::string no_name;
 
 /// @param commands  that answer alike
 Case read(const Json& request, std::vector<std::string> commands) {
-  Case input = parse_case(request.at("text").get<std::string>(), no_name,
-                          {.overrides = {}, .commands = std::move(commands)});
+  Case input =
+      parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
   if (input.pads.empty()) return input;
   throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
                                   "remove [[pad]], or run `bumpfoil cycle`"}});

@@ -40,6 +40,7 @@ class TableReader final : public CaseVisitor {
       : log_(outer.log_), root_(outer.root_), table_(table), path_(std::move(path)), inherits_(inherits) {}
 
   bool second_counts(const Key& first, const Key& second);
+  void range(const Key& key, const toml::table& ends, const std::string& path, std::vector<double>& values);
   void graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension);
   [[nodiscard]] bool has(const Key& key) const { return table_.contains(key.name); }
   [[nodiscard]] std::string advice_on_unknown(const std::string& name, const toml::node& node) const;

@@ -57,8 +57,7 @@ class Judge {
   bool require_for(std::string_view command, bool right, std::string key, std::string value, std::string what,
                    std::string advice) {
     if (right) return true;
-    faults_.push_back(
-        {command, {"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)}});
+    faults_.push_back({command, {"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)}});
     return false;
   }
 

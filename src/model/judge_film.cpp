@@ -104,8 +104,8 @@ void judge_equilibrium(Judge& judge, const Case& input) {
                   fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
   }
   const bool by_load = !equilibrium.loads.empty();
-  judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "", "there is no load to carry",
-                "give a list such as [[\"50 N\", \"0 N\"]], or positions");
+  judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "",
+                    "there is no load to carry", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
   judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
                 "contradicts equilibrium.loads, which is given too", "give one of the two");
   judge.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp, "equilibrium.path",
@@ -124,11 +124,11 @@ void judge_equilibrium(Judge& judge, const Case& input) {
     judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }
   judge.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
-                "set model = \"truss\" or \"frame\"");
+                    std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
+                    "set model = \"truss\" or \"frame\"");
   judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
-                std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
-                "set geometry = \"linear\"");
+                    std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
+                    "set geometry = \"linear\"");
   judge_mesh_of(judge, input.bump_foil);
   judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
@@ -144,6 +144,11 @@ void judge_film_settings(Judge& judge, const Case& input, bool bumps) {
                       "has a journal that is not round, under which no film is steady once it turns",
                       "remove journal_waviness and journal_profile");
   }
+  judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
+                    "is missing: how thin may the film be?",
+                    "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
+  judge.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
+                    "there is no load", "give a list such as [[\"50 N\", \"0 N\"]]");
   if (input.equilibrium) judge_equilibrium(judge, input);
 }
 

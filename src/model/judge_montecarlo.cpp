@@ -104,7 +104,7 @@ void judge_montecarlo(Judge& judge, const MonteCarloSettings& ensemble, double r
     judge_waves(judge, "montecarlo.sleeve_waviness", waves->harmonic, waves->amplitude, radius);
   }
   judge.require_for("montecarlo", any, "montecarlo", "", "nothing scatters: all bearings would be alike",
-                "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
+                    "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
 }
 
 }  // namespace bumpfoil

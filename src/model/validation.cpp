@@ -103,8 +103,8 @@ void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
 void judge_memory(Judge& judge, std::string_view command, const std::string& key, int steps, std::int64_t increments,
                   int bumps) {
   judge.require_for(command, increments <= most_bump_increments / bumps, key, std::to_string(steps),
-                fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
-                "give fewer steps, or fewer directions or cycles");
+                    fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                    "give fewer steps, or fewer directions or cycles");
 }
 
 /// A direction that is there twice, or once more after a full turn, would only repeat its results.
@@ -154,14 +154,14 @@ void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
     if (!is_load) start = value.norm();
     judge.require_for("cycle", is_load || limit <= 0.0 || start < limit, "cycle.preload", shown,
                       "would press the bumps flat",
-                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+                      fmt::format("give less than clearance and rise together, {:.6g} m", limit));
   }
   if (by_load || !amplitude || limit <= 0.0 || start >= limit) return;
-  judge.require_for("cycle", start + cycle.amplitude.value<limit, "cycle.amplitude", quantity(cycle.amplitude.value, "m"), start> 0.0
-                    ? "would press the bumps flat on top of cycle.preload"
-                    : "would press the bumps flat",
-                fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
-                            start > 0.0 ? ", preload included" : ""));
+  const bool flat = start + cycle.amplitude.value >= limit;
+  judge.require_for("cycle", !flat, "cycle.amplitude", quantity(cycle.amplitude.value, "m"),
+                    start > 0.0 ? "would press the bumps flat on top of cycle.preload" : "would press the bumps flat",
+                    fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
+                                start > 0.0 ? ", preload included" : ""));
 }
 
 /// Displacement of the journal that presses the bumps flat, m; 0 if it is not known.
@@ -199,7 +199,7 @@ void judge_target(Judge& judge, const std::string& key, const Target& target, do
     judge.within(key, target.value, load_range);
   } else if (judge.within(key, target.value, length_range) && rise > 0.0) {
     judge.require_for("strip", target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
-                  fmt::format("give less than their rise, {:.6g} m", rise));
+                      fmt::format("give less than their rise, {:.6g} m", rise));
   }
 }
 
@@ -215,8 +215,8 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
     judge_target(judge, "strip.preload", *strip.preload, rise);
     if (rise > 0.0 && !by_load && strip.preload->control == Control::displacement) {
       judge.require_for("strip", strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
-                    quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
-                    fmt::format("give both less than their rise together, {:.6g} m", rise));
+                        quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
+                        fmt::format("give both less than their rise together, {:.6g} m", rise));
     }
     if (by_load) {
       judge.require(strip.preload->control == Control::load, "strip.preload", quantity(strip.preload->value, "m"),
@@ -277,7 +277,8 @@ void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit)
     if (!counts) return;
     increments = std::int64_t{path.steps} * (path.orbits + 1);
   }
-  if (bumps > 0) judge_memory(judge, "path", path.is_orbit() ? "path.steps" : "path.points", path.steps, increments, bumps);
+  if (bumps > 0)
+    judge_memory(judge, "path", path.is_orbit() ? "path.steps" : "path.points", path.steps, increments, bumps);
 }
 
 void judge_combination(Judge& judge, const Case& input) {
@@ -285,23 +286,28 @@ void judge_combination(Judge& judge, const Case& input) {
                 "solver.name", std::string(name_of(input.solver.chosen())),
                 "the former model has no increments of contact to solve", "leave it out");
   judge.require_for("strip", !input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)),
-                "knows no strip: without gaps and history its loops would have no area",
-                "set model = \"truss\" or \"frame\"");
+                    std::string(name_of(input.bump_foil.model)),
+                    "knows no strip: without gaps and history its loops would have no area",
+                    "set model = \"truss\" or \"frame\"");
   judge.require_for("vibration", !input.vibration || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)),
-                "has no history: its loops have no area, and it cannot vibrate about a load",
-                "set model = \"truss\" or \"frame\"");
+                    std::string(name_of(input.bump_foil.model)),
+                    "has no history: its loops have no area, and it cannot vibrate about a load",
+                    "set model = \"truss\" or \"frame\"");
   judge.require(input.bearing.is_round() || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)),
                 "has feet that follow any sleeve, and knows a round journal",
                 "set model = \"truss\" or \"frame\", or remove waves, profiles and taper of [bearing]");
-  judge.require_for("montecarlo", !input.montecarlo || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "is no model for ensembles: its loops have no area",
-                "set model = \"truss\" or \"frame\"");
-  judge.require_for("montecarlo", !input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
-                "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),
-                "needs the table [equilibrium], which is missing", "add [equilibrium], or set command = \"cycle\"");
+  judge.require_for("montecarlo", !input.montecarlo || input.bump_foil.model != BumpFoilModel::former,
+                    "bump_foil.model", std::string(name_of(input.bump_foil.model)),
+                    "is no model for ensembles: its loops have no area", "set model = \"truss\" or \"frame\"");
+  judge.require_for("montecarlo",
+                    !input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
+                    "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),
+                    "needs the table [equilibrium], which is missing", "add [equilibrium], or set command = \"cycle\"");
+  judge.require_for(
+      "montecarlo",
+      !input.montecarlo || !input.montecarlo->limits || input.montecarlo->command == EnsembleCommand::equilibrium,
+      "montecarlo.limits", "true", "are those of running bearings", "set command = \"equilibrium\"");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
   judge.require_for(
@@ -309,8 +315,8 @@ void judge_combination(Judge& judge, const Case& input) {
       std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
       "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
   judge.require_for("path", !input.path || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
-                "set model = \"truss\" or \"frame\"");
+                    std::string(name_of(input.bump_foil.model)),
+                    "has no history: it can only be pushed from the centre", "set model = \"truss\" or \"frame\"");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", std::string(name_of(input.bump_foil.weld_at)),
                 "only the frame model can be welded at the start of the first arc",
@@ -330,10 +336,9 @@ void judge_combination(Judge& judge, const Case& input) {
       "set name = \"newton\" or bump_foil.geometry = \"linear\"");
 }
 
-/// Whether a command meets one of these.
-bool any_for(const std::vector<JudgedFault>& faults, std::string_view command) {
-  return std::any_of(faults.begin(), faults.end(),
-                     [command](const JudgedFault& one) { return one.command == command; });
+/// Whether one of these concerns all commands.
+bool any_concerns_all(const std::vector<JudgedFault>& faults) {
+  return std::any_of(faults.begin(), faults.end(), [](const JudgedFault& one) { return one.command.empty(); });
 }
 
 /// Faults of a pad by itself that others than the bearing's own are.
@@ -370,11 +375,11 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
     add(alone, k);
   }
   // What commands meet in a pad they meet in the placed one again.
-  if (any_for(faults, {}) || any_for(known, {})) return faults;
+  if (any_concerns_all(faults) || any_concerns_all(known)) return faults;
   faults.clear();
   const std::vector<PlacedPad> pads = place_pads(input);
   for (std::size_t k = 0; k < pads.size(); ++k) add(pads[k].alone, k);
-  if (any_for(faults, {})) return faults;
+  if (any_concerns_all(faults)) return faults;
   Judge judge;
   judge_overlaps(judge, input);
   std::vector<JudgedFault> overlaps = judge.take();

@@ -38,6 +38,9 @@ struct RunningState {
   std::vector<FilmWhirl> whirls;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
+  /// Of limits, where they were asked for: |Omega| under its load, rad/s, and load at its speed, N. Absent where they
+  /// were not found.
+  std::optional<double> lift_off_speed, load_capacity;
 
   [[nodiscard]] bool found() const { return report.status == FilmStatus::converged; }
 };
@@ -67,7 +70,7 @@ struct EquilibriumResult {
   std::shared_ptr<const FilmBearing> bearing;
   SharedFoils foils;                 ///< of the same case, without the film
   std::vector<RunningState> states;  ///< path after path, in the order in which they were found
-  std::vector<FilmLimit> limits;     ///< of run_film_limits(), where they were asked for
+  std::vector<FilmLimit> limits;     ///< of add_film_limits(), where they were asked for
 
   /// All states and limits were found.
   [[nodiscard]] bool converged() const;

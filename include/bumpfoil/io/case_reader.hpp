@@ -13,8 +13,8 @@ namespace bumpfoil {
 struct CaseRequest {
   /// "table.key=value" each, applied in order: the value is TOML, or a bare string where it is not.
   std::vector<std::string> overrides;
-  /// That are to run the case: their tables must be there, and what keeps one from running is a fault. With "montecarlo"
-  /// a case that names no solver gets ensemble_solver().
+  /// That are to run the case: their tables must be there, and what keeps one from running is a fault. With
+  /// "montecarlo" a case that names no solver gets ensemble_solver().
   std::vector<std::string> commands;
 };
 

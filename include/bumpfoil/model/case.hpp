@@ -328,6 +328,8 @@ struct Case {
   FilmSettings film{};
   std::optional<EquilibriumSettings> equilibrium{};
   std::optional<MonteCarloSettings> montecarlo{};
+  /// What its reader chose where the case file leaves the choice, in plain words: warnings of every result.
+  std::vector<std::string> remarks{};
 
   bool operator==(const Case&) const = default;
 };

@@ -17,7 +17,8 @@ inline constexpr int most_points = 1'000'000;
 
 /// A fault of a case, and the command that it keeps from running; empty: all of them.
 struct JudgedFault {
-  std::string_view command;  ///< "cycle", "strip", "path", "vibration", "equilibrium", "film" or "montecarlo"
+  /// "cycle", "strip", "path", "vibration", "equilibrium", "limits" of it, "film" or "montecarlo"
+  std::string_view command;
   Fault fault;
 };
 

@@ -179,8 +179,7 @@ TEST(CaseKeyNames, AreThoseThatChangesGoBy) {
   const auto reaches = [](const std::string& name) {
     // Whatever is wrong with the value: of a key that is not there the message says that it is not known.
     try {
-      static_cast<void>(
-          parse_case(case_template("gen1"), "case.toml", {.overrides = {name + "=?"}, .commands = {}}));
+      static_cast<void>(parse_case(case_template("gen1"), "case.toml", {.overrides = {name + "=?"}, .commands = {}}));
     } catch (const Error& error) {
       return std::string(error.what()).find("no known key") == std::string::npos;
     }

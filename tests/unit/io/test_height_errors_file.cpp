@@ -123,8 +123,7 @@ TEST(HeightErrorsFile, MayBeWrittenInManyWays) {
       csv += bump == 3 ? begin + "3" + end + "\n# again\n" : begin + std::to_string(bump) + end + "\n";
     }
     folder.write("heights.csv", csv);
-    const Case input =
-        read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}});
+    const Case input = read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}});
     return input.bump_foil.height_errors[2];
   };
   EXPECT_DOUBLE_EQ(third("bump;height_error_um", "", ";4,25"), 4.25e-6);
