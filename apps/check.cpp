@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +17,16 @@ struct CheckOptions {
   std::vector<std::string> overrides;
 };
 
+/// Lines of comment.
+std::string verdicts(const std::vector<CheckedCommand>& commands) {
+  std::string out = commands.empty() ? "" : "\n";
+  for (const CheckedCommand& command : commands) {
+    out += fmt::format("# {}: {}\n", command.name, command.faults.empty() ? "ok" : "not possible");
+    for (const Fault& fault : command.faults) out += fmt::format("#   {}\n", format_fault(fault));
+  }
+  return out;
+}
+
 }  // namespace
 
 void add_check_command(CLI::App& program, Session& session) {
@@ -22,10 +34,14 @@ void add_check_command(CLI::App& program, Session& session) {
   CLI::App* command = program.add_subcommand("check", "Read and validate a case; print it as understood, in SI");
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   add_overrides(*command, options->overrides);
-  command->footer("Example:\n  bumpfoil check case.toml\nWhat is printed is a case file itself.");
+  command->footer(
+      "Example:\n  bumpfoil check case.toml\nWhat is printed is a case file itself. Its last lines, comments, say "
+      "which of the commands that it has a table for can run it, and why others cannot. Where none can, that is an "
+      "error.");
   command->callback([options, &session] {
-    const Case input = read_case(options->case_path, {.overrides = options->overrides, .required_tables = {}});
-    if (!session.quiet) print_output(case_to_toml(input));
+    const CheckedCase checked = check_case(read_case_text(options->case_path), options->case_path, options->overrides);
+    if (!session.quiet) print_some("warning: ", checked.input.remarks);
+    if (!session.quiet) print_output(case_to_toml(checked.input) + verdicts(checked.commands));
   });
 }
 

@@ -14,7 +14,7 @@ void add_cycle_command(CLI::App& program, Session& session) {
                        "'cycle.directions=[\"+X\"]'\n"
                        "  bumpfoil cycle case.toml -o seventeen --sample tolerances/ensemble.nc:17\n",
                        run_cycles);
-  cycle.takes_samples = true;
+  cycle.sampled = EnsembleCommand::cycle;
   add_experiment(program, session, cycle);
 }
 

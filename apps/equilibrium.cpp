@@ -44,7 +44,7 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
                    "found.\n"
                    "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
        .files = equilibrium_file_names("equilibrium"),
-       .takes_samples = true,
+       .sampled = EnsembleCommand::equilibrium,
        .run = [flags](const Case& input, const ProgressCallback& progress) {
          return outcome_of(input, analyse_running_bearing(input, flags->request, progress), flags->ross_version);
        }});
@@ -63,7 +63,6 @@ void add_equilibrium_command(CLI::App& program, Session& session) {
 void add_film_command(CLI::App& program, Session& session) {
   add_experiment(program, session,
                  {.name = "film",
-                  .table = "equilibrium",
                   .summary = "Find the gas film over a rigid wall, or one of springs, in place of the foils",
                   .examples = "  bumpfoil film case.toml -o rigid --set 'equilibrium.speeds=[\"45000 rpm\"]' --set "
                               "'equilibrium.positions=[[\"15 um\", \"0 um\"]]'\n"

@@ -33,23 +33,22 @@ struct ExperimentOptions {
 };
 
 /// The case of a sample that is given as FILE:NUMBER.
-Case sampled_case(const std::string& sample, const Case& input) {
+Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand command) {
   const std::size_t colon = sample.rfind(':');
   std::size_t number = 0;
   if (colon == std::string::npos || !CLI::detail::lexical_cast(sample.substr(colon + 1), number)) {
     throw Error(ErrorKind::input, {{"", 0, "--sample", sample, "does not end with the number of a sample",
                                     "write it behind the file: results/ensemble.nc:17"}});
   }
-  return read_sampled_case(sample.substr(0, colon), number, input);
+  return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
 ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& options, const Session& session) {
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
-  Case input = parse_case(case_text, options.case_path,
-                          {.overrides = options.overrides,
-                           .required_tables = {experiment.table.empty() ? experiment.name : experiment.table}});
-  if (!options.sample.empty()) input = sampled_case(options.sample, input);
+  Case input =
+      parse_case(case_text, options.case_path, {.overrides = options.overrides, .commands = {experiment.name}});
+  if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
 
@@ -68,7 +67,7 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   folder.publish();
   if (!session.quiet) {
     print_output(outcome.table);
-    print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.name), place,
+    print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.chosen()), place,
                              fmt::join(experiment.files, ", ")));
     for (const std::string& warning : outcome.warnings) print_message("warning: " + warning);
   }
@@ -123,7 +122,7 @@ CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCo
   command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
       ->required();
-  if (experiment.takes_samples) {
+  if (experiment.sampled) {
     command->add_option("--sample", options->sample, "Of an ensemble, the bearing of this number; CASE is its case")
         ->type_name("ENSEMBLE.NC:NUMBER");
   }

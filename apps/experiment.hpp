@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,11 +25,10 @@ struct Outcome {
 /// A command that does to the foils what its table of the case says, and writes the results to a folder.
 struct ExperimentCommand {
   std::string name;
-  std::string table{};  ///< of the case that it needs; empty: the one of its own name
   std::string summary;  ///< what it does, for --help
   std::string examples;
-  std::vector<std::string> files;  ///< names of all that it writes
-  bool takes_samples{};            ///< it runs samples of an ensemble as well
+  std::vector<std::string> files;            ///< names of all that it writes
+  std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   std::function<Outcome(const Case&, const ProgressCallback&)> run;
 };
 

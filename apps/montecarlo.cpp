@@ -37,6 +37,7 @@ struct MonteCarloOptions {
   std::optional<unsigned> threads;
   std::optional<double> target_error;
   std::vector<std::string> limits;
+  bool film_limits{};
   std::vector<std::string> overrides;
   bool force{};
   bool resume{};
@@ -80,9 +81,10 @@ Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& 
     std::string option, key, value;
   };
   std::vector<Shorthand> given{{"--samples", "montecarlo.samples", options.samples},
-                               {"--seed", "montecarlo.seed", options.seed}};
+                               {"--seed", "montecarlo.seed", options.seed},
+                               {"--limits", "montecarlo.limits", options.film_limits ? "true" : ""}};
   std::erase_if(given, [](const Shorthand& one) { return one.value.empty(); });
-  CaseRequest request{.overrides = options.overrides, .required_tables = {"montecarlo"}};
+  CaseRequest request{.overrides = options.overrides, .commands = {"montecarlo"}};
   for (const Shorthand& one : given) request.overrides.push_back(one.key + '=' + one.value);
   try {
     return parse_case(case_text, options.case_path, request);
@@ -147,6 +149,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   if (!session.quiet) {
     print_output(ensemble_table(layout, statistics));
     print_output(yield_text(yields));
+    print_some("warning: ", input.remarks);
     if (shares.size() > 1) print_output(shares_text(std::move(shares), log.samples() - before));
     print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
   }
@@ -175,6 +178,9 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
       ->required();
   command->add_option("--samples", options->samples, "The same as --set montecarlo.samples=N")->type_name("N");
   command->add_option("--seed", options->seed, "The same as --set montecarlo.seed=S")->type_name("S");
+  command->add_flag(
+      "--limits", options->film_limits,
+      "Lift-off speeds and load capacities of running bearings, too: the same as --set montecarlo.limits=true");
   command->add_option("--threads", options->threads, "Samples that are run at a time; results do not depend on it")
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");

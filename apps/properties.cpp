@@ -67,7 +67,8 @@ void add_properties_command(CLI::App& program, Session& /*session*/) {
   add_overrides(*command, options->overrides);
   command->footer("Example:\n  bumpfoil properties case.toml --set bump_foil.height_reference=midsurface");
   command->callback([options] {
-    const Case input = read_case(options->case_path, {.overrides = options->overrides, .required_tables = {}});
+    const Case input = read_case(options->case_path, {.overrides = options->overrides, .commands = {}});
+    print_some("warning: ", input.remarks);
     print_output(options->json ? json_of(place_pads(input)) : text_of(input));
   });
 }

@@ -29,6 +29,7 @@ struct SweepOptions {
   std::vector<std::string> over;
   std::vector<std::string> overrides;
   unsigned threads{available_threads()};
+  bool limits{};
   bool force{};
 };
 
@@ -40,9 +41,11 @@ SweptCommand command_called(std::string_view name) {
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
-  const Sweep sweep =
-      parse_sweep(case_text, options.case_path,
-                  {.command = command_called(options.command), .over = options.over, .overrides = options.overrides});
+  const Sweep sweep = parse_sweep(case_text, options.case_path,
+                                  {.command = command_called(options.command),
+                                   .over = options.over,
+                                   .overrides = options.overrides,
+                                   .limits = options.limits});
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse,
                       sweep_file_names(sweep.command));
@@ -94,7 +97,8 @@ void add_sweep_command(CLI::App& program, Session& session) {
   command
       ->add_option("--over", options->over,
                    "Key and values: friction.coefficient=0:0.5:0.05 (TO included), or a list, "
-                   "cycle.amplitude=[60 um, 80 um]; given again, every combination is run")
+                   "cycle.amplitude=[60 um, 80 um]; of equilibrium.speeds each point has one; given again, every "
+                   "combination is run")
       ->type_name("KEY=FROM:TO:STEP")
       ->allow_extra_args(false)
       ->take_all()
@@ -107,6 +111,8 @@ void add_sweep_command(CLI::App& program, Session& session) {
   command->add_option("--command", options->command, "What is run at every point")
       ->check(one_of({enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()}))
       ->capture_default_str();
+  command->add_flag("--limits", options->limits,
+                    "Of equilibrium: lift-off speeds and load capacities, too, where the film is film.h_lift_off thin");
   command->add_option("--threads", options->threads, "Points that are run at a time; results do not depend on it")
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
@@ -124,6 +130,8 @@ void add_sweep_command(CLI::App& program, Session& session) {
       "  bumpfoil sweep examples/running.toml --command equilibrium --over 'bearing.radial_clearance=[25 um, 30 um]' "
       "-o "
       "clearance\n"
+      "  bumpfoil sweep examples/running.toml --command equilibrium --over 'equilibrium.speeds=20000 rpm:60000 "
+      "rpm:10000 rpm' -o speeds\n"
       "A grid has at most {} points. All cases are checked before the first is run. A point that fails is kept, with "
       "its status. Ctrl-C ends the run; what there is by then is written and flagged as partial.",
       most_sweep_points));

@@ -46,7 +46,9 @@ def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
     """``table.key=value`` of everything in nested tables; what is None is left as it is."""
     for name, value in tables.items():
         key = path + (name if not path else _key(name))
-        if isinstance(value, Mapping) and not {"start", "end"} <= value.keys():  # which are a law in place of a value
+        # Laws and ranges stand in place of a value.
+        ends = ({"start", "end"}, {"from", "to"})
+        if isinstance(value, Mapping) and not any(pair <= value.keys() for pair in ends):
             yield from _pairs(value, key + ".")
         elif value is not None:
             yield f"{key}={toml_value(value)}"
@@ -111,7 +113,8 @@ class Case:
 
     @property
     def toml(self) -> str:
-        """The case as understood, as a case file in SI with defaults filled in; what ``bumpfoil check`` prints."""
+        """The case as understood, as a case file in SI with defaults filled in; what ``bumpfoil check`` prints before
+        it says which commands can run the case."""
         return self._toml
 
     def to_dict(self) -> dict[str, Any]:

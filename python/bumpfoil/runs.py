@@ -81,7 +81,9 @@ def check(case: Any = None, /, **tables: Any) -> Case:
     CaseError
         With every fault, its place, the value met, what to change.
     """
-    return as_case(case, tables)
+    checked = as_case(case, tables)
+    checked._source.check()
+    return checked
 
 
 def properties(case: Any, /, **tables: Any) -> dict[str, Any]:
@@ -174,11 +176,13 @@ def run_equilibrium(
     """
     over : mapping
         Values by their dotted keys: ``{"friction.coefficient": numpy.linspace(0, 0.5, 11)}``, quantities of pint, or a range as
-        the program takes it, ``"60 um:90 um:10 um"`` (its end included).
+        the program takes it, ``"60 um:90 um:10 um"`` (its end included). Of ``equilibrium.speeds`` each point has one.
     command : str
         ``cycle``, ``strip``, ``vibration`` or ``equilibrium``.
     threads : int, optional
         On which points are run; all cores without.
+    limits : bool
+        Of ``equilibrium``: whether lift-off speeds and load capacities are found, too, where the film is film.h_lift_off thin.
     """
 )
 def run_sweep(
@@ -188,6 +192,7 @@ def run_sweep(
     *,
     command: str = "cycle",
     threads: int | None = None,
+    limits: bool = False,
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
@@ -199,7 +204,7 @@ def run_sweep(
     swept = [f"{key}={values if isinstance(values, str) else toml_value(values)}" for key, values in over.items()]
     source = as_case(case, tables)._source
     with shown(progress) as called:
-        run = _native.sweep(source, command, swept, threads, called)
+        run = _native.sweep(source, command, swept, threads, limits, called)
     return Result._of_run(run)
 
 

@@ -83,10 +83,10 @@ Run run_running(const CaseSource& source, bool all_paths, bool limits, const py:
 }
 
 Run sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
-          std::optional<unsigned> threads, const py::object& progress) {
+          std::optional<unsigned> threads, bool limits, const py::object& progress) {
   const auto& names = enum_names<SweptCommand>;
   const auto swept = static_cast<SweptCommand>(std::find(names.begin(), names.end(), command) - names.begin());
-  const Sweep grid = read_sweep(source, swept, over);
+  const Sweep grid = read_sweep(source, swept, over, limits);
   const std::string text = kept_text(source, grid.cases.front());
   return watched(progress, [&](const ProgressCallback& go_on) {
     return run_sweep(grid, text, threads.value_or(available_threads()), go_on);
@@ -160,6 +160,7 @@ PYBIND11_MODULE(_native, m) {
       .def_readonly("changes", &CaseSource::changes)
       .def("toml", [](const CaseSource& source) { return case_to_toml(read_source(source)); })
       .def("json", [](const CaseSource& source) { return case_to_json(read_source(source)); })
+      .def("check", check_source)
       .def("properties", [](const CaseSource& source) {
         const Case input = read_source(source);
         return properties_json(input, compute_properties(input));

@@ -73,15 +73,19 @@ Run equilibrium_run(const Case& input, const std::string& case_text, Equilibrium
 
 }  // namespace
 
-Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables) {
-  return told_by_keys([&] {
-    return parse_case(source.text, source.name, {.overrides = source.changes, .required_tables = required_tables});
-  });
+Case read_source(const CaseSource& source, const std::vector<std::string>& commands) {
+  return told_by_keys(
+      [&] { return parse_case(source.text, source.name, {.overrides = source.changes, .commands = commands}); });
 }
 
-Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over) {
+void check_source(const CaseSource& source) {
+  told_by_keys([&] { return check_case(source.text, source.name, source.changes); });
+}
+
+Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over, bool limits) {
   return told_by_keys([&] {
-    return parse_sweep(source.text, source.name, {.command = command, .over = over, .overrides = source.changes});
+    return parse_sweep(source.text, source.name,
+                       {.command = command, .over = over, .overrides = source.changes, .limits = limits});
   });
 }
 

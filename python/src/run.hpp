@@ -22,7 +22,10 @@ struct CaseSource {
 };
 
 /// @throws Error as parse_case() does; what was given in Python is told by its keys alone
-Case read_source(const CaseSource& source, const std::vector<std::string>& required_tables = {});
+Case read_source(const CaseSource& source, const std::vector<std::string>& commands = {});
+
+/// @throws Error as check_case() does, told in the same way
+void check_source(const CaseSource& source);
 
 /// What a command gave.
 struct Run {
@@ -36,7 +39,7 @@ struct Run {
 
 /// The grid of a sweep.
 /// @throws Error as parse_sweep() and read_source() do
-Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over);
+Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over, bool limits);
 
 /// Where results come from. @param case_text  see kept_text()
 Provenance provenance_of(const std::string& command, const std::string& case_text);

@@ -40,7 +40,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
     CycleSeries series(*stepper, course, centre, step_);
     return series.until_settled(settings.cycles, recording, progress, clearances);
   };
-  const bool needs_no_steps = recording == Recording::quantities && settings_.name == SolverName::events &&
+  const bool needs_no_steps = recording == Recording::quantities && settings_.chosen() == SolverName::events &&
                               !settings.preload && settings.amplitude.control == Control::displacement;
   if (needs_no_steps) {
     Cycle cycle = run_with(fast_, Rates::by_tableau, 1);
@@ -52,7 +52,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
 
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
   if (input.bump_foil.model == BumpFoilModel::former) return run_former_cycles(input, progress);
-  CycleRunner runner(make_bearing_foils(input), input.solver);
+  CycleRunner runner(make_bearing_foils(input, {"cycle"}), input.solver);
   const CycleSettings& settings = input.cycle;
   return run_each_cycle(Experiment::cycle, input, std::ssize(settings.directions), progress,
                         [&](std::size_t i, const ProgressCallback& progress_of_cycle) {

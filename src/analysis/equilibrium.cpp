@@ -345,10 +345,6 @@ FilmBearing require_running_bearing(const Case& input) {
   if (!input.equilibrium) {
     throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
   }
-  if (input.solver.name != SolverName::newton) {
-    throw Error(ErrorKind::input, {{"", 0, "solver.name", std::string(name_of(input.solver.name)),
-                                    "cannot solve contacts under a film", "use newton"}});
-  }
   return make_film_bearing(input);
 }
 

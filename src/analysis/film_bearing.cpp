@@ -114,13 +114,6 @@ void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& al
   all.moment(pad.columns()) = part.moment;
 }
 
-void require_film_geometry(const Case& input) {
-  if (input.bearing.journal == RadiusProfile{}) return;
-  throw Error(ErrorKind::input,
-              {{"", 0, "bearing", "", "has a journal that is not round, under which no film is steady once it turns",
-                "remove journal_waviness and journal_profile"}});
-}
-
 namespace {
 
 /// Puts one more pad behind those there are.
@@ -143,8 +136,7 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 }  // namespace
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  require_film_geometry(input);
-  const SharedFoils shared = make_bearing_foils(input);
+  const SharedFoils shared = make_bearing_foils(input, {"equilibrium"});
   const Foils& foils = *shared;
   FilmBearing bearing;
   bearing.clearance = bearing.room = foils.clearance;

@@ -1,9 +1,12 @@
 #include "bumpfoil/analysis/film_limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
-#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/validation.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -118,19 +121,16 @@ FilmLimit find_limit(const Case& input, FilmLimitKind kind, double speed, const 
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
 }
 
+/// Where a value stands in a list that it was taken from.
+template <typename Value>
+std::size_t place_in(const std::vector<Value>& list, const Value& value) {
+  return static_cast<std::size_t>(std::find(list.begin(), list.end(), value) - list.begin());
+}
+
 }  // namespace
 
 std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bool(double)>& progress) {
-  std::vector<Fault> faults;
-  if (!input.film.h_lift_off) {
-    faults.push_back({"", 0, "film.h_lift_off", "", "is missing: how thin may the film be?",
-                      "give a thickness such as \"2 um\", three times the roughness of both surfaces together"});
-  }
-  if (!input.equilibrium || input.equilibrium->loads.empty()) {
-    faults.push_back({"", 0, "equilibrium.loads", "", "there is no load", "give a list such as [[\"50 N\", \"0 N\"]]"});
-  }
-  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
-
+  require_valid(input, {"limits"});
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   const auto total = static_cast<double>(equilibrium.loads.size() + equilibrium.speeds.size());
   std::vector<FilmLimit> limits;
@@ -142,6 +142,20 @@ std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bo
     limits.push_back(find_limit(input, FilmLimitKind::load_capacity, speed, equilibrium.loads.front(), keep_going));
   }
   return limits;
+}
+
+void add_film_limits(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress) {
+  result.limits = run_film_limits(input, progress);
+  const std::vector<double>& speeds = input.equilibrium->speeds;
+  const std::vector<Eigen::Vector2d>& loads = input.equilibrium->loads;
+  const auto value_at = [&result](std::size_t place) {
+    const FilmLimit& limit = result.limits[place];
+    return limit.found() ? std::optional(limit.value) : std::nullopt;
+  };
+  for (RunningState& state : result.states) {
+    state.lift_off_speed = value_at(place_in(loads, state.asked.journal));
+    state.load_capacity = value_at(loads.size() + place_in(speeds, state.asked.speed));
+  }
 }
 
 }  // namespace bumpfoil

@@ -29,7 +29,7 @@ Excitation between(const Excitation& begin, const Excitation& end, double fracti
 
 std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
                                                  const std::shared_ptr<ModeSystem>& modes, Rates rates) {
-  switch (settings.name) {
+  switch (settings.chosen()) {
     case SolverName::newton:
       return make_increment_follower(std::make_unique<NewtonSolver>(problem, modes));
     case SolverName::events:
@@ -58,7 +58,7 @@ FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings, Rate
     : foils_(std::move(foils)),
       modes_(make_mode_system(foils_->problem)),
       follower_(make_path_follower(SharedProblem({foils_, &foils_->problem}), settings, modes_, rates)),
-      follows_events_(settings.name == SolverName::events),
+      follows_events_(settings.chosen() == SolverName::events),
       rate_(ContactState::unstressed(foils_->problem)) {}
 
 FoilStepper::~FoilStepper() = default;

@@ -119,8 +119,8 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
                     .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
 }
 
-SharedFoils make_bearing_foils(const Case& input) {
-  require_bearing(input);
+SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
+  require_bearing(input, commands);
   const std::vector<PlacedPad> pads = place_pads(input);
   Foils foils = make_pad_foils(pads.front());
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
@@ -129,7 +129,7 @@ SharedFoils make_bearing_foils(const Case& input) {
 }
 
 SharedFoils make_strip_foils(const Case& input) {
-  require_valid(input);
+  require_valid(input, {"strip"});
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
   Foils foils = make_foils(cut_to_strip(input), make_strip_design(input));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));

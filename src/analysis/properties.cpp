@@ -29,7 +29,8 @@ std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
                         .stiffest = eigenvalues(stiffness).maxCoeff()};
 }
 
-std::optional<StiffnessRange> bump_foil_range(const FoilDesign& foils) {
+std::optional<StiffnessRange> bump_foil_range(const Case& input, const FoilDesign& foils) {
+  if (input.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty()) return std::nullopt;
   const FoilStructure structure = make_foil_structure(foils);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index row = 0; row < structure.K.rows(); ++row) {
@@ -62,7 +63,7 @@ BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, dou
 Properties compute_properties(const Case& input) {
   require_valid(input);
   const FoilDesign foils = make_bearing_design(input);
-  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(foils)};
+  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(input, foils)};
   int number = 0;
   for (const BumpShape& bump : nominal_bumps(input.bump_foil)) {
     ++number;

@@ -60,7 +60,7 @@ EquilibriumResult analyse_running_bearing(const Case& input, const RunningReques
   }
   if (request.limits) {
     done += 1.0;
-    result.limits = run_film_limits(input, part_progress);
+    add_film_limits(input, result, part_progress);
   }
   return result;
 }

@@ -43,8 +43,7 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 }  // namespace
 
 FilmBearing make_wall_bearing(const Case& input) {
-  require_bearing(input);
-  require_film_geometry(input);
+  require_bearing(input, {"film"});
   if (!input.pads.empty()) {
     throw Error(ErrorKind::input, {{"", 0, "pad", "", "are parts of the sleeve: a wall in place of the foils has none",
                                     "remove them, or run equilibrium, whose film knows pads"}});

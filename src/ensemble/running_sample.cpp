@@ -1,12 +1,15 @@
 #include "bumpfoil/ensemble/running_sample.hpp"
 
+#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/core/error.hpp"
 
 namespace bumpfoil {
 
-EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress) {
+EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress, bool limits) {
   try {
-    return run_equilibrium(sampled, {}, progress);
+    EquilibriumResult result = run_equilibrium(sampled, {}, progress);
+    if (limits) add_film_limits(sampled, result, progress);
+    return result;
   } catch (const Error&) {
     EquilibriumResult not_run;
     not_run.states = planned_states(*sampled.equilibrium, FilmStatus::not_physical);

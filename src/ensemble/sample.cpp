@@ -57,7 +57,7 @@ void raise_bumps(Case& sampled, const std::vector<double>& deviations) {
 
 /// What is told of a bearing that cannot be built.
 CycleResult not_run(const Case& sampled) {
-  CycleResult result{.solver = sampled.solver.name, .experiment = Experiment::cycle, .cycles = {}};
+  CycleResult result{.solver = sampled.solver.chosen(), .experiment = Experiment::cycle, .cycles = {}};
   for (const double direction : sampled.cycle.directions) {
     Cycle& cycle = result.cycles.emplace_back();
     cycle.direction = direction;
@@ -118,7 +118,7 @@ Case sampled_case(const Case& input, const Sample& sample) {
 CycleResult SampleRunner::run(const Case& sampled, const ProgressCallback& progress) {
   SharedFoils foils;
   try {
-    foils = make_bearing_foils(sampled);
+    foils = make_bearing_foils(sampled, {"cycle"});
   } catch (const Error&) {
     return not_run(sampled);
   }
@@ -128,7 +128,7 @@ CycleResult SampleRunner::run(const Case& sampled, const ProgressCallback& progr
     settings_ = sampled.solver;
     runner_.emplace(std::move(foils), settings_);
   }
-  CycleResult result{.solver = sampled.solver.name, .experiment = Experiment::cycle, .cycles = {}};
+  CycleResult result{.solver = sampled.solver.chosen(), .experiment = Experiment::cycle, .cycles = {}};
   for (const double direction : sampled.cycle.directions) {
     result.cycles.push_back(runner_->run(direction, sampled.cycle, Recording::quantities, progress));
   }

@@ -58,7 +58,7 @@ ContactLoading loading_under(const FormerModel& model, const Eigen::Vector2d& po
 }  // namespace
 
 FormerModel make_former_model(const Case& input) {
-  require_bearing(input);
+  require_bearing(input, {"cycle"});
   const int bumps = input.bump_foil.bumps;
   FormerModel model;
   model.bearing = input.bearing;

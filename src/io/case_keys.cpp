@@ -139,9 +139,14 @@ void describe(CaseVisitor& keys, Shim& shim) {
 }
 
 void describe(CaseVisitor& keys, BumpFoil& foil) {
-  keys.choice({"model", defaulted, "Model",
-               "springs between crests and feet; \"frame\": arcs and beams; \"former\": model of 2007"},
-              foil.model);
+  keys.choice(
+      {.name = "model",
+       .presence = defaulted,
+       .title = "Model",
+       .text = "springs between crests and feet; \"frame\": arcs and beams; \"former\": model of 2007. Where no model "
+               "is given and no truss can stand for the foil, a frame does, with a warning",
+       .left_open = foil.model == BumpFoilModel::truss},
+      foil.model);
   keys.choice(
       {"geometry", defaulted, "Displacements", "displacements are small; frame only: \"nonlinear\" follows large ones"},
       foil.geometry);
@@ -253,10 +258,13 @@ void describe(CaseVisitor& keys, Friction& friction) {
 }
 
 void describe(CaseVisitor& keys, SolverSettings& solver) {
-  keys.choice({"name", defaulted, "Name",
-               "exact contact and friction; \"events\" follows the path from one change of contact to the next; "
-               "\"uzawa\" is the method of the 2019 paper, with the penalties below"},
-              solver.name);
+  keys.choice(
+      {"name", defaulted, "Name",
+       "exact contact and friction; \"events\" follows the path from one change of contact to the next, and is the "
+       "default of montecarlo for cycles of small displacements; \"uzawa\" is the method of the 2019 paper, with "
+       "the penalties below",
+       "\"newton\""},
+      solver.name);
   UzawaParameters& uzawa = solver.uzawa;
   keys.value({"eps_alm", optional, "Penalty, normal contacts",
               "penalty of the normal contacts; else from the stiffness", "100 MN/m", stiffness},
@@ -419,6 +427,9 @@ void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
   keys.value({"samples", defaulted, "Samples", "bearings that are drawn"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
              &ensemble.seed);
+  keys.value({"limits", defaulted, "Limits",
+              "of running bearings: lift-off speeds and load capacities, too, where the film is film.h_lift_off thin"},
+             &ensemble.limits);
   const auto scatter = [&keys](std::string_view name, std::string_view title, auto& members,
                                const Deviation& deviation) {
     optional_table(keys, {name, optional, title, "the same for all of a bearing"}, members,

@@ -33,8 +33,9 @@ struct Key {
   std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
   std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
   bool instead{};                        ///< in place of the key before it: nobody gives both
-  std::string_view spared_by{};          ///< table beside which a required key may be left out
-  std::string_view stand_in{};           ///< key of its table that may be given in its place
+  bool left_open{};              ///< the reader may know better than the default, which authors do not write then
+  std::string_view spared_by{};  ///< table beside which a required key may be left out
+  std::string_view stand_in{};   ///< key of its table that may be given in its place
 };
 
 /// Where the value of a key is kept. An absent number and an empty list stand for no value.
@@ -56,14 +57,22 @@ class CaseVisitor {
   /// A list of vectors in the X-Y plane, each by its components along X and Y.
   virtual void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) = 0;
 
-  /// One of a few words, by its index.
-  virtual void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) = 0;
+  /// One of a few words, by its index, or none.
+  virtual void word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) = 0;
+
+  template <typename Enum>
+  void choice(const Key& key, std::optional<Enum>& value) {
+    std::optional<std::size_t> index;
+    if (value) index = static_cast<std::size_t>(*value);
+    word(key, enum_names<Enum>, index);
+    if (index) value = static_cast<Enum>(*index);
+  }
 
   template <typename Enum>
   void choice(const Key& key, Enum& value) {
-    auto index = static_cast<std::size_t>(value);
-    word(key, enum_names<Enum>, index);
-    value = static_cast<Enum>(index);
+    std::optional<Enum> chosen = value;
+    choice(key, chosen);
+    value = *chosen;
   }
 
   /// A number that is given once for all of several keys, or for each by its own.

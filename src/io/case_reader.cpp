@@ -23,10 +23,42 @@ std::string name_in_messages(const std::string& path) {
   return path == standard_input ? "standard input" : path;
 }
 
-/// All commands that ask for a table, but that about a strip between plates.
+/// All commands do, but that about a strip between plates.
 bool needs_bearing(const CaseRequest& request) {
-  return std::any_of(request.required_tables.begin(), request.required_tables.end(),
-                     [](const std::string& table) { return table != "strip"; });
+  return std::any_of(request.commands.begin(), request.commands.end(),
+                     [](const std::string& command) { return command != "strip"; });
+}
+
+/// What keeps the foils from being built, where they are to be a truss.
+std::vector<Fault> truss_faults(const Case& input) {
+  if (input.bump_foil.model == BumpFoilModel::frame) return {};
+  for (const PlacedPad& pad : place_pads(input)) {
+    std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
+    if (!faults.empty()) return faults;
+  }
+  return {};
+}
+
+/// Whether the author of a case chose a model, or gave constants of a truss.
+bool chooses_truss(const toml::table& document) {
+  const auto chosen_in = [](const toml::node_view<const toml::node>& foil) { return foil["model"] || foil["truss"]; };
+  if (chosen_in(document["bump_foil"])) return true;
+  const toml::array* pads = document["pad"].as_array();
+  return pads != nullptr && std::any_of(pads->begin(), pads->end(), [&](const toml::node& pad) {
+           return chosen_in(toml::node_view<const toml::node>(pad)["bump_foil"]);
+         });
+}
+
+/// In place of a truss that nobody asked for. @param fault  of the truss
+void take_frame(Case& input, const Fault& fault) {
+  input.bump_foil.model = BumpFoilModel::frame;
+  for (Pad& pad : input.pads) {
+    if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
+  }
+  input.remarks.push_back(
+      fmt::format("the bump foil is modelled as a frame, since no truss can stand for it ({} {}); write "
+                  "bump_foil.model = \"frame\" to choose that, or give the constants of a truss in [bump_foil.truss]",
+                  fault.key, fault.what));
 }
 
 }  // namespace
@@ -53,13 +85,18 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     missed("bearing.radius", "give it, or bearing.diameter");
     if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
   }
-  std::vector<std::string> tables = request.required_tables;
-  const bool runs_ensemble = std::find(tables.begin(), tables.end(), "montecarlo") != tables.end();
-  if (runs_ensemble && input.montecarlo && input.montecarlo->command == EnsembleCommand::cycle) {
-    tables.emplace_back("cycle");
+  std::vector<std::string> commands = request.commands;
+  const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
+  if (runs_ensemble && input.montecarlo) {
+    commands.emplace_back(name_of(input.montecarlo->command));
+    if (input.montecarlo->limits) commands.emplace_back("limits");
+    if (!input.solver.name) input.solver.name = ensemble_solver(input);
   }
-  for (const std::string& table : tables) {
-    if (document.contains(table)) continue;
+  for (const std::string& command : commands) {
+    const std::string table = command == "film" || command == "limits" ? "equilibrium" : command;
+    // That an ensemble needs [equilibrium] is told of its command.
+    const bool told = runs_ensemble && command == "equilibrium";
+    if (told || document.contains(table)) continue;
     // To add what is refused beside pads would lead nowhere.
     const bool knows_pads = table != "strip";
     if (knows_pads || input.pads.empty()) {
@@ -72,16 +109,47 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
                       table));
     }
   }
-  std::vector<Fault> faults = find_faults(input);
-  if (faults.empty() && input.bump_foil.model != BumpFoilModel::frame) {
-    for (const PlacedPad& pad : place_pads(input)) {
-      faults = find_truss_faults(make_bearing_design(pad.alone));
-      if (!faults.empty()) break;
+  std::vector<Fault> faults = find_faults(input, commands);
+  if (faults.empty()) {
+    const std::vector<Fault> of_truss = truss_faults(input);
+    if (!of_truss.empty() && !chooses_truss(document)) {
+      take_frame(input, of_truss.front());
+    } else if (!commands.empty()) {
+      faults = of_truss;
     }
   }
   for (const Fault& fault : faults) log.later_fault(fault);
   log.throw_if_faulty();
   return input;
+}
+
+CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}}), .commands = {}};
+  const Case& input = checked.input;
+  std::vector<Fault> faults;
+  for (const auto& [command, has_table] :
+       {std::pair{"cycle", !input.cycle.directions.empty()}, std::pair{"strip", input.strip.has_value()},
+        std::pair{"path", input.path.has_value()}, std::pair{"vibration", input.vibration.has_value()},
+        std::pair{"equilibrium", input.equilibrium.has_value()},
+        std::pair{"montecarlo", input.montecarlo.has_value()}}) {
+    if (!has_table) continue;
+    CheckedCommand& one = checked.commands.emplace_back(CheckedCommand{command, {}});
+    try {
+      static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}}));
+    } catch (const Error& error) {
+      one.faults = error.faults();
+      for (const Fault& fault : one.faults) {
+        const bool told = std::any_of(faults.begin(), faults.end(), [&fault](const Fault& before) {
+          return format_fault(before) == format_fault(fault);
+        });
+        if (!told) faults.push_back(fault);
+      }
+    }
+  }
+  const bool runs = std::any_of(checked.commands.begin(), checked.commands.end(),
+                                [](const CheckedCommand& one) { return one.faults.empty(); });
+  if (!runs && !faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  return checked;
 }
 
 Case read_case(const std::string& path, const CaseRequest& request) {

@@ -63,6 +63,8 @@ constexpr std::string_view reference_head =
     R"(# Keys of the case file
 
 A case file is TOML. Quantities are texts with a unit, such as `"31.8 um"`, or plain numbers in SI (m, N, N/m, Pa, rad).
+A list of quantities may be a range of equally spaced ones, both ends included: `speeds = { from = "10000 rpm", to =
+"60000 rpm", points = 11 }`, or `step = "5000 rpm"` in place of `points`.
 `bumpfoil init` writes a commented file to start from, `bumpfoil check` says what is wrong with one, and `--set table.key=value`
 changes a key for one run. This page is what `bumpfoil init --keys` prints.
 )";

@@ -40,10 +40,10 @@ using Json = nlohmann::ordered_json;
 /// Stands for the case in messages, which it does not need: there is one alone.
 const std::string no_name;
 
-/// @param tables  that the case must have, as for the command that answers alike
-Case read(const Json& request, std::vector<std::string> tables) {
-  Case input = parse_case(request.at("text").get<std::string>(), no_name,
-                          {.overrides = {}, .required_tables = std::move(tables)});
+/// @param commands  that answer alike
+Case read(const Json& request, std::vector<std::string> commands) {
+  Case input =
+      parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
   if (input.pads.empty()) return input;
   throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
                                   "remove [[pad]], or run `bumpfoil cycle`"}});
@@ -139,7 +139,7 @@ Json answer_cycles(const Json& request) {
   const std::array<std::size_t, 2> whole{0, 1};
   own.cycle.directions = part_of(input.cycle.directions, request.value("part", whole));
   // Where there are fewer directions than parts.
-  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.name, .cycles = {}})}};
+  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.chosen(), .cycles = {}})}};
   return {{"run", shown_run(input, run_cycles(own))}};
 }
 

@@ -103,7 +103,7 @@ void stage_ensemble(const Case& input, const EnsembleLayout& layout, const Ensem
   folder.stage("summary.json", ensemble_summary(input, layout, statistics, yields, status, manifest));
 }
 
-Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input) {
+Case read_sampled_case(const fs::path& file, std::size_t number, const Case& input, EnsembleCommand command) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const NetcdfImage image(
       read_stored_result(folder, file.filename().string(), {.advice = "take it from a backup or run again"}).bytes,
@@ -120,6 +120,7 @@ Case read_sampled_case(const fs::path& file, std::size_t number, const Case& inp
   }
   const Sample sample = read_sample(image, number, stored);
   Case drawn = input;
+  if (!drawn.solver.name && stored.montecarlo->command == command) drawn.solver.name = stored.solver.name;
   drawn.montecarlo = std::move(stored.montecarlo);
   return sampled_case(drawn, sample);
 }

@@ -56,7 +56,9 @@ constexpr auto kept_of_states = std::to_array<std::string_view>({"status",
                                                                  "cyx_whirl",
                                                                  "cyy_whirl",
                                                                  "jumps",
-                                                                 "residual"});
+                                                                 "residual",
+                                                                 "lift_off_speed",
+                                                                 "load_capacity"});
 
 /// A value of one of the cycles.
 template <typename Value>
@@ -156,6 +158,7 @@ void lay_out_states(const Case& input, EnsembleLayout& layout) {
     // What was asked for does not scatter.
     const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
     if (quantity.of_pads && count_pads(input) == 1) return;
+    if (quantity.of_limits && !input.montecarlo->limits) return;
     if (!asked) layout.columns.push_back(column_of(quantity));
   });
 }

@@ -197,7 +197,7 @@ void write_ensemble_netcdf(const fs::path& path, const Case& input, const Ensemb
                           .command = "montecarlo",
                           .status = status,
                           .message = std::string(message),
-                          .warnings = {},
+                          .warnings = input.remarks,
                           .provenance = provenance,
                           .run_id = run_id});
     EnsembleWriter writer(file, input, layout, log);

@@ -82,6 +82,7 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
   json["seed"] = input.montecarlo->seed;
   json["samples_due"] = input.montecarlo->samples;
   json["samples"] = statistics.samples;
+  json["warnings"] = input.remarks;
   json["statistics"] = Json::object();
   json["bump_loads"] = Json::object();
   json["sensitivities"] = Json::object();

@@ -43,20 +43,6 @@ Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
   return json;
 }
 
-Json limit_json(const FilmLimit& limit) {
-  const auto point_json = [](const OperatingPoint& point, double h) {
-    return Json{{"speed_rad_per_s", point.speed},
-                {"load_x_N", point.journal.x()},
-                {"load_y_N", point.journal.y()},
-                {"h_min_m", value_json(h, {})}};
-  };
-  return {{"kind", name_of(limit.kind)},
-          {"status", name_of(limit.status)},
-          {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
-          {"thick", point_json(limit.thick, limit.h_thick)},
-          {"thin", point_json(limit.thin, limit.h_thin)}};
-}
-
 std::string equilibrium_summary(const Case& input, const EquilibriumResult& result, RunStatus status,
                                 const Manifest& manifest) {
   Json json = summary_head(command_of(result), input, status, manifest);
@@ -79,7 +65,7 @@ std::vector<std::string> equilibrium_file_names(std::string_view command) {
 }
 
 std::string equilibrium_csv(const EquilibriumResult& result) {
-  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing);
+  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing, !result.limits.empty());
   std::string out;
   for (const RunningQuantity& column : columns) {
     if (column.in_csv) out += (out.empty() ? "" : ",") + key_of(column.name, column.unit);

@@ -16,7 +16,8 @@ namespace bumpfoil {
 namespace {
 
 /// What tables of sweeps show.
-constexpr std::array<std::string_view, 4> headlines{"eccentricity_ratio", "attitude_angle", "h_min", "power"};
+constexpr std::array<std::string_view, 6> headlines{"eccentricity_ratio", "attitude_angle", "h_min", "power",
+                                                    "lift_off_speed",     "load_capacity"};
 /// What was asked for is the same for whole rows and columns: coordinates.
 constexpr std::array<std::string_view, 3> demands{"speed", "load_x", "load_y"};
 
@@ -80,7 +81,7 @@ ResultGrid equilibrium_grid(const EquilibriumSettings& settings, const Equilibri
                        numbers_from(1.0, journals.size())},
                       {{journal + "_x", unit, what + " that was asked for, X"}, {journal}, components(journals, 0)},
                       {{journal + "_y", unit, what + " that was asked for, Y"}, {journal}, components(journals, 1)}};
-  for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
+  for (const RunningQuantity& quantity : running_quantities(*result.bearing, !result.limits.empty())) {
     if (has(demands, quantity.name)) continue;
     std::vector<double> values(result.states.size(), absent);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -65,4 +65,18 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
   return json;
 }
 
+Json limit_json(const FilmLimit& limit) {
+  const auto point_json = [](const OperatingPoint& point, double h) {
+    return Json{{"speed_rad_per_s", point.speed},
+                {"load_x_N", point.journal.x()},
+                {"load_y_N", point.journal.y()},
+                {"h_min_m", value_json(h, {})}};
+  };
+  return {{"kind", name_of(limit.kind)},
+          {"status", name_of(limit.status)},
+          {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
+          {"thick", point_json(limit.thick, limit.h_thick)},
+          {"thin", point_json(limit.thin, limit.h_thin)}};
+}
+
 }  // namespace bumpfoil

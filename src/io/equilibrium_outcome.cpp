@@ -44,7 +44,7 @@ std::vector<std::string> failure_lines(const EquilibriumResult& result) {
 }
 
 std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = input.remarks;
   std::size_t lifted = 0;
   std::string first_lifted;
   for (const RunningState& state : result.states) {

@@ -104,6 +104,10 @@ constexpr RunningQuantity pads(RunningQuantity quantity) {
   quantity.of_pads = true;
   return quantity;
 }
+constexpr RunningQuantity limit(RunningQuantity quantity) {
+  quantity.of_limits = true;
+  return foils(as_asked(quantity));
+}
 constexpr RunningQuantity bump(RunningQuantity quantity) {
   quantity.is_bump = true;
   return counted(foils(quantity));
@@ -283,6 +287,13 @@ constexpr auto table = std::to_array<RunningQuantity>({
     {"residual", "1", "norm of all scaled residuals before the last Newton step",
      [](const B&, const S& state) { return state.report.residual; }},
     as_asked({"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; }}),
+    csv(limit({"lift_off_speed", "rad/s", "speed at which the film under the load is film.h_lift_off thin",
+               [](const B&, const S& state) { return state.lift_off_speed.value_or(absent); }, "lift-off speed",
+               shown::revolutions})),
+    csv(limit({"load_capacity", "N",
+               "load, along the first one, at which the film at the speed is film.h_lift_off thin",
+               [](const B&, const S& state) { return state.load_capacity.value_or(absent); }, "load capacity",
+               shown::newtons})),
 });
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
@@ -342,10 +353,11 @@ std::string name_of_limit(const FilmLimit& limit) {
              : fmt::format("load capacity at {:.6g} rpm", limit.thick.speed / shown::revolutions.size);
 }
 
-std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing) {
+std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {
   std::vector<RunningQuantity> quantities(table.begin(), table.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return (quantity.of_foils && bearing.bumps() == 0) || (quantity.of_pads && bearing.pads.size() == 1);
+    return (quantity.of_limits && !limits) || (quantity.of_foils && bearing.bumps() == 0) ||
+           (quantity.of_pads && bearing.pads.size() == 1);
   });
   return quantities;
 }
@@ -397,7 +409,7 @@ std::string where_from(const OperatingPoint& before, const OperatingPoint& now) 
 }  // namespace
 
 std::string name_of_point(const OperatingPoint& point) {
-  return fmt::format("{}, {}", speed_text(point), journal_text(point));
+  return (std::isnan(point.speed) ? "" : speed_text(point) + ", ") + journal_text(point);
 }
 
 std::string name_of_state(const RunningState& state) {

@@ -83,8 +83,8 @@ class KeyLister final : public CaseVisitor {
     add(key, "list of pairs of " + plural(noun(key)), std::move(value));
   }
 
-  void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override {
-    add(key, fmt::format("\"{}\"", fmt::join(words, "\", \"")), words[index]);
+  void word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) override {
+    add(key, fmt::format("\"{}\"", fmt::join(words, "\", \"")), index ? Json(words[*index]) : Json());
   }
 
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override {
@@ -170,7 +170,7 @@ class KeyLister final : public CaseVisitor {
     const bool there = !value.is_null();
     instead = instead || key.instead;
     return list_.emplace_back(ListedKey{path_of(key), key, std::move(kind), std::move(value), held_ && there,
-                                        live_ && there && !instead, instead});
+                                        live_ && there && !instead && !key.left_open, instead});
   }
 
   std::vector<ListedKey>& list_;

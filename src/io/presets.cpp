@@ -133,11 +133,35 @@ Preset three_pads() {
   return preset;
 }
 
+constexpr std::string_view running_head =
+    R"(# The bearing of Arghir & Benchekroun 2019 running in air, pressed towards +X by its rotor, for the command equilibrium.
+# The paper has no film: speed and loads are assumed.
+#
+)";
+
+/// The reference bearing on its film.
+Preset running() {
+  Preset preset{.name = "running",
+                .head = running_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.weld_angle", "the loads point away from the weld"},
+                            {"equilibrium.speeds", "here against the sense of winding"}}};
+  Case& input = preset.input;
+  input.title = "First-generation bearing, running in air";
+  input.cycle = {};
+  input.equilibrium = EquilibriumSettings{.speeds = {45000.0 * (2.0 * pi / 60.0)},
+                                          .loads = {{10.0, 0.0}, {20.0, 0.0}, {50.0, 0.0}, {100.0, 0.0}}};
+  return preset;
+}
+
 }  // namespace
 
 const std::vector<Preset>& presets() {
-  static const std::vector<Preset> all{
-      {.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}}, rubio(), three_pads(), larsen()};
+  static const std::vector<Preset> all{{.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}},
+                                       rubio(),
+                                       three_pads(),
+                                       larsen(),
+                                       running()};
   return all;
 }
 

@@ -70,12 +70,12 @@ Json grid_quantities_json(const Quantities& quantities, const Json& result) {
   return json;
 }
 
-/// Without those of pads, where there is one.
+/// Without those of pads, where there is one, and of limits that were not asked for.
 std::vector<RunningQuantity> running_quantities_of(const Json& result) {
   const auto all = all_running_quantities();
   std::vector<RunningQuantity> quantities(all.begin(), all.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return quantity.of_pads && !result.at("variables").contains(quantity.name);
+    return (quantity.of_pads || quantity.of_limits) && !result.at("variables").contains(quantity.name);
   });
   return quantities;
 }

@@ -70,7 +70,7 @@ class StateGrid {
       std::transform(result_.states.begin(), result_.states.end(), std::back_inserter(values), value);
       return values;
     };
-    for (const RunningQuantity& quantity : running_quantities(*result_.bearing)) {
+    for (const RunningQuantity& quantity : running_quantities(*result_.bearing, !result_.limits.empty())) {
       add(meaning(quantity, quantity.form), {"state"},
           of_all([&](const RunningState& state) { return value_of(quantity, *result_.bearing, state); }));
     }

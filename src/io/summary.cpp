@@ -125,10 +125,12 @@ Json summary_head(std::string_view command, const Case& input, RunStatus status,
   // Before all texts of users, which could hold the same.
   json["xxh3_128"] = blank_checksum;
   json["command"] = command;
-  json["case"] = case_json(input);
+  Case ran = input;
+  ran.solver.name = input.solver.chosen();
+  json["case"] = case_json(ran);
   json["version"] = version();
   json["commit"] = commit();
-  json["solver"] = name_of(input.solver.name);
+  json["solver"] = name_of(*ran.solver.name);
   json["status"] = name_of(status);
   json["run_id"] = manifest.run_id;
   json["files"] = files_json(manifest);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/nearest_name.hpp"
@@ -26,6 +27,8 @@ namespace {
 constexpr std::string_view option = "--over";
 /// More faults are counted, not listed.
 constexpr std::size_t most_faults = 50;
+/// The list that is swept one value at a point.
+constexpr std::string_view swept_list = "equilibrium.speeds";
 /// What keys hold that are a length or a force, as their unit tells.
 constexpr std::string_view either_kind = "length or force";
 
@@ -95,14 +98,15 @@ class OptionReader {
       if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
       return fault(key, "is no known key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
     }
-    if (!holds_number(*listed)) return fault(key, "holds no number", "sweep over keys that do");
+    const bool is_list = listed->path == swept_list;
+    if (!is_list && !holds_number(*listed)) return fault(key, "holds no number", "sweep over keys that do");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
     if (std::any_of(axes_.begin(), axes_.end(), same)) return fault(key, "is swept twice", "give it once");
     for (const std::string& one : request_.overrides) {
       if (one.starts_with(key + '=')) fault(key, "is swept, and set by --set", "give one of the two");
     }
     const std::string title = fmt::format("{}: {}", find_key(keys_, listed->table())->key.title, listed->key.title);
-    SweepAxis axis{.swept = {}, .name = key, .title = title, .unit = "1", .values = {}};
+    SweepAxis axis{.swept = {}, .is_list = is_list, .name = key, .title = title, .unit = "1", .values = {}};
     std::erase(axis.name, ']');
     std::replace_if(
         axis.name.begin(), axis.name.end(), [](char c) { return c == '.' || c == '['; }, '_');
@@ -154,7 +158,9 @@ class GridFaults {
         break;
       }
       Fault& fault = told.emplace_back(found.fault);
-      const auto swept = [&fault](const SweepAxis& axis) { return axis.swept.key == fault.key; };
+      const auto swept = [&fault](const SweepAxis& axis) {
+        return fault.key == axis.swept.key + (axis.is_list ? "[1]" : "");
+      };
       if (fault.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept)) fault.file = option;
       if (found.count == points_) continue;  // has nothing to do with the grid
       fault.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
@@ -180,11 +186,20 @@ class GridFaults {
 /// What a case holds under a key, SI.
 double value_in(const Case& input, const std::string& key) {
   const std::vector<ListedKey> keys = list_keys(input);
-  const nlohmann::ordered_json& value = find_key(keys, key)->value;
+  const nlohmann::ordered_json& held = find_key(keys, key)->value;
+  const nlohmann::ordered_json& value = held.is_array() ? held.front() : held;
   if (value.is_number()) return value.get<double>();
   double number = 0.0;  // in front of the unit that it is told apart by
   read_number(value.get<std::string>(), number);
   return number;
+}
+
+/// A list of one value, in TOML.
+std::string list_of(const std::string& value) {
+  double number = 0.0;
+  const auto [end, status] = read_number(value, number);
+  const bool plain = status == std::errc{} && end == value.data() + value.size();
+  return plain ? fmt::format("[{}]", value) : fmt::format("[\"{}\"]", value);
 }
 
 std::size_t points_of(const std::vector<SweepAxis>& axes) {
@@ -236,15 +251,22 @@ SweepPoint kept(SweptResult result) {
 }  // namespace
 
 Sweep parse_sweep(std::string_view text, const std::string& name, const SweepRequest& request) {
-  Sweep sweep{.command = request.command, .axes = OptionReader(request).read(), .cases = {}};
+  if (request.limits && request.command != SweptCommand::equilibrium) {
+    throw Error(ErrorKind::input,
+                {{"", 0, "--limits", "", "are those of running bearings", "add --command equilibrium"}});
+  }
+  Sweep sweep{
+      .command = request.command, .axes = OptionReader(request).read(), .cases = {}, .with_limits = request.limits};
   const std::size_t points = points_of(sweep.axes);
   GridFaults faults(sweep, points);
   for (std::size_t point = 0; point < points; ++point) {
-    CaseRequest one{.overrides = request.overrides, .required_tables = {std::string(name_of(request.command))}};
+    CaseRequest one{.overrides = request.overrides, .commands = {std::string(name_of(request.command))}};
+    if (request.limits) one.commands.emplace_back("limits");
     const std::vector<std::size_t> indices = indices_of(sweep, point);
     for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
       const SweptKey& swept = sweep.axes[i].swept;
-      one.overrides.push_back(swept.key + '=' + swept.values[indices[i]]);
+      const std::string& value = swept.values[indices[i]];
+      one.overrides.push_back(swept.key + '=' + (sweep.axes[i].is_list ? list_of(value) : value));
     }
     try {
       sweep.cases.push_back(parse_case(text, name, one));
@@ -302,12 +324,14 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
     case SweptCommand::equilibrium:
       break;
   }
-  return sweep_point(sweep, point, run_equilibrium(input, {}, progress));
+  EquilibriumResult result = run_equilibrium(input, {}, progress);
+  if (sweep.with_limits) add_film_limits(input, result, progress);
+  return sweep_point(sweep, point, result);
 }
 
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].values.empty()) points[i] = kept(not_begun(sweep.command, sweep.cases[i], sweep.with_loops));
+    if (points[i].values.empty()) points[i] = kept(not_begun(sweep, sweep.cases[i]));
   }
 }
 

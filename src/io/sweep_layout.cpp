@@ -15,8 +15,7 @@ SweptResult layout_of(const Sweep& sweep, const std::vector<SweepPoint>& points)
   };
   const auto largest = std::max_element(
       points.begin(), points.end(), [&](const SweepPoint& a, const SweepPoint& b) { return size_of(a) < size_of(b); });
-  SweptResult layout =
-      not_begun(sweep.command, sweep.cases[static_cast<std::size_t>(largest - points.begin())], sweep.with_loops);
+  SweptResult layout = not_begun(sweep, sweep.cases[static_cast<std::size_t>(largest - points.begin())], true);
   for (const SweepPoint& point : points) {
     BUMPFOIL_ASSERT(point.extents.size() == layout.grid.dims.size());
     BUMPFOIL_ASSERT(point.values.size() == layout.grid.variables.size());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
@@ -10,6 +11,7 @@
 #include "bumpfoil/io/failures.hpp"
 #include "bumpfoil/io/vibration_files.hpp"
 #include "bumpfoil/io/warnings.hpp"
+#include "io/absent.hpp"
 #include "io/cycle_grid.hpp"
 #include "io/equilibrium_grid.hpp"
 #include "io/equilibrium_json.hpp"
@@ -52,7 +54,7 @@ SweptResult swept_result(const Case& input, const VibrationResult& result, bool 
                     .rows = vibration_csv(settings, result),
                     .lists = vibration_lists(input, result, all),
                     .failures = failure_lines(settings, result),
-                    .warnings = warning_lines(settings, result)};
+                    .warnings = warning_lines(input, result)};
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     swept.parts.push_back({name_of_vibration(settings, i), i});
   }
@@ -73,6 +75,8 @@ SweptResult swept_result(const Case& input, const EquilibriumResult& result) {
     swept.parts.push_back({name_of_state(result.states[i]), place_of(settings, i)});
     swept.lists["states"].push_back(state_json(*result.bearing, result.states[i]));
   }
+  if (!result.limits.empty()) swept.lists["limits"] = nlohmann::ordered_json::array();
+  for (const FilmLimit& limit : result.limits) swept.lists["limits"].push_back(limit_json(limit));
   return swept;
 }
 
@@ -88,21 +92,31 @@ std::size_t loop_values(SweptCommand command, const Case& input) {
   return layout.cycles.values.size() * layout.increments;
 }
 
-SweptResult not_begun(SweptCommand command, const Case& input, bool with_loops) {
-  switch (command) {
+SweptResult not_begun(const Sweep& sweep, Case input, bool for_all) {
+  switch (sweep.command) {
     case SweptCommand::cycle:
     case SweptCommand::strip: {
       CycleResult result;
-      result.solver = input.solver.name;
-      result.experiment = experiment_of(command);
-      return swept_result(input, result, RunStatus::interrupted, with_loops);
+      result.solver = input.solver.chosen();
+      result.experiment = experiment_of(sweep.command);
+      return swept_result(input, result, RunStatus::interrupted, sweep.with_loops);
     }
     case SweptCommand::vibration:
-      return swept_result(input, vibrations_not_begun(*input.vibration), with_loops);
+      return swept_result(input, vibrations_not_begun(*input.vibration), sweep.with_loops);
     case SweptCommand::equilibrium:
       break;
   }
-  return swept_result(input, equilibrium_not_begun(input));
+  EquilibriumResult result = equilibrium_not_begun(input);
+  const bool sweeps_speeds =
+      std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const SweepAxis& axis) { return axis.is_list; });
+  if (for_all && sweeps_speeds) {
+    input.equilibrium->speeds = {absent};
+    for (RunningState& state : result.states) state.asked.speed = absent;
+  }
+  result.limits.resize(sweep.with_limits ? 1 : 0);
+  SweptResult swept = swept_result(input, result);
+  if (sweep.with_limits) swept.lists["limits"] = nlohmann::ordered_json::array();
+  return swept;
 }
 
 }  // namespace bumpfoil

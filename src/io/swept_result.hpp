@@ -36,7 +36,7 @@ SweptResult swept_result(const Case& input, const EquilibriumResult& result);
 /// Points of all loops.
 std::size_t loop_values(SweptCommand command, const Case& input);
 
-/// That of a command that was not begun.
-SweptResult not_begun(SweptCommand command, const Case& input, bool with_loops);
+/// That of a command that was not begun. @param for_all  it stands for all points: without the swept speed of one
+SweptResult not_begun(const Sweep& sweep, Case input, bool for_all = false);
 
 }  // namespace bumpfoil

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "bumpfoil/core/nearest_name.hpp"
@@ -22,8 +23,18 @@ std::string key_set_in(const toml::node& node) {
   return fmt::format(".{}{}", table->begin()->first.str(), key_set_in(table->begin()->second));
 }
 
+/// Part of a step by which a range may miss its end: what is left of thirds, and of units.
+constexpr double step_rounding = 1e-6;
+
 Key optional_key(Key key) {
   key.presence = Presence::optional;
+  return key;
+}
+
+/// A key of a table that stands where a value of `key` may.
+Key key_called(std::string_view name, Presence presence, Key key) {
+  key.name = name;
+  key.presence = presence;
   return key;
 }
 
@@ -78,19 +89,54 @@ std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
   return {nullptr, path};
 }
 
+/// Equally spaced values from one to another, both of them included.
+void TableReader::range(const Key& key, const toml::table& ends, const std::string& path, std::vector<double>& values) {
+  std::optional<double> from;
+  std::optional<double> to;
+  std::optional<double> step;
+  int points = 0;
+  TableReader reader(*this, ends, path);
+  reader.value(key_called("from", Presence::required, key), &from);
+  reader.value(key_called("to", Presence::required, key), &to);
+  reader.value({.name = "points", .presence = Presence::optional, .title = "Number of values"}, &points);
+  reader.value(key_called("step", Presence::optional, key), &step);
+  reader.finish();
+  const bool counted = ends.contains("points");
+  if (counted == ends.contains("step")) {
+    return log_.fault(path, counted ? "has both points and step" : "has neither points nor step",
+                      "give one of the two: how many values there are, or how far apart they lie");
+  }
+  if (!from || !to || (!counted && !step)) return;
+  const double span = *to - *from;
+  double spaces = counted ? points - 1.0 : span == 0.0 ? 0.0 : *step == 0.0 ? -1.0 : span / *step;
+  const std::string last = path + (counted ? ".points" : ".step");
+  if (!counted && std::abs(spaces - std::round(spaces)) <= step_rounding) spaces = std::round(spaces);
+  if (!(spaces >= 0.0)) {  // nor is what is not finite
+    return log_.fault(last, counted ? "is no possible number of values" : "does not lead to the last value",
+                      counted ? "give a whole number from 2 on" : "give a step from the first value to the last");
+  }
+  if (spaces >= most_bumps) {
+    return log_.fault(last, fmt::format("makes {:.6g} values", spaces + 1.0),
+                      fmt::format("give at most {}", most_bumps));
+  }
+  if (spaces != std::floor(spaces)) {
+    return log_.fault(last, "does not lead to the last value", "give a step that fits, or points in its place");
+  }
+  if ((spaces == 0.0) != (span == 0.0)) {
+    return log_.fault(last, span == 0.0 ? "makes the same value several times" : "is one alone, and the ends differ",
+                      span == 0.0 ? "give one point, or ends that differ" : "give 2 or more");
+  }
+  values.assign(static_cast<std::size_t>(spaces) + 1, *to);
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = *from + static_cast<double>(i) * span / spaces;
+}
+
 /// What goes along the foil by a law.
 void TableReader::graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension) {
-  const auto named = [&key](std::string_view name, Presence presence) {
-    Key own = key;
-    own.name = name;
-    own.presence = presence;
-    return own;
-  };
   PerBump read(0.0, 0.0, Grading::linear);
   TableReader reader(*this, ends, path);
-  reader.value(named("start", Presence::required), &read.values.front());
-  reader.value(named("end", Presence::required), &read.values.back());
-  reader.choice(named("law", Presence::defaulted), *read.law);
+  reader.value(key_called("start", Presence::required, key), &read.values.front());
+  reader.value(key_called("end", Presence::required, key), &read.values.back());
+  reader.choice(key_called("law", Presence::defaulted, key), *read.law);
   reader.finish();
   dimension = std::move(read);
 }
@@ -100,12 +146,16 @@ void TableReader::value(const Key& key, Value value) {
   if (node == nullptr) return;
   const auto* dimension = std::get_if<PerBump*>(&value);
   if (dimension != nullptr && node->is_table()) return graded(key, *node->as_table(), path, **dimension);
+  const auto* list = std::get_if<std::vector<double>*>(&value);
+  if (list != nullptr && node->is_table()) return range(key, *node->as_table(), path, **list);
   std::visit(ValueReader{log_, path, *node, key.dimension}, value);
 }
 
 void TableReader::directions(const Key& key, std::vector<double>& angles) {
   const auto [node, path] = find(key);
-  if (node != nullptr) ValueReader{log_, path, *node, key.dimension}.directions(angles);
+  if (node == nullptr) return;
+  if (node->is_table()) return range(key, *node->as_table(), path, angles);
+  ValueReader{log_, path, *node, key.dimension}.directions(angles);
 }
 
 void TableReader::vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) {
@@ -134,7 +184,7 @@ void TableReader::vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors)
   }
 }
 
-void TableReader::word(const Key& key, std::span<const std::string_view> words, std::size_t& index) {
+void TableReader::word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) {
   const auto [node, path] = find(key);
   if (node == nullptr) return;
   const std::string choices = fmt::format("write one of \"{}\"", fmt::join(words, "\", \""));

@@ -20,7 +20,7 @@ class TableReader final : public CaseVisitor {
   void value(const Key& key, Value value) override;
   void directions(const Key& key, std::vector<double>& angles) override;
   void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) override;
-  void word(const Key& key, std::span<const std::string_view> words, std::size_t& index) override;
+  void word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) override;
   void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) override;
   void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) override;
   void one_of(const Key& displacement, const Key& load, Target& target) override;
@@ -40,6 +40,7 @@ class TableReader final : public CaseVisitor {
       : log_(outer.log_), root_(outer.root_), table_(table), path_(std::move(path)), inherits_(inherits) {}
 
   bool second_counts(const Key& first, const Key& second);
+  void range(const Key& key, const toml::table& ends, const std::string& path, std::vector<double>& values);
   void graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension);
   [[nodiscard]] bool has(const Key& key) const { return table_.contains(key.name); }
   [[nodiscard]] std::string advice_on_unknown(const std::string& name, const toml::node& node) const;

@@ -44,7 +44,10 @@ std::vector<std::string> failure_lines(const Case& input, const VibrationResult&
 }
 
 std::vector<std::string> warning_lines(const Case& input, const VibrationResult& result) {
-  return warning_lines(*input.vibration, result);
+  std::vector<std::string> lines = input.remarks;
+  const std::vector<std::string> more = warning_lines(*input.vibration, result);
+  lines.insert(lines.end(), more.begin(), more.end());
+  return lines;
 }
 
 }  // namespace bumpfoil

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "bumpfoil/io/vibration_files.hpp"
 #include "io/netcdf_provenance.hpp"
 #include "io/netcdf_writer.hpp"
 #include "io/vibration_grid.hpp"
@@ -20,7 +21,7 @@ std::string vibration_netcdf(const Case& input, const VibrationResult& result, c
                           .command = "vibration",
                           .status = status,
                           .message = fmt::format("{}", fmt::join(messages, "; ")),
-                          .warnings = warning_lines(*input.vibration, result),
+                          .warnings = warning_lines(input, result),
                           .provenance = provenance,
                           .run_id = run_id});
     write_grid(file, vibration_grid(input, result, all));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bumpfoil/io/vibration_files.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "io/summary_json.hpp"
@@ -97,7 +98,7 @@ std::string vibration_summary(const Case& input, const VibrationResult& result, 
   const VibrationSettings& settings = *input.vibration;
   Json json = summary_head("vibration", input, status, manifest);
   json["failures"] = failure_lines(settings, result);
-  json["warnings"] = warning_lines(settings, result);
+  json["warnings"] = warning_lines(input, result);
   json.update(vibration_lists(input, result, all));
   return sealed_summary(json);
 }

@@ -101,7 +101,7 @@ std::string unsettled(const Cycle& cycle, std::string_view loops) {
 
 std::vector<std::string> warnings_of(const Case& input, const CycleResult& result, std::size_t cycle) {
   const Cycle& of = result.cycles[cycle];
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = input.remarks;
   const auto take = [&warnings](const std::optional<std::string>& warning) {
     if (warning) warnings.push_back(*warning);
   };

@@ -23,6 +23,11 @@ Case reference_case() {
   return reference;
 }
 
+SolverName ensemble_solver(const Case& input) {
+  const bool cycles = input.montecarlo && input.montecarlo->command == EnsembleCommand::cycle;
+  return cycles && input.bump_foil.geometry == Geometry::linear ? SolverName::events : SolverName::newton;
+}
+
 Case cut_to_strip(const Case& input) {
   Case cut = input;
   const auto bumps = static_cast<std::size_t>(input.bump_foil.bumps);

@@ -12,6 +12,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/validation.hpp"
 
 namespace bumpfoil {
 
@@ -49,8 +50,15 @@ class Judge {
  public:
   /// Keeps the fault if `right` is false; returns `right`.
   bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
-    if (!right) faults_.push_back({"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)});
-    return right;
+    return require_for("", right, std::move(key), std::move(value), std::move(what), std::move(advice));
+  }
+
+  /// The same where it keeps one command alone from running.
+  bool require_for(std::string_view command, bool right, std::string key, std::string value, std::string what,
+                   std::string advice) {
+    if (right) return true;
+    faults_.push_back({command, {"", 0, std::move(key), std::move(value), std::move(what), std::move(advice)}});
+    return false;
   }
 
   // What is right costs no text: ensembles ask for every bearing.
@@ -80,10 +88,10 @@ class Judge {
                                                 "give at most 360 degrees either way");
   }
 
-  std::vector<Fault> take() { return std::move(faults_); }
+  std::vector<JudgedFault> take() { return std::move(faults_); }
 
  private:
-  std::vector<Fault> faults_;
+  std::vector<JudgedFault> faults_;
 };
 
 /// Whether a foil of this thickness, which stands under `key`, goes into a bearing.

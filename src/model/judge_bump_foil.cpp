@@ -261,16 +261,16 @@ JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius
 
 void judge_strip_of(Judge& judge, const BumpFoil& foil, int bumps) {
   const auto reaches = [&](const std::string& key, std::size_t values) {
-    judge.require(std::cmp_greater_equal(values, bumps), "strip.bumps", std::to_string(bumps),
-                  fmt::format("is more than the {} values of {}", values, key), "give fewer bumps or more values");
+    judge.require_for("strip", std::cmp_greater_equal(values, bumps), "strip.bumps", std::to_string(bumps),
+                      fmt::format("is more than the {} values of {}", values, key), "give fewer bumps or more values");
   };
   for (const auto& [name, all, own] : dimensions) {
     const std::string key = fmt::format("bump_foil.{}", name);
     const PerBump& dimension = foil.*all;
     if (dimension.is_list()) reaches(key, dimension.values.size());
-    judge.require(!dimension.law || bumps <= foil.bumps, "strip.bumps", std::to_string(bumps),
-                  fmt::format("is more than the {} bumps that {} is graded along", foil.bumps, key),
-                  "give fewer bumps");
+    judge.require_for("strip", !dimension.law || bumps <= foil.bumps, "strip.bumps", std::to_string(bumps),
+                      fmt::format("is more than the {} bumps that {} is graded along", foil.bumps, key),
+                      "give fewer bumps");
   }
   if (!foil.height_errors.empty()) reaches("bump_foil.height_errors", foil.height_errors.size());
   if (!foil.sleeve_gaps.empty()) reaches("bump_foil.sleeve_gaps", foil.sleeve_gaps.size());

@@ -47,10 +47,12 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
   if (runs && columns_right && rows_right) {
     const double bytes = static_cast<double>(bumps) * film.rows * film.rows *
                          (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
-    judge.require(bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
-                  fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory", columns * bumps,
-                              film.rows, 1e-9 * bytes),
-                  fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
+    for (const char* const command : {"equilibrium", "film"}) {
+      judge.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
+                        fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
+                                    columns * bumps, film.rows, 1e-9 * bytes),
+                        fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
+    }
   }
   if (film.wall != FilmWall::rigid) {
     judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "", "is missing, and the wall yields",
@@ -87,8 +89,8 @@ void judge_mesh_of(Judge& judge, const BumpFoil& foil) {
       std::all_of(pitch.values.begin(), pitch.values.end(), [&](double one) { return one == pitch.values.front(); }) &&
       std::none_of(foil.sections.begin(), foil.sections.end(),
                    [&](const BumpSection& one) { return other(one.pitch); });
-  judge.require(equal, "bump_foil.pitch", "", "differs along the foil, and the mesh of a film needs equal pitches",
-                "give one pitch, or remove [equilibrium]");
+  judge.require_for("equilibrium", equal, "bump_foil.pitch", "",
+                    "differs along the foil, and the mesh of a film needs equal pitches", "give one pitch");
 }
 
 void judge_equilibrium(Judge& judge, const Case& input) {
@@ -105,8 +107,8 @@ void judge_equilibrium(Judge& judge, const Case& input) {
                   fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
   }
   const bool by_load = !equilibrium.loads.empty();
-  judge.require(by_load || !equilibrium.positions.empty(), "equilibrium.loads", "", "there is no load to carry",
-                "give a list such as [[\"50 N\", \"0 N\"]], or positions");
+  judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "",
+                    "there is no load to carry", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
   judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
                 "contradicts equilibrium.loads, which is given too", "give one of the two");
   judge.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp, "equilibrium.path",
@@ -124,13 +126,15 @@ void judge_equilibrium(Judge& judge, const Case& input) {
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
     judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }
-  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
-                "set model = \"truss\" or \"frame\", or remove [equilibrium]");
-  judge.require(input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
-                std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
-                "set geometry = \"linear\", or remove [equilibrium]");
+  judge.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                    std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
+                    "set model = \"truss\" or \"frame\"");
+  judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
+                    std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
+                    "set geometry = \"linear\"");
   judge_mesh_of(judge, input.bump_foil);
+  judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
+                    std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
 }
 
 }  // namespace
@@ -138,6 +142,16 @@ void judge_equilibrium(Judge& judge, const Case& input) {
 void judge_film_settings(Judge& judge, const Case& input, bool bumps) {
   judge_gas(judge, input.gas);
   judge_film(judge, input.film, bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
+  for (const char* const command : {"equilibrium", "film"}) {
+    judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
+                      "has a journal that is not round, under which no film is steady once it turns",
+                      "remove journal_waviness and journal_profile");
+  }
+  judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
+                    "is missing: how thin may the film be?",
+                    "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
+  judge.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
+                    "there is no load", "give a list such as [[\"50 N\", \"0 N\"]]");
   if (input.equilibrium) judge_equilibrium(judge, input);
 }
 

@@ -103,8 +103,8 @@ void judge_montecarlo(Judge& judge, const MonteCarloSettings& ensemble, double r
   if (const auto& waves = ensemble.sleeve_waviness) {
     judge_waves(judge, "montecarlo.sleeve_waviness", waves->harmonic, waves->amplitude, radius);
   }
-  judge.require(any, "montecarlo", "", "nothing scatters: all bearings would be alike",
-                "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
+  judge.require_for("montecarlo", any, "montecarlo", "", "nothing scatters: all bearings would be alike",
+                    "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
 }
 
 }  // namespace bumpfoil

@@ -38,13 +38,10 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
 
 /// What knows one foil all around only.
 void judge_use(Judge& judge, const Case& input) {
-  const auto refuse = [&](bool used, const std::string& key, std::string what, std::string advice) {
-    judge.require(!used, key, "", std::move(what), std::move(advice));
-  };
-  refuse(input.bump_foil.model == BumpFoilModel::former, "bump_foil.model", "knows one foil all around, no pads",
-         "set model = \"truss\" or \"frame\", or remove [[pad]]");
-  refuse(input.strip.has_value(), "strip", "lies flat, cut from one foil, and the bearing has pads",
-         "remove [strip], or [[pad]] and give the foils of one in [bump_foil] and [top_foil]");
+  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "",
+                "knows one foil all around, no pads", "set model = \"truss\" or \"frame\", or remove [[pad]]");
+  judge.require_for("strip", !input.strip, "strip", "", "lies flat, cut from one foil, and the bearing has pads",
+                    "remove [[pad]], and give the foils of one in [bump_foil] and [top_foil]");
 }
 
 }  // namespace

@@ -36,13 +36,14 @@ void judge_directions(Judge& judge, const VibrationSettings& vibration) {
 void judge_size(Judge& judge, const VibrationSettings& vibration) {
   const auto vibrations =
       std::ssize(vibration.loads) * static_cast<std::int64_t>(vibration.motions()) * std::ssize(vibration.amplitudes);
-  judge.require(vibrations <= most_points / (4 * std::int64_t{vibration.steps}), "vibration.steps",
-                std::to_string(vibration.steps),
-                fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
-                "give fewer steps, loads or amplitudes");
+  judge.require_for("vibration", vibrations <= most_points / (4 * std::int64_t{vibration.steps}), "vibration.steps",
+                    std::to_string(vibration.steps),
+                    fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
+                    "give fewer steps, loads or amplitudes");
   const auto rows = std::ssize(vibration.loads) * std::ssize(vibration.amplitudes) * std::ssize(vibration.frequencies);
-  judge.require(rows <= most_rows, "vibration.frequencies", fmt::format("{} frequencies", vibration.frequencies.size()),
-                fmt::format("make {} rows of coefficients", rows), fmt::format("give less than {}", most_rows));
+  judge.require_for("vibration", rows <= most_rows, "vibration.frequencies",
+                    fmt::format("{} frequencies", vibration.frequencies.size()),
+                    fmt::format("make {} rows of coefficients", rows), fmt::format("give less than {}", most_rows));
 }
 
 }  // namespace
@@ -62,8 +63,8 @@ void judge_vibration(Judge& judge, const VibrationSettings& vibration, double li
     const std::string key = fmt::format("vibration.amplitudes[{}]", i + 1);
     const double amplitude = vibration.amplitudes[i];
     if (!judge.within(key, amplitude, length_range) || limit <= 0.0) continue;
-    judge.require(amplitude < limit, key, quantity(amplitude, "m"), "would press the bumps flat",
-                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+    judge.require_for("vibration", amplitude < limit, key, quantity(amplitude, "m"), "would press the bumps flat",
+                      fmt::format("give less than clearance and rise together, {:.6g} m", limit));
   }
   judge_presence(judge, "vibration.frequencies", vibration.frequencies.size(), "\"200 Hz\"");
   for (std::size_t i = 0; i < vibration.frequencies.size(); ++i) {

@@ -100,10 +100,11 @@ void judge_solver(Judge& judge, const UzawaParameters& uzawa) {
 }
 
 /// Whether a run of so many increments and bumps can be kept in memory.
-void judge_memory(Judge& judge, const std::string& key, int steps, std::int64_t increments, int bumps) {
-  judge.require(increments <= most_bump_increments / bumps, key, std::to_string(steps),
-                fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
-                "give fewer steps, or fewer directions or cycles");
+void judge_memory(Judge& judge, std::string_view command, const std::string& key, int steps, std::int64_t increments,
+                  int bumps) {
+  judge.require_for(command, increments <= most_bump_increments / bumps, key, std::to_string(steps),
+                    fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                    "give fewer steps, or fewer directions or cycles");
 }
 
 /// A direction that is there twice, or once more after a full turn, would only repeat its results.
@@ -151,15 +152,16 @@ void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
                   "is a displacement where the cycles are controlled by load",
                   "give a load, or cycle.amplitude in place of cycle.load");
     if (!is_load) start = value.norm();
-    judge.require(is_load || limit <= 0.0 || start < limit, "cycle.preload", shown, "would press the bumps flat",
-                  fmt::format("give less than clearance and rise together, {:.6g} m", limit));
+    judge.require_for("cycle", is_load || limit <= 0.0 || start < limit, "cycle.preload", shown,
+                      "would press the bumps flat",
+                      fmt::format("give less than clearance and rise together, {:.6g} m", limit));
   }
   if (by_load || !amplitude || limit <= 0.0 || start >= limit) return;
-  judge.require(start + cycle.amplitude.value<limit, "cycle.amplitude", quantity(cycle.amplitude.value, "m"), start> 0.0
-                    ? "would press the bumps flat on top of cycle.preload"
-                    : "would press the bumps flat",
-                fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
-                            start > 0.0 ? ", preload included" : ""));
+  const bool flat = start + cycle.amplitude.value >= limit;
+  judge.require_for("cycle", !flat, "cycle.amplitude", quantity(cycle.amplitude.value, "m"),
+                    start > 0.0 ? "would press the bumps flat on top of cycle.preload" : "would press the bumps flat",
+                    fmt::format("give less than clearance and rise together, {:.6g} m{}", limit,
+                                start > 0.0 ? ", preload included" : ""));
 }
 
 /// Displacement of the journal that presses the bumps flat, m; 0 if it is not known.
@@ -188,7 +190,7 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   }
   if (!bumps || !steps) return;
   const auto increments = std::int64_t{cycle.swings() ? 4 : 2} * cycle.steps * std::ssize(cycle.directions);
-  judge_memory(judge, "cycle.steps", cycle.steps, increments, total_bumps(input));
+  judge_memory(judge, "cycle", "cycle.steps", cycle.steps, increments, total_bumps(input));
 }
 
 /// A target of the plate, called by the key that holds it.
@@ -196,8 +198,8 @@ void judge_target(Judge& judge, const std::string& key, const Target& target, do
   if (target.control == Control::load) {
     judge.within(key, target.value, load_range);
   } else if (judge.within(key, target.value, length_range) && rise > 0.0) {
-    judge.require(target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
-                  fmt::format("give less than their rise, {:.6g} m", rise));
+    judge.require_for("strip", target.value < rise, key, quantity(target.value, "m"), "would press the bumps flat",
+                      fmt::format("give less than their rise, {:.6g} m", rise));
   }
 }
 
@@ -212,9 +214,9 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
   if (strip.preload) {
     judge_target(judge, "strip.preload", *strip.preload, rise);
     if (rise > 0.0 && !by_load && strip.preload->control == Control::displacement) {
-      judge.require(strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
-                    quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
-                    fmt::format("give both less than their rise together, {:.6g} m", rise));
+      judge.require_for("strip", strip.preload->value + strip.amplitude.value < rise, "strip.displacement",
+                        quantity(strip.amplitude.value, "m"), "would press the bumps flat on top of strip.preload",
+                        fmt::format("give both less than their rise together, {:.6g} m", rise));
     }
     if (by_load) {
       judge.require(strip.preload->control == Control::load, "strip.preload", quantity(strip.preload->value, "m"),
@@ -234,18 +236,19 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
                     "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
   if (!bumps || !cycles || !steps) return;
   const std::int64_t branches = strip.preload ? 4 : 2;
-  judge_memory(judge, "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
+  judge_memory(judge, "strip", "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
 }
 
 /// @param limit  what presses the bumps flat, 0 if not known
 void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit) {
   const bool by_load = path.control() == Control::load;
-  const double most = by_load ? load_range.most : limit > 0.0 ? limit : length_range.most;
+  const bool presses = !by_load && limit > 0.0;
+  const double most = by_load ? load_range.most : presses ? limit : length_range.most;
   const std::string_view unit = by_load ? "N" : "m";
   const auto within_reach = [&](const std::string& key, double distance) {
-    return judge.require(distance < most, key, quantity(distance, unit),
-                         by_load || limit <= 0.0 ? "is unphysical" : "would press the bumps flat",
-                         fmt::format("stay below {} from the centre", quantity(most, unit)));
+    return judge.require_for(presses ? "path" : "", distance < most, key, quantity(distance, unit),
+                             presses ? "would press the bumps flat" : "is unphysical",
+                             fmt::format("stay below {} from the centre", quantity(most, unit)));
   };
   for (std::size_t i = 0; i < path.points.values.size(); ++i) {
     if (!within_reach(fmt::format("path.points[{}]", i + 1), path.points.values[i].norm())) return;
@@ -274,40 +277,46 @@ void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit)
     if (!counts) return;
     increments = std::int64_t{path.steps} * (path.orbits + 1);
   }
-  if (bumps > 0) judge_memory(judge, path.is_orbit() ? "path.steps" : "path.points", path.steps, increments, bumps);
+  if (bumps > 0)
+    judge_memory(judge, "path", path.is_orbit() ? "path.steps" : "path.points", path.steps, increments, bumps);
 }
 
 void judge_combination(Judge& judge, const Case& input) {
-  judge.require(input.solver.name == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
-                "solver.name", std::string(name_of(input.solver.name)),
+  judge.require(input.solver.chosen() == SolverName::newton || input.bump_foil.model != BumpFoilModel::former,
+                "solver.name", std::string(name_of(input.solver.chosen())),
                 "the former model has no increments of contact to solve", "leave it out");
-  judge.require(!input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)),
-                "knows no strip: without gaps and history its loops would have no area",
-                "set model = \"truss\" or \"frame\", or remove [strip]");
-  judge.require(!input.vibration || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)),
-                "has no history: its loops have no area, and it cannot vibrate about a load",
-                "set model = \"truss\" or \"frame\", or remove [vibration]");
+  judge.require_for("strip", !input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                    std::string(name_of(input.bump_foil.model)),
+                    "knows no strip: without gaps and history its loops would have no area",
+                    "set model = \"truss\" or \"frame\"");
+  judge.require_for("vibration", !input.vibration || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                    std::string(name_of(input.bump_foil.model)),
+                    "has no history: its loops have no area, and it cannot vibrate about a load",
+                    "set model = \"truss\" or \"frame\"");
   judge.require(input.bearing.is_round() || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                 std::string(name_of(input.bump_foil.model)),
                 "has feet that follow any sleeve, and knows a round journal",
                 "set model = \"truss\" or \"frame\", or remove waves, profiles and taper of [bearing]");
-  judge.require(!input.montecarlo || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "is no model for ensembles: its loops have no area",
-                "set model = \"truss\" or \"frame\", or remove [montecarlo]");
-  judge.require(!input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
-                "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),
-                "needs the table [equilibrium], which is missing", "add [equilibrium], or set command = \"cycle\"");
+  judge.require_for("montecarlo", !input.montecarlo || input.bump_foil.model != BumpFoilModel::former,
+                    "bump_foil.model", std::string(name_of(input.bump_foil.model)),
+                    "is no model for ensembles: its loops have no area", "set model = \"truss\" or \"frame\"");
+  judge.require_for("montecarlo",
+                    !input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
+                    "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),
+                    "needs the table [equilibrium], which is missing", "add [equilibrium], or set command = \"cycle\"");
+  judge.require_for(
+      "montecarlo",
+      !input.montecarlo || !input.montecarlo->limits || input.montecarlo->command == EnsembleCommand::equilibrium,
+      "montecarlo.limits", "true", "are those of running bearings", "set command = \"equilibrium\"");
   const CycleSettings& cycle = input.cycle;
   const bool plain = cycle.amplitude.control == Control::displacement && !cycle.swings() && cycle.cycles == 1;
-  judge.require(
-      plain || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+  judge.require_for(
+      "cycle", plain || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
       std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
       "set model = \"truss\" or \"frame\", or remove cycle.preload, cycle.load, cycle.swing and cycle.cycles");
-  judge.require(!input.path || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)), "has no history: it can only be pushed from the centre",
-                "set model = \"truss\" or \"frame\", or remove [path]");
+  judge.require_for("path", !input.path || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                    std::string(name_of(input.bump_foil.model)),
+                    "has no history: it can only be pushed from the centre", "set model = \"truss\" or \"frame\"");
   judge.require(input.bump_foil.weld_at == WeldPosition::mid_flat || input.bump_foil.model == BumpFoilModel::frame,
                 "bump_foil.weld_at", std::string(name_of(input.bump_foil.weld_at)),
                 "only the frame model can be welded at the start of the first arc",
@@ -320,22 +329,30 @@ void judge_combination(Judge& judge, const Case& input) {
                 std::string(name_of(input.bump_foil.geometry)), "only the frame model can follow large displacements",
                 "set geometry = \"linear\" or model = \"frame\"");
   judge.require(
-      input.solver.name == SolverName::newton, "solver.name", std::string(name_of(input.solver.name)),
-      input.solver.name == SolverName::uzawa
+      input.solver.chosen() == SolverName::newton, "solver.name", std::string(name_of(input.solver.chosen())),
+      input.solver.chosen() == SolverName::uzawa
           ? "solves linear elastic forces only, and bump_foil.geometry is nonlinear"
           : "follows a response that is linear between events, and with bump_foil.geometry = nonlinear it is not",
       "set name = \"newton\" or bump_foil.geometry = \"linear\"");
 }
 
+/// Whether one of these concerns all commands.
+bool any_concerns_all(const std::vector<JudgedFault>& faults) {
+  return std::any_of(faults.begin(), faults.end(), [](const JudgedFault& one) { return one.command.empty(); });
+}
+
 /// Faults of a pad by itself that others than the bearing's own are.
-std::vector<Fault> find_faults_of_pad(Case alone, std::size_t pad, double lobe, const std::vector<Fault>& known) {
+std::vector<JudgedFault> find_faults_of_pad(Case alone, std::size_t pad, double lobe,
+                                            const std::vector<JudgedFault>& known) {
   // Where the pad has been brought nearer the journal presses its bumps flat earlier.
   alone.bearing.radial_clearance -= std::max(lobe, 0.0);
-  std::vector<Fault> faults = find_faults(alone);
-  std::erase_if(faults, [&known](const Fault& fault) {
-    return std::any_of(known.begin(), known.end(), [&fault](const Fault& one) { return one.key == fault.key; });
+  std::vector<JudgedFault> faults = judge_case(alone);
+  std::erase_if(faults, [&known](const JudgedFault& found) {
+    return std::any_of(known.begin(), known.end(), [&found](const JudgedFault& one) {
+      return one.command == found.command && one.fault.key == found.fault.key;
+    });
   });
-  for (Fault& fault : faults) {
+  for (auto& [command, fault] : faults) {
     const bool of_foil = fault.key.starts_with("bump_foil") || fault.key.starts_with("top_foil");
     if (of_foil) fault.key = fmt::format("pad[{}].{}", pad + 1, fault.key);
   }
@@ -343,10 +360,10 @@ std::vector<Fault> find_faults_of_pad(Case alone, std::size_t pad, double lobe, 
 }
 
 /// Foils of pads, first as they are given, then stretched to their arcs.
-std::vector<Fault> find_pad_faults(const Case& input, const std::vector<Fault>& known) {
-  std::vector<Fault> faults;
+std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<JudgedFault>& known) {
+  std::vector<JudgedFault> faults;
   const auto add = [&](const Case& alone, std::size_t k) {
-    std::vector<Fault> more = find_faults_of_pad(alone, k, input.pads[k].lobe, known);
+    std::vector<JudgedFault> more = find_faults_of_pad(alone, k, input.pads[k].lobe, known);
     faults.insert(faults.end(), more.begin(), more.end());
   };
   for (std::size_t k = 0; k < input.pads.size(); ++k) {
@@ -357,18 +374,22 @@ std::vector<Fault> find_pad_faults(const Case& input, const std::vector<Fault>& 
     alone.top_foil = input.pads[k].top_foil.value_or(input.top_foil);
     add(alone, k);
   }
-  if (!faults.empty() || !known.empty()) return faults;
+  // What commands meet in a pad they meet in the placed one again.
+  if (any_concerns_all(faults) || any_concerns_all(known)) return faults;
+  faults.clear();
   const std::vector<PlacedPad> pads = place_pads(input);
   for (std::size_t k = 0; k < pads.size(); ++k) add(pads[k].alone, k);
-  if (!faults.empty()) return faults;
+  if (any_concerns_all(faults)) return faults;
   Judge judge;
   judge_overlaps(judge, input);
-  return judge.take();
+  std::vector<JudgedFault> overlaps = judge.take();
+  faults.insert(faults.end(), overlaps.begin(), overlaps.end());
+  return faults;
 }
 
 }  // namespace
 
-std::vector<Fault> find_faults(const Case& input) {
+std::vector<JudgedFault> judge_case(const Case& input) {
   Judge judge;
   const BumpFoil& foil = input.bump_foil;
   const bool radius = judge_bearing(judge, input.bearing, input.strip.has_value());
@@ -396,20 +417,29 @@ std::vector<Fault> find_faults(const Case& input) {
   if (input.montecarlo) judge_montecarlo(judge, *input.montecarlo, usable_radius);
   judge_combination(judge, input);
   const bool placed = judge_pads(judge, input, usable_radius);
-  std::vector<Fault> faults = judge.take();
+  std::vector<JudgedFault> faults = judge.take();
   if (!placed) return faults;
-  std::vector<Fault> more = find_pad_faults(input, faults);
+  std::vector<JudgedFault> more = find_pad_faults(input, faults);
   faults.insert(faults.end(), more.begin(), more.end());
   return faults;
 }
 
-void require_valid(const Case& input) {
-  std::vector<Fault> faults = find_faults(input);
+std::vector<Fault> find_faults(const Case& input, const std::vector<std::string>& commands) {
+  std::vector<Fault> faults;
+  for (const JudgedFault& one : judge_case(input)) {
+    const bool meets = std::find(commands.begin(), commands.end(), one.command) != commands.end();
+    if (one.command.empty() || meets) faults.push_back(one.fault);
+  }
+  return faults;
+}
+
+void require_valid(const Case& input, const std::vector<std::string>& commands) {
+  std::vector<Fault> faults = find_faults(input, commands);
   if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
 }
 
-void require_bearing(const Case& input) {
-  require_valid(input);
+void require_bearing(const Case& input, const std::vector<std::string>& commands) {
+  require_valid(input, commands);
   if (!input.bearing.is_flat()) return;
   throw Error(ErrorKind::input,
               {{"", 0, "bearing.radius", "", "is missing", "give it, or bearing.diameter: only a strip needs none"}});

@@ -67,7 +67,7 @@ std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, cons
     result = runner->run(sampled, goes_on);
     give_back(std::move(runner));
   } else {
-    result = run_running_sample(sampled, goes_on);
+    result = run_running_sample(sampled, goes_on, input_.montecarlo->limits);
   }
   if (stopped) return std::nullopt;
   return make_ensemble_row(layout_, sampled, result);

@@ -219,7 +219,7 @@ Study parse_study(std::string_view text, std::string_view name) {
 }
 
 Case study_case(const StudyRun& run) {
-  return parse_case(case_template(base_case), run.name, {.overrides = run.overrides, .required_tables = {"cycle"}});
+  return parse_case(case_template(base_case), run.name, {.overrides = run.overrides, .commands = {"cycle"}});
 }
 
 }  // namespace bumpfoil

@@ -71,6 +71,35 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
       << other.errors;
 }
 
+TEST_F(RunningBearing, IsNoConcernOfOtherCommands) {
+  const std::string text = folder_.read("case.toml");
+  const std::size_t pitch = text.find("pitch = \"4.572 mm\"");
+  ASSERT_NE(pitch, std::string::npos);
+  std::string graded = text;
+  graded.replace(pitch, 18, "pitch = { start = \"4.5 mm\", end = \"4.6 mm\" } #");
+  graded += "\n[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[\"50 N\", \"0 N\"]]\n";
+  case_path_ = folder_.write("graded.toml", graded);
+  EXPECT_EQ(run({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=4"}).exit_code, 0);
+  const Outcome refused = run({"equilibrium", case_path_, "-o", results_, "--force"});
+  EXPECT_EQ(refused.exit_code, 2);
+  const auto line = std::count(graded.begin(), graded.begin() + static_cast<std::ptrdiff_t>(pitch), '\n') + 1;
+  const std::string why = case_path_ + ":" + std::to_string(line) + ": bump_foil.pitch";
+  EXPECT_NE(refused.errors.find(why), std::string::npos) << refused.errors;
+
+  const Outcome checked = run({"check", case_path_});
+  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  EXPECT_NE(checked.output.find("\n# cycle: ok\n# equilibrium: not possible\n#   " + why), std::string::npos)
+      << checked.output;
+  EXPECT_EQ(run({"check", folder_.write("understood.toml", checked.output)}).exit_code, 0);
+  // What is wrong by itself is an error of the file.
+  EXPECT_EQ(run({"check", case_path_, "--set", "equilibrium.speeds=[0]"}).exit_code, 2);
+  // So is a file that no command can run.
+  const Outcome none = run({"check", case_path_, "--set", "cycle.amplitude=0.6 mm"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.errors.find("would press the bumps flat"), std::string::npos) << none.errors;
+  EXPECT_NE(none.errors.find(why), std::string::npos) << none.errors;
+}
+
 TEST_F(RunningBearing, LeavesPartialResultsWhereTheFilmIsTooThin) {
   const Outcome beyond = run(command(
       "equilibrium", {"equilibrium.loads=[[20, 0], [100, 0], [110, 0]]", "--set", "film.h_floor=10 um", "--force"}));

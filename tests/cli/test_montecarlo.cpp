@@ -32,6 +32,46 @@ TEST_F(MonteCarloProgram, WritesStatisticsAndSamples) {
   EXPECT_EQ(summary().at("samples"), 5);
 }
 
+TEST_F(MonteCarloProgram, FollowsEventsUnlessASolverIsNamed) {
+  const std::string alone = (folder_.path() / "alone").string();
+  const auto sample = [&](const std::vector<std::string>& more) {
+    const std::vector<std::string> one{
+        "cycle", case_path_, "-o", alone, "--force", "--sample", results_ + "/ensemble.nc:0"};
+    const Outcome single = run(
+        one + std::vector<std::string>{"--set", "cycle.steps=4", "--set", "cycle.directions=[\"+X\", \"-X\"]"} + more);
+    EXPECT_EQ(single.exit_code, 0) << single.errors;
+    return summary_of("alone");
+  };
+  const auto energy_of_mean = [this] {
+    return summary().at("statistics").at("+X").at("loop_energy_J").at("mean").get<double>();
+  };
+  const auto energy = [](const json& single) { return single.at("cycles").at(0).at("loop_energy_J").get<double>(); };
+
+  ASSERT_EQ(run(montecarlo("results", 1)).exit_code, 0);
+  EXPECT_EQ(summary().at("solver"), "events");
+  EXPECT_EQ(summary().at("case").at("solver").at("name"), "events");
+  const double followed = energy_of_mean();
+  json single = sample({});
+  EXPECT_EQ(single.at("solver"), "events");
+  // What rates add up to by solves and by the matrix.
+  EXPECT_NEAR(energy(single), followed, 1e-9 * followed);
+  single = sample({"--solver", "newton"});
+  EXPECT_EQ(single.at("solver"), "newton");
+  EXPECT_GT(std::abs(energy(single) - followed), 1e-3 * followed);  // four increments each way
+
+  // What it is begun with it goes on with.
+  const Outcome other = run(montecarlo("results", 2) + std::vector<std::string>{"--resume", "--solver", "newton"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.errors.find("solver.name = \"events\": is \"newton\" now"), std::string::npos) << other.errors;
+  EXPECT_EQ(run(montecarlo("results", 2) + std::vector<std::string>{"--resume", "--solver", "events"}).exit_code, 0);
+
+  ASSERT_EQ(run(montecarlo("results", 1) + std::vector<std::string>{"--force", "--solver", "newton"}).exit_code, 0);
+  EXPECT_EQ(summary().at("solver"), "newton");
+  single = sample({});
+  EXPECT_EQ(single.at("solver"), "newton");
+  EXPECT_NEAR(energy(single), energy_of_mean(), 1e-9 * followed);
+}
+
 TEST_F(MonteCarloProgram, WantsSomethingThatScatters) {
   EXPECT_EQ(run({"montecarlo", case_path_, "-o", results_}).exit_code, 2);
   const Outcome nothing = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"});
@@ -110,6 +150,20 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
     const auto value = single.at(name).get<double>();
     EXPECT_NEAR(kept.at(name).at("mean").get<double>(), value, 1e-9 * std::abs(value)) << name;
   }
+  // With limits these are quantities like others, and sample 0 has its own.
+  const std::vector<std::string> limits{"--limits", "--set", "film.h_lift_off=8 um"};
+  const Outcome without = run(ensemble("limits", "1") + std::vector<std::string>{"--limits"});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.errors.find("film.h_lift_off: is missing"), std::string::npos) << without.errors;
+  ASSERT_EQ(run(ensemble("limits", "1") + limits).exit_code, 0);
+  ASSERT_EQ(run(alone + film + std::vector<std::string>{"film.h_lift_off=8 um", "--limits", "--force"}).exit_code, 0);
+  const json of_limits = summary_of("limits").at("statistics").begin().value();
+  const json of_one = json::parse(folder_.read("alone/summary.json")).at("limits");
+  EXPECT_NEAR(of_limits.at("lift_off_speed_rad_per_s").at("mean").get<double>(),
+              of_one.at(0).at("speed_rad_per_s").get<double>(), 1e-6);
+  EXPECT_NEAR(of_limits.at("load_capacity_N").at("mean").get<double>(), of_one.at(1).at("load_N").get<double>(), 1e-6);
+  EXPECT_FALSE(kept.contains("load_capacity_N"));
+  EXPECT_EQ(run(montecarlo("other", 1) + std::vector<std::string>{"--limits"}).exit_code, 2);  // cycles have none
   // What is wrong with the case is no fault of a sample.
   const Outcome events = run(ensemble("other", "4") + std::vector<std::string>{"--solver", "events"});
   EXPECT_EQ(events.exit_code, 2);

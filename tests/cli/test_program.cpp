@@ -160,8 +160,10 @@ TEST_F(Program, InitPrintsOrWrites) {
 }
 
 TEST_F(Program, RunsItsPresets) {
-  for (const auto& [preset, command] :
-       {std::pair{"gen1-rubio", "cycle"}, {"gen3-three-pad", "cycle"}, {"larsen-strip", "strip"}}) {
+  for (const auto& [preset, command] : {std::pair{"gen1-rubio", "cycle"},
+                                        {"gen3-three-pad", "cycle"},
+                                        {"larsen-strip", "strip"},
+                                        {"running", "equilibrium"}}) {
     const std::string path = (folder_.path() / preset).string();
     EXPECT_EQ(run({"init", "--preset", preset, "-o", path}).exit_code, 0) << preset;
     const Outcome done = run({command, path, "-o", results_, "--force", "--set", std::string(command) + ".steps=4"});
@@ -171,14 +173,42 @@ TEST_F(Program, RunsItsPresets) {
   // No truss has the bumps of the strip: what is known of them is told, and what to do.
   const std::string strip = (folder_.path() / "larsen-strip").string();
   EXPECT_NE(run({"properties", strip}).output.find("no spring is negative"), std::string::npos);
+  const std::vector<std::string> as_truss{strip, "--set", "bump_foil.model=truss"};
+  const Outcome truss = run(std::vector<std::string>{"check"} + as_truss);
+  EXPECT_EQ(truss.exit_code, 2);
+  EXPECT_NE(truss.errors.find("bump_foil.truss.k2: comes out as -4.801e+06 N/m"), std::string::npos) << truss.errors;
+  EXPECT_NE(truss.errors.find("set bump_foil.model = \"frame\", or give k2, k3 and k4, with k2 + k3 = 3.187e+06 N/m"),
+            std::string::npos)
+      << truss.errors;
+  const Outcome properties = run(std::vector<std::string>{"properties"} + as_truss);
+  EXPECT_EQ(properties.exit_code, 0) << properties.errors;
+  EXPECT_NE(properties.output.find("no spring is negative"), std::string::npos) << properties.output;
+}
+
+TEST_F(Program, TakesAFrameForATrussThatNobodyAskedFor) {
+  const std::vector<std::string> steep{"--set", "bump_foil.pitch=4.6 mm",  "--set", "bump_foil.length=3.2 mm",
+                                       "--set", "bump_foil.height=0.55 mm"};
+  EXPECT_EQ(run(cycle_ + steep + std::vector<std::string>{"--set", "bump_foil.model=truss"}).exit_code, 2);
+  const Outcome framed = run(cycle_ + steep);
+  EXPECT_EQ(framed.exit_code, 0) << framed.errors;
+  const std::string said = "the bump foil is modelled as a frame, since no truss can stand for it";
+  EXPECT_NE(framed.errors.find("warning: +X: " + said), std::string::npos) << framed.errors;
+  EXPECT_EQ(summary().at("case").at("bump_foil").at("model"), "frame");
+  EXPECT_NE(summary().at("cycles").at(0).at("warnings").at(0).get<std::string>().find(said), std::string::npos);
   for (const std::string command : {"check", "properties"}) {
-    const Outcome truss = run({command, strip, "--set", "bump_foil.model=truss"});
-    EXPECT_EQ(truss.exit_code, 2);
-    EXPECT_NE(truss.errors.find("bump_foil.truss.k2: comes out as -4.801e+06 N/m"), std::string::npos) << truss.errors;
-    EXPECT_NE(truss.errors.find("set bump_foil.model = \"frame\", or give k2, k3 and k4, with k2 + k3 = 3.187e+06 N/m"),
-              std::string::npos)
-        << truss.errors;
+    const Outcome asked = run(std::vector<std::string>{command, case_path_} + steep);
+    EXPECT_EQ(asked.exit_code, 0) << asked.errors;
+    EXPECT_EQ(asked.errors.find("warning: " + said), 0U) << asked.errors;
   }
+  const Outcome ensemble =
+      run(std::vector<std::string>{"montecarlo", case_path_, "-o", results_, "--force", "--samples", "2", "--set",
+                                   "cycle.steps=4", "--set", "montecarlo.bump_length.std=0.2 mm"} +
+          steep);
+  EXPECT_NE(ensemble.errors.find("warning: " + said), std::string::npos) << ensemble.errors;
+  EXPECT_EQ(summary().at("case").at("bump_foil").at("model"), "frame");
+  EXPECT_NE(summary().at("warnings").at(0).get<std::string>().find(said), std::string::npos);
+  EXPECT_TRUE(run(cycle_ + std::vector<std::string>{"--force"}).errors.empty());
+  EXPECT_EQ(summary().at("case").at("bump_foil").at("model"), "truss");
 }
 
 TEST_F(Program, OverridesKeysAsTheShellLeavesThem) {

@@ -44,8 +44,7 @@ class Ranks : public MonteCarloProgram {
       if (words[i - 1] == "--set") overrides.push_back(words[i]);
     }
     overrides.push_back("montecarlo.samples=" + std::to_string(samples));
-    const Case input =
-        parse_case(read_case_text(case_path_), case_path_, {.overrides = overrides, .required_tables = {}});
+    const Case input = parse_case(read_case_text(case_path_), case_path_, {.overrides = overrides, .commands = {}});
     const std::size_t width = make_ensemble_layout(input).width();
     const EnsembleLog log = EnsembleLog::open(folder_.path() / folder / "ensemble.checkpoint", width);
     std::vector<std::vector<double>> columns;

@@ -186,6 +186,45 @@ TEST_F(SweepProgram, FindsRunningBearingsAtEveryPoint) {
             timeless(json::parse(folder_.read("alone/summary.json")).at("states")));
 }
 
+TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
+  const std::vector<std::string> sweep = sweep_over("equilibrium.speeds=40000rpm:45000rpm:5000rpm") +
+                                         std::vector<std::string>{"--command",
+                                                                  "equilibrium",
+                                                                  "--limits",
+                                                                  "--set",
+                                                                  "equilibrium.loads=[[\"30 N\", \"0 N\"]]",
+                                                                  "--set",
+                                                                  "film.rows=4",
+                                                                  "--set",
+                                                                  "film.columns_per_pitch=4"};
+  const Outcome thick = run(sweep);
+  EXPECT_EQ(thick.exit_code, 2);
+  EXPECT_NE(thick.errors.find("film.h_lift_off: is missing"), std::string::npos) << thick.errors;
+  const Outcome done = run(sweep + std::vector<std::string>{"--set", "film.h_lift_off=8 um"});
+  ASSERT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.output.find("load_ramp, load (30, 0) N\n"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("load capacity (N)"), std::string::npos) << done.output;
+  const json points = summary().at("points");
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points.at(0).at("states").size(), 1U);
+  const auto capacity = [&points](std::size_t point) {
+    const json& limit = points.at(point).at("limits").at(1);
+    EXPECT_EQ(limit.at("kind"), "load_capacity");
+    return limit.at("load_N").get<double>();
+  };
+  EXPECT_GT(capacity(1), capacity(0));
+  const std::string csv = folder_.read("results/sweep.csv");
+  EXPECT_TRUE(csv.substr(0, csv.find('\n')).ends_with(",lift_off_speed_rad_per_s,load_capacity_N")) << csv;
+  const std::string last = csv.substr(csv.rfind(',') + 1);
+  EXPECT_EQ(std::stod(last), capacity(1));
+
+  const Outcome cycles =
+      run(sweep_over("friction.coefficient=[0, 1]") + std::vector<std::string>{"--limits", "--force"});
+  EXPECT_EQ(cycles.exit_code, 2);
+  EXPECT_NE(cycles.errors.find("--limits: are those of running bearings; add --command equilibrium"), std::string::npos)
+      << cycles.errors;
+}
+
 TEST_F(SweepProgram, AnInterruptedSweepLeavesFlaggedResults) {
   // The first point is done at once, the others are long enough to be interrupted on any machine.
   const Running program({"sweep", case_path_, "--over", "cycle.steps=[2, 80000, 80001]", "-o", results_, "--set",

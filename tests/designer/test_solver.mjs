@@ -25,7 +25,7 @@ test('loops are those of the program', () => {
   const changed = (...pairs) => pairs.reduce((text, [from, to]) => text.replace(from, to), reference);
   const cases = {
     reference,
-    frame: changed(['model = "truss"', 'model = "frame"']),
+    frame: changed(['# model = "truss"', 'model = "frame"']),
     'rough, following events': `${changed([
       'stiffness_follows_height',
       `height_errors = [${Array.from({ length: 26 }, (_, i) => `"${((7 * i) % 11) - 5} um"`).join(', ')}]\nstiffness_follows_height`,

@@ -21,7 +21,7 @@ def test_file_text_and_dictionary_give_the_same_case():
     assert pickle.loads(pickle.dumps(case)) == case
     assert hash(bumpfoil.Case(str(GEN1))) == hash(case)
     printed = subprocess.run([PROGRAM, "check", GEN1], check=True, capture_output=True, text=True).stdout
-    assert case.toml == printed
+    assert printed == case.toml + "\n# cycle: ok\n"
 
 
 def test_numbers_are_si_and_texts_have_units():
@@ -29,6 +29,24 @@ def test_numbers_are_si_and_texts_have_units():
     by_text = bumpfoil.Case(GEN1, bearing={"radius": "20 mm", "weld_angle": "180 deg"})
     assert by_number == by_text
     assert by_number.to_dict()["bearing"]["radius"] == 0.02
+
+
+def test_ranges_are_lists():
+    speeds = {"from": "10000 rpm", "to": "60000 rpm", "points": 11}
+    held = bumpfoil.Case(EXAMPLES / "running.toml", equilibrium={"speeds": speeds}).to_dict()["equilibrium"]["speeds"]
+    np.testing.assert_allclose(held, np.linspace(10000, 60000, 11) * np.pi / 30, rtol=1e-14)
+    with pytest.raises(bumpfoil.CaseError, match="has neither points nor step"):
+        bumpfoil.Case(GEN1, cycle={"clearance_forces": {"from": "1 N", "to": "9 N"}})
+
+
+def test_each_command_judges_what_it_uses():
+    states = {"speeds": ["45000 rpm"], "loads": [["20 N", "0 N"]]}
+    graded = bumpfoil.check(GEN1, bump_foil={"pitch": {"start": "4.5 mm", "end": "4.6 mm"}}, equilibrium=states)
+    assert bumpfoil.run_cycle(graded, cycle={"steps": 2, "directions": ["+X"]}).status == "complete"
+    with pytest.raises(bumpfoil.CaseError, match="bump_foil.pitch"):
+        bumpfoil.run_equilibrium(graded)
+    with pytest.raises(bumpfoil.CaseError, match="would press the bumps flat"):
+        bumpfoil.check(GEN1, cycle={"amplitude": "0.6 mm"})
 
 
 def test_arrays_are_lists():

@@ -60,7 +60,7 @@ def test_ensemble_is_that_of_the_program(program, tmp_path):
     result = bumpfoil.run_montecarlo(TOLERANCES, samples=20, seed=3, limits=["clearance_5N > 20 um"])
     assert_same_file(result, folder / "ensemble.nc")
     assert result.summary["statistics"] == bumpfoil.load(folder).summary["statistics"]
-    assert (result.command, result.status) == ("montecarlo", "complete")
+    assert (result.command, result.status, result.summary["solver"]) == ("montecarlo", "complete", "events")
     with pytest.raises(bumpfoil.FileError):
         bumpfoil.run_montecarlo(TOLERANCES, folder, samples=20, seed=3)
 
@@ -72,7 +72,8 @@ def test_number_of_samples_may_stand_in_the_table():
 
 def test_ensemble_of_running_bearings(program):
     film = {"film": {"columns_per_pitch": 4, "rows": 4}, "equilibrium": {"loads": [[10, 0], [20, 0]], "steps": 1}}
-    scatter = {"command": "equilibrium", "samples": 3, "radial_clearance": {"std": "1 um"}}
+    film["film"]["h_lift_off"] = "8 um"
+    scatter = {"command": "equilibrium", "samples": 3, "limits": True, "radial_clearance": {"std": "1 um"}}
     result = bumpfoil.run_montecarlo(EXAMPLES / "running.toml", montecarlo=scatter, **film)
     data = result.to_xarray()
     assert dict(data.sizes) == {"sample": 3, "state": 2, "bump": 26}
@@ -85,6 +86,7 @@ def test_ensemble_of_running_bearings(program):
         for name in ("h_min", "power", "kyx", "cxx_whirl", "highest_bump_load"):
             np.testing.assert_allclose(data[name][sample, state], alone.to_xarray()[name][state], rtol=1e-9)
         np.testing.assert_allclose(data.bump_load[sample, state].max(), data.highest_bump_load[sample, state])
+    assert np.all(data.load_capacity > 0) and np.all(np.diff(data.lift_off_speed, axis=1) > 0)
     table = result.to_dataframe()
     assert list(table.h_min_m) == list(data.h_min.values.ravel()) and set(table.state) == {1, 2}
     texts = [text.get_text() for text in result.plot_ensemble().get_legend().get_texts()]

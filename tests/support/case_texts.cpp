@@ -9,7 +9,7 @@
 namespace bumpfoil::testing {
 
 Case with(const std::vector<std::string>& overrides) {
-  return parse_case(whole_case(), "case.toml", {.overrides = overrides, .required_tables = {}});
+  return parse_case(whole_case(), "case.toml", {.overrides = overrides, .commands = {}});
 }
 
 std::string refusal(const std::vector<std::string>& overrides) {

@@ -10,7 +10,9 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
   Case input = reference_case();
   change(input);
   Keys keys;
-  for (const Fault& fault : find_faults(input)) {
+  for (const auto& [command, fault] : judge_case(input)) {
+    // Of commands whose table is there.
+    if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium)) continue;
     EXPECT_TRUE(fault.file.empty());
     EXPECT_FALSE(fault.what.empty());
     EXPECT_FALSE(fault.advice.empty());

@@ -193,9 +193,6 @@ void add_physics(std::vector<WrongCase>& table) {
            {"cycle.directions: there is no direction"}));
   add(edit("a direction twice", "\"37.5 deg\"", "\"37.5 deg\", \"360 deg\"",
            {"cycle.directions[3] = 360 deg: is the direction of cycle.directions[1] again", "every direction once"}));
-  add(edit("a strip of the former model", "model = \"truss\"", "model = \"former\"",
-           {"bump_foil.model = former: knows no strip", "remove [strip]"}));
-  table.back().text += "[strip]\ndisplacement = \"20 um\"\n";
   add(edit("amplitude of zero", "\"79.5 um\"", "0.0", {"cycle.amplitude = 0: must be positive"}));
   add(edit("amplitude in mm", "\"79.5 um\"", "\"79.5 mm\"", {"cycle.amplitude = 79.5 mm: would press the bumps flat"}));
   add(edit("no steps", "steps = 100", "steps = 0", {"cycle.steps = 0", "1 to 1000000"}));

@@ -51,6 +51,9 @@ struct RunningState {
   std::vector<FilmWhirl> tabulated;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
+  /// Of limits, where they were asked for: |Omega| under its load, rad/s, and load at its speed, N. Absent where they
+  /// were not found.
+  std::optional<double> lift_off_speed, load_capacity;
 
   [[nodiscard]] bool found() const { return report.status == FilmStatus::converged; }
 };
@@ -87,8 +90,8 @@ struct EquilibriumResult {
   std::shared_ptr<const FilmBearing> bearing;
   SharedFoils foils;                        ///< of the same case, without the film
   std::vector<RunningState> states;         ///< path after path, in the order in which they were found
-  std::vector<FilmLimit> limits;            ///< of run_film_limits(), where they were asked for
-  std::vector<OtherBranch> other_branches;  ///< of compare_with_second_path(), where it was asked for
+  std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were asked for
+  std::vector<OtherBranch> other_branches;  ///< of analyse_running_bearing(), where a second path was asked for
 
   /// All states and limits were found.
   [[nodiscard]] bool converged() const;

@@ -14,10 +14,6 @@ namespace bumpfoil {
 /// The gas of a case.
 Gas gas_of(const GasSettings& settings);
 
-/// The film knows a journal that looks the same however it has turned.
-/// @throws Error (input) if a case has another
-void require_film_geometry(const Case& input);
-
 /// c of a bearing, m: its clearance or interference, 10 um at least.
 double film_thickness_scale(double clearance);
 

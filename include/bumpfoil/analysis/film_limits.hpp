@@ -15,4 +15,7 @@ namespace bumpfoil {
 /// @throws Error (input) if the case cannot be built, or has no film.h_lift_off or no loads
 std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bool(double)>& progress = {});
 
+/// Runs them, and says of each state the limits at its load and its speed. @param result  of run_equilibrium()
+void add_film_limits(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress = {});
+
 }  // namespace bumpfoil

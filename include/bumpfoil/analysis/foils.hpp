@@ -83,8 +83,9 @@ struct Excitation {
 std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 
 /// The foils of a bearing, pressed by its journal.
-/// @throws Error (input) if the case cannot be built.
-SharedFoils make_bearing_foils(const Case& input);
+/// @param commands  that are to run them
+/// @throws Error (input) if the case cannot be built, or run by one of them
+SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands = {});
 
 /// The strip of a case between its plate and the base: flat foils, without clearance.
 /// @throws Error (input) if the case cannot be built, or has no strip, or is of the former model.

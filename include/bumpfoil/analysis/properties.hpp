@@ -37,10 +37,10 @@ struct Properties {
   std::vector<BumpProperties> bumps;  ///< from the weld on; one where all bumps are alike
   std::optional<StiffnessRange>
       top_foil;  ///< K_t; absent without a top foil, without a bearing, or with too many bumps
-  std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps
+  std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps, and without a truss
 };
 
-/// @throws Error (input) if the case cannot be built.
+/// @throws Error (input) if the case is wrong; where its truss cannot be built, the rest is known all the same.
 Properties compute_properties(const Case& input);
 
 }  // namespace bumpfoil

@@ -14,9 +14,9 @@ struct RunningRequest {
 
 /// All that the command `equilibrium` reports: run_equilibrium() on the paths that the case names, the errors of the
 /// mesh (estimate_mesh_errors()), coefficients for rotor dynamics (tabulate_whirls()), a second path to compare with
-/// (EquilibriumResult::other_branches) unless equilibrium.paths says otherwise, and the limits of run_film_limits().
+/// (EquilibriumResult::other_branches) unless equilibrium.paths says otherwise, and the limits of add_film_limits().
 /// @param progress  called with the fraction that is done; returning false ends the run
-/// @throws Error (input) as run_equilibrium() and run_film_limits() do
+/// @throws Error (input) as run_equilibrium() and add_film_limits() do
 EquilibriumResult analyse_running_bearing(const Case& input, const RunningRequest& request,
                                           const std::function<bool(double)>& progress = {});
 

@@ -7,7 +7,9 @@ namespace bumpfoil {
 
 /// Runs the bearing of a sampled case on its film: all states of [equilibrium], along its path. Failures are reported
 /// in the states; of a case that makes no bearing they are `not_physical`.
+/// @param limits  whether lift-off speeds and load capacities are to be found, too
 /// @pre  the case has [equilibrium]
-EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress = {});
+EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress = {},
+                                     bool limits = false);
 
 }  // namespace bumpfoil

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -12,8 +13,9 @@ namespace bumpfoil {
 struct CaseRequest {
   /// "table.key=value" each, applied in order: the value is TOML, or a bare string where it is not.
   std::vector<std::string> overrides;
-  /// Optional tables without which the caller has nothing to do, such as "cycle".
-  std::vector<std::string> required_tables;
+  /// That are to run the case: their tables must be there, and what keeps one from running is a fault. With
+  /// "montecarlo" a case that names no solver gets ensemble_solver().
+  std::vector<std::string> commands;
 };
 
 /// Reads a case file in TOML and checks everything about it: unknown keys, types, units, and find_faults. Every fault
@@ -29,5 +31,20 @@ std::string read_case_text(const std::string& path);
 /// The same for the text of a case file. `name` stands for the file in messages; files that the case names are looked
 /// for beside it.
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request = {});
+
+/// What a command says of a case that has its table.
+struct CheckedCommand {
+  std::string name;
+  std::vector<Fault> faults;  ///< none: it runs
+};
+
+struct CheckedCase {
+  Case input;
+  std::vector<CheckedCommand> commands;
+};
+
+/// Reads a case as parse_case() does, and for each command whose table it has, what keeps that one from running.
+/// @throws Error as parse_case() does, and with the faults of all commands if none of them runs
+CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides = {});
 
 }  // namespace bumpfoil

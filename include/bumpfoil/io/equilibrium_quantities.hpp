@@ -21,16 +21,18 @@ struct RunningQuantity {
   std::string_view label{};  ///< on the terminal; empty where it is in the files only
   ShownUnit shown{};         ///< there
   Form form{};
-  bool in_csv{};    ///< beside result.nc and summary.json
-  bool of_foils{};  ///< not of walls in their place
-  bool of_pads{};   ///< of several alone
-  bool is_bump{};   ///< the number of one, through all pads
-  bool asked{};     ///< known of states that were not found, too: what was asked for, and how that ended
+  bool in_csv{};     ///< beside result.nc and summary.json
+  bool of_foils{};   ///< not of walls in their place
+  bool of_pads{};    ///< of several alone
+  bool of_limits{};  ///< known where limits were asked for
+  bool is_bump{};    ///< the number of one, through all pads
+  bool asked{};      ///< known of states that were not found, too: what was asked for, and how that ended
 };
 
 /// In the order of files and tables: of a bearing with foils, of one pad or several, or of one with a wall in their
 /// place.
-std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing);
+/// @param limits  whether these were asked for
+std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits = false);
 
 /// Of bearings of all kinds.
 std::span<const RunningQuantity> all_running_quantities();
@@ -55,7 +57,7 @@ std::string running_bump_text(const FilmBearing& bearing, int bump);
 /// most; 0 for a state that was not found, and for one that presses no bump at all.
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
 
-/// What is asked for as messages call it: "45000 rpm, load (50, 0) N".
+/// What is asked for as messages call it: "45000 rpm, load (50, 0) N"; without a speed that is not a number.
 std::string name_of_point(const OperatingPoint& point);
 
 /// A state as messages call it, by where it was reached from: "load_ramp from rest, 45000 rpm, load (20, 0) N", or

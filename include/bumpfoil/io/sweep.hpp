@@ -33,11 +33,13 @@ struct SweepRequest {
   SweptCommand command{SweptCommand::cycle};
   std::vector<std::string> over;       ///< "KEY=FROM:TO:STEP" or "KEY=[a, b]" each, see parse_swept_key()
   std::vector<std::string> overrides;  ///< of all points, see CaseRequest
+  bool limits{};                       ///< of running bearings: lift-off speeds and load capacities, too
 };
 
 /// A key that is swept.
 struct SweepAxis {
   SweptKey swept;              ///< key and values as they were written
+  bool is_list{};              ///< of the key, which holds one value at each point
   std::string name;            ///< of its variable in sweep.nc: the key with underscores for its dots
   std::string title;           ///< of the table and the key: "Cycle: Amplitude"
   std::string unit;            ///< SI, as UDUNITS spells it; "1" where there is none
@@ -49,6 +51,7 @@ struct Sweep {
   SweptCommand command{SweptCommand::cycle};
   std::vector<SweepAxis> axes;
   std::vector<Case> cases;
+  bool with_limits{};
   bool with_loops{};  ///< whether their loops are not too many to be kept
 };
 
@@ -58,8 +61,9 @@ inline constexpr std::size_t most_loop_values = 4'000'000;
 /// Makes the grid of a sweep. Every case is that of `bumpfoil <command> --set KEY=VALUE ...`, to the last bit, and
 /// every fault of every one is listed, once, with the first point that has it.
 /// @param text  of the case file   @param name  stands for the file in messages, see parse_case()
-/// @throws Error (input) if a key is swept twice, is no number, is set besides, takes a value twice, if the grid has
-/// more than most_sweep_points, or if a case is wrong; Error (file) if a file that a case names cannot be read
+/// @throws Error (input) if a key is swept twice, is neither a number nor the speeds of [equilibrium], is set besides,
+/// takes a value twice, if the grid has more than most_sweep_points, or if a case is wrong; Error (file) if a file that
+/// a case names cannot be read
 Sweep parse_sweep(std::string_view text, const std::string& name, const SweepRequest& request);
 
 /// Which value each axis has at a point.

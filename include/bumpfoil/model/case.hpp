@@ -141,10 +141,13 @@ struct UzawaParameters {
 };
 
 struct SolverSettings {
-  SolverName name{SolverName::newton};
+  std::optional<SolverName> name{};  ///< where the case names one
   UzawaParameters uzawa;
 
   bool operator==(const SolverSettings&) const = default;
+
+  /// The solver that runs the case.
+  [[nodiscard]] SolverName chosen() const { return name.value_or(SolverName::newton); }
 };
 
 /// What is prescribed to the body that presses on the foils: the journal of a bearing, the plate of a strip.
@@ -333,6 +336,8 @@ struct Case {
   FilmSettings film{};
   std::optional<EquilibriumSettings> equilibrium{};
   std::optional<MonteCarloSettings> montecarlo{};
+  /// What its reader chose where the case file leaves the choice, in plain words: warnings of every result.
+  std::vector<std::string> remarks{};
 
   bool operator==(const Case&) const = default;
 };
@@ -340,6 +345,10 @@ struct Case {
 /// The first-generation bearing of [Arghir2019, Table 1] with friction coefficient 0.1, pushed to 2.5 clearances along
 /// +X, -X, +Y and -Y.
 Case reference_case();
+
+/// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which finds their
+/// quantities several times faster, else `newton`.
+SolverName ensemble_solver(const Case& input);
 
 /// The case with its foils cut to the bumps of its strip. The case must have one.
 Case cut_to_strip(const Case& input);

@@ -66,11 +66,12 @@ struct MonteCarloSettings {
   EnsembleCommand command{EnsembleCommand::cycle};
   int samples{1000};
   int seed{1};
-  std::optional<HeightScatter> bump_height{};          ///< m
-  std::optional<Distribution> bump_foil_thickness{};   ///< m
-  std::optional<Distribution> top_foil_thickness{};    ///< m
-  std::optional<Distribution> bump_length{};           ///< m
-  std::optional<Distribution> friction_top_bump{};     ///< 1
+  bool limits{};                                      ///< of running bearings: lift-off speeds and load capacities, too
+  std::optional<HeightScatter> bump_height{};         ///< m
+  std::optional<Distribution> bump_foil_thickness{};  ///< m
+  std::optional<Distribution> top_foil_thickness{};   ///< m
+  std::optional<Distribution> bump_length{};          ///< m
+  std::optional<Distribution> friction_top_bump{};    ///< 1
   std::optional<Distribution> friction_bump_sleeve{};  ///< 1
   std::optional<Distribution> radial_clearance{};      ///< m
   std::optional<WavinessScatter> sleeve_waviness{};

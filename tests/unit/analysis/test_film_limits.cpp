@@ -40,6 +40,19 @@ TEST(FilmLimits, LieWhereTheFilmIsAsThinAsItMayBe) {
   EXPECT_GT(run_film_limits(limited_case(speed_of_rpm(45000.0), 60.0))[0].value, limits[0].value);
 }
 
+TEST(FilmLimits, AreTheOnesOfTheLoadAndTheSpeedOfAState) {
+  Case input = limited_case(speed_of_rpm(45000.0), 50.0);
+  input.equilibrium->loads.emplace_back(60.0, 0.0);
+  EquilibriumResult result = run_equilibrium(input);
+  add_film_limits(input, result);
+  ASSERT_EQ(result.limits.size(), 3U);
+  ASSERT_TRUE(result.converged());
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_EQ(result.states[i].lift_off_speed, result.limits[i].value);
+    EXPECT_EQ(result.states[i].load_capacity, result.limits[2].value);
+  }
+}
+
 TEST(FilmLimits, AreFoundFromTheOtherSide) {
   const double lift_off = run_film_limits(limited_case(speed_of_rpm(45000.0), 50.0))[0].value;
   const std::vector<FilmLimit> limits = run_film_limits(limited_case(0.8 * lift_off, 50.0));

@@ -16,6 +16,16 @@ TEST(RunningSample, ComesToTheStatesOfItsCase) {
   EXPECT_EQ(result.states[1].asked, planned_states(*input.equilibrium, FilmStatus::not_physical)[1].asked);
 }
 
+TEST(RunningSample, HasLimitsWhereTheyAreAskedFor) {
+  Case input = testing::running_ensemble_case(1);
+  input.film.h_lift_off = 8e-6;
+  const Case sampled = sampled_case(input, draw_sample(input, 0));
+  EXPECT_TRUE(run_running_sample(sampled).limits.empty());
+  const EquilibriumResult result = run_running_sample(sampled, {}, true);
+  ASSERT_EQ(result.limits.size(), 3U);
+  EXPECT_GT(result.states[1].lift_off_speed.value(), result.states[0].lift_off_speed.value());
+}
+
 TEST(RunningSample, OfWhatMakesNoBearingSaysSo) {
   Case sampled = testing::running_ensemble_case(1);
   sampled.bump_foil.thickness = -0.1e-3;

@@ -34,8 +34,7 @@ TEST(Overrides, TakeTomlAndBareStrings) {
 
 TEST(Overrides, MayAddTablesAndTheLastOneWins) {
   const std::string text = cut(whole_case(), "[friction]\ncoefficient = 0.1\n");
-  const CaseRequest request{.overrides = {"friction.coefficient=0.3", "friction.coefficient=0.2"},
-                            .required_tables = {}};
+  const CaseRequest request{.overrides = {"friction.coefficient=0.3", "friction.coefficient=0.2"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", request).friction.top_bump, 0.2);
 }
 

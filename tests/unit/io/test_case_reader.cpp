@@ -1,5 +1,6 @@
 #include "bumpfoil/io/case_reader.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -50,6 +51,86 @@ sleeve_waviness = { harmonic = 3, amplitude = "5 um" }
   EXPECT_EQ(parse_case(case_to_toml(input), "again.toml"), input);
   EXPECT_NE(refusal({"montecarlo.bump_height.std=10 N"}).find("montecarlo.bump_height.std = 10 N"), std::string::npos);
   EXPECT_NE(refusal({"montecarlo.bump_hight.std=10 um"}).find("did you mean \"bump_height\"?"), std::string::npos);
+}
+
+TEST(ParseCase, EnsemblesOfCyclesFollowEventsUnlessASolverIsNamed) {
+  const auto solver = [](const std::string& command, std::vector<std::string> overrides) {
+    const std::string text = cut(whole_case(), "name = \"newton\"\n");
+    overrides.emplace_back("montecarlo.bump_height.std=10 um");
+    return parse_case(text, "case.toml", {.overrides = overrides, .commands = {command}}).solver.chosen();
+  };
+  EXPECT_EQ(solver("montecarlo", {}), SolverName::events);
+  EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame"}), SolverName::events);
+  EXPECT_EQ(solver("montecarlo", {"solver.name=newton"}), SolverName::newton);
+  EXPECT_EQ(solver("montecarlo", {"solver.name=uzawa"}), SolverName::uzawa);
+  // It follows what is straight between events, and films are beyond it.
+  EXPECT_EQ(solver("montecarlo", {"bump_foil.model=frame", "bump_foil.geometry=nonlinear"}), SolverName::newton);
+  EXPECT_EQ(solver("montecarlo", {"montecarlo.command=equilibrium", "equilibrium.speeds=[\"45000 rpm\"]",
+                                  "equilibrium.loads=[[\"50 N\", \"0 N\"]]"}),
+            SolverName::newton);
+  EXPECT_EQ(solver("cycle", {}), SolverName::newton);
+  EXPECT_EQ(case_to_toml(with({})).find("events"), std::string::npos);
+}
+
+TEST(CheckCase, SaysWhatEachCommandWouldSay) {
+  const std::string text = whole_case() +
+                           "[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[\"50 N\", \"0 N\"]]\n"
+                           "[strip]\ndisplacement = \"20 um\"\n[montecarlo]\nbump_height = { std = \"10 um\" }\n";
+  const auto verdicts = [&text](const std::vector<std::string>& overrides) {
+    std::string out;
+    for (const auto& [name, faults] : check_case(text, "case.toml", overrides).commands) {
+      out += name;
+      for (const Fault& fault : faults) out += fmt::format(" {}:{}", fault.line, fault.key);
+      out += ' ';
+    }
+    return out;
+  };
+  EXPECT_EQ(verdicts({}), "cycle strip equilibrium montecarlo ");
+  const std::string graded = "bump_foil.pitch={start=\"4.5 mm\", end=\"4.6 mm\"}";
+  EXPECT_EQ(verdicts({graded}), "cycle strip equilibrium 0:bump_foil.pitch montecarlo ");
+  EXPECT_EQ(verdicts({"cycle.amplitude=0.6 mm"}),
+            "cycle 0:cycle.amplitude strip equilibrium montecarlo 0:cycle.amplitude ");
+  EXPECT_EQ(verdicts({"strip.displacement=0.6 mm", "solver.name=events"}),
+            "cycle strip 0:strip.displacement equilibrium 0:solver.name montecarlo ");
+}
+
+TEST(ParseCase, ReadsRangesWhereListsAreDue) {
+  const auto forces = [](const std::string& range) {
+    return with({"cycle.clearance_forces=" + range}).cycle.clearance_forces;
+  };
+  EXPECT_EQ(forces("{from=\"5 N\", to=\"20 N\", points=4}"), (std::vector{5.0, 10.0, 15.0, 20.0}));
+  EXPECT_EQ(forces("{from=\"0.02 kN\", to=5, step=\"-5 N\"}"), (std::vector{20.0, 15.0, 10.0, 5.0}));
+  EXPECT_EQ(forces("{from=1, to=2, step=0.333333333333}"), (std::vector{1.0, 1.0 + 1.0 / 3.0, 1.0 + 2.0 / 3.0, 2.0}));
+  EXPECT_EQ(forces("{from=5, to=5, points=1}"), std::vector{5.0});
+  EXPECT_EQ(with({"cycle.directions={from=0.0, to=\"270 deg\", points=4}"}).cycle.directions.back(), 1.5 * pi);
+  const Case running = with({"equilibrium.loads=[[\"50 N\", 0]]",
+                             "equilibrium.speeds={from=\"10000 rpm\", to=\"60000 rpm\", step=\"5000 rpm\"}"});
+  ASSERT_EQ(running.equilibrium->speeds.size(), 11U);
+  EXPECT_NEAR(running.equilibrium->speeds[1], 15000.0 * pi / 30.0, 1e-9);
+  EXPECT_EQ(with({"equilibrium.loads=[[1, 0]]", "equilibrium.speeds.from=1", "equilibrium.speeds.to=3",
+                  "equilibrium.speeds.points=3"})
+                .equilibrium->speeds,
+            (std::vector{1.0, 2.0, 3.0}));
+  EXPECT_EQ(parse_case(case_to_toml(running), "again.toml"), running);
+
+  const auto refused = [](const std::string& range) { return refusal({"cycle.clearance_forces=" + range}); };
+  const auto expect_refused = [&](const std::string& range, const std::string& part) {
+    EXPECT_NE(refused(range).find("cycle.clearance_forces" + part), std::string::npos) << refused(range);
+  };
+  expect_refused("{from=5, to=20}", ": has neither points nor step");
+  expect_refused("{from=5, to=20, points=4, step=5}", ": has both points and step");
+  expect_refused("{from=5, points=4}", ".to: is missing");
+  expect_refused("{from=5, to=5, points=2}", ".points = 2: makes the same value several times");
+  expect_refused("{from=5, to=20, points=1}", ".points = 1: is one alone");
+  expect_refused("{from=5, to=20, points=0}", ".points = 0: is no possible number");
+  expect_refused("{from=5, to=20, points=100001}", ".points = 100001: makes 100001 values; give at most 100000");
+  expect_refused("{from=5, to=20, step=1e-9}", ".step = 1e-09: makes 1.5e+10 values");
+  expect_refused("{from=5, to=20, step=0}", ".step = 0: does not lead");
+  expect_refused("{from=5, to=20, step=-5}", ".step = -5: does not lead to the last value");
+  expect_refused("{from=5, to=20, step=4}", ".step = 4: does not lead to the last value");
+  expect_refused("{from=5, to=\"20 mm\", points=4}", ".to = 20 mm: ");
+  expect_refused("{from=5, to=20, point=4}", ".point = 4: is no known key");
+  expect_refused("{from=-5, to=20, points=6}", "[1] = -5 N: must be positive");
 }
 
 TEST(ParseCase, ReadsTheWavesOfASleeve) {
@@ -166,7 +247,7 @@ TEST(ParseCase, TakesADiameterForTheRadius) {
   EXPECT_EQ(refused("\"2 N\"").find('\n'), std::string::npos);
   // On the command line it stands in for the radius of the file, and the radius for a diameter there.
   EXPECT_EQ(with({"bearing.diameter=40 mm"}).bearing.radius, 20e-3);
-  const CaseRequest request{.overrides = {"bearing.radius=20 mm"}, .required_tables = {}};
+  const CaseRequest request{.overrides = {"bearing.radius=20 mm"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", request).bearing.radius, 20e-3);
   EXPECT_EQ(refusal({"bearing.diameter=40 mm", "bearing.radius=20 mm"}),
             "--set: bearing.radius = 20 mm: contradicts diameter, which is given too; give one of the two");
@@ -276,10 +357,45 @@ TEST(ParseCase, ReadsFlags) {
   EXPECT_NE(refusal({"bump_foil.stiffness_follows_height=true"}).find("only the frame model"), std::string::npos);
 }
 
+std::string refusal_of(const std::string& command, const std::vector<std::string>& overrides) {
+  try {
+    parse_case(whole_case(), "case.toml", {.overrides = overrides, .commands = {command}});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(ParseCase, TakesAFrameForATrussThatNobodyAskedFor) {
+  const std::string text =
+      cut(cut(whole_case(), "model = \"truss\"\n"), "[bump_foil.truss]\nk1 = \"150 MN/m\"\ntheta_d = \"15.83 deg\"\n");
+  const auto parse = [&text](std::vector<std::string> overrides) {
+    overrides.insert(overrides.begin(),
+                     {"bump_foil.pitch=4.6 mm", "bump_foil.length=3.2 mm", "bump_foil.height=0.55 mm"});
+    return parse_case(text, "case.toml", {.overrides = overrides, .commands = {"cycle"}});
+  };
+  const Case framed = parse({});
+  EXPECT_EQ(framed.bump_foil.model, BumpFoilModel::frame);
+  ASSERT_EQ(framed.remarks.size(), 1U);
+  for (const char* const part : {"modelled as a frame", "k2 comes out as -", "bump_foil.model = \"frame\""}) {
+    expect_in(framed.remarks.front(), part);
+  }
+  EXPECT_NE(case_to_toml(framed).find("model = \"frame\""), std::string::npos);
+  EXPECT_TRUE(parse({"bump_foil.model=frame"}).remarks.empty());
+  EXPECT_EQ(parse({"bump_foil.length=3.556 mm"}).bump_foil.model, BumpFoilModel::truss);
+  EXPECT_THROW(parse({"bump_foil.model=truss"}), Error);
+  EXPECT_THROW(parse({"bump_foil.truss.k1=150 MN/m"}), Error);
+  EXPECT_EQ(parse({"bump_foil.truss.k2=1 MN/m", "bump_foil.truss.k3=1 MN/m"}).bump_foil.model, BumpFoilModel::truss);
+  const Case padded = parse({"bump_foil.bumps=8", "pad=[{bump_foil={bumps=7}}, {}]"});
+  EXPECT_EQ(padded.pads.front().bump_foil->model, BumpFoilModel::frame);
+  EXPECT_THROW(parse({"bump_foil.bumps=8", "pad=[{bump_foil={model=\"truss\"}}, {}]"}), Error);
+}
+
 TEST(ParseCase, ReportsATrussThatCannotBeIdentified) {
   // Flats longer than the bumps; refused where the case is read.
   const std::vector<std::string> odd{"bump_foil.pitch=7.6 mm", "bump_foil.bumps=10"};
-  EXPECT_NE(refusal(odd).find("bump_foil.truss.k2: comes out as -"), std::string::npos);
+  EXPECT_NE(refusal_of("cycle", odd).find("bump_foil.truss.k2: comes out as -"), std::string::npos);
+  EXPECT_NO_THROW(with(odd));  // properties can still be told
   EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.truss.k2=1 MN/m"}));
   EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.model=frame"}));
 }
@@ -291,7 +407,7 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
   EXPECT_TRUE(input.cycle.directions.empty());
   EXPECT_EQ(input.solver, SolverSettings{});
   try {
-    parse_case(text, "case.toml", {.overrides = {}, .required_tables = {"cycle"}});
+    parse_case(text, "case.toml", {.overrides = {}, .commands = {"cycle"}});
     ADD_FAILURE() << "the missing table went unnoticed";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -302,7 +418,7 @@ TEST(ParseCase, TablesThatMayBeMissingAre) {
 
 TEST(ParseCase, TablesThatPadsCannotHaveAreNotAskedFor) {
   const auto refusal_of = [](const std::string& table) {
-    const CaseRequest request{.overrides = {"pad=[{}, {}]", "bump_foil.bumps=7"}, .required_tables = {table}};
+    const CaseRequest request{.overrides = {"pad=[{}, {}]", "bump_foil.bumps=7"}, .commands = {table}};
     try {
       parse_case(whole_case(), "case.toml", request);
     } catch (const Error& error) {
@@ -329,7 +445,7 @@ TEST(ParseCase, AxesAreExact) {
 
 TEST(ParseCase, FrictionMayDifferPerInterface) {
   const std::string text = cut(whole_case(), "coefficient = 0.1\n");
-  const CaseRequest both{.overrides = {"friction.top_bump=0.1", "friction.bump_sleeve=0"}, .required_tables = {}};
+  const CaseRequest both{.overrides = {"friction.top_bump=0.1", "friction.bump_sleeve=0"}, .commands = {}};
   EXPECT_EQ(parse_case(text, "case.toml", both).friction, (Friction{.top_bump = 0.1, .bump_sleeve = 0.0}));
   EXPECT_EQ(refusal({"friction.coefficient=none"}),  // said once
             "--set: friction.coefficient = none: is not a number; write a number without quotes, such as 0.1");
@@ -444,12 +560,11 @@ TEST(ReadCase, FilesThatCannotBeReadAreNoWrongInput) {
   EXPECT_EQ(kind((folder.path() / "missing.toml").string()), ErrorKind::file);
   EXPECT_EQ(kind(folder.path().string()), ErrorKind::file);
   EXPECT_EQ(kind(folder.write("case.toml", whole_case()),
-                 {.overrides = {"bump_foil.height_errors_file=missing.csv"}, .required_tables = {}}),
+                 {.overrides = {"bump_foil.height_errors_file=missing.csv"}, .commands = {}}),
             ErrorKind::file);
-  EXPECT_EQ(
-      kind((folder.path() / "case.toml").string(),
-           {.overrides = {"bump_foil.height_errors_file=missing.csv", "bearing.radius=0"}, .required_tables = {}}),
-      ErrorKind::input);
+  EXPECT_EQ(kind((folder.path() / "case.toml").string(),
+                 {.overrides = {"bump_foil.height_errors_file=missing.csv", "bearing.radius=0"}, .commands = {}}),
+            ErrorKind::input);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class EnsembleFiles : public ::testing::Test {
 
   [[nodiscard]] std::string refusal(std::size_t number, const Case& input) const {
     try {
-      read_sampled_case(netcdf_, number, input);
+      read_sampled_case(netcdf_, number, input, EnsembleCommand::cycle);
     } catch (const Error& error) {
       return error.what();
     }
@@ -58,7 +58,11 @@ class EnsembleFiles : public ::testing::Test {
     return static_cast<std::size_t>(found - layout_.columns.begin());
   }
 
-  Case input_{testing::ensemble_case(4)};
+  Case input_ = [] {
+    Case input = testing::ensemble_case(4);
+    input.solver.name = ensemble_solver(input);
+    return input;
+  }();
   EnsembleLayout layout_{make_ensemble_layout(input_)};
   testing::TemporaryFolder folder_;
   EnsembleLog log_{folder_.path() / "log", "", layout_.width()};
@@ -100,11 +104,23 @@ TEST_F(EnsembleFiles, SummaryTellsStatisticsAndFailures) {
 }
 
 TEST_F(EnsembleFiles, AStoredSampleIsTheOneThatWasDrawn) {
-  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_), sampled_case(input_, draw_sample(input_, 2)));
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, input_, EnsembleCommand::cycle),
+            sampled_case(input_, draw_sample(input_, 2)));
   Case finer = input_;
   finer.cycle.steps = 400;
   finer.montecarlo.reset();
-  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer).cycle.steps, 400);
+  EXPECT_EQ(read_sampled_case(netcdf_, 2, finer, EnsembleCommand::cycle).cycle.steps, 400);
+}
+
+TEST_F(EnsembleFiles, AStoredSampleIsRunByTheSolverOfItsEnsemble) {
+  const auto solver = [this](std::optional<SolverName> named, EnsembleCommand command) {
+    Case input = input_;
+    input.solver.name = named;
+    return read_sampled_case(netcdf_, 2, input, command).solver.chosen();
+  };
+  EXPECT_EQ(solver({}, EnsembleCommand::cycle), SolverName::events);
+  EXPECT_EQ(solver(SolverName::newton, EnsembleCommand::cycle), SolverName::newton);
+  EXPECT_EQ(solver({}, EnsembleCommand::equilibrium), SolverName::newton);  // events is nothing for films
 }
 
 TEST_F(EnsembleFiles, ASampleOfADamagedFileIsRefused) {

@@ -38,7 +38,7 @@ TEST(HeightErrorsFile, IsReadBesideTheCase) {
   std::string csv = "bump, height_error_m\n";
   for (int bump = 26; bump >= 1; --bump) csv += std::to_string(bump) + "," + std::to_string(bump) + "e-7\r\n";
   folder.write("deep/heights.csv", csv);
-  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}};
+  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}};
   const Case input = read_case(folder.write("deep/case.toml", whole_case()), request);
   ASSERT_EQ(input.bump_foil.height_errors.size(), 26U);
   EXPECT_EQ(input.bump_foil.height_errors[0], 1e-7);
@@ -51,7 +51,7 @@ TEST(HeightErrorsFile, HasItsOwnLines) {
       "heights.csv",
       "bump,height_error_m\n1,1e-6\n1,2e-6\n27,0\n2,x\n3\n4,1,2\n\n5,nan\n6,1 um\n7,+-2e-6\n+8,+2e-6\n+-9,0\n");
   const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv", "bearing.radius=0"},
-                            .required_tables = {}};
+                            .commands = {}};
   try {
     read_case(folder.write("case.toml", whole_case()), request);
     ADD_FAILURE();
@@ -75,7 +75,7 @@ TEST(HeightErrorsFile, IsReadBesideAWrongListOfDimensions) {
     try {
       read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv",
                                      fmt::format("bump_foil.{}=[0.0001, 0.0001]", dimension)},
-                       .required_tables = {}});
+                       .commands = {}});
       ADD_FAILURE();
     } catch (const Error& error) {
       ASSERT_EQ(error.faults().size(), 2U) << error.what();
@@ -89,7 +89,7 @@ TEST(HeightErrorsFile, IsReadBesideAWrongListOfDimensions) {
   folder.write("heights.csv", heights);
   try {
     read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv", "bump_foil.pitch=[0.004, 0.004]"},
-                     .required_tables = {}});
+                     .commands = {}});
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.faults().size(), 1U) << error.what();
@@ -102,7 +102,7 @@ TEST(HeightErrorsFile, MayNotBeEmpty) {
   for (const std::string content : {"", " \r\n\n", "# measured\n"}) {
     folder.write("heights.csv", content);
     try {
-      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
+      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}});
       ADD_FAILURE();
     } catch (const Error& error) {
       EXPECT_NE(
@@ -123,8 +123,7 @@ TEST(HeightErrorsFile, MayBeWrittenInManyWays) {
       csv += bump == 3 ? begin + "3" + end + "\n# again\n" : begin + std::to_string(bump) + end + "\n";
     }
     folder.write("heights.csv", csv);
-    const Case input =
-        read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
+    const Case input = read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}});
     return input.bump_foil.height_errors[2];
   };
   EXPECT_DOUBLE_EQ(third("bump;height_error_um", "", ";4,25"), 4.25e-6);
@@ -140,7 +139,7 @@ TEST(HeightErrorsFile, SaysHowItWasUnderstood) {
   const auto fault = [&](const std::string& csv) -> std::string {
     folder.write("heights.csv", csv);
     try {
-      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}});
+      read_case(path, {.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}});
     } catch (const Error& error) {
       EXPECT_EQ(error.faults().size(), 1U) << error.what();
       return format_fault(error.faults()[0]);
@@ -175,7 +174,7 @@ TEST(HeightErrorsFile, MustNameEveryBump) {
   std::string csv = "bump,height_error_m\n";
   for (int bump = 1; bump <= 24; ++bump) csv += std::to_string(bump) + ",0\n";
   folder.write("heights.csv", csv);
-  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .required_tables = {}};
+  const CaseRequest request{.overrides = {"bump_foil.height_errors_file=heights.csv"}, .commands = {}};
   try {
     read_case(folder.write("case.toml", whole_case()), request);
     ADD_FAILURE();

@@ -51,7 +51,7 @@ TEST_F(PathCsv, IsBlamedAloneForItsFaults) {
   const std::string file = folder_.write("case.toml", case_template("gen1"));
   const auto faults = [&file](const std::string& override) {
     try {
-      read_case(file, {.overrides = {override}, .required_tables = {"path"}});
+      read_case(file, {.overrides = {override}, .commands = {"path"}});
     } catch (const Error& error) {
       return error.faults();
     }

@@ -35,9 +35,9 @@ std::string without_clearance(const std::string& text) {
   return cut(text, "radial_clearance = \"31.8 um\"\n");
 }
 
-std::string refusal(const std::string& text, const std::vector<std::string>& required_tables = {}) {
+std::string refusal(const std::string& text, const std::vector<std::string>& commands = {}) {
   try {
-    static_cast<void>(parse_case(text, "case.toml", {.overrides = {}, .required_tables = required_tables}));
+    static_cast<void>(parse_case(text, "case.toml", {.overrides = {}, .commands = commands}));
   } catch (const Error& error) {
     return error.what();
   }

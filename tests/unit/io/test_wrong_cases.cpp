@@ -17,7 +17,8 @@ using testing::WrongCase;
 std::vector<Fault> faults_of(const std::string& text) {
   const testing::TemporaryFolder folder;
   try {
-    read_case(folder.write("wrong.toml", text));
+    const std::string file = folder.write("wrong.toml", text);
+    static_cast<void>(check_case(read_case_text(file), file));
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
     return error.faults();

@@ -107,11 +107,12 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
 
 function warningsOf(ensemble: Ensemble): string[] {
   const { samples, samples_due: due } = ensemble.data.summary;
-  const told = ensemble.attribute('status_message');
+  const message = ensemble.attribute('status_message');
+  const told = [message, ...ensemble.attribute('warnings').split('\n')].filter((text) => text !== '');
   return [
     ...partialWarning(ensemble),
-    ...(told === '' ? [] : [`${told}.`]),
-    ...(samples < due && told === '' ? [`${samples} of ${due} samples are there.`] : []),
+    ...told.map((text) => `${text}.`),
+    ...(samples < due && message === '' ? [`${samples} of ${due} samples are there.`] : []),
   ];
 }
 

@@ -51,7 +51,7 @@ function operatingPointsOf(grid: Grid): Coordinate[] {
   const [journal, title, unit] = grid.variable('load') ? ['load', 'Load', 'N'] : ['position', 'Position', 'm'];
   const y = numbersOf(grid, `${journal}_y`);
   return [
-    { name: 'speed', title: 'Speed', texts: rpm.map((one) => `${Number(one.toPrecision(6))} rpm`), numbers: rpm, unit: 'rpm' },
+    { name: 'speed', title: 'Speed', texts: rpm.map((one) => (Number.isFinite(one) ? `${Number(one.toPrecision(6))} rpm` : 'as swept')), numbers: rpm, unit: 'rpm' },
     { name: journal, title, texts: numbersOf(grid, `${journal}_x`).map((x, i) => vectorText(x, at(y, i), unit)), unit: '' },
   ];
 }
