@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bumpfoil/analysis/film_limits.hpp"
+#include "bumpfoil/analysis/mesh_error.hpp"
 #include "bumpfoil/analysis/strip.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/nearest_name.hpp"
@@ -325,6 +326,7 @@ SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallba
       break;
   }
   EquilibriumResult result = run_equilibrium(input, {}, progress);
+  estimate_mesh_errors(input, result);
   if (sweep.with_limits) add_film_limits(input, result, progress);
   return sweep_point(sweep, point, result);
 }

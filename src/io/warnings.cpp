@@ -114,10 +114,11 @@ std::vector<std::string> warnings_of(const Case& input, const CycleResult& resul
 }
 
 std::vector<std::string> warning_lines(const Case& input, const CycleResult& result) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = input.remarks;  // on the case: once for all cycles
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {
-    for (const std::string& warning : warnings_of(input, result, i)) {
-      lines.push_back(fmt::format("{}: {}", cycle_name(result, i), warning));
+    const std::vector<std::string> warnings = warnings_of(input, result, i);
+    for (std::size_t k = input.remarks.size(); k < warnings.size(); ++k) {
+      lines.push_back(fmt::format("{}: {}", cycle_name(result, i), warnings[k]));
     }
   }
   return lines;

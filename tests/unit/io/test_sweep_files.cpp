@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/analysis/mesh_error.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/io/case_writer.hpp"
 #include "bumpfoil/io/checksum.hpp"
@@ -368,7 +369,8 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
     EXPECT_EQ(numbers_of(file.getVar("speed")), (std::vector<double>{4700.0, 4000.0}));
     EXPECT_EQ(numbers_of(file.getVar("load_x")), (std::vector<double>{30.0, 40.0, 60.0}));
 
-    const EquilibriumResult alone = run_equilibrium(sweep.cases[1]);
+    EquilibriumResult alone = run_equilibrium(sweep.cases[1]);
+    estimate_mesh_errors(sweep.cases[1], alone);
     ASSERT_EQ(alone.states.size(), 6U);
     for (const RunningState& state : alone.states) {
       const std::size_t speed = state.asked.speed == 4700.0 ? 0 : 1;
