@@ -23,7 +23,7 @@ class LimitSearch {
       : solver_(solver), threshold_(threshold), kind_(kind), start_(start) {}
 
   FilmLimit find(const FilmBearingState& state) {
-    Place here{1.0, thickness(state), state};
+    Place here{1.0, thickness(state), state, 0};
     Place there = here;
     const bool begins_thick = is_thick(here);
     for (int i = 0; is_thick(there) == begins_thick; ++i) {
@@ -45,6 +45,7 @@ class LimitSearch {
     limit.thin = point(thin.demand);
     limit.h_thick = thick.h;
     limit.h_thin = thin.h;
+    limit.jumps = std::max(thick.jumps, thin.jumps);
     const double part = std::isnan(thin.h) ? 0.0 : (thick.h - threshold_) / (thick.h - thin.h);
     limit.value = size_of(limit.thick) + part * (size_of(limit.thin) - size_of(limit.thick));
     return limit;
@@ -59,7 +60,8 @@ class LimitSearch {
             .thin = start_,
             .h_thick = absent,
             .h_thin = absent,
-            .value = absent};
+            .value = absent,
+            .jumps = 0};
   }
 
  private:
@@ -67,6 +69,7 @@ class LimitSearch {
     double demand{};
     double h{};  ///< least film thickness, m; not a number where there is no film
     FilmBearingState state;
+    int jumps{};  ///< on the way from the start
   };
 
   [[nodiscard]] bool is_thick(const Place& place) const { return place.h >= threshold_; }
@@ -91,8 +94,9 @@ class LimitSearch {
 
   /// One increment.
   Place go(const Place& from, double demand) {
-    Place to{demand, std::numeric_limits<double>::quiet_NaN(), from.state};
+    Place to{demand, std::numeric_limits<double>::quiet_NaN(), from.state, from.jumps};
     const FilmReport report = solver_.follow(point(demand), from.state.contact, to.state);
+    to.jumps += report.jumps;
     interrupted_ = report.status == FilmStatus::interrupted;
     if (report.status == FilmStatus::converged) to.h = thickness(to.state);
     return to;

@@ -75,6 +75,7 @@ Json limit_json(const FilmLimit& limit) {
   return {{"kind", name_of(limit.kind)},
           {"status", name_of(limit.status)},
           {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
+          {"jumps", limit.jumps},
           {"thick", point_json(limit.thick, limit.h_thick)},
           {"thin", point_json(limit.thin, limit.h_thin)}};
 }

@@ -14,6 +14,10 @@ constexpr double most_foil_response = 100.0;
 /// Motions of the foil up to this part of the minimum film thickness are small ones.
 constexpr double linear_part = 0.1;
 
+std::string times_text(int count) {
+  return count == 1 ? "once" : fmt::format("{} times", count);
+}
+
 }  // namespace
 
 std::string_view command_of(const EquilibriumResult& result) {
@@ -50,10 +54,10 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
     if (state.report.jumps > 0) {
-      lines.push_back(fmt::format(
-          "{}: the branch of states ended {} on the way, and the foil jumped to another one; "
-          "other states exist at this point: compare with --paths",
-          name_of_state(state), state.report.jumps == 1 ? "once" : fmt::format("{} times", state.report.jumps)));
+      lines.push_back(
+          fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another one; "
+                      "other states exist at this point: compare with --paths",
+                      name_of_state(state), times_text(state.report.jumps)));
     }
     if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
       first_lifted = fmt::format("{}: {} bumps", name_of_state(state), bumps);
@@ -76,6 +80,11 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     };
     compare("top foil", state.top_foil_stress, input.top_foil.yield_stress);
     compare("bump foil", state.bump_foil_stress, input.bump_foil.yield_stress);
+  }
+  for (const FilmLimit& limit : result.limits) {
+    if (!limit.found() || limit.jumps == 0) continue;
+    lines.push_back(fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another one",
+                                name_of_limit(limit), times_text(limit.jumps)));
   }
   for (const OtherBranch& other : result.other_branches) {
     const RunningState& state = result.states[other.state];

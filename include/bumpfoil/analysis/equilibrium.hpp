@@ -75,6 +75,7 @@ struct FilmLimit {
   OperatingPoint thin;                           ///< the one whose film is thinner, or which has none
   double h_thick{}, h_thin{};  ///< least film thicknesses there, m; not a number where there is no film
   double value{};              ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
+  int jumps{};                 ///< to other branches on the way from the load ramp to the neighbours
 
   [[nodiscard]] bool found() const { return status == FilmStatus::converged; }
 };

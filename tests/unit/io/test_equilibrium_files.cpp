@@ -319,8 +319,16 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   const std::size_t before = warning_lines(small_case(), result).size();
   result.other_branches.push_back({1, FilmPath::speed_ramp, 3.25e-6});
   result.states[0].foil_response = 1e4;
+  FilmLimit& limit = result.limits.emplace_back();
+  limit.kind = FilmLimitKind::load_capacity;
+  limit.status = FilmStatus::converged;
+  limit.thick = result.states[0].asked;
+  limit.jumps = 2;
   const std::vector<std::string> warnings = warning_lines(small_case(), result);
-  ASSERT_EQ(warnings.size(), before + 2);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
+    return line.starts_with("load capacity at 45000 rpm: the branch of states ended 2 times");
+  }));
+  ASSERT_EQ(warnings.size(), before + 3);
   const auto says = [&](std::string_view what) {
     return std::any_of(warnings.begin(), warnings.end(),
                        [what](const std::string& line) { return line.find(what) != std::string::npos; });
