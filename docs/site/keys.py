@@ -73,6 +73,7 @@ MEANINGS = {
     "coefficients": "one object per load, amplitude and frequency",
     "failures": "what failed, a sentence each",
     "states": "one object per state",
+    "states[].name": "path, where the state was reached from, speed, and load or position",
     "states[].motions": "one object per frequency of small motions, with stiffness and damping there",
     "states[].last_state": "all quantities of the last state that was found on the way, with its speed and clearance, of one that was not found",
     "spreads": "per speed and load that several paths led to, the least and the largest value of every quantity",

@@ -104,7 +104,8 @@ constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::s
     {"flow_sides", "flow out at the sides"},
     {"lifted_bumps_at_entry", "lifted bumps where gas enters"},
     {"highest_loaded_bump", "bump with the highest load"},
-    {"jumps", "folds jumped over"},
+    {"jumps", "jumps to other branches"},
+    {"foil_response", "displacement of the foil per that of the journal"},
     {"stiffness_cross", "stiffness across the direction"},
     {"loss_stiffness_cross", "loss stiffness across the direction"},
 });
