@@ -149,11 +149,10 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
   if (!session.quiet) {
     print_output(ensemble_table(layout, statistics));
     print_output(yield_text(yields));
-    print_some("warning: ", input.remarks);
+    print_some("warning: ", warning_lines(input, layout, statistics));
     if (shares.size() > 1) print_output(shares_text(std::move(shares), log.samples() - before));
     print_output(fmt::format("\n{} samples; results in {} (summary.json, ensemble.nc)\n", statistics.samples, place));
   }
-  print_some("warning: ", warning_lines(layout, statistics));
   print_some("bumpfoil: ", failure_lines(layout, statistics));
   if (status == RunStatus::interrupted) {
     print_message(fmt::format("bumpfoil: interrupted: {} of {} samples are missing",

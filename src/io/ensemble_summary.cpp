@@ -82,7 +82,6 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
   json["seed"] = input.montecarlo->seed;
   json["samples_due"] = input.montecarlo->samples;
   json["samples"] = statistics.samples;
-  json["warnings"] = input.remarks;
   json["statistics"] = Json::object();
   json["bump_loads"] = Json::object();
   json["sensitivities"] = Json::object();
@@ -99,7 +98,7 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
     json["limits"].push_back(std::move(limit));
   }
   if (!yields.limits.empty()) json["yield"] = yield_json(yields.all);
-  json["warnings"] = warning_lines(layout, statistics);
+  json["warnings"] = warning_lines(input, layout, statistics);
   json["failed"] = Json::array();
   for (const SampleFailure& failure : statistics.failures) {
     Json failed{{"sample", failure.sample}};

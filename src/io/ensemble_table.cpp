@@ -46,8 +46,9 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
   return out;
 }
 
-std::vector<std::string> warning_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
-  std::vector<std::string> lines;
+std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
+                                       const EnsembleStatistics& statistics) {
+  std::vector<std::string> lines = input.remarks;
   const auto column = [&](std::string_view name) {
     const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
                                     [name](const EnsembleColumn& one) { return one.name == name; });

@@ -23,14 +23,12 @@ void add_provenance(NewNetcdf& file, const RunOrigin& origin) {
   file.add_text("run_id", origin.run_id);
   file.add_text("command_line", origin.provenance.command_line);
   file.add_text("bumpfoil_command", origin.command);
-  Case ran = origin.input;
-  ran.solver.name = ran.solver.chosen();
-  file.add_text("solver", name_of(*ran.solver.name));
+  file.add_text("solver", name_of(origin.input.solver.chosen()));
   file.add_text("status", origin.status == RunStatus::complete ? "complete" : "partial");
   file.add_text("status_message", origin.message);
   file.add_text("warnings", fmt::format("{}", fmt::join(origin.warnings, "\n")));
   file.add_text("case_text", origin.provenance.case_text);
-  file.add_text("case_understood", case_to_toml(ran));
+  file.add_text("case_understood", case_to_toml(origin.input));
 }
 
 Error unbuilt(std::string_view name, const netCDF::exceptions::NcException& error, std::string_view advice) {

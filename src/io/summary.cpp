@@ -125,12 +125,10 @@ Json summary_head(std::string_view command, const Case& input, RunStatus status,
   // Before all texts of users, which could hold the same.
   json["xxh3_128"] = blank_checksum;
   json["command"] = command;
-  Case ran = input;
-  ran.solver.name = input.solver.chosen();
-  json["case"] = case_json(ran);
+  json["case"] = case_json(input);
   json["version"] = version();
   json["commit"] = commit();
-  json["solver"] = name_of(*ran.solver.name);
+  json["solver"] = name_of(input.solver.chosen());
   json["status"] = name_of(status);
   json["run_id"] = manifest.run_id;
   json["files"] = files_json(manifest);

@@ -175,7 +175,7 @@ TEST_F(SweepProgram, FindsRunningBearingsAtEveryPoint) {
   const Outcome sweep = run(sweep_over("bearing.radial_clearance=[30 um, 32 um]") +
                             std::vector<std::string>{"--command", "equilibrium"} + running);
   EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
-  EXPECT_NE(sweep.output.find("load_ramp, 45000 rpm, load (30, 0) N\n"), std::string::npos) << sweep.output;
+  EXPECT_NE(sweep.output.find("load_ramp from rest, 45000 rpm, load (30, 0) N\n"), std::string::npos) << sweep.output;
   const json swept = summary();
   const std::string alone = (folder_.path() / "alone").string();
   const Outcome single =
@@ -202,7 +202,7 @@ TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
   EXPECT_NE(thick.errors.find("film.h_lift_off: is missing"), std::string::npos) << thick.errors;
   const Outcome done = run(sweep + std::vector<std::string>{"--set", "film.h_lift_off=8 um"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
-  EXPECT_NE(done.output.find("load_ramp, load (30, 0) N\n"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("load_ramp from rest, load (30, 0) N\n"), std::string::npos) << done.output;
   EXPECT_NE(done.output.find("load capacity (N)"), std::string::npos) << done.output;
   const json points = summary().at("points");
   ASSERT_EQ(points.size(), 2U);

@@ -14,9 +14,10 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
 /// A line for each cycle that failed: "sample 17, -X: " and the reason.
 std::vector<std::string> failure_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics);
 
-/// A line for each state of running bearings whose samples lie on several branches: some jumped to another branch on
-/// the way and others did not, or the number of bumps that the foil is lifted off at the entry differs by more than
-/// one.
-std::vector<std::string> warning_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics);
+/// Remarks on the case, and a line for each state of running bearings whose samples lie on several branches: some
+/// jumped to another branch on the way and others did not, or the number of bumps that the foil is lifted off at the
+/// entry differs by more than one.
+std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
+                                       const EnsembleStatistics& statistics);
 
 }  // namespace bumpfoil

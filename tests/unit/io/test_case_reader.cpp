@@ -336,7 +336,13 @@ TEST(ReadCase, SaysWhatIsWrongWithARunningBearing) {
   const auto fault = [](const std::string& loads) {
     return refusal({"equilibrium.speeds=[\"300 Hz\"]", "equilibrium.loads=" + loads});
   };
-  EXPECT_NE(fault("[]").find("equilibrium.loads: there is no load to carry"), std::string::npos);
+  try {
+    parse_case(whole_case(), "case.toml",
+               {.overrides = {"equilibrium.speeds=[\"300 Hz\"]", "equilibrium.loads=[]"}, .commands = {"equilibrium"}});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    expect_in(error.what(), "equilibrium.loads: there is no load to carry");
+  }
   EXPECT_NE(fault("50 N").find("write a list of vectors: [[\"50 N\", \"0 N\"]]"), std::string::npos);
   EXPECT_NE(fault("[\"50 N\", \"0 N\"]").find("equilibrium.loads[1]"), std::string::npos);
   EXPECT_NE(fault("[[\"50 N\"]]").find("give two, along X and Y"), std::string::npos);

@@ -246,7 +246,7 @@ TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
   };
   EXPECT_EQ(fault(running_text(), 0.0)["what"], "a journal at rest has no film");
   EXPECT_EQ(fault(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
-  const std::string unequal = running_text() + "\n[[bump_foil.section]]\nfirst = 1\nlast = 2\npitch = \"5 mm\"\n";
+  const std::string unequal = running_text() + "\n[[bump_foil.section]]\nfrom = 1\nto = 2\npitch = \"5 mm\"\n";
   EXPECT_EQ(fault(unequal, 3000.0)["key"], "bump_foil.pitch");
   Case events = parse_case(running_text(), "case");
   events.solver.name = SolverName::events;
@@ -256,7 +256,7 @@ TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
 TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
   const std::string text = with_ensemble(case_text());
   const json answer = ask({{"what", "samples"}, {"text", text}, {"first", 1}, {"count", 2}});
-  const Case input = parse_case(text, "case");
+  const Case input = parse_case(text, "case", {.overrides = {}, .commands = {"montecarlo"}});
   ASSERT_EQ(answer["samples"].size(), 2U);
   const auto name = [](const json& quantity) { return quantity["name"] == "max_force"; };
   const json& quantities = answer["quantities"];
