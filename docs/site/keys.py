@@ -150,14 +150,19 @@ def told(name, meanings):
     return found
 
 
+def at_frequency(name, meanings):
+    """What a coefficient of small motions means, which the one at whirl_frequency says."""
+    found = meanings.get(re.sub("^([kc][xy]{2})", r"\1_whirl", name), "")
+    return found.replace("whirl_frequency", "the frequency")
+
+
 def rows_of_columns(columns, meanings):
     of_motions = "frequency_rad_per_s" in columns
     for column in columns:
         name, unit = parted(column)
-        at_frequency = meanings.get(re.sub("^([kc][xy]{2})", r"\1_whirl", name), "") if of_motions else ""
         of_row = f"increment_{name}" if "increment" in columns else name  # a cycle has a status, too
         ways = [meanings.get(way) for way in (of_row, name, f"total_{name}")]
-        here = at_frequency.replace("whirl_frequency", "the frequency")
+        here = at_frequency(name, meanings) if of_motions else ""
         yield f"`{column}`", unit, told(column, [here, *ways, MEANINGS.get(column)])
 
 
@@ -178,4 +183,6 @@ def rows_of_keys(summary, meanings):
     for path, key in dict(keys_in(summary)).items():
         name, unit = parted(key)
         own = MEANINGS.get(path) or MEANINGS.get(path.removeprefix("points[]."))
+        if "motions[]." in path:
+            own = own or at_frequency(name, meanings)
         yield f"`{path}`", unit, told(path, [own, meanings.get(name), meanings.get(f"total_{name}"), MEANINGS.get(key)])
