@@ -4,6 +4,7 @@
 
 #include "bumpfoil/io/equilibrium_files.hpp"
 #include "bumpfoil/io/equilibrium_quantities.hpp"
+#include "bumpfoil/model/case_names.hpp"
 
 namespace bumpfoil {
 namespace {
