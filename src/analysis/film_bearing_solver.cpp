@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/film_newton.hpp"
 
@@ -10,10 +11,18 @@ namespace {
 
 /// Steps that take no more iterations than this let the next one grow.
 constexpr int easy_iterations = 12;
-/// Of steps that look for another branch.
+/// Of steps that look for another branch, and of those that begin behind the end of one.
 constexpr double step_growth_off_branch = 8.0;
 /// Time steps are given up below this part of the first.
 constexpr double smallest_time_step = 1e-6;
+/// As long as a march in time is near its start (largest difference of P, U and position over c) a step changes the
+/// state by no more than this many times what the step before did. Where a state is left at the rate s, implicit Euler
+/// multiplies the distance from it by 1 / (1 - s dt): longer steps blow it up, those beyond s dt = 1 turn its sign, and
+/// the march ends in whatever state lies on that side. Not below this part of the first step: foils that snap over do
+/// so at once.
+constexpr double near_start = 0.1;
+constexpr double largest_change_ratio = 4.0;
+constexpr double shortest_bounded_step = 1e-3;
 
 FilmReport& operator+=(FilmReport& total, const FilmReport& more) {
   total.status = more.status;
@@ -29,12 +38,13 @@ OperatingPoint between(const OperatingPoint& from, const OperatingPoint& to, dou
           from.speed + fraction * (to.speed - from.speed), from.opening + fraction * (to.opening - from.opening)};
 }
 
-/// Where a branch ends on a line of operating points, in parts of the line.
+/// How far a path on a line of operating points has come, in parts of the line, where its branch ends.
 struct BranchEnd {
   const OperatingPoint& from;
   const OperatingPoint& to;
-  double begin{};                ///< of the last state
-  double shortest{}, longest{};  ///< steps
+  double longest{};          ///< step
+  double reached{}, leap{};  ///< the last state, and the next behind it
+  bool comes_to_rest{true};  ///< where the film was marched in time so far
 };
 
 }  // namespace
@@ -44,10 +54,10 @@ struct FilmBearingSolver::Workspace {
       : bearing(film_bearing), options(solver_options), newton(film_bearing, solver_options.newton) {}
 
   FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const ContactState& previous,
-                   FilmBearingState& state);
+                   FilmBearingState& state, bool stays_near = false);
   FilmReport solve_on_branch(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
   FilmReport settle(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
-  double jump(const BranchEnd& end, const ContactState& previous, FilmBearingState& state, FilmReport& total);
+  void jump(BranchEnd& end, const ContactState& previous, FilmBearingState& state, FilmReport& total);
   [[nodiscard]] double steps_between(const OperatingPoint& from, const OperatingPoint& to) const;
 
   FilmBearing bearing;
@@ -56,22 +66,23 @@ struct FilmBearingSolver::Workspace {
 };
 
 FilmReport FilmBearingSolver::Workspace::solve(const OperatingPoint& to, const FilmEquations& equations,
-                                               const ContactState& previous, FilmBearingState& state) {
+                                               const ContactState& previous, FilmBearingState& state, bool stays_near) {
   if (options.keep_going && !options.keep_going()) return {.status = FilmStatus::interrupted};
   // A step in time is but a guess of the next.
   const double tolerance =
       equations.front().squeeze_rate > 0.0 ? options.marching_tolerance : options.newton.step_tolerance;
-  return newton.solve(to, equations, tolerance, previous, state);
+  return newton.solve(to, equations, {.tolerance = tolerance, .stays_near = stays_near}, previous, state);
 }
 
 /// solve() from one state to the next, under a load on the same branch: a state that lies off the tangent's prediction
 /// by more than curvature and contacts explain is not accepted, as Newton's method has reached another branch.
 FilmReport FilmBearingSolver::Workspace::solve_on_branch(const OperatingPoint& to, const ContactState& previous,
                                                          FilmBearingState& state) {
+  const bool by_load = to.control == OperatingPoint::Control::load;
   FilmBearingState found = state;
-  FilmReport report = solve(to, film_equations(bearing, to.speed), previous, found);
+  FilmReport report = solve(to, film_equations(bearing, to.speed), previous, found, by_load);
   if (report.status != FilmStatus::converged) return report;
-  if (to.control == OperatingPoint::Control::load &&
+  if (by_load &&
       report.departure > std::max(options.largest_departure * report.predicted_change, options.resolved_departure)) {
     report.status = FilmStatus::not_converged;
     return report;
@@ -80,28 +91,34 @@ FilmReport FilmBearingSolver::Workspace::solve_on_branch(const OperatingPoint& t
   return report;
 }
 
-/// To another branch, from the last state of one: to where the film comes to rest in time behind the end. Under a load,
-/// if it rests nowhere, to the state that Newton's method reaches in the shortest step that it converges in.
-/// @return the part of the line where that is
-double FilmBearingSolver::Workspace::jump(const BranchEnd& end, const ContactState& previous, FilmBearingState& state,
-                                          FilmReport& total) {
-  double reached = end.begin + end.shortest;
-  const FilmReport rested = settle(between(end.from, end.to, reached), previous, state);
-  total += rested;
-  const bool gives_up = rested.status == FilmStatus::interrupted || end.to.control == OperatingPoint::Control::position;
-  for (double step = end.shortest; total.status != FilmStatus::converged && !gives_up; step *= step_growth_off_branch) {
-    reached = std::min(1.0, end.begin + std::min(step, end.longest));
-    const OperatingPoint there = between(end.from, end.to, reached);
+/// From the last state of a branch to where the film comes to rest in time behind the end. Under a load, if it rests
+/// nowhere, to the state that Newton's method reaches in the shortest step that it converges in. It counts as a jump
+/// unless it is but a corner of the branch, at which Newton's method failed.
+void FilmBearingSolver::Workspace::jump(BranchEnd& end, const ContactState& previous, FilmBearingState& state,
+                                        FilmReport& total) {
+  const FilmBearingState last = state;
+  const double begin = end.reached;
+  const auto behind = [&](double leap) {
+    end.reached = std::min(1.0, begin + std::min(leap, end.longest));
+    return between(end.from, end.to, end.reached);
+  };
+  total.status = FilmStatus::not_converged;
+  if (end.comes_to_rest) total += settle(behind(end.leap), previous, state);
+  if (total.status == FilmStatus::interrupted) return;
+  const FilmStatus rested = total.status;
+  const bool by_load = end.to.control == OperatingPoint::Control::load;
+  end.comes_to_rest = rested == FilmStatus::converged || !by_load;
+  for (double leap = end.leap; total.status != FilmStatus::converged && by_load; leap *= step_growth_off_branch) {
+    const OperatingPoint there = behind(leap);
     total += solve(there, film_equations(bearing, there.speed), previous, state);
-    if (total.status == FilmStatus::interrupted) return reached;
-    if (step >= end.longest) break;
+    if (total.status == FilmStatus::interrupted) return;
+    if (leap >= end.longest) break;
   }
   if (total.status == FilmStatus::converged) {
-    ++total.jumps;
+    if (newton.distance(last, state) > options.resolved_departure) ++total.jumps;
   } else {
-    total.status = rested.status == FilmStatus::not_converged ? FilmStatus::fold : rested.status;
+    total.status = rested == FilmStatus::not_converged ? FilmStatus::fold : rested;
   }
-  return reached;
 }
 
 FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const ContactState& previous,
@@ -112,15 +129,14 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
   FilmBearingState moving = state;
   FilmReport total;
   double dt = first;
+  double last_change = std::numeric_limits<double>::infinity();
   for (int steps = 0;; ++steps) {
     if (steps == options.max_time_steps) {
       total.status = FilmStatus::not_converged;
       return total;
     }
     squeeze(bearing, T0 / dt, film_content(moving.foil.film), equations);
-    const Matrix pressure = moving.foil.film.pressure;
-    const Vector lift = moving.foil.lift;
-    const Eigen::Vector2d position = moving.position;
+    const FilmBearingState before = moving;
     total += solve(to, equations, previous, moving);
     if (total.status == FilmStatus::interrupted) return total;
     if (total.status != FilmStatus::converged) {
@@ -128,15 +144,23 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
       if (dt < smallest_time_step * first) return total;
       continue;
     }
-    const double change = std::max({(moving.foil.film.pressure - pressure).cwiseAbs().maxCoeff(),
-                                    (moving.foil.lift - lift).cwiseAbs().maxCoeff(),
-                                    (moving.position - position).norm() / bearing.scales.thickness});
-    if (dt > options.last_time_step && change < options.resting_change) break;
+    const double change = newton.distance(before, moving);
+    if (change > largest_change_ratio * last_change && newton.distance(state, before) < near_start &&
+        dt > shortest_bounded_step * first) {
+      moving = before;
+      dt *= 0.25;
+      continue;
+    }
+    // A drift that grows with the step is no rest: the march passes by the end of a branch.
+    if (dt > options.last_time_step && change < options.resting_change && change <= last_change) {
+      FilmBearingState rested = moving;
+      total += solve(to, film_equations(bearing, to.speed), previous, rested);
+      if (total.status == FilmStatus::converged) state = std::move(rested);
+      if (total.status != FilmStatus::not_converged) return total;
+    }
+    last_change = std::max(change, options.marching_tolerance);
     dt *= options.time_growth;
   }
-  total += solve(to, film_equations(bearing, to.speed), previous, moving);
-  if (total.status == FilmStatus::converged) state = std::move(moving);
-  return total;
 }
 
 /// Steps of first length on the way from one operating point to another, at least one.
@@ -198,32 +222,35 @@ FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState prev
   const OperatingPoint from{to.control, by_load ? film_force(w.bearing, state.foil.film.pressure) : state.position,
                             state.speed, state.opening};
   const double steps = w.steps_between(from, to);
-  const double smallest = by_load ? w.options.smallest_load_fraction : w.options.smallest_fraction;
+  const double shortest = (by_load ? w.options.smallest_load_fraction : w.options.smallest_fraction) / steps;
+  BranchEnd end{.from = from, .to = to, .longest = 1.0 / steps, .leap = shortest};
   FilmReport total;
-  double step = 1.0 / steps;
-  for (double reached = 0.0; reached < 1.0;) {
-    const double next = std::min(1.0, reached + step);
-    const OperatingPoint there = between(from, to, next);
-    const FilmReport report = w.solve_on_branch(there, previous, state);
+  int ends = 0;
+  double step = end.longest;
+  while (end.reached < 1.0) {
+    const double next = std::min(1.0, end.reached + step);
+    const FilmReport report = w.solve_on_branch(between(from, to, next), previous, state);
     total += report;
     if (report.status == FilmStatus::interrupted) return total;
     if (report.status == FilmStatus::converged) {
-      reached = next;
+      end.reached = next;
+      end.leap = shortest;
       if (report.iterations < easy_iterations) step *= w.options.time_growth;
       continue;
     }
     step *= 0.5;
-    if (step * steps >= smallest) continue;
+    if (step >= end.leap) continue;
     if (report.status != FilmStatus::not_converged) return total;
     // The branch ends: no state near the last one goes on.
-    if (total.jumps == w.options.max_jumps) {
+    if (ends++ == w.options.max_ends) {
       total.status = FilmStatus::fold;
       return total;
     }
-    reached = w.jump({.from = from, .to = to, .begin = reached, .shortest = next - reached, .longest = 1.0 / steps},
-                     previous, state, total);
+    w.jump(end, previous, state, total);
     if (total.status != FilmStatus::converged) return total;
-    step = 1.0 / steps;
+    // Where the next step fails at once the end has not been left yet.
+    end.leap = std::min(step_growth_off_branch * end.leap, end.longest);
+    step = end.leap;
   }
   return total;
 }

@@ -401,14 +401,13 @@ void FilmNewton::take_step(double fraction, const FilmBearingState& from, FilmBe
   to.contact.mode = step_.contact.mode;
 }
 
-/// Largest difference of P, U and position over c.
 double FilmNewton::distance(const FilmBearingState& a, const FilmBearingState& b) const {
   return std::max({(a.foil.film.pressure - b.foil.film.pressure).cwiseAbs().maxCoeff(),
                    (a.foil.lift - b.foil.lift).cwiseAbs().maxCoeff(),
                    (a.position - b.position).norm() / bearing_.scales.thickness});
 }
 
-FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equations, double tolerance,
+FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equations, const NewtonAim& aim,
                              const ContactState& previous, FilmBearingState& state) {
   FilmReport report;
   iterate_ = state;
@@ -431,7 +430,7 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
     const double largest =
         std::max({step_.foil.film.pressure.cwiseAbs().maxCoeff(), step_.foil.lift.cwiseAbs().maxCoeff(),
                   std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
-    if (fraction == 1.0 && largest < tolerance) {
+    if (fraction == 1.0 && largest < aim.tolerance) {
       take_step(1.0, iterate_, trial_);
       const bool touches = trial_.foil.film.thickness.minCoeff() < options_.thickness_floor;
       report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
@@ -444,7 +443,10 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
     }
     double part = fraction;
     for (int halvings = 0;; ++halvings) {
-      if (halvings == max_halvings) part = forced_fraction * fraction;
+      if (halvings == max_halvings) {
+        if (aim.stays_near) return report;
+        part = forced_fraction * fraction;
+      }
       take_step(part, iterate_, trial_);
       const double norm = find_residual(to, equations, trial_);
       if (norm < report.residual || halvings == max_halvings) {

@@ -13,6 +13,12 @@
 
 namespace bumpfoil {
 
+/// What a solve looks for.
+struct NewtonAim {
+  double tolerance{};      ///< largest change of P, H and position over c in a full step of a state that has converged
+  bool stays_near{false};  ///< gives up where no part of a step makes the residuals smaller; else it goes on from there
+};
+
 /// Newton's method for film, foils, contacts and the journal in one system. Keeps its storage between solves.
 class FilmNewton {
  public:
@@ -20,11 +26,10 @@ class FilmNewton {
 
   /// Takes `state` to an operating point: the journal moves with the film from where it is.
   /// @param equations  at the speed there; with a squeeze term, for a step in time
-  /// @param tolerance  largest change of P, H and position over c in a full step of a state that has converged
   /// @param previous   state that friction refers to
   /// @param state      first guess, whose position, pressure and lift count; receives the result, and stays as it was
   ///                   unless the status is converged
-  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, double tolerance,
+  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const NewtonAim& aim,
                                  const ContactState& previous, FilmBearingState& state);
 
   /// With contacts in the modes of `state`, or with all closed ones stuck.
@@ -36,6 +41,9 @@ class FilmNewton {
   [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck);
+
+  /// Largest difference of P, U and position over c.
+  [[nodiscard]] double distance(const FilmBearingState& a, const FilmBearingState& b) const;
 
  private:
   /// Change of all unknowns.
@@ -74,7 +82,6 @@ class FilmNewton {
   void move_foils(const OperatingPoint& to, const FilmBearingState& state);
   void add_to_step(double way, const Step& rate);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
-  [[nodiscard]] double distance(const FilmBearingState& a, const FilmBearingState& b) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
   /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
   /// film knows.

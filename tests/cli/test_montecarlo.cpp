@@ -120,6 +120,7 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
                                       "film.columns_per_pitch=4",
                                       "film.rows=6",
                                       "equilibrium.steps=2",
+                                      "equilibrium.paths=one",
                                       "equilibrium.speeds=[\"45000 rpm\"]",
                                       "equilibrium.loads=[[\"20 N\", \"5 N\"]]"};
   const auto ensemble = [&](const char* folder, const char* samples) {

@@ -29,8 +29,8 @@ struct FilmBearingOptions {
   /// branch by no more in a step that is short enough, while another branch stays as far away as it is.
   double largest_departure{0.3};
   double resolved_departure{1e-4};
-  int max_jumps{8};                    ///< off branches that end, in one follow()
-  int max_time_steps{500};             ///< of a march: what does not rest by then oscillates
+  int max_ends{24};                    ///< of branches, in one follow()
+  int max_time_steps{200};             ///< of a march: what does not rest by then oscillates
   std::function<bool()> keep_going{};  ///< asked before every solve; false ends the search
 };
 

@@ -86,7 +86,8 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
     phase *= turn;
     squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.foil.film), equations);
     const Eigen::Vector2d there = position + (motion * phase).real();
-    ASSERT_EQ(newton.solve(OperatingPoint::held_at(there, speed), equations, 1e-10, rest.contact, state).status,
+    ASSERT_EQ(newton.solve(OperatingPoint::held_at(there, speed), equations, {.tolerance = 1e-10}, rest.contact, state)
+                  .status,
               FilmStatus::converged);
     if (i <= steps * (turns - 1)) continue;
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();
