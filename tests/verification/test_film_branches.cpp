@@ -97,6 +97,19 @@ TEST(FilmBranches, TurnedBearingsStandInTurnedStates) {
   }
 }
 
+/// From higher speeds the branch turns round more than once, first where the march drifts by its end slowly.
+TEST(FilmBranches, RunningUpUnderALoadArrivesWhereLoadingDoes) {
+  std::vector<Found> found;
+  for (const FilmPath path : {FilmPath::load_ramp, FilmPath::speed_ramp, FilmPath::position_ray}) {
+    Case input = loaded_reference(20.0, 0.1, {4, 6});
+    input.equilibrium->loads = {{20.0, 5.0}};
+    input.equilibrium->path = path;
+    found.push_back(found_of(input));
+    ASSERT_TRUE(found.back().converged) << found.size();
+    EXPECT_EQ(found.back().loaded_bumps, found.front().loaded_bumps) << found.size();
+  }
+}
+
 /// Bearings drawn at random, without friction: a state then depends on no increments but by its branch. Before steps
 /// were held to the tangent some of these ended up to 25 % apart and said nothing.
 class RandomBranches : public testing::TestWithParam<int> {};
