@@ -80,8 +80,7 @@ std::vector<RunningQuantity> running_quantities_of(const Json& result) {
   return quantities;
 }
 
-/// What another version defined in another way has a label of its own: it is not to be compared.
-Json quantities_json(const Json& result, const Json& summary) {
+Json quantities_json(const Json& result) {
   // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
   if (command == "vibration") return grid_quantities_json(vibration_quantities(), result);
@@ -89,13 +88,10 @@ Json quantities_json(const Json& result, const Json& summary) {
   const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
                                 : command == name_of(Experiment::path) ? Experiment::path
                                                                        : Experiment::cycle;
-  const bool first_version = summary["schema"] == "bumpfoil-summary/1";
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.label.empty()) continue;
-    const bool former = first_version && quantity.name == "loss_factor";
-    json.push_back(
-        quantity_json(quantity, former ? "loss factor, definition of 0.1" : std::string(quantity.label), result));
+    json.push_back(quantity_json(quantity, std::string(quantity.label), result));
     json.back()["of_solver"] = quantity.of_solver;
   }
   return json;
@@ -184,7 +180,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (!fs::is_directory(folder, code)) refuse("is no folder");
   const char* result_name = result_name_in(folder);
   const fs::path result_path = folder / result_name;
-  auto [summary, bytes] = read_stored_result(folder, result_name, {options.checked, advice_on_damage, options.warn});
+  auto [summary, bytes] = read_stored_result(folder, result_name, {options.checked, advice_on_damage});
   Json result = read_result(std::move(bytes), result_path.string(), most_values);
   match_runs(summary, result, (folder / "summary.json").string(), result_name);
   Json& attributes = result["attributes"];
@@ -197,7 +193,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   if (has_distributions(kind)) {
     run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
   } else {
-    run["quantities"] = quantities_json(result, summary.json);
+    run["quantities"] = quantities_json(result);
   }
   return run;
 }

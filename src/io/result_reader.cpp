@@ -194,11 +194,8 @@ std::string kind_of(const NetcdfImage& file) {
     const auto found = texts.find(name);
     return found != texts.end() ? found->second : std::string();
   };
-  if (text("schema") != "bumpfoil-result/1" && text("schema") != "bumpfoil-result/2")
-    file.refuse("", "is no result of this program");
+  if (text("schema") != "bumpfoil-result/2") file.refuse("", "is no result of this program");
   std::string kind = text("bumpfoil_command");
-  // Results that were written before there were others do not say what they are.
-  if (kind.empty()) kind = "cycle";
   if (!is_shown(kind)) {
     file.refuse("", fmt::format("is a result of `bumpfoil {}`, which reports cannot show", printable(kind)));
   }

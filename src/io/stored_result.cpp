@@ -52,12 +52,7 @@ StoredResult read_stored_result(const fs::path& folder, const std::string& name,
     result.bytes = read(name);
   }
   result.summary = read_summary(text, summary_path.string());
-  if (result.summary.run_id.empty()) {
-    if (options.warn) {
-      options.warn(fmt::format("{}: was written by version 0.1, without checksums: damage may show as wrong numbers",
-                               printable(folder.string(), longest_path)));
-    }
-  } else if (options.checked) {
+  if (options.checked) {
     if (!is_sealed(text, result.summary.xxh3_128)) {
       refuse_damaged(summary_path, "it has not the checksum in it", options.advice);
     }

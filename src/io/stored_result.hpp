@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "io/summary_reader.hpp"
@@ -15,9 +14,8 @@ struct StoredResult {
 };
 
 struct StoredResultOptions {
-  bool checked = true;                             ///< whether checksums must be those that summary.json lists
-  std::string advice{};                            ///< what to do about damage
-  std::function<void(const std::string&)> warn{};  ///< called, where given, if there are no checksums
+  bool checked = true;   ///< whether checksums must be those that summary.json lists
+  std::string advice{};  ///< what to do about damage
 };
 
 /// @throws Error (file): damaged

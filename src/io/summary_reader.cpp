@@ -156,7 +156,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   const Json& json = summary.json;
   if (!json.is_object() || !json.contains("schema")) checker.refuse("", "is no summary of this program");
   const std::string schema = checker.text(json, "schema");
-  if (schema != "bumpfoil-summary/1" && schema != "bumpfoil-summary/2") {
+  if (schema != "bumpfoil-summary/2") {
     checker.refuse("schema", fmt::format("is \"{}\", which this version cannot read", printable(schema)));
   }
   for (const char* key : {"version", "commit", "solver", "status"}) static_cast<void>(checker.text(json, key));
@@ -172,13 +172,10 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   }
   if (has_distributions(command)) checker.check_ensemble(json);
   if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
-  // Version 0.1 had none of them.
-  if (json.contains("run_id") || json.contains("files") || json.contains("xxh3_128")) {
-    summary.xxh3_128 = checker.text(json, "xxh3_128");
-    summary.run_id = checker.text(json, "run_id");
-    if (summary.run_id.empty()) checker.refuse("run_id", "is empty");
-    summary.files = checker.files(json);
-  }
+  summary.xxh3_128 = checker.text(json, "xxh3_128");
+  summary.run_id = checker.text(json, "run_id");
+  if (summary.run_id.empty()) checker.refuse("run_id", "is empty");
+  summary.files = checker.files(json);
   return summary;
 }
 

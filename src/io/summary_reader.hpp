@@ -17,8 +17,8 @@ struct ListedFile {
 /// summary.json, its shape verified.
 struct StoredSummary {
   nlohmann::ordered_json json;
-  std::string xxh3_128;                     ///< of itself
-  std::string run_id;                       ///< empty in results of version 0.1, which have no checksums either
+  std::string xxh3_128;  ///< of itself
+  std::string run_id;
   std::map<std::string, ListedFile> files;  ///< by name
 };
 

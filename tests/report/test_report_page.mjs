@@ -126,23 +126,6 @@ test('results have differences from the reference that was chosen', () =>
     near(quantity(`${demo} ${unit}`, 'N'), summaryOf('demo').cycles[2].max_force_N, 1e-3, '+Y');
   }));
 
-test('quantities of other versions that mean something else are never compared', async () => {
-  const old = readFileSync(join(folder, 'two.html'), 'utf8');
-  const place = old.lastIndexOf('"label":"loss factor"');
-  assert.ok(place > old.indexOf('"label":"loss factor"'));
-  writeFileSync(join(folder, 'old.html'), `${old.slice(0, place)}"label":"loss factor, definition of 0.1"${old.slice(place + '"label":"loss factor"'.length)}`);
-  await withReport('old.html', async (page) => {
-    const rows = await page.locator('[data-key=loss_factor]').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
-    assert.equal(rows.length, 2);
-    const [own, other] = rows;
-    assert.match(own[2], /^0\.\d+$/);
-    assert.deepEqual([own[0], ...own.slice(3)], ['Loss factor', '–', '–', '–']);
-    assert.match(other[3], /^0\.\d+$/);
-    assert.deepEqual([other[0], other[2], ...other.slice(4)], ['Loss factor, definition of 0.1', '–', '–', '–']);
-    assert.match(await page.locator('.card').first().textContent(), /loss factorloss factor, definition of 0\.1/);
-  });
-});
-
 test('tiles lead with the loaded stiffness, and tables have the clearances asked for', async () => {
   cycle('clearances', 'cycle.steps=40', 'cycle.amplitude=95 um', 'cycle.clearance_forces=["2 N", "5 N", "5 kN"]');
   report('clearances.html', 'clearances');

@@ -156,14 +156,6 @@ describe('clearances', () => {
       [null, 'where it reaches'],
     ]);
   });
-
-  it('are two in version 0.1', () => {
-    const run = new Run(data({ clearance_5N_m: 1e-6, clearance_10N_m: null }, { clearance_5N: { unit: 'm', text: 'reaches 5 N' } }));
-    expect(run.quantities.slice(2, 4).map(({ label, key, meaning }) => [label, run.cycles[0]?.summary?.[key], meaning])).toEqual([
-      ['clearance at 5 N', 1e-6, 'reaches 5 N'],
-      ['clearance at 10 N', null, ''],
-    ]);
-  });
 });
 
 describe('warnings', () => {
@@ -192,8 +184,7 @@ describe('warnings', () => {
   });
 
   it('are those that the result has', () => {
-    expect(warned({ warnings: ['never touches: push further'], above_yield_top_foil: true })).toEqual(['+X: never touches: push further.']);
-    expect(warned({ above_yield_top_foil: true })).toEqual(['+X: the bending stress of the top foil exceeds its yield stress.']);
+    expect(warned({ warnings: ['never touches: push further'] })).toEqual(['+X: never touches: push further.']);
   });
 
   it('say where and why a cycle ended', () => {

@@ -73,8 +73,7 @@ struct ReadingOptions {
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 ///
-/// Files are not believed: their shapes, and that they are of one run, is verified before they are used. Folders of
-/// version 0.1 have no checksums; they are read with a warning.
+/// Files are not believed: their shapes, and that they are of one run, is verified before they are used.
 ///
 /// @param folders  of results, at least one
 /// @throws Error (file) that lists every folder that does not exist, holds no result, cannot be read, or is damaged;

@@ -51,7 +51,7 @@ struct SmallFile {
       {"bump_rise", {.values = {1e-3}}},
       {"height_error", {.dims = {"bump"}, .values = {0, 0, 0}}}};
   std::map<std::string, std::string> texts{
-      {"schema", "bumpfoil-result/1"}, {"bumpfoil_command", "cycle"}, {"run_id", "of this run"}};
+      {"schema", "bumpfoil-result/2"}, {"bumpfoil_command", "cycle"}, {"run_id", "of this run"}};
 
   void write(const std::filesystem::path& path) const {
     int file = 0;
@@ -86,7 +86,7 @@ json small_summary() {
     return json{
         {"direction_deg", direction}, {"amplitude_m", 2.0}, {"steps", 2}, {"converged", true}, {"max_force_N", 1.0}};
   };
-  return {{"schema", "bumpfoil-summary/1"},
+  return {{"schema", "bumpfoil-summary/2"},
           {"command", "cycle"},
           {"case", {{"cycle", {{"steps", 2}}}}},
           {"version", "0"},
@@ -388,21 +388,22 @@ TEST(DamagedResult, ChecksumsTellUnlessTheyAreLeftOut) {
   }
 }
 
-TEST(DamagedResult, Version01IsReadWithAWarning) {
-  SmallFile file;
-  file.texts.erase("run_id");
+TEST(DamagedResult, OtherSchemasAndSummariesWithoutChecksumsAreRefused) {
   SmallResult result;
-  result.write(file);
+  result.write(SmallFile());
   json summary = small_summary();
+  summary["schema"] = "bumpfoil-summary/1";
+  result.write(summary);
+  EXPECT_EQ(result.fault().find("/summary.json: schema: is \"bumpfoil-summary/1\""), 0U) << result.fault();
+  summary = small_summary();
   summary.erase("run_id");
   result.folder().write("summary.json", summary.dump());
-  std::vector<std::string> warnings;
-  report_json({result.folder().path()}, {.warn = [&](const std::string& text) { warnings.push_back(text); }});
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("without checksums"), std::string::npos);
-  // A newer file beside it was not written with it.
-  result.write(SmallFile());
-  EXPECT_EQ(result.fault().find("/summary.json: run_id: is not that of result.nc"), 0U);
+  EXPECT_EQ(result.fault().find("/summary.json: xxh3_128: "), 0U) << result.fault();
+  SmallFile file;
+  file.texts["schema"] = "bumpfoil-result/1";
+  result.write(file);
+  result.write(small_summary());
+  EXPECT_EQ(result.fault().find("/result.nc: "), 0U) << result.fault();
 }
 
 TEST(DamagedResult, HundredsOfDamagedFilesAreTold) {

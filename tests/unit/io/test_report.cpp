@@ -305,24 +305,6 @@ TEST(Report, CarriesTheMeaningsThatTheResultHas) {
   EXPECT_EQ(found, 1U);
 }
 
-TEST(Report, TellsTheLossFactorOfTheFirstVersionFromThatOfNow) {
-  const Results results(run_cycles(short_case()));
-  const auto label = [&] {
-    const json report = json::parse(report_json({results.path()}, {.checked = false}));
-    for (const json& quantity : report.at("runs").at(0).at("quantities")) {
-      if (quantity.at("name") == "loss_factor") return quantity.at("label").get<std::string>();
-    }
-    return std::string();
-  };
-  EXPECT_EQ(label(), "loss factor");
-  std::string summary = results.folder().read("summary.json");
-  const std::size_t schema = summary.find("bumpfoil-summary/2");
-  ASSERT_NE(schema, std::string::npos);
-  results.folder().write("summary.json", summary.replace(schema, 18, "bumpfoil-summary/1"));
-  netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::write).putAtt("schema", "bumpfoil-result/1");
-  EXPECT_EQ(label(), "loss factor, definition of 0.1");
-}
-
 /// What a list of numbers at equal angles has at an angle, straight between them.
 double at_angle(const std::vector<float>& numbers, double phi) {
   const double turns = phi / (2.0 * std::numbers::pi);

@@ -7,15 +7,9 @@ interface Clearance {
   displacement: number | null;
 }
 
-/** Of version 0.1 there are two, under keys of their own. */
 function clearancesOf(cycle: CycleSummary): Clearance[] {
-  if (Array.isArray(cycle['clearances'])) {
-    return (cycle['clearances'] as { force_N: number; displacement_m: number | null }[]).map((one) => ({ force: one.force_N, displacement: one.displacement_m }));
-  }
-  return [5, 10].flatMap((force) => {
-    const displacement = cycle[keyOf(force)];
-    return typeof displacement === 'number' || displacement === null ? [{ force, displacement }] : [];
-  });
+  if (!Array.isArray(cycle['clearances'])) return [];
+  return (cycle['clearances'] as { force_N: number; displacement_m: number | null }[]).map((one) => ({ force: one.force_N, displacement: one.displacement_m }));
 }
 
 function keyOf(force: number): string {
@@ -37,7 +31,7 @@ export function quantitiesOf({ quantities, summary, meanings }: RunData): Quanti
     unit: 'm',
     whole: false,
     of_solver: false,
-    meaning: (meanings['clearance'] ?? meanings[`clearance_${force}N`])?.text ?? '',
+    meaning: meanings['clearance']?.text ?? '',
   }));
   const before = 1 + Math.max(...['first_contact', 'take_up'].map((name) => quantities.findIndex((one) => one.name === name)));
   const place = before > 0 ? before : quantities.length;

@@ -29,12 +29,9 @@ export function shortfallsOf(run: Run): string[] {
   });
 }
 
-/** Where the answer leaves what the model is valid for; of version 0.1 only whether a foil yields. */
+/** Where the answer leaves what the model is valid for. */
 function ownWarnings(summary: CycleSummary): string[] {
-  if (Array.isArray(summary['warnings'])) return summary['warnings'].map(String);
-  return ['top foil', 'bump foil']
-    .filter((foil) => summary[`above_yield_${foil.replace(' ', '_')}`] === true)
-    .map((foil) => `the bending stress of the ${foil} exceeds its yield stress`);
+  return Array.isArray(summary['warnings']) ? summary['warnings'].map(String) : [];
 }
 
 /** That results are not all there. */

@@ -32,9 +32,8 @@ export function numberOf(value: Value): number | null {
   return typeof value === 'number' ? value : null;
 }
 
-/** Of the same name and label: what is meant differs where the labels do. */
-function quantityOf(run: Run, { key, label }: Quantity): Quantity | undefined {
-  return run.quantities.find((one) => one.key === key && one.label === label);
+function quantityOf(run: Run, { key }: Quantity): Quantity | undefined {
+  return run.quantities.find((one) => one.key === key);
 }
 
 /** What the results of the runs have, each once. */
@@ -42,7 +41,7 @@ function quantitiesOf(columns: Column[]): Quantity[] {
   const all = new Map<string, Quantity>();
   for (const { run, values } of columns) {
     for (const quantity of run.quantities) {
-      if (values[quantity.key] !== undefined) all.set(`${quantity.key} ${quantity.label}`, all.get(`${quantity.key} ${quantity.label}`) ?? quantity);
+      if (values[quantity.key] !== undefined) all.set(quantity.key, all.get(quantity.key) ?? quantity);
     }
   }
   return [...all.values()];

@@ -13,15 +13,14 @@ import { curvesOfRun } from '../charts/curves';
 const told = ['loaded_stiffness', 'max_force', 'secant_stiffness', 'loss_factor'];
 const toldOfSeveral = ['loaded_stiffness', 'loss_factor'];
 
-/** Of runs of other versions the same name may mean something else: then it has another label. */
 function quantitiesOf(runs: Run[], several: boolean): Quantity[] {
   const names = several ? toldOfSeveral : told;
   const all = names.flatMap((name) => runs.flatMap((run) => run.quantities.filter((quantity) => quantity.name === name)));
-  return all.filter((quantity, i) => all.findIndex(({ key, label }) => key === quantity.key && label === quantity.label) === i);
+  return all.filter((quantity, i) => all.findIndex(({ key }) => key === quantity.key) === i);
 }
 
-function valueText(run: Run, cycle: Cycle, { key, label, unit }: Quantity): string {
-  const has = run.quantities.some((quantity) => quantity.key === key && quantity.label === label);
+function valueText(run: Run, cycle: Cycle, { key, unit }: Quantity): string {
+  const has = run.quantities.some((quantity) => quantity.key === key);
   const number = has ? numberOf(cycle.summary?.[key]) : null;
   return unit === '' ? formatNumber(number, 3) : formatQuantity(number, unit, 3);
 }
