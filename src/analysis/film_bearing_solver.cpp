@@ -102,17 +102,24 @@ void FilmBearingSolver::Workspace::jump(BranchEnd& end, const ContactState& prev
     end.reached = std::min(1.0, begin + std::min(leap, end.longest));
     return between(end.from, end.to, end.reached);
   };
-  total.status = FilmStatus::not_converged;
-  if (end.comes_to_rest) total += settle(behind(end.leap), previous, state);
-  if (total.status == FilmStatus::interrupted) return;
-  const FilmStatus rested = total.status;
   const bool by_load = end.to.control == OperatingPoint::Control::load;
-  end.comes_to_rest = rested == FilmStatus::converged || !by_load;
+  const bool marches_first = end.comes_to_rest || !by_load;
+  if (marches_first) {
+    total += settle(behind(end.leap), previous, state);
+    end.comes_to_rest = total.status == FilmStatus::converged;
+  }
+  FilmStatus rested = total.status;
+  if (rested == FilmStatus::interrupted) return;
   for (double leap = end.leap; total.status != FilmStatus::converged && by_load; leap *= step_growth_off_branch) {
     const OperatingPoint there = behind(leap);
     total += solve(there, film_equations(bearing, there.speed), previous, state);
     if (total.status == FilmStatus::interrupted) return;
     if (leap >= end.longest) break;
+  }
+  if (total.status != FilmStatus::converged && !marches_first) {
+    total += settle(behind(end.leap), previous, state);
+    rested = total.status;
+    if (rested == FilmStatus::interrupted) return;
   }
   if (total.status == FilmStatus::converged) {
     if (newton.distance(last, state) > options.resolved_departure) ++total.jumps;
