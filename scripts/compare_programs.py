@@ -1,0 +1,160 @@
+#!/usr/bin/python3
+"""Compare the results of two builds of the program, for changes that must not change numbers.
+
+    scripts/compare_programs.py OLD NEW [--drawn N] [--seed S] [--tolerance T]
+
+Runs every command that each case in examples/ has tables for, and as many of them with keys drawn at random, by both
+programs. Compares exit codes, and of every number in result.nc, film.nc, ensemble.nc and summary.json the difference
+over the largest of its quantity. Prints a line per run; exit code 1 where one differs by more than the tolerance.
+"""
+
+import argparse
+import json
+import random
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import netCDF4
+import numpy as np
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+# Of a run, not of its results.
+NOT_COMPARED = {"run_id", "version", "commit", "wall_time_s", "wall_time", "files", "xxh3_128", "threads", "seconds"}
+# Short runs: what is compared are numbers, not meshes.
+SHORT = {
+    "cycle": ["cycle.steps=20"],
+    "strip": ["strip.steps=20"],
+    "equilibrium": ["film.columns_per_pitch=4", "film.rows=6", "equilibrium.paths=one"],
+    "film": ["film.columns_per_pitch=4", "film.rows=6"],
+    "montecarlo": ["montecarlo.samples=4", "film.columns_per_pitch=4", "film.rows=4"],
+}
+
+
+def commands_of(program, case):
+    """The commands that can run a case, by the last lines of `check`."""
+    done = subprocess.run([program, "check", case], capture_output=True, text=True, check=True)
+    found = re.findall(r"^# (\w+): ok", done.stdout, re.MULTILINE)
+    if re.search(r"^\[montecarlo", Path(case).read_text(), re.MULTILINE):
+        found.append("montecarlo")
+    return found
+
+
+def drawn_keys(rng, command):
+    """Keys of a bearing of its own."""
+    keys = [
+        f"friction.coefficient={rng.choice([0.0, rng.uniform(0.02, 0.5)])}",
+        f"bump_foil.thickness={rng.uniform(80, 130)} um",
+        f"top_foil.thickness={rng.uniform(80, 200)} um",
+    ]
+    if command in ("cycle", "path", "vibration", "equilibrium"):
+        keys.append(f"bearing.radial_clearance={rng.uniform(20, 45)} um")
+    if command == "cycle":
+        keys.append(f"cycle.amplitude={rng.uniform(40, 90)} um")
+        keys.append(f'cycle.directions=["{rng.uniform(0, 360)} deg"]')
+        keys.append(f"solver.name={rng.choice(['events', 'newton'])}")
+    if command == "equilibrium":
+        keys.append(f'equilibrium.speeds=["{rng.uniform(2e4, 6e4)} rpm"]')
+        angle, load = rng.uniform(0, 6.28), rng.uniform(10, 80)
+        keys.append(f'equilibrium.loads=[["{load * np.cos(angle)} N", "{load * np.sin(angle)} N"]]')
+    return keys
+
+
+def run(program, command, case, keys, folder):
+    """Exit code and errors."""
+    line = [program, command, str(case), "-o", str(folder), "--quiet"]
+    for key in keys:
+        line += ["--set", key]
+    done = subprocess.run(line, capture_output=True, text=True, check=False)
+    return done.returncode, done.stderr.replace(str(folder), "DIR")
+
+
+def numbers_of(value, name=""):
+    """Every number of a JSON value, by name; lists of the same keys go together."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            if key not in NOT_COMPARED:
+                yield from numbers_of(inner, f"{name}.{key}")
+    elif isinstance(value, list):
+        for inner in value:
+            yield from numbers_of(inner, name)
+    elif isinstance(value, bool) or value is None or isinstance(value, str):
+        yield name, str(value)
+    else:
+        yield name, float(value)
+
+
+def quantities_of(folder):
+    """All numbers and texts of the files of a run, as arrays by name."""
+    found = {}
+    summary = folder / "summary.json"
+    if summary.exists():
+        for name, value in numbers_of(json.loads(summary.read_text())):
+            found.setdefault(f"summary{name}", []).append(value)
+    for path in sorted(folder.glob("*.nc")):
+        with netCDF4.Dataset(path) as file:
+            file.set_auto_mask(False)
+            for name, variable in file.variables.items():
+                if name not in NOT_COMPARED:
+                    found[f"{path.name}:{name}"] = np.asarray(variable[...]).ravel().tolist()
+    return found
+
+
+def difference(old, new):
+    """The largest difference over the largest of its quantity, and the quantity; infinite where texts differ."""
+    worst, where = 0.0, ""
+    for name in sorted(set(old) | set(new)):
+        a, b = old.get(name), new.get(name)
+        if a == b:
+            continue
+        if a is None or b is None or len(a) != len(b):
+            return float("inf"), name
+        try:
+            x, y = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+        except ValueError:
+            return float("inf"), name
+        if not np.array_equal(np.isnan(x), np.isnan(y)):
+            return float("inf"), name
+        largest = np.nanmax(np.abs(x), initial=0.0)
+        relative = np.nanmax(np.abs(x - y), initial=0.0) / (largest if largest > 0.0 else 1.0)
+        if relative > worst:
+            worst, where = float(relative), name
+    return worst, where
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("old")
+    parser.add_argument("new")
+    parser.add_argument("--drawn", type=int, default=100, help="cases drawn at random (100)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--tolerance", type=float, default=1e-9, help="of the largest of each quantity (1e-9)")
+    options = parser.parse_args()
+
+    known = [(case, command) for case in sorted(EXAMPLES.glob("*.toml")) for command in commands_of(options.old, case)]
+    rng = random.Random(options.seed)
+    runs = [(case, command, SHORT.get(command, [])) for case, command in known]
+    for _ in range(options.drawn):
+        case, command = rng.choice(known)
+        runs.append((case, command, SHORT.get(command, []) + drawn_keys(rng, command)))
+    same = within = beyond = 0
+    for number, (case, command, keys) in enumerate(runs):
+        with tempfile.TemporaryDirectory() as folder:
+            folders = [Path(folder) / name for name in ("old", "new")]
+            ends = [run(program, command, case, keys, where) for program, where in zip((options.old, options.new), folders)]
+            worst, where = difference(*map(quantities_of, folders))
+        if ends[0] != ends[1]:
+            worst, where = float("inf"), f"exit code or errors: {ends}"
+        same += worst == 0.0
+        within += 0.0 < worst <= options.tolerance
+        beyond += worst > options.tolerance
+        verdict = "same" if worst == 0.0 else f"{worst:.2g} in {where}"
+        print(f"{number:4} {case.stem:16} {command:12} exit {ends[0][0]}  {verdict}", flush=True)
+    print(f"{len(runs)} runs: {same} the same, {within} within {options.tolerance:g}, {beyond} beyond")
+    return 1 if beyond > 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
