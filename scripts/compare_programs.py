@@ -28,7 +28,6 @@ SHORT = {
     "cycle": ["cycle.steps=20"],
     "strip": ["strip.steps=20"],
     "equilibrium": ["film.columns_per_pitch=4", "film.rows=6", "equilibrium.paths=one"],
-    "film": ["film.columns_per_pitch=4", "film.rows=6"],
     "montecarlo": ["montecarlo.samples=4", "film.columns_per_pitch=4", "film.rows=4"],
 }
 

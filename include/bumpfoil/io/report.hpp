@@ -27,7 +27,7 @@ struct ReadingOptions {
   /// Whether result.nc must have the checksum that summary.json lists. Without, a damaged file may still be found out
   /// by its shape, show wrong numbers, or crash libhdf5.
   bool checked = true;
-  std::function<void(const std::string&)> warn{};  ///< called, where given, with what users should know of a folder
+  std::function<void(const std::string&)> warn{};  ///< called, where given, with remarks on measured loops
   /// Each is shown as one more run: columns displacement_um (or _nm, _mm, _m) and force_N (or _mN, _kN), or by other
   /// names of rigs, and where the results have several cycles `direction` (+X, degrees) or, of a strip, `cycle`. Of
   /// several cycles one after the other the last is shown.
