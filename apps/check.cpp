@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 

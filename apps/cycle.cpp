@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 
 #include "commands.hpp"
 #include "experiment.hpp"

@@ -5,7 +5,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/write_file.hpp"
+#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 

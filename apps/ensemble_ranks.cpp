@@ -16,7 +16,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/io/ensemble_identity.hpp"
+#include "bumpfoil/ensemble/ensemble_identity.hpp"
 #include "interruption.hpp"
 
 namespace bumpfoil {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/ensemble/ensemble_run.hpp"
 #include "bumpfoil/model/case.hpp"
-#include "bumpfoil/studies/ensemble_run.hpp"
 #include "ranks.hpp"
 
 namespace bumpfoil {

@@ -1,11 +1,12 @@
-#include "bumpfoil/analysis/running_bearing.hpp"
+#include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
 
-#include "bumpfoil/analysis/wall_film.hpp"
-#include "bumpfoil/io/equilibrium_files.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/film/wall_film.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "commands.hpp"
 #include "experiment.hpp"
 

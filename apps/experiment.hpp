@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/io/cycle_files.hpp"
-#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "commands.hpp"
 
 namespace bumpfoil {

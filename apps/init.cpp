@@ -1,9 +1,9 @@
 #include <memory>
 #include <string>
 
+#include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/io/write_file.hpp"
+#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 

@@ -10,15 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/ensemble_checkpoint.hpp"
-#include "bumpfoil/io/ensemble_files.hpp"
-#include "bumpfoil/io/ensemble_log.hpp"
-#include "bumpfoil/io/ensemble_table.hpp"
-#include "bumpfoil/studies/ensemble_run.hpp"
-#include "bumpfoil/studies/parallel_runs.hpp"
+#include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
+#include "bumpfoil/ensemble/ensemble_files.hpp"
+#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/ensemble/ensemble_run.hpp"
+#include "bumpfoil/ensemble/ensemble_table.hpp"
+#include "bumpfoil/ensemble/parallel_runs.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "commands.hpp"
 #include "ensemble_ranks.hpp"
 #include "experiment.hpp"

@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/path.hpp"
+#include "bumpfoil/experiments/path/path.hpp"
 
 #include "commands.hpp"
 #include "experiment.hpp"

@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/properties.hpp"
+#include "bumpfoil/experiments/properties/properties.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/properties_report.hpp"
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/experiments/properties/properties_report.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "commands.hpp"

@@ -1,4 +1,4 @@
-#include "bumpfoil/io/report.hpp"
+#include "bumpfoil/pages/report.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -9,8 +9,8 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/ensemble_checkpoint.hpp"
-#include "bumpfoil/io/write_file.hpp"
+#include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
+#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 

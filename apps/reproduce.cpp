@@ -12,13 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/io/cycle_files.hpp"
-#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/ensemble/parallel_runs.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/results/result_folder.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/studies/gnuplot.hpp"
-#include "bumpfoil/studies/parallel_runs.hpp"
 #include "bumpfoil/studies/study.hpp"
 #include "bumpfoil/studies/study_report.hpp"
 #include "bumpfoil/studies/study_tables.hpp"

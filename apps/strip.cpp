@@ -1,4 +1,4 @@
-#include "bumpfoil/analysis/strip.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
 
 #include "commands.hpp"
 #include "experiment.hpp"

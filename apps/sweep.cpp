@@ -6,13 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/result_folder.hpp"
-#include "bumpfoil/io/sweep.hpp"
-#include "bumpfoil/io/sweep_files.hpp"
-#include "bumpfoil/io/sweep_table.hpp"
-#include "bumpfoil/studies/parallel_runs.hpp"
+#include "bumpfoil/ensemble/parallel_runs.hpp"
+#include "bumpfoil/results/result_folder.hpp"
+#include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/sweep/sweep.hpp"
+#include "bumpfoil/sweep/sweep_files.hpp"
+#include "bumpfoil/sweep/sweep_table.hpp"
 #include "commands.hpp"
 #include "experiment.hpp"
 #include "interruption.hpp"

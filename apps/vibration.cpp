@@ -1,8 +1,9 @@
-#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/experiments/vibration/vibration.hpp"
 
 #include <utility>
 
-#include "bumpfoil/io/vibration_files.hpp"
+#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "commands.hpp"
 #include "experiment.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bumpfoil/analysis/film_bearing.hpp"
+#include "bumpfoil/bearing/film_bearing.hpp"
 
 namespace bumpfoil {
 

@@ -2,9 +2,10 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "support/long_bearing.hpp"
 
 namespace bumpfoil {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "alternating.hpp"
-#include "bumpfoil/analysis/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_bearing_solver.hpp"
 
 namespace bumpfoil {
 namespace {

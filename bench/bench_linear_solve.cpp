@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "support/long_bearing.hpp"
 

@@ -2,7 +2,7 @@
 // Of the foils at rest, about 50 N downwards: in a running bearing they are in series with the gas film.
 #include <fmt/format.h>
 #include <Eigen/LU>
-#include <bumpfoil/analysis/vibration.hpp>
+#include <bumpfoil/experiments/vibration/vibration.hpp>
 #include <complex>
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // A load of 400 N is put on the journal downwards and taken away again. The journal is free to move sideways.
 #include <fmt/format.h>
-#include <bumpfoil/analysis/cycle.hpp>
+#include <bumpfoil/experiments/cycle/cycle.hpp>
 #include <numbers>
 
 int main() {

@@ -1,7 +1,7 @@
 // A bearing with bump heights as they were measured, beside the one that was drawn. To be run in this folder.
 #include <fmt/format.h>
-#include <bumpfoil/analysis/cycle.hpp>
-#include <bumpfoil/io/case_reader.hpp>
+#include <bumpfoil/case/case_reader.hpp>
+#include <bumpfoil/experiments/cycle/cycle.hpp>
 
 int main() {
   const auto push = [](const char* name, bumpfoil::Case bearing) {

@@ -1,7 +1,7 @@
 // One bearing, four models of its bump foil: the truss, the frame with small and with large displacements, and the
 // model of 2007.
 #include <fmt/format.h>
-#include <bumpfoil/analysis/cycle.hpp>
+#include <bumpfoil/experiments/cycle/cycle.hpp>
 #include <utility>
 
 int main() {

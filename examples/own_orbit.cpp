@@ -1,6 +1,6 @@
 // An orbit of one's own, here a figure of eight about a place below the centre: forces, and what friction takes.
 #include <fmt/format.h>
-#include <bumpfoil/analysis/path.hpp>
+#include <bumpfoil/experiments/path/path.hpp>
 #include <cmath>
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // What friction does: push tests with coefficients from 0 to 0.5. `bumpfoil sweep` does the same on all cores.
 #include <fmt/format.h>
-#include <bumpfoil/analysis/cycle.hpp>
+#include <bumpfoil/experiments/cycle/cycle.hpp>
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();

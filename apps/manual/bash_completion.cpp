@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bumpfoil/io/case_writer.hpp"
+#include "bumpfoil/case/case_writer.hpp"
 #include "manual/manual.hpp"
 
 namespace bumpfoil {

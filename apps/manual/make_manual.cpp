@@ -4,7 +4,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "bumpfoil/io/write_file.hpp"
+#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
 #include "manual/manual.hpp"
 #include "output.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/analysis/foil_stepper.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"

@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/io/result_quantities.hpp"
-#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/results/quantity.hpp"
 #include "run.hpp"
 
 namespace bumpfoil {

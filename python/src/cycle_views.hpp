@@ -2,7 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "bumpfoil/analysis/fields.hpp"
+#include "bumpfoil/bearing/fields.hpp"
 
 namespace bumpfoil {
 

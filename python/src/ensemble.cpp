@@ -1,10 +1,11 @@
 #include "ensemble.hpp"
 
-#include "bumpfoil/io/ensemble_checkpoint.hpp"
-#include "bumpfoil/io/ensemble_files.hpp"
-#include "bumpfoil/io/ensemble_table.hpp"
-#include "bumpfoil/studies/ensemble_run.hpp"
-#include "bumpfoil/studies/parallel_runs.hpp"
+#include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
+#include "bumpfoil/ensemble/ensemble_files.hpp"
+#include "bumpfoil/ensemble/ensemble_run.hpp"
+#include "bumpfoil/ensemble/ensemble_table.hpp"
+#include "bumpfoil/ensemble/parallel_runs.hpp"
+#include "bumpfoil/results/result_set.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/io/ensemble_layout.hpp"
-#include "bumpfoil/io/ensemble_log.hpp"
-#include "bumpfoil/io/ensemble_yield.hpp"
-#include "bumpfoil/io/result_folder.hpp"
-#include "bumpfoil/io/result_netcdf.hpp"
-#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
+#include "bumpfoil/ensemble/ensemble_log.hpp"
+#include "bumpfoil/ensemble/ensemble_yield.hpp"
+#include "bumpfoil/experiments/cycle/result_netcdf.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/result_folder.hpp"
+#include "bumpfoil/results/result_set.hpp"
 
 namespace bumpfoil {
 

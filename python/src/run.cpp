@@ -2,18 +2,19 @@
 
 #include <utility>
 
-#include "bumpfoil/analysis/path.hpp"
-#include "bumpfoil/analysis/strip.hpp"
-#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/equilibrium_files.hpp"
-#include "bumpfoil/io/failures.hpp"
-#include "bumpfoil/io/sweep_files.hpp"
-#include "bumpfoil/io/sweep_table.hpp"
-#include "bumpfoil/io/vibration_files.hpp"
-#include "bumpfoil/io/warnings.hpp"
-#include "bumpfoil/studies/parallel_runs.hpp"
+#include "bumpfoil/ensemble/parallel_runs.hpp"
+#include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/cycle/warnings.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/sweep/sweep_files.hpp"
+#include "bumpfoil/sweep/sweep_table.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/running_bearing.hpp"
-#include "bumpfoil/io/cycle_files.hpp"
-#include "bumpfoil/io/summary.hpp"
-#include "bumpfoil/io/sweep.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/sweep/sweep.hpp"
 
 namespace bumpfoil {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "bumpfoil/analysis/load_search.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/status.hpp"
+#include "bumpfoil/motion/load_search.hpp"
 #include "cycle_views.hpp"
 #include "run.hpp"
 

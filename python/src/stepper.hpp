@@ -7,9 +7,9 @@
 #include <mutex>
 #include <optional>
 
-#include "bumpfoil/analysis/fields.hpp"
-#include "bumpfoil/analysis/foil_stepper.hpp"
-#include "bumpfoil/analysis/increment.hpp"
+#include "bumpfoil/bearing/fields.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

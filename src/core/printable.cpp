@@ -10,18 +10,18 @@
 namespace bumpfoil {
 namespace {
 
-struct Range {
+struct CodeRange {
   char32_t first, last;
 };
-constexpr std::array<Range, 9> unprintable{{{0x00, 0x1f},
-                                            {0x7f, 0x9f},
-                                            {0x61c, 0x61c},
-                                            {0x200e, 0x200f},
-                                            {0x2028, 0x202e},
-                                            {0x2066, 0x2069},
-                                            {0xd800, 0xdfff},  // halves of pairs: no characters
-                                            {0xfeff, 0xfeff},
-                                            {0x110000, std::numeric_limits<char32_t>::max()}}};
+constexpr std::array<CodeRange, 9> unprintable{{{0x00, 0x1f},
+                                                {0x7f, 0x9f},
+                                                {0x61c, 0x61c},
+                                                {0x200e, 0x200f},
+                                                {0x2028, 0x202e},
+                                                {0x2066, 0x2069},
+                                                {0xd800, 0xdfff},  // halves of pairs: no characters
+                                                {0xfeff, 0xfeff},
+                                                {0x110000, std::numeric_limits<char32_t>::max()}}};
 
 /// A character at the start of a text: its code, above all others if it is no UTF-8, and its size in bytes.
 struct Character {
@@ -30,7 +30,7 @@ struct Character {
 
   [[nodiscard]] bool is_printable() const {
     return std::none_of(unprintable.begin(), unprintable.end(),
-                        [this](const Range& range) { return range.first <= code && code <= range.last; });
+                        [this](const CodeRange& range) { return range.first <= code && code <= range.last; });
   }
 };
 

@@ -1,7 +1,7 @@
 #include "bumpfoil/ensemble/running_sample.hpp"
 
-#include "bumpfoil/analysis/film_limits.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/equilibrium/film_limits.hpp"
 
 namespace bumpfoil {
 

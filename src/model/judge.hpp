@@ -37,8 +37,8 @@ inline constexpr double thin = 0.1;
 inline constexpr std::int64_t most_bump_increments = 20'000'000;
 inline constexpr int most_steps = 1'000'000;
 
-/// Adding up pitches may miss the circumference by a rounding.
-inline constexpr double rounding = 1e-9;
+/// Adding up pitches may miss the circumference by a round-off.
+inline constexpr double round_off = 1e-9;
 
 /// As messages show it.
 inline std::string quantity(double value, std::string_view unit) {
@@ -83,7 +83,7 @@ class Judge {
   }
 
   bool angle(const std::string& key, double value) {
-    if (std::abs(value) <= turn * (1.0 + rounding)) return true;
+    if (std::abs(value) <= turn * (1.0 + round_off)) return true;
     return finite(key, value, "rad") && require(false, key, quantity(value, "rad"), "is more than a full turn",
                                                 "give at most 360 degrees either way");
   }

@@ -117,10 +117,10 @@ void judge_pitches(Judge& judge, const BumpFoil& foil, const std::vector<BumpSha
                                              [](double before, const BumpShape& bump) { return before + bump.pitch; });
   const std::string pitches = equal ? fmt::format("{} pitches of {:.6g} m are", foil.bumps, first)
                                     : fmt::format("{} pitches add up to", foil.bumps);
-  judge.require(sum <= circumference * (1.0 + rounding), "bump_foil.bumps", std::to_string(foil.bumps),
+  judge.require(sum <= circumference * (1.0 + round_off), "bump_foil.bumps", std::to_string(foil.bumps),
                 fmt::format("the foil would overlap itself: {} {:.6g} m, the circumference is {:.6g} m", pitches, sum,
                             circumference),
-                equal ? fmt::format("give at most {} bumps", std::floor(circumference * (1.0 + rounding) / first))
+                equal ? fmt::format("give at most {} bumps", std::floor(circumference * (1.0 + round_off) / first))
                       : std::string("give fewer bumps or smaller pitches"));
 }
 

@@ -98,7 +98,7 @@ void judge_overlaps(Judge& judge, const Case& input) {
     const bool last = i + 1 == covers.size();
     const Cover& next = covers[last ? 0 : i + 1];
     const double over = covers[i].from + covers[i].arc - next.from - (last ? turn : 0.0);
-    judge.require(over <= turn * rounding, fmt::format("pad[{}]", std::max(covers[i].pad, next.pad) + 1), "",
+    judge.require(over <= turn * round_off, fmt::format("pad[{}]", std::max(covers[i].pad, next.pad) + 1), "",
                   fmt::format("overlaps pad {} by {}", std::min(covers[i].pad, next.pad) + 1, degrees(over)),
                   "give fewer bumps, smaller arcs, or other weld angles");
   }

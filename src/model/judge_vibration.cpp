@@ -28,7 +28,7 @@ void judge_directions(Judge& judge, const VibrationSettings& vibration) {
   }
   if (!finite || directions.size() == 1) return;
   const double across = unit_vector(directions[0]).dot(unit_vector(directions[1]));
-  judge.require(directions.size() == 2 && std::abs(across) <= rounding, "vibration.directions",
+  judge.require(directions.size() == 2 && std::abs(across) <= round_off, "vibration.directions",
                 fmt::format("{} directions", directions.size()), "are not two at right angles",
                 "give one, or two such as [\"+X\", \"+Y\"]: these tell all coefficients");
 }

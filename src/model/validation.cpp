@@ -112,12 +112,12 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (!std::isfinite(directions[i])) continue;  // judged already
-    around.emplace_back(directions[i] - turn * std::floor(directions[i] / turn + rounding), i);
+    around.emplace_back(directions[i] - turn * std::floor(directions[i] / turn + round_off), i);
   }
   std::sort(around.begin(), around.end());
   std::vector<std::pair<std::size_t, std::size_t>> again;
   for (std::size_t k = 1; k < around.size(); ++k) {
-    if (around[k].first - around[k - 1].first > turn * rounding) continue;
+    if (around[k].first - around[k - 1].first > turn * round_off) continue;
     const auto [first, second] = std::minmax(around[k - 1].second, around[k].second);
     again.emplace_back(second, first);
   }

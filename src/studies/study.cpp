@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <set>
 
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/case/swept_key.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/case_writer.hpp"
-#include "bumpfoil/io/swept_key.hpp"
 #include "studies/study_library.hpp"
 
 namespace bumpfoil {

@@ -8,7 +8,7 @@
 
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/io/failures.hpp"
+#include "bumpfoil/experiments/cycle/failures.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -8,8 +8,10 @@
 #include <iterator>
 #include <utility>
 
-#include "bumpfoil/io/result_quantities.hpp"
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/io/checksum.hpp"
-#include "bumpfoil/io/result_folder.hpp"
+#include "bumpfoil/results/checksum.hpp"
+#include "bumpfoil/results/result_folder.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {

@@ -12,9 +12,9 @@
 #include <thread>
 #include <vector>
 
-#include "bumpfoil/io/case_reader.hpp"
-#include "bumpfoil/io/ensemble_layout.hpp"
-#include "bumpfoil/io/ensemble_log.hpp"
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
+#include "bumpfoil/ensemble/ensemble_log.hpp"
 #include "cli/montecarlo_program.hpp"
 
 namespace bumpfoil {

@@ -39,7 +39,7 @@ endforeach()
 
 # Manual and completions are where they are looked for, and what the README links to is beside it.
 foreach(name man/man1/bumpfoil.1 bash-completion/completions/bumpfoil doc/bumpfoil/README.md doc/bumpfoil/docs/index.md
-        doc/bumpfoil/examples/gen1.toml doc/bumpfoil/include/bumpfoil/analysis/cycle.hpp)
+        doc/bumpfoil/examples/gen1.toml doc/bumpfoil/include/bumpfoil/experiments/cycle/cycle.hpp)
   if(NOT EXISTS "${prefix}/share/${name}")
     message(FATAL_ERROR "No share/${name} was installed.")
   endif()

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <memory>
 
-#include "bumpfoil/analysis/cycle.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/random_problem.hpp"
 
 // Under a sanitizer the allocator is its own: nothing is counted there.

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "bumpfoil/analysis/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_bearing_solver.hpp"
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/residual.hpp"
 #include "bumpfoil/model/geometry.hpp"

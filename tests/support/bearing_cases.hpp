@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/io/case_reader.hpp"
 #include "support/wrong_cases.hpp"
 
 namespace bumpfoil::testing {

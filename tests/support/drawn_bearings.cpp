@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/analysis/foil_stepper.hpp"
-#include "bumpfoil/analysis/increment.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
 #include "bumpfoil/model/geometry.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_bearing_solver.hpp"
 
 namespace bumpfoil {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 
 namespace bumpfoil {
 

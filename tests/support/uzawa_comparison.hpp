@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

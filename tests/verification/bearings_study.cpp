@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "bumpfoil/studies/parallel_runs.hpp"
+#include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "support/drawn_bearings.hpp"
 
 namespace bumpfoil {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"
 #include "bumpfoil/structure/top_foil.hpp"

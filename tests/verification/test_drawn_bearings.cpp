@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/drawn_bearings.hpp"
 
 namespace bumpfoil {

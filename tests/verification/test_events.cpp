@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bumpfoil/analysis/foil_stepper.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bumpfoil/analysis/strip.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
 #include "support/fe_records.hpp"
 #include "support/full_increment.hpp"
 

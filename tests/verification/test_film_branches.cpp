@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_runs.hpp"
 

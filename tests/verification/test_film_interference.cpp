@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {

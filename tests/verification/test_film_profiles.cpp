@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "bumpfoil/analysis/wall_film.hpp"
+#include "bumpfoil/experiments/film/wall_film.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {

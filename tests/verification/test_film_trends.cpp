@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "bumpfoil/analysis/equilibrium.hpp"
-#include "bumpfoil/analysis/film_limits.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/film_limits.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"
 #include "support/reference_cycles.hpp"

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle_quantities.hpp"
-#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/foils.hpp"
-#include "bumpfoil/analysis/path.hpp"
-#include "bumpfoil/analysis/vibration.hpp"
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/experiments/vibration/vibration.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/full_increment.hpp"
 /// What the reference bearing is known for: how much friction stiffens it, where it carries.
 namespace bumpfoil {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/analysis/strip.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
 #include "support/full_increment.hpp"
 
 namespace bumpfoil {

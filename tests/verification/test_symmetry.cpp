@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"

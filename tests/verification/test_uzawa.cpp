@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "bumpfoil/analysis/foils.hpp"
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/uzawa_comparison.hpp"

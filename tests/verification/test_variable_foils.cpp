@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "support/bearing_cases.hpp"
 

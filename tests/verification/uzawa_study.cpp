@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/uzawa_comparison.hpp"
 
 namespace bumpfoil {

@@ -3,9 +3,9 @@
 #include <exception>
 #include <string>
 
-#include "bumpfoil/io/designer.hpp"
-#include "io/unit_system.hpp"
-#include "io/unit_table.hpp"
+#include "bumpfoil/pages/designer.hpp"
+#include "case/unit_system.hpp"
+#include "case/unit_table.hpp"
 
 namespace bumpfoil {
 

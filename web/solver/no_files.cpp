@@ -1,5 +1,5 @@
 #include "bumpfoil/core/error.hpp"
-#include "io/text_file.hpp"
+#include "case/text_file.hpp"
 
 namespace bumpfoil {
 

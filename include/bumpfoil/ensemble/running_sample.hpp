@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bumpfoil/analysis/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {

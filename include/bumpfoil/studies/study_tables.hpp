@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "bumpfoil/analysis/cycle.hpp"
-#include "bumpfoil/io/summary.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/studies/study.hpp"
 
 namespace bumpfoil {

@@ -1,6 +1,6 @@
 // A user's project: the library is all that it knows.
-#include <bumpfoil/analysis/cycle.hpp>
 #include <bumpfoil/core/version.hpp>
+#include <bumpfoil/experiments/cycle/cycle.hpp>
 #include <iostream>
 
 int main() {

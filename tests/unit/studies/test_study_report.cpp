@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bumpfoil/results/result_set.hpp"
 #include "support/bearing_cases.hpp"
 
 namespace bumpfoil {

@@ -1,4 +1,4 @@
-/** What `bumpfoil report` puts into the page; include/bumpfoil/io/report.hpp describes it. */
+/** What `bumpfoil report` puts into the page; include/bumpfoil/pages/report.hpp describes it. */
 
 export interface ReportData {
   schema: string;

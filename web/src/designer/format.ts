@@ -1,4 +1,4 @@
-/** What the solver answers; include/bumpfoil/io/designer.hpp describes it. */
+/** What the solver answers; include/bumpfoil/pages/designer.hpp describes it. */
 import type { CaseValue, GridData, Quantity, RunData } from '../data/format';
 
 export interface CaseKey {

@@ -243,7 +243,7 @@ class Page {
 async function start(): Promise<void> {
   startTheme();
   const { quick, slow } = await makeSolvers();
-  // For those who want numbers without clicking: include/bumpfoil/io/designer.hpp says what may be asked.
+  // For those who want numbers without clicking: include/bumpfoil/pages/designer.hpp says what may be asked.
   Object.assign(window, { bumpfoilAsk: (request: Request) => slow.ask(request) });
   const keys = await quick.ask<KeysAnswer>({ what: 'keys' });
   if (!keys || isFaulty(keys)) throw new Error(keys?.faults[0]?.message ?? 'the solver does not answer');

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bumpfoil/bearing/foil_state.hpp"
+
+namespace bumpfoil {
+
+/// A quantity over increments (rows) and bumps or feet (columns).
+using FieldMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ModeMatrix = Eigen::Matrix<ContactMode, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+enum class Interface { journal_top, top_bump, bump_sleeve };
+
+/// One interface: column i belongs to bump i or, at the sleeve, to foot i. Without columns where there is none.
+struct InterfaceFields {
+  FieldMatrix gap;             ///< m, 0 where closed
+  FieldMatrix normal_force;    ///< N, compression >= 0
+  FieldMatrix friction_force;  ///< N, on the bump-foil node, positive away from the weld; zero at the journal
+  ModeMatrix mode;
+
+  void resize(Eigen::Index increments, Eigen::Index columns);
+  /// Keeps the first increments.
+  void truncate(Eigen::Index increments);
+};
+
+/// Bending stress, Pa; without columns where a model knows none, see FoilStress.
+struct StressFields {
+  FieldMatrix top_weld;   ///< per pad
+  FieldMatrix top_crest;  ///< per bump
+  FieldMatrix bump_weld;  ///< per pad
+  FieldMatrix bump_crest;
+  FieldMatrix bump_foot;  ///< per foot
+  FieldMatrix bump_largest;
+};
+
+/// Everything known of the foils at every increment that was recorded.
+struct FoilFields {
+  FieldMatrix top_displacement;          ///< u_t, m, per bump; without columns where there is no top foil
+  FieldMatrix crest_u, crest_v;          ///< m, per bump
+  FieldMatrix foot_u, foot_v;            ///< m, per foot
+  FieldMatrix compression;               ///< m, per bump: how far its crest came nearer to its feet
+  FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
+  InterfaceFields journal_top;           ///< per bump
+  InterfaceFields top_bump;              ///< per bump
+  InterfaceFields bump_sleeve;           ///< per foot
+  StressFields stress;
+
+  [[nodiscard]] Eigen::Index increments() const { return crest_u.rows(); }
+  /// Keeps the first increments.
+  void truncate(Eigen::Index increments);
+};
+
+/// Largest size of the force that each of several pads takes at any increment, N; nothing without increments.
+Vector largest_pad_forces(const FoilFields& fields);
+
+/// Loads of one interface at a state, N: what is reported as open carries nothing.
+Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface);
+
+/// Fields for `increments` increments of the foils, to be filled by record().
+FoilFields make_fields(const Foils& foils, int increments);
+
+/// How far the crest of each bump came nearer to the middle between its feet, m. The weld is a foot that stays in
+/// place.
+/// @param x  unknowns of the structure
+Vector bump_compression(const FoilStructure& structure, const Vector& x);
+
+/// Writes the fields of a state into row `increment`.
+void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields);
+
+}  // namespace bumpfoil

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/bearing/film_bearing.hpp"
+#include "bumpfoil/film/film_solver.hpp"
+
+namespace bumpfoil {
+
+/// Settings of the search for states of a bearing that runs.
+struct FilmBearingOptions {
+  FilmSolverOptions newton{};
+  double first_time_step{0.025};    ///< of a march in time, in units of T0
+  double marching_tolerance{1e-6};  ///< in place of FilmSolverOptions::step_tolerance, for steps in time
+  double time_growth{1.5};          ///< of time steps that converged; others are quartered
+  double last_time_step{10e-3};     ///< s; the march ends at steps longer than this that change little:
+  double resting_change{1e-4};      ///< of P and U
+  double position_step{0.1};        ///< first length of a step of follow(), in units of c
+  double speed_step{0.1};           ///< the same, of the speed at the begin or end, whichever is larger
+  double smallest_fraction{1e-3};   ///< of the first step: where shorter ones fail, the path ends
+  /// The same under a load, where steps locate the contacts at which the branch turns back.
+  double smallest_load_fraction{1e-6};
+  /// Under a load a step is halved where the state lies farther from the tangent's prediction than this part of the
+  /// predicted change, and than the second number, of P, U and position over c: a contact that changes bends the
+  /// branch by no more in a step that is short enough, while another branch stays as far away as it is.
+  double largest_departure{0.3};
+  double resolved_departure{1e-4};
+  int max_ends{24};                    ///< of branches, in one follow()
+  int max_time_steps{200};             ///< of a march: what does not rest by then oscillates
+  std::function<bool()> keep_going{};  ///< asked before every solve; false ends the search
+};
+
+/// What the journal is held by at a speed. A plain value.
+struct OperatingPoint {
+  enum class Control { position, load } control{Control::position};
+  Eigen::Vector2d journal{Eigen::Vector2d::Zero()};  ///< its position, m, or the load on it, N
+  double speed{};                                    ///< Omega, rad/s
+  double opening{};                                  ///< by which the clearance is wider than that of the bearing, m
+
+  bool operator==(const OperatingPoint&) const = default;
+
+  static OperatingPoint held_at(const Eigen::Vector2d& position, double speed, double opening = 0.0) {
+    return {Control::position, position, speed, opening};
+  }
+  static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed, double opening = 0.0) {
+    return {Control::load, load, speed, opening};
+  }
+};
+
+/// How a state responds to slow motions of the journal.
+struct SlowMotion {
+  Eigen::Matrix2d stiffness;  ///< dF/d(x, y), N/m, rows x and y. Not symmetric
+  /// Largest displacement of the top foil per displacement of the journal along X or Y. About 1 where the foil follows
+  /// the journal; without bound where the state becomes singular, as at the end of its branch.
+  double foil_response{};
+};
+
+/// Finds states of a bearing that runs: gas film, sagging top foil, bump foil, unilateral contact and Coulomb friction
+/// in one system, and the position of the journal with them where it carries a load. Newton's method on the film; in
+/// each step the contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver).
+/// Film and foils are never iterated in turn: a foil that has lifted off its bumps is held by the film alone, and only
+/// the joint matrix knows that.
+///
+/// There may be several states at one operating point, even without friction: which one is found is decided by the path
+/// that leads there. Every function says what its path is. In all of them friction refers to `previous`: each is one
+/// increment, however many steps it takes. `state` receives the result; after a failure it holds the last state that
+/// was found on the way, or stays as it was.
+class FilmBearingSolver {
+ public:
+  explicit FilmBearingSolver(const FilmBearing& bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  ~FilmBearingSolver();
+
+  /// The state near `state` at another operating point, all in one step.
+  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
+
+  /// In a straight line of speed, opening and position, or load, by steps of adapted length. Under a load the states
+  /// stay on their branch: each must lie near where the tangent of the one before leads
+  /// (FilmBearingOptions::largest_departure). Where even the smallest step fails the branch ends (at a fold, or where a
+  /// contact changes and the branch turns back): from the last state before that the film is marched in time at the
+  /// point behind it, and the line followed on from where that comes to rest (FilmReport::jumps).
+  [[nodiscard]] FilmReport follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
+
+  /// From one moment to the next: with `state` at the begin, the film is marched in time by implicit Euler, journal and
+  /// foils without mass, until nothing moves.
+  [[nodiscard]] FilmReport settle(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
+
+  /// settle() with the journal at `position`, where it must not touch the undeformed foils, and at `speed`, from
+  /// unstressed foils and ambient pressure. Friction refers to the unstressed foils. With an `opening` (m) in a
+  /// clearance wider by that, which follow() closes.
+  [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
+                                      double opening = 0.0);
+
+  /// Linearised about `state`: consistent, closed contacts rigid, every contact keeping its mode; with `stuck` slipping
+  /// contacts stick, as under a small whirl.
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck = false);
+
+  /// Its stiffness.
+  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck = false);
+
+  /// Impedance Z = dF/d(x, y) of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s
+  /// (1/s): N/m, rows x and y. The film squeezes, foils and journal have no mass, contacts keep their modes or stick
+  /// as in stiffness(), which Z is at s = 0. At a frequency omega, s = i omega, K = Re Z and C = Im Z / omega.
+  ///
+  /// One factorisation serves all rates (docs/theory/gas_film.md).
+  /// @param rates  s, real parts not negative
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+                                                                        const std::vector<std::complex<double>>& rates,
+                                                                        bool stuck = false);
+
+  [[nodiscard]] const FilmBearing& bearing() const;
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace bumpfoil

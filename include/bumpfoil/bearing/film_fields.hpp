@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bumpfoil/bearing/fields.hpp"
+#include "bumpfoil/bearing/film_bearing.hpp"
+
+namespace bumpfoil {
+
+/// The foils of a bearing that runs as foils without a film know them: displacements, gaps, contact forces and modes.
+/// The journal touches nothing; its gaps are the film thickness over the crests.
+/// @param foils  of the same case
+FoilState foil_state(const Foils& foils, const FilmBearing& bearing, const FilmBearingState& state);
+
+}  // namespace bumpfoil

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/contact/path_follower.hpp"
+
+namespace bumpfoil {
+
+/// All that an increment leaves to the next: a plain value, to be copied, kept and gone back to.
+struct FoilState {
+  Excitation excitation;       ///< that the foils are in balance with
+  ContactLoading loading;      ///< the same as it was solved for: gaps and loads of the contact problem
+  ContactState contacts;       ///< displacements, forces and modes; friction refers to them
+  Vector slip_origin;          ///< unknowns that the slip of the last part of the last increment is measured from
+  double work{};               ///< of the pressing body since the count began, see gap_work(), J
+  double dissipated_energy{};  ///< by friction since then, J
+
+  /// Unstressed foils before their assembly.
+  static FoilState unstressed(const Foils& foils);
+};
+
+/// A place inside an increment where parts of the response join.
+struct Waypoint {
+  Eigen::Vector2d position;       ///< of the pressing body, m
+  Eigen::Vector2d force;          ///< that holds it, N
+  Eigen::Matrix2Xd pad_forces{};  ///< what each of several pads takes of it, N
+};
+
+/// A change of mode of one contact inside an increment.
+struct StepEvent {
+  Eigen::Vector2d position;  ///< of the pressing body, m
+  int contact{};
+  ContactMode from{};
+  ContactMode to{};
+};
+
+/// An increment as it was taken: where it led, what happened on the way, what it cost and how it ended.
+struct Step {
+  Status status{Status::converged};
+  FoilState state;                  ///< new; after a failure it means nothing but where the increment was to lead
+  std::vector<StepEvent> events;    ///< only where they are followed
+  std::vector<Waypoint> waypoints;  ///< between its ends: forces are linear from one to the next, as far as is known
+  SolveCost cost;
+  int substeps{};    ///< extra solves because the increment had to be halved
+  bool is_linear{};  ///< in pieces, so that W = E_end - E_begin + D holds to rounding
+
+  [[nodiscard]] bool converged() const { return status == Status::converged; }
+};
+
+}  // namespace bumpfoil

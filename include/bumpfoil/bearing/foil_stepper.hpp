@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/bearing/foil_state.hpp"
+#include "bumpfoil/bearing/tangents.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+class ModeSystem;
+
+/// The solver of a case, made for a problem of its own or somebody else's.
+/// @param modes  linear system of the problem, which the follower shares with its caller
+/// @param rates  of the event-driven solver
+std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
+                                                 const std::shared_ptr<ModeSystem>& modes,
+                                                 Rates rates = Rates::by_solves);
+
+/// Takes foils from state to state. It holds the solver of a case and its workspace, and nothing of the states: those
+/// belong to the caller, who keeps the new one or the old one. One thread at a time; as many steppers as threads share
+/// the foils.
+///
+/// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
+class FoilStepper {
+ public:
+  /// @param rates  of the event-driven solver
+  FoilStepper(SharedFoils foils, const SolverSettings& settings, Rates rates = Rates::by_solves);
+  ~FoilStepper();
+
+  /// Takes other foils of the same stiffness and contacts, whose gaps alone may differ. An assembly must follow.
+  /// @return false if these are others; then it keeps those it has
+  [[nodiscard]] bool set_foils(const SharedFoils& foils);
+
+  /// From the unstressed foils in one step. Work starts at zero; the dissipation is that of the assembly.
+  void assemble(const Excitation& excitation, Step& step);
+
+  /// One increment from `from` straight to the excitation `to`.
+  void advance(const FoilState& from, const Excitation& to, Step& step);
+
+  /// Begins the straight path from `from` to the excitation `end`. Increments of one path cost the event-driven solver
+  /// less than paths of one increment.
+  void set_out(const FoilState& from, const Excitation& end);
+
+  /// One increment, on to `fraction` of the path that was set out on.
+  /// @param from      where the last increment ended, or the path began; to leave the path, set out again
+  /// @param fraction  beyond the last
+  void advance_to(double fraction, const FoilState& from, Step& step);
+
+  /// From the contact modes of `state` and the tangent of the foils.
+  [[nodiscard]] TangentMatrices tangents(const FoilState& state);
+
+  [[nodiscard]] const Foils& foils() const { return *foils_; }
+  /// Whether increments are followed from one change of contact to the next.
+  [[nodiscard]] bool follows_events() const { return follows_events_; }
+  /// What converged states meet.
+  [[nodiscard]] SolverBounds bounds() const { return follower_->bounds(); }
+
+ private:
+  SharedFoils foils_;
+  std::shared_ptr<ModeSystem> modes_;  ///< shared with the follower: no other is made for tangents
+  std::unique_ptr<PathFollower> follower_;
+  bool follows_events_;
+  Excitation path_begin_, path_end_;
+  std::vector<ContactEvent> events_;
+  ContactState rate_;
+  Vector gap_change_;  ///< of the initial gaps, along the whole path
+  double followed_{};  ///< fraction of the path that lies behind
+  Vector mean_force_;  ///< of a part of the response
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "bumpfoil/bearing/foil_state.hpp"
+#include "bumpfoil/bearing/tangents.hpp"
+#include "bumpfoil/contact/residual.hpp"
+
+namespace bumpfoil {
+
+enum class Branch { loading, unloading };
+
+/// One increment of a cycle: where it is, forces and energies. Of an increment that failed only its place is known;
+/// the rest is not a number then.
+struct Increment {
+  int index{};
+  Branch branch{Branch::loading};
+  double displacement{};        ///< of the pressing body along the direction, m
+  double x{}, y{};              ///< its position, m
+  double force_x{}, force_y{};  ///< force that holds it, N
+  double force_direct{};        ///< F.n, N
+  double force_cross{};         ///< F.t with t = n turned by +90 deg, N
+  double elastic_energy{};      ///< J
+  double dissipated_energy{};   ///< since increment 0, J; at increment 0 that of the assembly is kept apart
+  double work{};                ///< of the pressing body since increment 0, trapezoidal rule, J
+  ContactResiduals residuals;
+  Status status{Status::converged};
+  SolveCost cost;
+  int substeps{};            ///< extra solves because the increment had to be halved
+  int orbit{};               ///< of a path: which of its orbits this belongs to, from 1; 0 before
+  TangentMatrices tangents;  ///< of a path
+
+  [[nodiscard]] bool converged() const { return status == Status::converged; }
+};
+
+/// Position and forces of a state along the unit vector `direction`, work and dissipation, and how the step to it
+/// ended. Index and branch are left to the caller, energy and residuals not a number: judge() finds them.
+Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction);
+
+/// Fills in elastic energy and residuals of a state.
+void judge(const Foils& foils, const FoilState& state, Increment& increment);
+
+/// An increment that failed on its way to `step`'s place: everything that is not known is not a number.
+Increment failed_increment(const Step& step, const Eigen::Vector2d& direction);
+
+}  // namespace bumpfoil

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "bumpfoil/ensemble/statistics.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/quantity.hpp"
+
+namespace bumpfoil {
+
+/// What was run of a bearing of an ensemble, as its case says by montecarlo.command.
+using SampleResult = std::variant<CycleResult, EquilibriumResult>;
+
+/// Where numbers of a bearing are kept: the direction of a cycle, rad, or a state in which it runs.
+struct EnsemblePlace {
+  std::string name;  ///< "+X", or "45000 rpm, load (50, 0) N"
+  std::variant<double, OperatingPoint> at;
+};
+
+/// A quantity that is kept at every place.
+struct EnsembleColumn {
+  std::string name, unit, long_name;  ///< as in result.nc
+  Form form{};
+  std::string label{};  ///< on the terminal; empty where it is in the files only
+  ShownUnit shown{};
+  Undefined undefined{Undefined::unknown};
+  /// (what was run, place, sampled case); not a number where it is not known
+  std::function<double(const SampleResult&, std::size_t, const Case&)> value{};
+};
+
+/// What is kept of a sample: a row of numbers, at each place one for each column and then the loads of the bumps, at
+/// full displacement or in the state.
+struct EnsembleLayout {
+  EnsembleCommand command{};
+  std::vector<EnsemblePlace> places;
+  std::vector<EnsembleColumn> columns;  ///< the first is the status, zero where the place was reached
+  std::size_t bumps{};
+
+  [[nodiscard]] std::size_t per_place() const { return columns.size() + bumps; }
+  [[nodiscard]] std::size_t width() const { return places.size() * per_place(); }
+  /// Where in the row a column is, or a bump's load where those are counted on behind the columns.
+  [[nodiscard]] std::size_t entry(std::size_t place, std::size_t column) const { return place * per_place() + column; }
+
+  /// What a place is, the dimension of ensemble.nc: "direction" or "state".
+  [[nodiscard]] std::string_view dimension() const { return command == EnsembleCommand::cycle ? "direction" : "state"; }
+  /// The quantity whose mean EnsembleRun is asked to know: the maximum force, or the least film thickness.
+  [[nodiscard]] std::string_view leading() const { return command == EnsembleCommand::cycle ? "max_force" : "h_min"; }
+  /// What the number of a status means: a word, and a reason.
+  [[nodiscard]] std::string_view status_name(int status) const;
+  [[nodiscard]] std::string_view status_reason(int status) const;
+};
+
+/// The layout of the ensemble of a case.
+/// @throws Error (input) if it is one of running bearings, and the case makes none
+EnsembleLayout make_ensemble_layout(const Case& input);
+
+/// The row of a sample, not a number where something is not known.
+std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& sampled, const SampleResult& result);
+
+}  // namespace bumpfoil

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/ensemble/parallel_runs.hpp"
+
+namespace bumpfoil {
+
+/// Samples with consecutive numbers.
+struct SampleRange {
+  std::size_t first{}, count{};
+};
+
+/// Samples on their way through those who run them: numbers go out in their order, rows come back in any, and leave in
+/// the order of their numbers again. For several threads at once.
+///
+/// Nobody waits for anybody but where a sample takes so long that others would be a window ahead of it: that bounds
+/// the memory.
+class SampleFlow : public RunQueue {
+ public:
+  /// @param begin, end  numbers of the samples: end is none of them
+  /// @param window      samples, from the first that is missing, that may be out or back
+  SampleFlow(std::size_t begin, std::size_t end, std::size_t window);
+
+  /// Waits for room in the window, and in the end until all rows are back or the flow is closed.
+  std::optional<std::size_t> next() override;
+
+  void close() override;
+  [[nodiscard]] bool closed() const;
+
+  /// As many as there is room for, at most `count`; for those who must not wait.
+  SampleRange take(std::size_t count);
+
+  /// The row of a sample that went out comes back.
+  void put(std::size_t number, std::vector<double> row);
+
+  /// Rows that are back, one behind the other, from the first sample that has not left yet to before the first that is
+  /// missing; at most `count`.
+  std::vector<double> leave(std::size_t count);
+
+  /// Samples that came back or were there before, and those that wait to leave.
+  [[nodiscard]] std::size_t done() const;
+  [[nodiscard]] std::size_t waiting() const;
+
+ private:
+  [[nodiscard]] std::size_t room() const;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::size_t end_, window_;
+  std::size_t next_;   ///< to go out
+  std::size_t first_;  ///< that has not left
+  std::map<std::size_t, std::vector<double>> rows_;
+  bool closed_{};
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/core/enum_names.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// How a state answers to small motions of the journal at a frequency, as FilmBearingSolver::impedances() tells: K = Re
+/// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
+struct FilmWhirl {
+  double frequency{};  ///< rad/s
+  std::optional<Eigen::Matrix2cd> impedance, stuck_impedance;
+};
+
+/// Estimated error of a state by the mesh of the film, see estimate_mesh_errors().
+struct MeshError {
+  double minimum_film_thickness{};  ///< m
+  double force{};  ///< N: of the force at the position, or of what the position under a load makes of it
+};
+
+/// A state of a bearing that runs, as it was asked for and as it was found.
+struct RunningState {
+  FilmPath path{};                       ///< that led here
+  OperatingPoint asked;                  ///< speed, and load or position
+  std::optional<OperatingPoint> before;  ///< state of the path that this one was reached from; none: from rest
+  FilmReport report;   ///< of the way from the state before, or from rest; `not_reached` where that was not found
+  double wall_time{};  ///< s
+  /// Where the path came to: the state that was asked for if the report says so, else the last one that was found on
+  /// the way, if any was; its opening is not zero where the clearance had not closed yet.
+  std::optional<FilmBearingState> last;
+  std::optional<FilmBearingOutcome> outcome;  ///< of it
+  /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
+  std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
+  std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
+  /// At the frequencies of the case, or at that of the rotation: one entry or more.
+  std::vector<FilmWhirl> whirls;
+  std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
+  /// For rotor dynamics, as tabulate_whirls() adds them: at the frequency of the rotation, and at the frequencies that
+  /// all states have in common.
+  std::optional<FilmWhirl> synchronous;
+  std::vector<FilmWhirl> tabulated;
+  /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
+  std::optional<double> top_foil_stress, bump_foil_stress;
+  /// Of limits, where they were asked for: |Omega| under its load, rad/s, and load at its speed, N. Absent where they
+  /// were not found.
+  std::optional<double> lift_off_speed, load_capacity;
+
+  [[nodiscard]] bool found() const { return report.status == FilmStatus::converged; }
+};
+
+/// What is varied until the film is as thin as film.h_lift_off.
+enum class FilmLimitKind : std::uint8_t {
+  lift_off_speed,  ///< the speed, under a load that stays
+  load_capacity,   ///< the size of the load, at a speed that stays
+};
+
+template <>
+inline constexpr auto enum_names<FilmLimitKind> = std::to_array<std::string_view>({"lift_off_speed", "load_capacity"});
+
+/// Where the least film thickness crosses film.h_lift_off, between two neighbours on a path.
+struct FilmLimit {
+  FilmLimitKind kind{};
+  FilmStatus status{FilmStatus::not_converged};  ///< converged where the crossing lies between the neighbours
+  OperatingPoint thick;                          ///< the neighbour whose film is thicker
+  OperatingPoint thin;                           ///< the one whose film is thinner, or which has none
+  double h_thick{}, h_thin{};  ///< least film thicknesses there, m; not a number where there is no film
+  double value{};              ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
+  int jumps{};                 ///< to other branches on the way from the load ramp to the neighbours
+
+  [[nodiscard]] bool found() const { return status == FilmStatus::converged; }
+};
+
+/// Where another path to the same point ends in another state.
+struct OtherBranch {
+  std::size_t state{};              ///< of EquilibriumResult::states
+  FilmPath path{};                  ///< the other one
+  double minimum_film_thickness{};  ///< at its end, m
+};
+
+struct EquilibriumResult {
+  std::shared_ptr<const FilmBearing> bearing;
+  SharedFoils foils;                        ///< of the same case, without the film
+  std::vector<RunningState> states;         ///< path after path, in the order in which they were found
+  std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were asked for
+  std::vector<OtherBranch> other_branches;  ///< of analyse_running_bearing(), where a second path was asked for
+
+  /// All states and limits were found.
+  [[nodiscard]] bool converged() const;
+};
+
+/// The bearing that the states of a case are of.
+/// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
+FilmBearing require_running_bearing(const Case& input);
+
+/// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
+///
+/// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first
+/// position at 0.7 C_r of it at most, where lobes of pads take from C_r. On to the first state, and from each state to
+/// the next:
+///
+/// * load_ramp, at every speed anew: the load changes from the force found to the first load in `steps` equal
+///   increments; then load after load, one increment each.
+/// * position_ray, at every speed anew: the journal moves in a straight line to the first position in `steps` equal
+///   increments; then position after position, one increment each. Towards loads: a cold start at the centre, to
+///   0.6 C_r along the first load in `steps` increments, then as a load ramp.
+/// * speed_ramp, for every load or position anew: load_ramp or position_ray at 1.5 times the first speed, from there to
+///   it in `steps` equal increments; then speed after speed, one increment each.
+/// * cold_start, for every state anew: a position at once, where the journal must not touch the undeformed foils; to a
+///   load the journal is let go, and the film marched on in time until it rests.
+///
+/// A film that is started that suddenly may throw the foils onto the journal. load_ramp, position_ray and speed_ramp
+/// then begin with a cold start at the centre instead, and the journal goes to where it was to be in `steps`
+/// increments.
+///
+/// Foils that leave a journal at the centre too little room for a film (0.3 C_r, where lobes take from C_r, below
+/// film.h_floor, or C_r <= 0) are opened before the cold start, C_r to where c is left of it. When the first state is
+/// reached so, or the one at 1.5 times its speed, they close to what they are in `steps` equal increments, load or
+/// position held. Where that is not possible the last state says how far they came.
+///
+/// Friction refers to the increment before; what is followed inside an increment is cut in steps as small as it takes.
+/// Where a state is not found, those after it on its path are not looked for.
+///
+/// @param paths     which to take, one after the other; empty: the one of the case
+/// @param progress  called with the fraction that is done; returning false ends the run
+/// @throws Error (input) as require_running_bearing() does
+EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
+                                  const std::function<bool(double)>& progress = {});
+
+/// Frequencies that all states of a case are tabulated at, rad/s, rising: those of the case; where it names none, from
+/// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2
+/// and 1.2 times any speed.
+std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium);
+
+/// Adds stiffness and damping in synchronous whirl and at tabulated_frequencies() to every state that was found.
+/// @param input  case that the result is of
+void tabulate_whirls(const Case& input, EquilibriumResult& result);
+
+/// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
+/// and all have this status.
+std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, FilmStatus status);
+
+/// Paths that lead to the states of a case: a ramp of loads needs loads.
+std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium);
+
+}  // namespace bumpfoil

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/results/result_set.hpp"
+
+namespace bumpfoil {
+
+/// The command that gives such a result: equilibrium or, with a wall in place of foils, film.
+std::string_view command_of(const EquilibriumResult& result);
+
+/// Names of the files of such a command.
+std::vector<std::string> equilibrium_file_names(std::string_view command);
+
+/// How a run ended.
+RunStatus status_of(const EquilibriumResult& result);
+
+/// The files of a run, as docs/results.md describes them: equilibrium.csv with coefficients.csv and coefficients.toml,
+/// or film.csv; result.nc and summary.json, with the same run id and checksums as those of cycles.
+///
+/// netCDF is not thread-safe: to be called by one thread at a time.
+/// @param result        with tabulated whirls, see tabulate_whirls(): coefficients.toml has no bearing without
+/// @param ross_version  of ROSS that coefficients.toml is for, 2 or 3
+/// @throws Error (file) if the memory does not suffice
+std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
+                                          const Provenance& provenance, int ross_version = 3);
+
+/// One row for each state.
+std::string equilibrium_csv(const EquilibriumResult& result);
+
+/// Stiffness and damping of every state that was found at each of its frequencies, a row for each: those of further
+/// motion, and with all closed contacts stuck.
+std::string film_coefficients_csv(const EquilibriumResult& result);
+
+/// The states side by side, for the terminal; of states that several paths led to, how far these lie apart.
+std::string equilibrium_table(const EquilibriumResult& result);
+
+/// Lines on what was not found, and why.
+std::vector<std::string> failure_lines(const EquilibriumResult& result);
+
+/// Lines on what users should know of the states that were found, and the foils' stress above yield.
+std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result);
+
+/// States that several paths led to at one operating point, by their places in the result.
+struct PathSpread {
+  std::vector<std::size_t> states{};
+};
+/// Operating points that more than one path led to.
+std::vector<PathSpread> path_spreads(const EquilibriumResult& result);
+
+}  // namespace bumpfoil

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/results/quantity.hpp"
+
+/// Every quantity of a state of a running bearing, described once: equilibrium.csv, result.nc, summary.json and the
+/// table on the terminal take it from here.
+namespace bumpfoil {
+
+template <>
+inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>(
+    {"converged", "not_converged", "touchdown", "no_room", "fold", "not_reached", "interrupted", "not_physical"});
+
+/// Of one state; values that are not known are not numbers.
+struct RunningQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const FilmBearing&, const RunningState&);
+  std::string_view label{};  ///< on the terminal; empty where it is in the files only
+  ShownUnit shown{};         ///< there
+  Form form{};
+  bool in_csv{};     ///< beside result.nc and summary.json
+  bool of_foils{};   ///< not of walls in their place
+  bool of_pads{};    ///< of several alone
+  bool of_limits{};  ///< known where limits were asked for
+  bool is_bump{};    ///< the number of one, through all pads
+  bool asked{};      ///< known of states that were not found, too: what was asked for, and how that ended
+};
+
+/// In the order of files and tables: of a bearing with foils, of one pad or several, or of one with a wall in their
+/// place.
+/// @param limits  whether these were asked for
+std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits = false);
+
+/// Of bearings of all kinds.
+std::span<const RunningQuantity> all_running_quantities();
+
+/// The value in files: not a number for a state that was not found, unless the quantity is `asked`.
+double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
+
+/// Of every column of the mesh at one state.
+struct ColumnQuantity {
+  std::string_view name, unit, long_name;
+  Vector (*values)(const FilmBearing&, const FilmBearingState&);
+};
+std::span<const ColumnQuantity> column_quantities();
+
+/// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end, pad after pad.
+Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state);
+
+/// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.
+std::string running_bump_text(const FilmBearing& bearing, int bump);
+
+/// Bumps in a row, from where gas enters, that the foil of a state is lifted off: of several pads, on that where it is
+/// most; 0 for a state that was not found, and for one that presses no bump at all.
+int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
+
+/// What is asked for as messages call it: "45000 rpm, load (50, 0) N"; without a speed that is not a number.
+std::string name_of_point(const OperatingPoint& point);
+
+/// A state as messages call it, by where it was reached from: "load_ramp from rest, 45000 rpm, load (20, 0) N", or
+/// "load_ramp from load (20, 0) N, 45000 rpm, load (50, 0) N".
+std::string name_of_state(const RunningState& state);
+
+/// A limit as messages call it: "lift-off speed under the load (50, 0) N".
+std::string name_of_limit(const FilmLimit& limit);
+
+/// What a status means, in words that complete "load_ramp, 45000 rpm, ...: ".
+std::string_view reason_of(FilmStatus status);
+
+/// Why a state was not found, and where the last one is; empty for one that was.
+std::string running_failure(const FilmBearing& bearing, const RunningState& state);
+
+}  // namespace bumpfoil

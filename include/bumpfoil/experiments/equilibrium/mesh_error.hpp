@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+
+namespace bumpfoil {
+
+/// Estimates what the mesh of the film makes of the states that were found (RunningState::mesh_error). The scheme is of
+/// second order: with q on the mesh of the case and q' on a mesh that is coarser by r in columns and rows, q is off by
+///
+///     (q' - q) / (r^2 - 1)
+///
+/// (Richardson). The state on the other mesh is looked for from the known one, which takes a few iterations and stays
+/// near it; friction refers to the known state. A mesh that cannot be coarser than it is (columns_per_pitch = 4, or
+/// three rows or less) is compared with a finer one. Where no state is found on the other mesh nothing is estimated.
+/// @param result  of run_equilibrium() with this case
+void estimate_mesh_errors(const Case& input, EquilibriumResult& result);
+
+}  // namespace bumpfoil

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bumpfoil/bearing/increment.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Where increments are counted from and which way they go: place(s) = base + s direction, a position or a load.
+struct Line {
+  Eigen::Vector2d base{0.0, 0.0};
+  Eigen::Vector2d direction{1.0, 0.0};  ///< unit vector
+
+  [[nodiscard]] Eigen::Vector2d place(double s) const { return base + s * direction; }
+};
+
+/// A straight part of a program, in equal increments.
+struct Leg {
+  Branch branch{Branch::loading};
+  Control control{Control::displacement};  ///< places are positions or loads
+  Line line{};
+  double begin{};  ///< s on the line, m or N: where the leg before ends
+  double end{};
+  int steps{};
+
+  /// s where increment 0..steps leads.
+  [[nodiscard]] double target(int step) const { return (begin * (steps - step) + end * step) / steps; }
+};
+
+/// What is done to foils, leg after leg.
+using Program = std::vector<Leg>;
+
+/// From one place to another in equal steps.
+Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps);
+
+/// From `origin` to `origin + amplitude` in `steps` and back in as many.
+Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps);
+
+/// From `origin` up by `amplitude` in `steps`, down through `origin` as far in twice as many, and back.
+Program swing(Control control, const Line& line, double origin, double amplitude, int steps);
+
+/// Increments of a program, the one that it starts from included.
+int increments_of(const Program& program);
+
+/// The largest distance of a leg's end from zero, m or N.
+double largest_place(const Program& program);
+
+}  // namespace bumpfoil

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/cycle/result_netcdf.hpp"
+#include "bumpfoil/results/result_set.hpp"
+#include "bumpfoil/sweep/sweep.hpp"
+
+namespace bumpfoil {
+
+/// Names of the files that a sweep of a command writes.
+std::vector<std::string> sweep_file_names(SweptCommand command);
+
+/// The files of a sweep, as docs/results.md describes them: sweep.csv, sweep.nc and summary.json, of running
+/// bearings coefficients.csv, too, with the same run id and checksums as those of cycle_files().
+///
+/// netCDF is not thread-safe: to be called by one thread at a time.
+/// @param points  one for each case of the sweep; points and cycles that were not begun are flagged as such
+/// @throws Error (file) if the memory does not suffice
+std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepPoint>& points,
+                                    const Provenance& provenance);
+
+}  // namespace bumpfoil

@@ -1,0 +1,220 @@
+#include "bumpfoil/bearing/fields.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/contact/residual.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A contact is reported open where its load is below this part of the largest, or a rounding: where nothing is loaded,
+/// the largest is one itself.
+constexpr double open_load = 1e-9;
+
+/// Contacts of one interface: those from `first` on of every block, `count` of each, from block `first_block` on.
+struct InterfacePlace {
+  int first_block{};
+  int first{};
+  int count{};
+
+  [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
+    return Eigen::Index{foils.problem.K.blocks() - first_block} * count;
+  }
+  [[nodiscard]] Eigen::Index contact(const Foils& foils, Eigen::Index column) const {
+    return (first_block + column / count) * foils.contacts_per_block() + first + column % count;
+  }
+};
+
+InterfacePlace place_of(const Foils& foils, Interface interface) {
+  switch (interface) {
+    case Interface::journal_top:
+      return {.first_block = foils.structure.first_bump, .first = 0, .count = foils.has_top_foil() ? 1 : 0};
+    case Interface::top_bump:
+      return {.first_block = foils.structure.first_bump, .first = foils.top_bump(), .count = 1};
+    case Interface::bump_sleeve:
+      break;
+  }
+  return {.first_block = 0, .first = foils.first_foot(), .count = foils.feet_per_block()};
+}
+
+/// Loads up to this are none, N.
+double open_threshold(const Foils& foils, const ContactState& state) {
+  return std::max(open_load * state.normal_force.maxCoeff(), foils.roundings.force);
+}
+
+/// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
+ContactMode reported_mode(const CoulombContact& contact, const FoilState& state, double threshold) {
+  if (state.contacts.normal_force[contact.index] <= threshold) return ContactMode::open;
+  if (contact.pair.tangential < 0 || contact.f > 0.0) {
+    return state.contacts.mode[static_cast<std::size_t>(contact.index)];
+  }
+  const double slip = contact.tangential(state.contacts.x) - contact.tangential(state.slip_origin);
+  return slip > displacement_resolution    ? ContactMode::slip_forward
+         : slip < -displacement_resolution ? ContactMode::slip_backward
+                                           : ContactMode::stick;
+}
+
+void record_interface(const Foils& foils, const FoilState& state, Interface interface, Eigen::Index increment,
+                      InterfaceFields& fields) {
+  const InterfacePlace place = place_of(foils, interface);
+  const double threshold = open_threshold(foils, state.contacts);
+  const int block_size = foils.problem.K.block_size();
+  for (Eigen::Index i = 0; i < fields.gap.cols(); ++i) {
+    const Eigen::Index c = place.contact(foils, i);
+    const ContactPair& pair = foils.problem.pairs[static_cast<std::size_t>(c % foils.contacts_per_block())];
+    const CoulombContact contact{pair, pair.tangential >= 0 ? pair.friction_coefficient : 0.0,
+                                 c / foils.contacts_per_block() * block_size, c};
+    const ContactMode mode = reported_mode(contact, state, threshold);
+    const bool open = mode == ContactMode::open;
+    fields.gap(increment, i) = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;
+    fields.normal_force(increment, i) = open ? 0.0 : state.contacts.normal_force[c];
+    fields.friction_force(increment, i) = open ? 0.0 : state.contacts.friction_force[c];
+    fields.mode(increment, i) = mode;
+  }
+}
+
+void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
+  const auto put = [&](FieldMatrix& field, Eigen::Index column, const Vector& values) {
+    if (values.size() == 0) return;
+    field.row(increment).segment(column, values.size()) =
+        values.unaryExpr([&](double s) { return cleared(s, foils.roundings.stress); }).transpose();
+  };
+  const auto put_one = [&](FieldMatrix& field, Eigen::Index column, const std::optional<double>& value) {
+    if (value) put(field, column, Vector::Constant(1, *value));
+  };
+  const Eigen::Index size = foils.structure.dofs.size;
+  for (int pad = 0; pad < foils.pads(); ++pad) {
+    const auto [first, count] = foils.structure.blocks_of(pad);
+    const FoilStress stress =
+        foil_stress(foils.stress[static_cast<std::size_t>(pad)], x.segment(first * size, count * size));
+    put_one(fields.top_weld, pad, stress.top_weld);
+    put_one(fields.bump_weld, pad, stress.bump_weld);
+    put(fields.top_crest, first, stress.top_crest);
+    put(fields.bump_crest, first, stress.bump_crest);
+    put(fields.bump_foot, Eigen::Index{first} * foils.feet_per_block(), stress.bump_foot);
+    put(fields.bump_largest, first, stress.bump_largest);
+  }
+}
+
+StressFields make_stress_fields(const Foils& foils, int increments) {
+  const Eigen::Index count = foils.structure.blocks_of(0).count;
+  const FoilStress none = foil_stress(foils.stress.front(), Vector::Zero(count * foils.structure.dofs.size));
+  const auto of_welds = [&](const std::optional<double>& one) {
+    return FieldMatrix(increments, one ? foils.pads() : 0);
+  };
+  const auto of_all = [&](const Vector& of_pad) {
+    return FieldMatrix(increments, of_pad.size() * foils.bumps() / (count - foils.structure.first_bump));
+  };
+  return {.top_weld = of_welds(none.top_weld),
+          .top_crest = of_all(none.top_crest),
+          .bump_weld = of_welds(none.bump_weld),
+          .bump_crest = of_all(none.bump_crest),
+          .bump_foot = of_all(none.bump_foot),
+          .bump_largest = of_all(none.bump_largest)};
+}
+
+}  // namespace
+
+void InterfaceFields::resize(Eigen::Index increments, Eigen::Index columns) {
+  for (FieldMatrix* field : {&gap, &normal_force, &friction_force}) field->resize(increments, columns);
+  mode.resize(increments, columns);
+}
+
+void InterfaceFields::truncate(Eigen::Index increments) {
+  for (FieldMatrix* field : {&gap, &normal_force, &friction_force}) {
+    field->conservativeResize(increments, Eigen::NoChange);
+  }
+  mode.conservativeResize(increments, Eigen::NoChange);
+}
+
+void FoilFields::truncate(Eigen::Index increments) {
+  for (FieldMatrix* field : {&top_displacement, &crest_u, &crest_v, &foot_u, &foot_v, &compression, &pad_force_x,
+                             &pad_force_y, &stress.top_weld, &stress.top_crest, &stress.bump_weld, &stress.bump_crest,
+                             &stress.bump_foot, &stress.bump_largest}) {
+    field->conservativeResize(increments, Eigen::NoChange);
+  }
+  for (InterfaceFields* interface : {&journal_top, &top_bump, &bump_sleeve}) interface->truncate(increments);
+}
+
+Vector largest_pad_forces(const FoilFields& fields) {
+  if (fields.pad_force_x.size() == 0) return {};
+  return (fields.pad_force_x.array().square() + fields.pad_force_y.array().square()).colwise().maxCoeff().sqrt();
+}
+
+Vector interface_loads(const Foils& foils, const ContactState& state, Interface interface) {
+  const InterfacePlace place = place_of(foils, interface);
+  const double threshold = open_threshold(foils, state);
+  Vector loads(place.columns(foils));
+  for (Eigen::Index i = 0; i < loads.size(); ++i) {
+    const double load = state.normal_force[place.contact(foils, i)];
+    loads[i] = load <= threshold ? 0.0 : load;
+  }
+  return loads;
+}
+
+FoilFields make_fields(const Foils& foils, int increments) {
+  const Eigen::Index bumps = foils.bumps();
+  const Eigen::Index feet = place_of(foils, Interface::bump_sleeve).columns(foils);
+  FoilFields fields;
+  fields.top_displacement.resize(increments, foils.has_top_foil() ? bumps : 0);
+  for (FieldMatrix* field : {&fields.crest_u, &fields.crest_v, &fields.compression}) field->resize(increments, bumps);
+  for (FieldMatrix* field : {&fields.foot_u, &fields.foot_v}) field->resize(increments, feet);
+  fields.journal_top.resize(increments, foils.has_top_foil() ? bumps : 0);
+  fields.top_bump.resize(increments, bumps);
+  fields.bump_sleeve.resize(increments, feet);
+  for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
+    field->resize(increments, foils.pads() > 1 ? foils.pads() : 0);
+  }
+  fields.stress = make_stress_fields(foils, increments);
+  return fields;
+}
+
+Vector bump_compression(const FoilStructure& structure, const Vector& x) {
+  const BumpDofs& dofs = structure.dofs;
+  const Eigen::Index size = dofs.size;
+  Vector compression(structure.bumps());
+  for (Eigen::Index i = 0; i < compression.size(); ++i) {
+    const Eigen::Index block = structure.first_bump + i;
+    const auto foot = [&](Eigen::Index of_block, int v) { return x[of_block * size + v]; };
+    // A block that has one foot shares the other with the block before, if its foil has one.
+    const bool shares = dofs.feet() == 1;
+    const bool welded =
+        shares && std::find(structure.pads.begin(), structure.pads.end(), block) != structure.pads.end();
+    const double before = welded ? 0.0 : foot(shares ? block - 1 : block, dofs.foot_v.front());
+    compression[i] = x[block * size + dofs.crest_v] - 0.5 * (before + foot(block, dofs.foot_v.back()));
+  }
+  return compression;
+}
+
+void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields) {
+  const Vector& x = state.contacts.x;
+  const BumpDofs& dofs = foils.structure.dofs;
+  const Eigen::Index size = dofs.size;
+  for (Eigen::Index i = 0; i < foils.bumps(); ++i) {
+    const auto bump = x.segment((foils.structure.first_bump + i) * size, size);
+    if (foils.has_top_foil()) fields.top_displacement(increment, i) = bump[dofs.top_u];
+    fields.crest_u(increment, i) = bump[dofs.crest_u];
+    fields.crest_v(increment, i) = bump[dofs.crest_v];
+  }
+  const Eigen::Index feet = dofs.feet();
+  for (Eigen::Index i = 0; i < fields.foot_u.cols(); ++i) {
+    const auto foot = static_cast<std::size_t>(i % feet);
+    fields.foot_u(increment, i) = x[i / feet * size + dofs.foot_u[foot]];
+    fields.foot_v(increment, i) = x[i / feet * size + dofs.foot_v[foot]];
+  }
+  fields.compression.row(increment) = bump_compression(foils.structure, x);
+  record_interface(foils, state, Interface::journal_top, increment, fields.journal_top);
+  record_interface(foils, state, Interface::top_bump, increment, fields.top_bump);
+  record_interface(foils, state, Interface::bump_sleeve, increment, fields.bump_sleeve);
+  if (fields.pad_force_x.cols() > 0) {
+    const Eigen::Matrix2Xd forces = pad_forces(foils, state.contacts.normal_force);
+    const auto shown = [&](double force) { return cleared(force, foils.roundings.force); };
+    fields.pad_force_x.row(increment) = forces.row(0).unaryExpr(shown);
+    fields.pad_force_y.row(increment) = forces.row(1).unaryExpr(shown);
+  }
+  record_stress(foils, x, increment, fields.stress);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,335 @@
+#include "bumpfoil/bearing/film_bearing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// c of a bearing whose clearance or interference is less, m.
+constexpr double least_scale = 10e-6;
+
+/// Takes the bump foils out of K of all foils: the top foils have nodes at all columns instead.
+BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vector<FilmPad>& pads) {
+  const BumpDofs& dofs = structure.dofs;
+  const int rows = pads.front().foil.mesh.rows;
+  BlockTridiagonal K(structure.K.blocks() + static_cast<int>(pads.size()), dofs.size + rows);
+  const auto is_bump = [&](int i) { return i != dofs.top_u && i != dofs.top_moment; };
+  double largest = 0.0;
+  for (std::size_t k = 0; k < pads.size(); ++k) {
+    const auto [first, count] = structure.blocks_of(static_cast<int>(k));
+    auto from = static_cast<std::size_t>(first);
+    auto to = static_cast<std::size_t>(pads[k].first_block);
+    for (int b = 0; b < count; ++b, ++from, ++to) {
+      for (int i = 0; i < dofs.size; ++i) {
+        for (int j = 0; j < dofs.size; ++j) {
+          if (!is_bump(i) || !is_bump(j)) continue;
+          K.diagonal[to](i, j) = structure.K.diagonal[from](i, j);
+          if (b + 1 < count) K.upper[to](i, j) = structure.K.upper[from](i, j);
+          largest = std::max(largest, K.diagonal[to](i, j));
+        }
+      }
+    }
+  }
+  // What means nothing at the free ends is held, the displacement there is not.
+  for (const FilmPad& pad : pads) {
+    Matrix& last = K.diagonal[static_cast<std::size_t>(pad.first_block) + pad.foil.supports.size()];
+    last.diagonal().setConstant(largest);
+    last(dofs.size, dofs.size) = 0.0;
+  }
+  return K;
+}
+
+FoilFilm make_foil(const Case& input, const FilmScales& scales, const FilmResolution& resolution) {
+  const int bumps = input.bump_foil.bumps;
+  const double pitch = nominal_bump(input.bump_foil).pitch;  // of all, in a valid case
+  const int m = resolution.columns_per_pitch;
+  BUMPFOIL_ASSERT(m >= 4 && m % 2 == 0);
+  std::vector<int> crests;
+  crests.reserve(static_cast<std::size_t>(bumps));
+  for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
+  const double R = input.bearing.radius;
+  const FilmMesh mesh =
+      make_slotted_mesh(bumps * m, resolution.rows, 0.5 * input.bearing.axial_length / R, bumps * pitch / R);
+  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(input)).bending_stiffness, pitch,
+                        std::move(crests));
+}
+
+}  // namespace
+
+Gas gas_of(const GasSettings& settings) {
+  return {.viscosity = settings.viscosity.value_or(viscosity(settings.preset, settings.temperature)),
+          .ambient_pressure = settings.ambient_pressure,
+          .mean_free_path = settings.mean_free_path};
+}
+
+double film_thickness_scale(double clearance) {
+  return std::max(std::abs(clearance), least_scale);
+}
+
+int FilmBearing::columns() const {
+  return pads.empty() ? 0 : pads.back().first_column + pads.back().foil.mesh.nodes();
+}
+
+int FilmBearing::bumps() const {
+  return std::accumulate(pads.begin(), pads.end(), 0, [](int sum, const FilmPad& pad) { return sum + pad.bumps(); });
+}
+
+Matrix FilmBearing::field(double value) const {
+  return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
+}
+
+Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position, double opening) const {
+  Matrix H = field((clearance + opening) / scales.thickness);
+  H.rowwise() += (sleeve.transpose() - position.transpose() * normals) / scales.thickness;
+  return H;
+}
+
+Matrix part_of(const FilmPad& pad, const Matrix& field) {
+  return field(Eigen::all, pad.columns());
+}
+
+void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part) {
+  part.film.pressure = all.film.pressure(Eigen::all, pad.columns());
+  part.film.thickness = all.film.thickness(Eigen::all, pad.columns());
+  part.lift = all.lift(pad.columns());
+  part.moment = all.moment(pad.columns());
+}
+
+void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all) {
+  all.film.pressure(Eigen::all, pad.columns()) = part.film.pressure;
+  all.film.thickness(Eigen::all, pad.columns()) = part.film.thickness;
+  all.lift(pad.columns()) = part.lift;
+  all.moment(pad.columns()) = part.moment;
+}
+
+namespace {
+
+/// Puts one more pad behind those there are.
+void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBearing& bearing) {
+  const Case& alone = placed.alone;
+  FilmPad pad;
+  pad.foil = make_foil(alone, bearing.scales, resolution);
+  pad.wrap_sign = alone.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  pad.first_column = bearing.columns();
+  if (!bearing.pads.empty()) pad.first_block = bearing.pads.back().first_block + bearing.pads.back().bumps() + 1;
+  const Vector angles = pad.foil.mesh.angles();
+  const Eigen::Matrix2Xd normals = outward_normals(polar_angles(alone.bearing, angles));
+  bearing.pads.push_back(std::move(pad));
+  bearing.normals.conservativeResize(Eigen::NoChange, bearing.columns());
+  bearing.normals.rightCols(angles.size()) = normals;
+  bearing.sleeve.conservativeResize(bearing.columns());
+  bearing.sleeve.tail(angles.size()) = sleeve_deviations(alone, angles) + normals.transpose() * placed.centre;
+}
+
+}  // namespace
+
+FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
+  const SharedFoils shared = make_bearing_foils(input, {"equilibrium"});
+  const Foils& foils = *shared;
+  FilmBearing bearing;
+  bearing.clearance = bearing.room = foils.clearance;
+  for (const Pad& pad : input.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
+  bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
+  for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
+  bearing.dofs = foils.structure.dofs;
+  bearing.problem.K = bump_foils_alone(foils.structure, bearing.pads);
+  bearing.problem.force_scale = foils.problem.force_scale;
+  bearing.problem.pairs.assign(foils.problem.pairs.begin() + foils.top_bump(), foils.problem.pairs.end());
+
+  // Gaps of the last blocks stay open.
+  bearing.initial_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
+  const Eigen::Index pairs = std::ssize(bearing.problem.pairs);
+  Eigen::Index bump = 0;
+  for (const FilmPad& pad : bearing.pads) {
+    for (Eigen::Index b = pad.first_block; b < pad.first_block + pad.bumps(); ++b, ++bump) {
+      bearing.initial_gap.segment(b * pairs, pairs) =
+          foils.assembled_gap.segment(bump * foils.contacts_per_block() + foils.top_bump(), pairs);
+    }
+  }
+  return bearing;
+}
+
+FilmBearing make_film_bearing(const Case& input) {
+  return make_film_bearing(input, gas_of(input.gas),
+                           {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
+}
+
+FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
+  FilmBearingState state{.position = position,
+                         .speed = speed,
+                         .opening = opening,
+                         .foil = {.film = {bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
+                                  .lift = Vector::Zero(bearing.columns()),
+                                  .moment = Vector::Zero(bearing.columns())},
+                         .contact = ContactState::unstressed(bearing.problem)};
+  state.contact.gap = bearing.initial_gap;
+  return state;
+}
+
+ReynoldsEquation film_equation(const FilmBearing& bearing, const FilmPad& pad, double speed) {
+  return {.mesh = pad.foil.mesh,
+          .bearing_number = bearing.scales.bearing_number(bearing.surface_speed(pad, speed)),
+          .knudsen = bearing.scales.knudsen()};
+}
+
+FilmEquations film_equations(const FilmBearing& bearing, double speed) {
+  FilmEquations equations;
+  equations.reserve(bearing.pads.size());
+  for (const FilmPad& pad : bearing.pads) equations.push_back(film_equation(bearing, pad, speed));
+  return equations;
+}
+
+void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& content, FilmEquations& equations) {
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    equations[k].squeeze_rate = squeeze_rate;
+    equations[k].previous_content = part_of(bearing.pads[k], content);
+  }
+}
+
+Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure) {
+  const FilmMesh& mesh = pad.foil.mesh;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    const int column = pad.first_column + k;
+    double excess = 0.0;
+    for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, column) - 1.0);
+    force += mesh.column_weight(k) * excess * bearing.normals.col(column);
+  }
+  return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
+}
+
+Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  for (const FilmPad& pad : bearing.pads) force += pad_film_force(bearing, pad, pressure);
+  return force;
+}
+
+Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
+  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
+  Vector loads(bearing.bumps());
+  Eigen::Index bump = 0;
+  for (const FilmPad& pad : bearing.pads) {
+    loads.segment(bump, pad.bumps()) =
+        state.contact.normal_force(Eigen::seqN(pad.first_block * pairs, Eigen::Index{pad.bumps()}, pairs));
+    bump += pad.bumps();
+  }
+  return loads;
+}
+
+namespace {
+
+/// Integral of (P - 1) dU/dtheta over the whole width, U how far the wall stands back from a circle.
+double pressing_slope(const FilmMesh& mesh, const Matrix& pressure, const Matrix& wall) {
+  double sum = 0.0;
+  for (int k = 0; k < mesh.columns; ++k) {
+    const int next = mesh.next(k);
+    for (int j = 0; j < mesh.rows; ++j) {
+      const double excess = 0.5 * (pressure(j, k) + pressure(j, next)) - 1.0;
+      sum += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (wall(j, next) - wall(j, k));
+    }
+  }
+  return sum;
+}
+
+/// In (-pi, pi].
+double wrapped(double angle) {
+  return angle - 2.0 * std::numbers::pi * std::ceil(angle / (2.0 * std::numbers::pi) - 0.5);
+}
+
+/// What all pads make of drag, flow and dissipation.
+void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+  const FilmScales& scales = bearing.scales;
+  // What the sleeve is wider, too.
+  Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
+  wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
+  const double couette = scales.couette_torque(state.speed * scales.radius);
+  double poiseuille_torque = 0.0;
+  double pressure_dissipation = 0.0;
+  double slope = 0.0;
+  FoilFilmState part;
+  Matrix residual;
+  for (const FilmPad& pad : bearing.pads) {
+    read_part(pad, state.foil, part);
+    const ReynoldsEquation equation = film_equation(bearing, pad, state.speed);
+    const FilmIntegrals sums = film_integrals(equation, part.film);
+    outcome.couette_torque += couette * sums.couette;
+    poiseuille_torque += pad.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
+    pressure_dissipation += scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
+    slope += pad.wrap_sign * scales.force() * scales.thickness *
+             pressing_slope(pad.foil.mesh, part.film.pressure, part_of(pad, wall));
+    reynolds_residual(equation, part.film, residual);
+    const FilmFlows flows = film_flows(pad.foil.mesh, residual);
+    outcome.flows.start += scales.flow() * flows.start;
+    outcome.flows.end += scales.flow() * flows.end;
+    outcome.flows.sides += scales.flow() * flows.sides;
+  }
+  outcome.torque = outcome.couette_torque + poiseuille_torque;
+  outcome.power = outcome.torque * state.speed;
+  outcome.couette_dissipation = outcome.couette_torque * state.speed;
+  outcome.dissipation = outcome.couette_dissipation + pressure_dissipation;
+  const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
+  outcome.torque_of_moments = outcome.couette_torque - 0.5 * (lever + slope);
+}
+
+void find_thinnest(const FilmBearing& bearing, const Matrix& H, FilmBearingOutcome& outcome) {
+  outcome.thinnest.thickness = outcome.thinnest_crest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const FilmPad& pad = bearing.pads[k];
+    const ThinnestPlace place = thinnest_place(pad.foil.mesh, part_of(pad, H));
+    if (place.thickness < outcome.thinnest.thickness) {
+      outcome.thinnest = place;
+      outcome.thinnest_pad = static_cast<int>(k);
+    }
+    for (const int crest : pad.foil.supports) {
+      outcome.thinnest_crest = std::min(outcome.thinnest_crest, H.col(pad.first_column + crest).minCoeff());
+    }
+  }
+}
+
+void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+  const Vector loads = bump_loads(bearing, state);
+  for (int b = 0; b < loads.size(); ++b) {
+    if (loads[b] <= 0.0) continue;
+    ++outcome.loaded_bumps;
+    if (outcome.first_loaded < 0) outcome.first_loaded = b;
+    outcome.last_loaded = b;
+  }
+}
+
+}  // namespace
+
+FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state) {
+  FilmBearingOutcome outcome;
+  outcome.force = film_force(bearing, state.foil.film.pressure);
+  outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
+  const double turned =
+      std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
+  outcome.attitude_angle = wrapped(state.speed < 0.0 ? -turned : turned);
+  find_drag(bearing, state, outcome);
+  find_thinnest(bearing, state.foil.film.thickness, outcome);
+  outcome.max_pressure = state.foil.film.pressure.maxCoeff();
+  outcome.min_pressure = state.foil.film.pressure.minCoeff();
+  find_loaded_bumps(bearing, state, outcome);
+  if (bearing.pads.size() > 1) {
+    outcome.pad_forces.resize(2, std::ssize(bearing.pads));
+    for (Eigen::Index k = 0; k < outcome.pad_forces.cols(); ++k) {
+      outcome.pad_forces.col(k) =
+          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.foil.film.pressure);
+    }
+  }
+  return outcome;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,38 @@
+#include "bumpfoil/bearing/film_fields.hpp"
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+
+FoilState foil_state(const Foils& foils, const FilmBearing& bearing, const FilmBearingState& state) {
+  BUMPFOIL_ASSERT(foils.has_top_foil() && foils.bumps() == bearing.bumps());
+  FoilState dry = FoilState::unstressed(foils);
+  ContactState& contacts = dry.contacts;
+  const Eigen::Index size = foils.structure.dofs.size;
+  const Eigen::Index film_size = bearing.problem.K.block_size();
+  const Eigen::Index stride = foils.contacts_per_block();
+  const Eigen::Index pairs = stride - foils.top_bump();
+  Eigen::Index b = 0;  // through all pads
+  for (const FilmPad& pad : bearing.pads) {
+    Eigen::Index block = pad.first_block;
+    for (const int crest : pad.foil.supports) {
+      contacts.x.segment(b * size, size) = state.contact.x.segment(block * film_size, size);
+      contacts.gap[b * stride] = bearing.scales.thickness * state.foil.film.thickness(0, pad.first_column + crest);
+      contacts.mode[static_cast<std::size_t>(b * stride)] = ContactMode::open;
+      for (Eigen::Index i = 0; i < pairs; ++i) {
+        const Eigen::Index to = b * stride + foils.top_bump() + i;
+        const Eigen::Index from = block * pairs + i;
+        contacts.gap[to] = state.contact.gap[from];
+        contacts.normal_force[to] = state.contact.normal_force[from];
+        contacts.friction_force[to] = state.contact.friction_force[from];
+        contacts.mode[static_cast<std::size_t>(to)] = state.contact.mode[static_cast<std::size_t>(from)];
+      }
+      ++b;
+      ++block;
+    }
+  }
+  dry.slip_origin = contacts.x;
+  return dry;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,463 @@
+#include "bearing/film_newton.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bearing/film_impedance.hpp"
+#include "bumpfoil/contact/coulomb_contact.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr int max_halvings = 8;
+/// Part of a step that is taken where no halving lets the residual fall.
+constexpr double forced_fraction = 0.25;
+/// Longest displacement of the journal in one step, in units of c. Where it is held, the state comes along on its
+/// branch in steps this short, as it does where the clearance opens or closes; on the way to its load the residual sees
+/// to that.
+constexpr double longest_displacement = 0.00625;
+constexpr double longest_displacement_under_load = 0.15;
+/// Residual of a journal that is not yet where it is held, or of a clearance, per c. The film's residual grows with the
+/// square of a step, and Newton's method takes it away in the next one: with a lesser weight it would keep steps far
+/// below the longest.
+constexpr double weight_of_way = 30.0;
+/// Displacements to a position that roundings have left, in units of c.
+constexpr double rounded_displacement = 1e-14;
+
+Eigen::Index unknown_pressures(const FilmMesh& mesh) {
+  return Eigen::Index{mesh.unknown_rows()} * mesh.unknown_columns();
+}
+
+}  // namespace
+
+FilmNewton::Part::Part(const FilmPad& of_pad)
+    : pad(of_pad), system(of_pad.foil), support_step(of_pad.foil.mesh.rows + 2, system.blocks()) {}
+
+FilmNewton::FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& options)
+    : bearing_(bearing),
+      options_(options),
+      parts_(bearing_.pads.begin(), bearing_.pads.end()),
+      modes_(make_mode_system(bearing.problem)),
+      contacts_(bearing.problem, modes_),
+      K_(bearing.problem.K),
+      loading_(ContactLoading::none(bearing.problem)),
+      begin_(ContactState::unstressed(bearing.problem)) {
+  for (const Matrix& block : K_.upper) K_.lower.push_back(block.transpose());
+  bump_K_ = K_;
+}
+
+template <typename Visitor>
+void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
+  const int n = pad.foil.mesh.rows;
+  const int first_pressure = bearing_.dofs.size;
+  if (b == pad.bumps()) {
+    visit(first_pressure, n);  // the free end
+    return;
+  }
+  for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
+  visit(bearing_.dofs.top_u, n);
+  visit(bearing_.dofs.top_moment, n + 1);
+}
+
+/// Forces that the bump foils take at their displacements, N; what is held in the last blocks takes none.
+Vector& FilmNewton::find_bump_forces(const ContactState& state) {
+  const Eigen::Index size = bump_K_.block_size();
+  bump_forces_ = bump_K_.multiply(state.x);
+  for (const FilmPad& pad : bearing_.pads) {
+    bump_forces_.segment((pad.first_block + pad.bumps()) * size, size).setZero();
+  }
+  return bump_forces_;
+}
+
+/// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
+/// of a cell, forces by EI' c / p^3, compatibility by c / p, what is missing of the load by pa R^2, of position and
+/// opening by c / weight_of_way.
+double FilmNewton::find_residual(const OperatingPoint& to, const FilmEquations& equations,
+                                 const FilmBearingState& state) {
+  const ContactState& contact = state.contact;
+  Vector& forces = find_bump_forces(contact);
+  forces -= contact_forces(bearing_.problem, contact.normal_force, contact.friction_force);
+  const Eigen::Index size = bump_K_.block_size();
+  double square = 0.0;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Part& part = parts_[k];
+    const FilmPad& pad = part.pad;
+    const FilmMesh& mesh = pad.foil.mesh;
+    FoilFilmResidual& residual = part.residual;
+    read_part(pad, state.foil, part.state);
+    foil_film_residual(pad.foil, equations[k], part.state, residual);
+    square += residual.film.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
+              (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
+    const double unit = pad.foil.stiffness * bearing_.scales.thickness;
+    double balance = residual.balance.squaredNorm();
+    for (int i = 0; i < pad.bumps(); ++i) {
+      const double held = residual.balance[pad.foil.supports[static_cast<std::size_t>(i)]];
+      double& support = forces[(pad.first_block + i) * size + bearing_.dofs.top_u];
+      balance += (held + support / unit) * (held + support / unit) - held * held;
+      support = 0.0;
+    }
+    square += balance + residual.compatibility.squaredNorm() +
+              forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
+  }
+  if (to.control == OperatingPoint::Control::load) {
+    const Eigen::Vector2d missing = to.journal - film_force(bearing_, state.foil.film.pressure);
+    square += missing.squaredNorm() / (bearing_.scales.force() * bearing_.scales.force());
+  } else {
+    const double way = weight_of_way * (to.journal - state.position).norm() / bearing_.scales.thickness;
+    square += way * way;
+  }
+  const double opening = weight_of_way * (to.opening - state.opening) / bearing_.scales.thickness;
+  square += opening * opening;
+  return std::sqrt(square);
+}
+
+/// The condensed films and the bump foils in one matrix. Unknowns are in m, rows in N.
+void FilmNewton::assemble() {
+  K_ = bump_K_;
+  for (const Part& part : parts_) {
+    const double scale = part.pad.foil.stiffness;
+    const int blocks = part.system.blocks();
+    for (int b = 0; b < blocks; ++b) {
+      const std::size_t i = static_cast<std::size_t>(part.pad.first_block) + static_cast<std::size_t>(b);
+      for_each_place(part.pad, b, [&](int row, int film_row) {
+        for_each_place(part.pad, b, [&](int place, int film_place) {
+          K_.diagonal[i](row, place) += scale * part.system.diagonal(b)(film_row, film_place);
+        });
+        if (b > 0) {
+          for_each_place(part.pad, b - 1, [&](int place, int film_place) {
+            K_.lower[i - 1](row, place) += scale * part.system.lower(b)(film_row, film_place);
+          });
+        }
+        if (b + 1 < blocks) {
+          for_each_place(part.pad, b + 1, [&](int place, int film_place) {
+            K_.upper[i](row, place) += scale * part.system.upper(b)(film_row, film_place);
+          });
+        }
+      });
+    }
+  }
+}
+
+/// Adds the condensed residuals to the loads of the contact problem.
+void FilmNewton::load_condensed() {
+  for (Part& part : parts_) {
+    const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
+    const Matrix& condensed = part.system.condense(part.residual);
+    for (int b = 0; b < part.system.blocks(); ++b) {
+      const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+      for_each_place(part.pad, b, [&](int place, int film_place) {
+        loading_.load[first + place] -= unit * condensed(film_place, b);
+      });
+    }
+  }
+}
+
+/// Changes of the blocks, as the contact problem found them, and of what lies in between.
+void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
+  const int rows = bearing_.pads.front().foil.mesh.rows + 1;
+  change.film.pressure.resize(rows, bearing_.columns());
+  change.film.thickness.resize(rows, bearing_.columns());
+  change.lift.resize(bearing_.columns());
+  change.moment.resize(bearing_.columns());
+  for (Part& part : parts_) {
+    part.support_step.setZero();
+    for (int b = 0; b < part.system.blocks(); ++b) {
+      const Eigen::Index first = Eigen::Index{part.pad.first_block + b} * K_.block_size();
+      for_each_place(part.pad, b, [&](int place, int film_place) {
+        part.support_step(film_place, b) = x[first + place] / bearing_.scales.thickness;
+      });
+    }
+    part.system.expand(part.support_step, part.change);
+    write_part(part.pad, part.change, change);
+  }
+}
+
+/// Change of H where the journal moves and the foil does not.
+Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
+  return (displacement.transpose() * bearing_.normals / -bearing_.scales.thickness)
+      .replicate(bearing_.pads.front().foil.mesh.rows + 1, 1);
+}
+
+/// Change of all unknowns that takes the residuals of the films, and no others, to zero: where the system was
+/// linearised last, with the modes that were set last.
+void FilmNewton::answer(Step& change) {
+  for (Part& part : parts_) {
+    part.residual.balance.setZero(part.pad.foil.mesh.nodes());
+    part.residual.compatibility.setZero(part.pad.foil.mesh.nodes());
+  }
+  loading_.initial_gap.setZero();
+  loading_.load.setZero();
+  load_condensed();
+  modes_->solve(loading_, Vector::Zero(K_.rows()), change.contact);
+  expand(change.contact.x, change.foil);
+}
+
+/// Change of the force on the journal with the pressure.
+Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
+  return film_force(bearing_, bearing_.field(1.0) + change.film.pressure);
+}
+
+/// Rates of all unknowns to `rigid`, the rate of H with foils that do not give way, 1/m: where the system was
+/// linearised last, with the modes that were set last. @return that of the force on the journal, N/m
+Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
+  for (Part& part : parts_) {
+    part.residual.film =
+        stencil_product(part.pad.foil.mesh, part.system.film_jacobian().by_thickness, part_of(part.pad, rigid));
+  }
+  answer(rate);
+  rate.foil.film.thickness += rigid;
+  return force_of(rate.foil);
+}
+
+/// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
+/// were set last. @return those of the force on the journal, N/m
+Eigen::Matrix2d FilmNewton::find_rates() {
+  Eigen::Matrix2d K_film;
+  for (const int axis : {0, 1}) {
+    K_film.col(axis) = find_rate(thinning(Eigen::Vector2d::Unit(axis)), rates_[static_cast<std::size_t>(axis)]);
+  }
+  return K_film;
+}
+
+/// @return whether no film is singular
+bool FilmNewton::linearise_films(const FilmEquations& equations, const FilmBearingState& state) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Part& part = parts_[k];
+    read_part(part.pad, state.foil, part.state);
+    if (!part.system.linearise(equations[k], part.state)) return false;
+  }
+  return true;
+}
+
+/// Linearises about a state, with contacts in its modes, or with all closed ones stuck.
+/// @return whether that leaves a regular system
+bool FilmNewton::linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck) {
+  if (!linearise_films(equations, state)) return false;
+  assemble();
+  modes_->set_elasticity(K_);
+  std::vector<ContactMode> held = state.contact.mode;
+  for (ContactMode& mode : held) {
+    if (stuck && mode != ContactMode::open) mode = ContactMode::stick;
+  }
+  return modes_->set_modes(held);
+}
+
+std::optional<SlowMotion> FilmNewton::slow_motion(const FilmBearingState& state, bool stuck) {
+  if (!linearise(film_equations(bearing_, state.speed), state, stuck)) return std::nullopt;
+  SlowMotion motion{.stiffness = find_rates()};
+  for (const Step& rate : rates_) {
+    motion.foil_response =
+        std::max(motion.foil_response, bearing_.scales.thickness * rate.foil.lift.cwiseAbs().maxCoeff());
+  }
+  return motion;
+}
+
+std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBearingState& state,
+                                                                    const std::vector<std::complex<double>>& rates,
+                                                                    bool stuck) {
+  const double T0 = bearing_.scales.squeeze_time();
+  double largest = 0.0;
+  for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
+  const double shift = largest * T0;
+  FilmEquations equations = film_equations(bearing_, state.speed);
+  squeeze(bearing_, shift, film_content(state.foil.film), equations);
+  if (!linearise(equations, state, stuck)) return std::nullopt;
+
+  std::vector<std::complex<double>> excess;
+  excess.reserve(rates.size());
+  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - shift);
+  Eigen::Index unknown = 0;
+  for (const Part& part : parts_) unknown += unknown_pressures(part.pad.foil.mesh);
+  const auto told = [&](const FoilFilmState& change) {
+    const Matrix content = change.film.pressure.cwiseProduct(state.foil.film.thickness) +
+                           state.foil.film.pressure.cwiseProduct(change.film.thickness);
+    Vector inside(unknown);
+    Eigen::Index first = 0;
+    for (const Part& part : parts_) {
+      const FilmMesh& mesh = part.pad.foil.mesh;
+      const Eigen::Index size = unknown_pressures(mesh);
+      inside.segment(first, size) =
+          content.block(0, part.pad.first_column + mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns())
+              .reshaped();
+      first += size;
+    }
+    return FilmAnswer{std::move(inside), force_of(change)};
+  };
+  Step change;
+  const auto stored = [&](const Vector& content) {
+    Eigen::Index first = 0;
+    for (Part& part : parts_) {
+      const FilmMesh& mesh = part.pad.foil.mesh;
+      const Eigen::Index size = unknown_pressures(mesh);
+      Matrix& residual = part.residual.film;
+      residual = mesh.field(0.0);
+      residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
+          mesh.dtheta * mesh.dzeta * content.segment(first, size).reshaped(mesh.unknown_rows(), mesh.unknown_columns());
+      for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+      first += size;
+    }
+    answer(change);
+    return told(change.foil);
+  };
+  find_rates();
+  std::vector<Eigen::Matrix2cd> found(rates.size());
+  for (const int axis : {0, 1}) {
+    const auto forces = film_forces(told(rates_[static_cast<std::size_t>(axis)].foil), stored, excess);
+    if (!forces) return std::nullopt;
+    for (std::size_t i = 0; i < rates.size(); ++i) found[i].col(axis) = (*forces)[i];
+  }
+  return found;
+}
+
+/// Newton's step at the position of `state` with exact contacts: the unknowns of the contact problem are the steps of
+/// the blocks.
+bool FilmNewton::find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report) {
+  const Vector& x = state.contact.x;
+  // Contact forces are unknowns of the step, and no part of its right-hand side.
+  loading_.load = -find_bump_forces(state.contact);
+  load_condensed();
+  loading_.initial_gap = contact_gaps(bearing_.problem, bearing_.initial_gap, x);
+  begin_ = state.contact;
+  begin_.x.setZero();
+  for_each_contact(bearing_.problem, [&](const CoulombContact& contact) {
+    if (contact.pair.tangential < 0) return;
+    const Eigen::Index place = contact.row + contact.pair.tangential;
+    begin_.x[place] = previous.x[place] - x[place];
+  });
+  assemble();
+  contacts_.set_elasticity(K_);
+  const SolveReport solved = contacts_.solve(loading_, begin_, step_.contact);
+  report.factorisations += solved.cost.factorisations;
+  if (!solved.converged()) return false;
+  expand(step_.contact.x, step_.foil);
+  step_.displacement.setZero();
+  step_.opening = 0.0;
+  return true;
+}
+
+/// What is left of the way to the position where the journal is held or, with the step and the rates, of the load.
+Eigen::Vector2d FilmNewton::missing_displacement(const OperatingPoint& to, const FilmBearingState& state) {
+  if (to.control == OperatingPoint::Control::position) {
+    Eigen::Vector2d way = to.journal - state.position;
+    if (way.norm() <= rounded_displacement * bearing_.scales.thickness) return Eigen::Vector2d::Zero();
+    find_rates();
+    return way;
+  }
+  const Eigen::Vector2d missing =
+      to.journal - film_force(bearing_, state.foil.film.pressure + step_.foil.film.pressure);
+  return find_rates().partialPivLu().solve(missing);
+}
+
+/// Lets the journal move with the step, by as much as it is to: the linearised equations stay solved, in the modes that
+/// the step has without it.
+void FilmNewton::move_journal(const OperatingPoint& to, const FilmBearingState& state) {
+  Eigen::Vector2d displacement = missing_displacement(to, state);
+  if (displacement.isZero(0.0)) return;
+  const bool held = to.control == OperatingPoint::Control::position;
+  const double longest = (held ? longest_displacement : longest_displacement_under_load) * bearing_.scales.thickness;
+  if (displacement.norm() > longest) displacement *= longest / displacement.norm();
+  step_.displacement = displacement;
+  for (const int axis : {0, 1}) add_to_step(displacement[axis], rates_[static_cast<std::size_t>(axis)]);
+}
+
+/// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
+/// way.
+void FilmNewton::move_foils(const OperatingPoint& to, const FilmBearingState& state) {
+  if (to.opening == state.opening) return;
+  const double longest = longest_displacement * bearing_.scales.thickness;
+  step_.opening = std::clamp(to.opening - state.opening, -longest, longest);
+  find_rate(bearing_.field(1.0 / bearing_.scales.thickness), opening_rate_);
+  add_to_step(step_.opening, opening_rate_);
+}
+
+/// Adds what all unknowns change by on a way (m) of the journal or the foils, at their rates per m.
+void FilmNewton::add_to_step(double way, const Step& rate) {
+  step_.foil.film.pressure += way * rate.foil.film.pressure;
+  step_.foil.film.thickness += way * rate.foil.film.thickness;
+  step_.foil.lift += way * rate.foil.lift;
+  step_.foil.moment += way * rate.foil.moment;
+  step_.contact.x += way * rate.contact.x;
+  step_.contact.gap += way * rate.contact.gap;
+  step_.contact.normal_force += way * rate.contact.normal_force;
+  step_.contact.friction_force += way * rate.contact.friction_force;
+}
+
+void FilmNewton::take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const {
+  const FoilFilmState& step = step_.foil;
+  to.position = from.position + fraction * step_.displacement;
+  to.speed = from.speed;
+  to.opening = from.opening + fraction * step_.opening;
+  to.foil.film.pressure = from.foil.film.pressure + fraction * step.film.pressure;
+  to.foil.film.thickness = from.foil.film.thickness + fraction * step.film.thickness;
+  to.foil.lift = from.foil.lift + fraction * step.lift;
+  to.foil.moment = from.foil.moment + fraction * step.moment;
+  to.contact.x = from.contact.x + fraction * step_.contact.x;
+  const auto mix = [fraction](const Vector& a, const Vector& b) -> Vector { return a + fraction * (b - a); };
+  to.contact.gap = mix(from.contact.gap, step_.contact.gap);
+  to.contact.normal_force = mix(from.contact.normal_force, step_.contact.normal_force);
+  to.contact.friction_force = mix(from.contact.friction_force, step_.contact.friction_force);
+  to.contact.mode = step_.contact.mode;
+}
+
+double FilmNewton::distance(const FilmBearingState& a, const FilmBearingState& b) const {
+  return std::max({(a.foil.film.pressure - b.foil.film.pressure).cwiseAbs().maxCoeff(),
+                   (a.foil.lift - b.foil.lift).cwiseAbs().maxCoeff(),
+                   (a.position - b.position).norm() / bearing_.scales.thickness});
+}
+
+FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equations, const NewtonAim& aim,
+                             const ContactState& previous, FilmBearingState& state) {
+  FilmReport report;
+  iterate_ = state;
+  iterate_.speed = to.speed;
+  iterate_.foil.film.thickness = bearing_.undeformed_thickness(state.position, state.opening);
+  iterate_.foil.film.thickness.rowwise() += iterate_.foil.lift.transpose();
+  if (iterate_.foil.film.thickness.minCoeff() <= 0.0) {
+    report.status = FilmStatus::no_room;
+    return report;
+  }
+  report.residual = find_residual(to, equations, iterate_);
+  while (report.iterations < options_.max_iterations) {
+    ++report.iterations;
+    if (!linearise_films(equations, iterate_) || !find_step(previous, iterate_, report)) return report;
+    move_foils(to, iterate_);
+    move_journal(to, iterate_);
+    // All residuals but those of what changes are zero here: this step leads along the tangent.
+    if (report.iterations == 1) take_step(1.0, iterate_, predicted_);
+    const double fraction = longest_step(options_, iterate_.foil.film, step_.foil.film);
+    const double largest =
+        std::max({step_.foil.film.pressure.cwiseAbs().maxCoeff(), step_.foil.lift.cwiseAbs().maxCoeff(),
+                  std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
+    if (fraction == 1.0 && largest < aim.tolerance) {
+      take_step(1.0, iterate_, trial_);
+      const bool touches = trial_.foil.film.thickness.minCoeff() < options_.thickness_floor;
+      report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
+      if (to.control == OperatingPoint::Control::position) trial_.position = to.journal;
+      trial_.opening = to.opening;
+      report.predicted_change = distance(predicted_, state);
+      report.departure = distance(trial_, predicted_);
+      if (!touches) std::swap(state, trial_);
+      return report;
+    }
+    double part = fraction;
+    for (int halvings = 0;; ++halvings) {
+      if (halvings == max_halvings) {
+        if (aim.stays_near) return report;
+        part = forced_fraction * fraction;
+      }
+      take_step(part, iterate_, trial_);
+      const double norm = find_residual(to, equations, trial_);
+      if (norm < report.residual || halvings == max_halvings) {
+        report.residual = norm;
+        break;
+      }
+      part *= 0.5;
+    }
+    std::swap(iterate_, trial_);
+  }
+  return report;
+}
+
+}  // namespace bumpfoil

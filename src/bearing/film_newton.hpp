@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/contact/mode_system.hpp"
+#include "bumpfoil/contact/newton.hpp"
+
+namespace bumpfoil {
+
+/// What a solve looks for.
+struct NewtonAim {
+  double tolerance{};      ///< largest change of P, H and position over c in a full step of a state that has converged
+  bool stays_near{false};  ///< gives up where no part of a step makes the residuals smaller; else it goes on from there
+};
+
+/// Newton's method for film, foils, contacts and the journal in one system. Keeps its storage between solves.
+class FilmNewton {
+ public:
+  FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& options);
+
+  /// Takes `state` to an operating point: the journal moves with the film from where it is.
+  /// @param equations  at the speed there; with a squeeze term, for a step in time
+  /// @param previous   state that friction refers to
+  /// @param state      first guess, whose position, pressure and lift count; receives the result, and stays as it was
+  ///                   unless the status is converged
+  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const NewtonAim& aim,
+                                 const ContactState& previous, FilmBearingState& state);
+
+  /// With contacts in the modes of `state`, or with all closed ones stuck.
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck);
+
+  /// The same for motions e^{s t}, at rates s (1/s), N/m.
+  /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+                                                                        const std::vector<std::complex<double>>& rates,
+                                                                        bool stuck);
+
+  /// Largest difference of P, U and position over c.
+  [[nodiscard]] double distance(const FilmBearingState& a, const FilmBearingState& b) const;
+
+ private:
+  /// Change of all unknowns.
+  struct Step {
+    FoilFilmState foil;
+    ContactState contact;  ///< x as its change, the rest as it is at the end of the step
+    Eigen::Vector2d displacement{Eigen::Vector2d::Zero()};
+    double opening{};
+  };
+  /// What is kept for a pad.
+  struct Part {
+    explicit Part(const FilmPad& of_pad);
+
+    const FilmPad& pad;
+    FoilFilmSystem system;
+    FoilFilmState state;  ///< where the residuals are, or the system was linearised
+    FoilFilmResidual residual;
+    Matrix support_step;
+    FoilFilmState change;
+  };
+
+  Vector& find_bump_forces(const ContactState& state);
+  double find_residual(const OperatingPoint& to, const FilmEquations& equations, const FilmBearingState& state);
+  void assemble();
+  void load_condensed();
+  void expand(const Vector& x, FoilFilmState& change);
+  bool find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report);
+  bool linearise_films(const FilmEquations& equations, const FilmBearingState& state);
+  bool linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck);
+  void answer(Step& change);
+  [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
+  Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
+  Eigen::Matrix2d find_rates();
+  Eigen::Vector2d missing_displacement(const OperatingPoint& to, const FilmBearingState& state);
+  void move_journal(const OperatingPoint& to, const FilmBearingState& state);
+  void move_foils(const OperatingPoint& to, const FilmBearingState& state);
+  void add_to_step(double way, const Step& rate);
+  [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
+  void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
+  /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
+  /// film knows.
+  template <typename Visitor>
+  void for_each_place(const FilmPad& pad, int b, Visitor&& visit) const;
+
+  FilmBearing bearing_;
+  FilmSolverOptions options_;
+  std::deque<Part> parts_;             ///< one per pad
+  std::shared_ptr<ModeSystem> modes_;  ///< shared with `contacts_`, which leaves it as the step has it
+  NewtonSolver contacts_;
+  BlockTridiagonal K_, bump_K_;
+  ContactLoading loading_;
+  ContactState begin_;
+  Vector bump_forces_;
+  Step step_;
+  std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
+  Step opening_rate_;          ///< per opening of the clearance, m
+  FilmBearingState iterate_, trial_;
+  FilmBearingState predicted_;  ///< where the tangent leads from the first guess
+};
+
+}  // namespace bumpfoil

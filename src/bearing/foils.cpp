@@ -1,0 +1,177 @@
+#include "bumpfoil/bearing/foils.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/single_bump.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// @param input  its gaps and friction, of the bumps of `design`
+Foils make_foils(const Case& input, const FoilDesign& design) {
+  Foils foils;
+  foils.structure = make_foil_structure(design);
+  foils.stress = {make_stress_model(design)};
+
+  const BumpDofs& dofs = foils.structure.dofs;
+  foils.problem.K = foils.structure.K;
+  foils.problem.force_scale = bump_force_scale(design);
+  foils.roundings.force = 1e-12 * foils.problem.force_scale;
+  foils.rise = std::max_element(design.bumps.begin(), design.bumps.end(), [](const BumpShape& a, const BumpShape& b) {
+                 return a.rise < b.rise;
+               })->rise;
+  foils.roundings.energy = 1e-6 * foils.rise * foils.roundings.force;
+  foils.roundings.stress = 1e-12 * input.bump_foil.youngs_modulus;
+  if (design.top_foil) foils.problem.pairs.push_back({.plus = dofs.top_u});
+  foils.problem.pairs.push_back({.plus = dofs.crest_v,
+                                 .minus = dofs.top_u,
+                                 .tangential = dofs.crest_u,
+                                 .friction_coefficient = input.friction.top_bump});
+  for (std::size_t foot = 0; foot < dofs.foot_u.size(); ++foot) {
+    foils.problem.pairs.push_back({.minus = dofs.foot_v[foot],
+                                   .tangential = dofs.foot_u[foot],
+                                   .friction_coefficient = input.friction.bump_sleeve});
+  }
+
+  // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of it stays in place.
+  foils.assembled_gap.setZero(foils.problem.contacts());
+  const Vector offsets = crest_offsets(input.bump_foil);
+  const Eigen::Index stride = foils.contacts_per_block();
+  for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
+    const Eigen::Index first = (foils.structure.first_bump + bump) * stride;
+    const auto i = static_cast<std::size_t>(bump);
+    foils.assembled_gap[first + foils.top_bump()] = 0.0 - offsets[bump];  // zero has no sign
+    if (!input.bump_foil.sleeve_gaps.empty()) {
+      foils.assembled_gap.segment(first + foils.first_foot(), dofs.feet()).setConstant(input.bump_foil.sleeve_gaps[i]);
+    }
+  }
+  return foils;
+}
+
+/// Adds to the gaps of foils what journal and sleeve differ from circles. The foils lie in the sleeve without stress
+/// and follow it: the gap between journal and top foil over a crest grows by what the sleeve is wider there and the
+/// journal thinner, and that between a foot and the sleeve by what the sleeve is wider at the foot than at the crest of
+/// its bump, so that from the journal to the sleeve under a foot all gaps together grow by what the sleeve is wider
+/// there.
+void add_profiles(const Case& input, Foils& foils) {
+  const Vector crests = crest_angles(input);
+  const Vector crest_phi = polar_angles(input.bearing, crests);
+  const Vector under_crests = sleeve_deviations(input, crests);
+  const Vector under_feet = sleeve_deviations(input, foot_angles(input));
+  for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
+    const Eigen::Index first = (foils.structure.first_bump + bump) * foils.contacts_per_block();
+    foils.assembled_gap[first] += under_crests[bump] - deviation_at(input.bearing.journal, crest_phi[bump]);
+    for (Eigen::Index k = 0; k < foils.feet_per_block(); ++k) {
+      const double under_foot = under_feet[bump * foils.feet_per_block() + k];
+      foils.assembled_gap[first + foils.first_foot() + k] += under_foot - under_crests[bump];
+    }
+  }
+}
+
+/// The foils of a bearing that has no pads.
+Foils make_whole_foils(const Case& input) {
+  Foils foils = make_foils(input, make_bearing_design(input));
+  foils.clearance = input.bearing.radial_clearance;
+  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
+  if (!input.bearing.is_round()) add_profiles(input, foils);
+  return foils;
+}
+
+Foils make_pad_foils(const PlacedPad& pad) {
+  Foils foils = make_whole_foils(pad.alone);
+  foils.assembled_gap(foils.pressed()) -= journal_gaps(0.0, foils.normals, pad.centre);
+  return foils;
+}
+
+/// Puts the foils of one more pad behind those there are.
+void append(const Foils& pad, Foils& foils) {
+  append(pad.structure, foils.structure);
+  foils.stress.push_back(pad.stress.front());
+  foils.problem.K = foils.structure.K;
+  foils.problem.force_scale = std::max(foils.problem.force_scale, pad.problem.force_scale);
+  foils.rise = std::max(foils.rise, pad.rise);
+  foils.roundings.force = std::max(foils.roundings.force, pad.roundings.force);
+  foils.roundings.energy = std::max(foils.roundings.energy, pad.roundings.energy);
+  foils.roundings.stress = std::max(foils.roundings.stress, pad.roundings.stress);
+  const Eigen::Index bumps = foils.normals.cols();
+  foils.normals.conservativeResize(Eigen::NoChange, bumps + pad.normals.cols());
+  foils.normals.rightCols(pad.normals.cols()) = pad.normals;
+  const Eigen::Index contacts = foils.assembled_gap.size();
+  foils.assembled_gap.conservativeResize(contacts + pad.assembled_gap.size());
+  foils.assembled_gap.tail(pad.assembled_gap.size()) = pad.assembled_gap;
+}
+
+}  // namespace
+
+std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
+  if (!structure.large_displacements) return std::nullopt;
+  const auto shared = std::make_shared<const FoilStructure>(structure);
+  return ElasticLaw{.forces = [shared](const Vector& x) { return internal_forces(*shared, x); },
+                    .tangent = [shared](const Vector& x) { return tangent_stiffness(*shared, x); },
+                    .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
+}
+
+SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
+  require_bearing(input, commands);
+  const std::vector<PlacedPad> pads = place_pads(input);
+  Foils foils = make_pad_foils(pads.front());
+  for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
+  foils.problem.law = elastic_law(foils.structure);
+  return std::make_shared<const Foils>(std::move(foils));
+}
+
+SharedFoils make_strip_foils(const Case& input) {
+  require_valid(input, {"strip"});
+  if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
+  Foils foils = make_foils(cut_to_strip(input), make_strip_design(input));
+  foils.normals = outward_normals(Vector::Zero(foils.bumps()));
+  foils.problem.law = elastic_law(foils.structure);
+  return std::make_shared<const Foils>(std::move(foils));
+}
+
+ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
+  ContactLoading loading{.initial_gap = foils.assembled_gap, .load = Vector::Zero(foils.problem.K.rows())};
+  loading.initial_gap(foils.pressed()) += journal_gaps(foils.clearance, foils.normals, excitation.position);
+  if (excitation.gap_offset.size() > 0) loading.initial_gap += excitation.gap_offset;
+  if (excitation.top_load.size() > 0) {
+    BUMPFOIL_ASSERT(foils.has_top_foil());
+    loading.load(foils.top_foil()) = excitation.top_load;
+  }
+  return loading;
+}
+
+ContactLoading loading_rate(const Foils& foils, const Eigen::Vector2d& direction) {
+  ContactLoading rate = ContactLoading::none(foils.problem);
+  rate.initial_gap(foils.pressed()) = journal_gaps(0.0, foils.normals, direction);
+  return rate;
+}
+
+Vector pressing_loads(const Foils& foils, const Vector& normal_force) {
+  return normal_force(foils.pressed());
+}
+
+Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
+  return journal_force(foils.normals, pressing_loads(foils, normal_force));
+}
+
+Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {
+  Eigen::Matrix2Xd forces(2, foils.pads() > 1 ? foils.pads() : 0);
+  if (forces.cols() == 0) return forces;
+  const Vector loads = pressing_loads(foils, normal_force);
+  for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+    const PadBlocks blocks = foils.structure.blocks_of(static_cast<int>(k));
+    const auto bumps = Eigen::seqN(blocks.first, blocks.count);
+    forces.col(k) = journal_force(foils.normals(Eigen::all, bumps), loads(bumps));
+  }
+  return forces;
+}
+
+}  // namespace bumpfoil

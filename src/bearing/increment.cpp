@@ -1,0 +1,60 @@
+#include "bumpfoil/bearing/increment.hpp"
+
+#include <limits>
+
+namespace bumpfoil {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// What is known of every increment.
+Increment place(const Step& step, const Eigen::Vector2d& direction) {
+  const Eigen::Vector2d& position = step.state.excitation.position;
+  Increment increment;
+  increment.displacement = position.dot(direction);
+  increment.x = position.x();
+  increment.y = position.y();
+  increment.elastic_energy = unknown;
+  increment.residuals = {.equilibrium = unknown,
+                         .penetration = unknown,
+                         .slip_in_stick = unknown,
+                         .complementarity = unknown,
+                         .cone = unknown};
+  increment.status = step.status;
+  increment.cost = step.cost;
+  increment.substeps = step.substeps;
+  return increment;
+}
+
+}  // namespace
+
+Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction) {
+  Increment increment = place(step, direction);
+  const Eigen::Vector2d force = holding_force(foils, step.state.contacts.normal_force);
+  const auto force_along = [&](const Eigen::Vector2d& axis) { return cleared(force.dot(axis), foils.roundings.force); };
+  increment.force_x = force_along(Eigen::Vector2d::UnitX());
+  increment.force_y = force_along(Eigen::Vector2d::UnitY());
+  increment.force_direct = force_along(direction);
+  increment.force_cross = force_along({-direction.y(), direction.x()});
+  increment.dissipated_energy = cleared(step.state.dissipated_energy, foils.roundings.energy);
+  increment.work = cleared(step.state.work, foils.roundings.energy);
+  return increment;
+}
+
+void judge(const Foils& foils, const FoilState& state, Increment& increment) {
+  const ElasticResponse elastic = elastic_response(foils.structure, state.contacts.x);
+  increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
+  increment.residuals =
+      contact_residuals(foils.problem, elastic.forces, state.loading, state.slip_origin, state.contacts);
+}
+
+Increment failed_increment(const Step& step, const Eigen::Vector2d& direction) {
+  Increment increment = place(step, direction);
+  for (double* value : {&increment.force_x, &increment.force_y, &increment.force_direct, &increment.force_cross,
+                        &increment.dissipated_energy, &increment.work}) {
+    *value = unknown;
+  }
+  return increment;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,501 @@
+#include "case/case_keys.hpp"
+
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "case/deviations_csv.hpp"
+#include "case/film_keys.hpp"
+#include "case/height_errors_csv.hpp"
+#include "case/path_csv.hpp"
+#include "case/profile_csv.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using enum Presence;
+using enum Dimension;
+
+/// A table that a case may have. @param describe_members  (visitor, members) -> void
+template <typename Table, typename Describe>
+void optional_table(CaseVisitor& keys, const Key& key, std::optional<Table>& members,
+                    const Describe& describe_members) {
+  Table inner = members.value_or(Table{});
+  keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
+    describe_members(visitor, inner);
+    members = inner;
+  });
+}
+
+/// Tables under [[name]], one for each member. @param describe_member  (visitor, member) -> void
+template <typename Member, typename Describe>
+void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& members, const Describe& describe_member) {
+  keys.tables(key, members.size(), [&](CaseVisitor& inner, std::size_t i) {
+    if (i == members.size()) members.emplace_back();
+    describe_member(inner, members[i]);
+  });
+}
+
+void describe(CaseVisitor& keys, Waviness& waves) {
+  keys.value({"harmonic", required, "Waves", "around the circumference", "3"}, &waves.harmonic);
+  keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
+  keys.value({"phase", defaulted, "Phase", "harmonic times the angle of a crest of the waves, from X towards Y",
+              "0 deg", angle},
+             &waves.phase);
+}
+
+void describe_profile(CaseVisitor& keys, const Key& waviness, const Key& deviations, const Key& file,
+                      RadiusProfile& profile) {
+  keys.value(deviations, &profile.deviations);
+  keys.file(file, deviations.name, [&profile](const std::string& path) { profile.deviations = read_profile(path); });
+  list_of_tables(keys, waviness, profile.waves, [](CaseVisitor& inner, Waviness& waves) { describe(inner, waves); });
+}
+
+void describe(CaseVisitor& keys, Bearing& bearing) {
+  // A strip alone has no radius, and nothing is between it and the plate.
+  std::optional<double> radius;
+  std::optional<double> clearance;
+  if (!bearing.is_flat()) {
+    radius = bearing.radius;
+    clearance = bearing.radial_clearance;
+  }
+  keys.once_or_twice(
+      {.name = "radius",
+       .title = "Radius",
+       .text = "R of the circle on which the foils lie; sleeve and journal are taken to have it too; a strip alone "
+               "needs neither it nor a clearance",
+       .example = "19.05 mm",
+       .dimension = length,
+       .spared_by = "strip"},
+      {"diameter", required, "Diameter", "instead of the radius", "38.1 mm", length}, radius);
+  bearing.radius = radius.value_or(std::numeric_limits<double>::infinity());
+  keys.value({"axial_length", required, "Axial length", "along the axis, L", "38.1 mm", length}, &bearing.axial_length);
+  keys.value({.name = "radial_clearance",
+              .title = "Radial clearance",
+              .text = "C_r, journal to undeformed top foil; zero or negative is interference",
+              .example = "31.8 um",
+              .dimension = length,
+              .spared_by = radius ? "" : "strip"},
+             &clearance);
+  bearing.radial_clearance = clearance.value_or(0.0);
+  keys.value({"weld_angle", defaulted, "Weld angle", "where the foils are welded, from the X axis towards Y", "180 deg",
+              angle},
+             &bearing.weld_angle);
+  keys.choice({"wrap", defaulted, "Sense of winding", "sense of the foils from the weld on; or \"counterclockwise\""},
+              bearing.wrap);
+  describe_profile(
+      keys,
+      {"sleeve_waviness", optional, "Waviness of the sleeve",
+       "the radius of the sleeve differs by amplitude cos(harmonic angle - phase), and the foils follow it; "
+       "several add up"},
+      {"sleeve_profile", optional, "Profile of the sleeve",
+       "what its radius is more than nominal, at equal angles from X on towards Y",
+       "[\"3 um\", \"0 um\", \"-3 um\", \"0 um\"]", length},
+      {"sleeve_profile_file", optional, "File of the profile of the sleeve",
+       "instead: a CSV file beside this one; column deviation_um, and angle_deg to be checked", "\"sleeve.csv\""},
+      bearing.sleeve);
+  describe_profile(keys,
+                   {"journal_waviness", optional, "Waviness of the journal",
+                    "the radius of the journal, which does not turn, differs by amplitude cos(harmonic angle - phase)"},
+                   {"journal_profile", optional, "Profile of the journal",
+                    "what its radius is more than nominal, at equal angles from X on towards Y",
+                    "[\"1 um\", \"0 um\", \"-1 um\", \"0 um\"]", length},
+                   {"journal_profile_file", optional, "File of the profile of the journal",
+                    "instead, as for the sleeve", "\"journal.csv\""},
+                   bearing.journal);
+  keys.value({"taper", defaulted, "Taper",
+              "what the radius of the sleeve is more at the free end of the foils than at the weld", "0 um", length},
+             &bearing.taper);
+  keys.value(
+      {"pad_gap", optional, "Gap between pads",
+       "free angle after each pad that has no arc of its own; else arcs are as long as their bumps", "5 deg", angle},
+      &bearing.pad_gap);
+}
+
+void describe(CaseVisitor& keys, TrussOverrides& truss) {
+  keys.value({"k1", optional, "k₁", "rods between crest and feet", "150 MN/m", stiffness}, &truss.k1);
+  keys.value({"k2", optional, "k₂", "between neighbouring feet", "5.43 MN/m", stiffness}, &truss.k2);
+  keys.value({"k3", optional, "k₃", "between neighbouring crests", "1.36 MN/m", stiffness}, &truss.k3);
+  keys.value({"k4", optional, "k₄", "between the weld and the first crest", "11.25 MN/m", stiffness}, &truss.k4);
+  keys.value({"theta_d", optional, "Inclination of the rods", "inclination of the rods", "15.83 deg", angle},
+             &truss.theta_d);
+}
+
+void describe(CaseVisitor& keys, BumpSection& section) {
+  keys.value({"from", required, "From bump", "its first one; bumps count from 1 at the weld", "1"}, &section.from);
+  keys.value({"to", required, "To bump", "its last one", "5"}, &section.to);
+  keys.value({"pitch", optional, "Pitch", "", "4.572 mm", length}, &section.pitch);
+  keys.value({"length", optional, "Length of a bump", "", "3.4 mm", length}, &section.length);
+  keys.value({"height", optional, "Height of a bump", "", "0.5 mm", length}, &section.height);
+  keys.value({"thickness", optional, "Thickness", "", "0.127 mm", length}, &section.thickness);
+}
+
+void describe(CaseVisitor& keys, Shim& shim) {
+  keys.value({"from", required, "From bump", "the first one on it; bumps count from 1 at the weld", "10"}, &shim.from);
+  keys.value({"to", required, "To bump", "the last one on it", "12"}, &shim.to);
+  keys.value({"thickness", required, "Thickness", "", "20 um", length}, &shim.thickness);
+}
+
+void describe(CaseVisitor& keys, BumpFoil& foil) {
+  keys.choice(
+      {.name = "model",
+       .presence = defaulted,
+       .title = "Model",
+       .text = "springs between crests and feet; \"frame\": arcs and beams; \"former\": model of 2007. Where no model "
+               "is given and no truss can stand for the foil, a frame does, with a warning",
+       .left_open = foil.model == BumpFoilModel::truss},
+      foil.model);
+  keys.choice(
+      {"geometry", defaulted, "Displacements", "displacements are small; frame only: \"nonlinear\" follows large ones"},
+      foil.geometry);
+  keys.value({"bumps", required, "Bumps"}, &foil.bumps);
+  keys.value({"pitch", required, "Pitch",
+              "crest to crest along the foil; as length, height and thickness one value, a list of one per bump, or "
+              "{ start = \"4 mm\", end = \"5 mm\", law = \"linear\" } from bump 1 to the last (or \"geometric\")",
+              "4.572 mm", length},
+             &foil.pitch);
+  keys.value({"length", required, "Length of a bump", "chord of a bump's arc; the rest of the pitch is flat",
+              "3.556 mm", length},
+             &foil.length);
+  keys.value({"height", required, "Height of a bump", "", "0.508 mm", length}, &foil.height);
+  keys.choice({"height_reference", defaulted, "Height is",
+               "over the sleeve with the foil's thickness; \"midsurface\": rise of the mid-surface"},
+              foil.height_reference);
+  keys.value({"thickness", required, "Thickness", "", "0.102 mm", length}, &foil.thickness);
+  keys.value({"youngs_modulus", required, "Young’s modulus", "", "214 GPa", pressure}, &foil.youngs_modulus);
+  keys.value({"poisson_ratio", required, "Poisson’s ratio"}, &foil.poisson_ratio);
+  keys.value({"yield_stress", optional, "Yield stress", "above it the bending stress of the foil gives a warning",
+              "1.1 GPa", pressure},
+             &foil.yield_stress);
+  list_of_tables(
+      keys, {"section", optional, "Section", "bumps from one to another have these dimensions in place of those above"},
+      foil.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section); });
+  list_of_tables(keys, {"shim", optional, "Shim", "a sheet under some bumps, which lifts them"}, foil.shims,
+                 [](CaseVisitor& inner, Shim& shim) { describe(inner, shim); });
+  keys.value({"height_errors", optional, "Height errors", "one per bump from the weld on, positive is taller",
+              "[\"5 um\", \"-3 um\", ...]", length},
+             &foil.height_errors);
+  keys.file({"height_errors_file", optional, "File of height errors",
+             "instead: a CSV file beside this one; columns bump, and height_error_um or height_mm", "\"heights.csv\""},
+            "height_errors", [&foil](const std::string& path) {
+              if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
+              const auto count = static_cast<std::size_t>(foil.bumps);
+              const auto has_all = [count](const PerBump& one) { return !one.is_list() || one.values.size() == count; };
+              // Where a list of dimensions is wrong, the file is read for its own faults.
+              const bool known =
+                  has_all(foil.pitch) && has_all(foil.length) && has_all(foil.height) && has_all(foil.thickness);
+              std::vector<double> heights(count);
+              std::vector<double> rises(count);
+              for (std::size_t n = 0; known && n < count; ++n) {
+                heights[n] = nominal_height(foil, n);
+                rises[n] = nominal_bump(foil, n).rise;
+              }
+              std::vector<double> errors = read_height_errors(path, heights, rises);
+              if (known) foil.height_errors = std::move(errors);
+            });
+  keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
+              "frame only: true gives a bump of another height a stiffness of its own, too"},
+             &foil.stiffness_follows_height);
+  keys.value({"sleeve_gaps", optional, "Sleeve gaps", "one per bump, initial gap between its foot and the sleeve",
+              "[\"0 um\", \"2 um\", ...]", length},
+             &foil.sleeve_gaps);
+  keys.choice(
+      {"weld_at", defaulted, "Weld at", "clamped before bump 1 in the middle of a flat; frame only: \"arc_start\""},
+      foil.weld_at);
+  keys.table({"truss", optional, "Given constants of the truss",
+              "any of them, in place of those identified from the shape of the foil"},
+             foil.truss != TrussOverrides{}, [&foil](CaseVisitor& inner) { describe(inner, foil.truss); });
+}
+
+void describe(CaseVisitor& keys, TopFoil& foil) {
+  keys.value({"thickness", required, "Thickness", "", "0.102 mm", length}, &foil.thickness);
+  keys.value({"youngs_modulus", defaulted, "Young’s modulus", "", "214 GPa", pressure, "bump_foil.youngs_modulus"},
+             &foil.youngs_modulus);
+  keys.value({"poisson_ratio", defaulted, "Poisson’s ratio", "", "", {}, "bump_foil.poisson_ratio"},
+             &foil.poisson_ratio);
+  keys.value({"yield_stress", optional, "Yield stress", "", "1.1 GPa", pressure, "bump_foil.yield_stress"},
+             &foil.yield_stress);
+}
+
+/// A table in which a pad says what its foil has otherwise than that of all.
+template <typename Foil>
+void own_foil(CaseVisitor& keys, const Key& key, const Foil& common, std::optional<Foil>& own) {
+  Foil foil = own.value_or(common);
+  keys.table(key, own.has_value(), [&](CaseVisitor& inner) {
+    describe(inner, foil);
+    own = foil;
+  });
+}
+
+void describe(CaseVisitor& keys, const Case& input, Pad& pad) {
+  keys.value(
+      {"weld_angle", optional, "Weld angle",
+       "from the X axis towards Y; else pads begin at equal angles, the first at bearing.weld_angle", "180 deg", angle},
+      &pad.weld_angle);
+  keys.choice({"weld_edge", defaulted, "Welded at",
+               "the edge that comes first in the sense of bearing.wrap; or \"trailing\": the foils run against it"},
+              pad.weld_edge);
+  keys.value(
+      {"arc", optional, "Arc", "from the weld to the free end; pitches are stretched to fill it", "110 deg", angle},
+      &pad.arc);
+  keys.value(
+      {"lobe", defaulted, "Lobe",
+       "by which its circle is displaced away from its middle: the gap there is smaller by as much", "0 um", length},
+      &pad.lobe);
+  own_foil(keys, {"bump_foil", inherited, "Bump foil of the pad", "any keys of [bump_foil] that differ"},
+           input.bump_foil, pad.bump_foil);
+  own_foil(keys, {"top_foil", inherited, "Top foil of the pad", "any keys of [top_foil] that differ"}, input.top_foil,
+           pad.top_foil);
+}
+
+void describe(CaseVisitor& keys, Friction& friction) {
+  keys.once_or_each(
+      {"coefficient", required, "Both coefficients", "at both of its interfaces; 0 for none"},
+      {{{"top_bump", required, "Top foil on bumps", "or one for each: with the top foil"}, &friction.top_bump},
+       {{"bump_sleeve", required, "Bumps on sleeve", "and with the sleeve"}, &friction.bump_sleeve}});
+}
+
+void describe(CaseVisitor& keys, SolverSettings& solver) {
+  keys.choice(
+      {"name", defaulted, "Name",
+       "exact contact and friction; \"events\" follows the path from one change of contact to the next, and is the "
+       "default of montecarlo for cycles of small displacements; \"uzawa\" is the method of the 2019 paper, with "
+       "the penalties below",
+       "\"newton\""},
+      solver.name);
+  UzawaParameters& uzawa = solver.uzawa;
+  keys.value({"eps_alm", optional, "Penalty, normal contacts",
+              "penalty of the normal contacts; else from the stiffness", "100 MN/m", stiffness},
+             &uzawa.eps_alm);
+  keys.value({"eps_f", optional, "Penalty, sticking contacts", "penalty of sticking contacts; else from the stiffness",
+              "10 GN/m", stiffness},
+             &uzawa.eps_f);
+  keys.value({"eps_r", optional, "Penalty, journal", "penalty of the journal's contact; else from the stiffness",
+              "1 TN/m", stiffness},
+             &uzawa.eps_r);
+  keys.value({"tau_f", optional, "Slip of half friction",
+              "slip over which the friction force turns round; else from the stiffness", "0.1 nm", length},
+             &uzawa.tau_f);
+}
+
+void describe(CaseVisitor& keys, CycleSettings& cycle) {
+  if (cycle.directions.empty()) {
+    using std::numbers::pi;
+    cycle.directions = {0.0, pi, 0.5 * pi, 1.5 * pi};
+  }
+  keys.directions({"directions", defaulted, "Directions", "of the cycles; also angles, \"37.5 deg\"",
+                   "[\"+X\", \"-X\", \"+Y\", \"-Y\"]", angle},
+                  cycle.directions);
+  keys.one_of({"amplitude", required, "Amplitude", "how far the journal goes", "79.5 um", length},
+              {"load", required, "Load", "how far the load on the journal goes, instead; it is free to move sideways",
+               "100 N", force},
+              cycle.amplitude);
+  keys.either({"preload", optional, "Preload",
+               "cycles go up and down from this load (or position, [\"0 um\", \"-40 um\"]), by so much each way",
+               "[\"0 N\", \"-50 N\"]"},
+              cycle.amplitude.control, cycle.preload);
+  keys.value({"swing", defaulted, "Swing", "true: through the centre as far to the other side, and back"},
+             &cycle.swing);
+  keys.value({"cycles", defaulted, "Cycles",
+              "at most so many one after the other, until the loop has settled; results hold the last"},
+             &cycle.cycles);
+  keys.value({"steps", defaulted, "Increments per branch", "equal increments from the start to full amplitude"},
+             &cycle.steps);
+  keys.value({"clearance_forces", defaulted, "Clearances at",
+              "forces at which a push test would take the journal for touching", "[\"5 N\", \"10 N\"]", force},
+             &cycle.clearance_forces);
+}
+
+void describe(CaseVisitor& keys, StripSettings& strip) {
+  keys.value({"bumps", defaulted, "Bumps", "the first ones of the foil", "10", {}, "bump_foil.bumps"}, &strip.bumps);
+  keys.choice({"weld", defaulted, "Weld", "both foils clamped before bump 1; \"none\": free at both ends"}, strip.weld);
+  keys.value({"top_foil", defaulted, "Top foil", "false: the plate presses on the crests"}, &strip.top_foil);
+  keys.one_of({"displacement", required, "Displacement", "displacement of the plate", "20 um", length},
+              {"load", required, "Load", "load on the plate, instead", "100 N", force}, strip.amplitude);
+  keys.either({"preload", optional, "Preload",
+               "cycles go up and down from here, by so much each way; also a displacement, \"10 um\"", "\"50 N\""},
+              strip.amplitude.control, strip.preload);
+  keys.value({"cycles", defaulted, "Cycles", "one after the other, with the friction of the last"}, &strip.cycles);
+  keys.value({"steps", defaulted, "Increments per branch",
+              "equal increments from the start of a cycle to full displacement or load"},
+             &strip.steps);
+}
+
+void describe(CaseVisitor& keys, PathSettings& path) {
+  const bool has_file = keys.file(
+      {"file", optional, "File of the path",
+       "a file beside this one with the columns x_m,y_m (positions) or force_x_N,force_y_N (loads)", "\"path.csv\""},
+      "points", [&path](const std::string& name) { path.points = read_path(name); });
+  const bool has_points = keys.places({"points", optional, "Points", "the same as a list; or no points, and an orbit",
+                                       "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
+                                      path.points);
+  // Points that could not be read are no orbit whose keys are missing.
+  if ((has_file || has_points) && path.is_orbit()) path.points.values.emplace_back(0.0, 0.0);
+  const Presence of_orbit = path.is_orbit() ? required : optional;
+  const auto in_plane = [&keys](const Key& key, Control plain, PlaneTarget& target) {
+    std::optional<PlaneTarget> given = target;
+    keys.either(key, plain, given);
+    target = *given;
+  };
+  in_plane({"centre", of_orbit, "Centre", "of the orbit, an ellipse: a position, or a load", "[\"0 um\", \"-40 um\"]"},
+           Control::displacement, path.centre);
+  in_plane({"semi_axes", of_orbit, "Semi-axes", "of the same kind", "[\"10 um\", \"5 um\"]"}, path.centre.control,
+           path.semi_axes);
+  keys.value({"tilt", defaulted, "Tilt", "of the first axis, from X towards Y", "0 deg", angle}, &path.tilt);
+  keys.choice({"sense", defaulted, "Sense", "or \"clockwise\""}, path.sense);
+  keys.value({"orbits", defaulted, "Orbits", "one after the other, with the friction of the last"}, &path.orbits);
+  keys.value({"steps", defaulted, "Increments per orbit", "and on the straight way to its first point"}, &path.steps);
+}
+
+void describe(CaseVisitor& keys, VibrationSettings& vibration) {
+  keys.vectors(
+      {"loads", required, "Loads", "static loads on the journal, along X and Y; each from the unstressed foils",
+       "[[\"0 N\", \"-50 N\"]]", force},
+      vibration.loads);
+  keys.choice({"motion", defaulted, "Motion", "along the directions; \"orbit\": circles, once in either sense"},
+              vibration.motion);
+  keys.directions({"directions", vibration.orbits() ? optional : required, "Directions",
+                   "of the vibrations: one, or two at right angles", "[\"+X\", \"+Y\"]", angle},
+                  vibration.directions);
+  keys.value({"amplitudes", required, "Amplitudes",
+              "how far the journal goes to each side, and not at all sideways; the radius of an orbit",
+              "[\"1 um\", \"2 um\", \"5 um\"]", length},
+             &vibration.amplitudes);
+  keys.value({"frequencies", required, "Frequencies",
+              "that damping coefficients are given at; the loops do not depend on them. Also \"12000 rpm\"",
+              "[\"200 Hz\"]", frequency},
+             &vibration.frequencies);
+  keys.value({"steps", defaulted, "Increments per amplitude",
+              "equal increments of the way to a load, and from the middle to a turning point"},
+             &vibration.steps);
+}
+
+/// How a deviation is distributed whose keys are shown with these examples.
+struct Deviation {
+  std::optional<Dimension> dimension;
+  std::string_view sigma, lower, upper, values;
+};
+constexpr Deviation of_height{length, "10 um", "-20 um", "20 um", "[\"3 um\", \"-8 um\", ...]"};
+constexpr Deviation of_thickness{length, "2 um", "-5 um", "5 um", "[\"1 um\", \"-2 um\", ...]"};
+constexpr Deviation of_friction{{}, "0.02", "-0.05", "0.05", "[0.01, -0.02, ...]"};
+
+void describe(CaseVisitor& keys, Distribution& distribution, const Deviation& deviation) {
+  keys.choice(
+      {"distribution", defaulted, "Distribution", "of the deviation; or \"truncated_normal\", \"uniform\", \"table\""},
+      distribution.kind);
+  keys.value(
+      {"std", optional, "Standard deviation", "normal and truncated_normal", deviation.sigma, deviation.dimension},
+      &distribution.sigma);
+  const auto instead = [&deviation](std::string_view name, std::string_view title, std::string_view text,
+                                    std::string_view example) {
+    return Key{.name = name,
+               .presence = optional,
+               .title = title,
+               .text = text,
+               .example = example,
+               .dimension = deviation.dimension,
+               .instead = true};
+  };
+  keys.value(instead("lower", "Lower bound", "truncated_normal and uniform", deviation.lower), &distribution.lower);
+  keys.value(instead("upper", "Upper bound", "truncated_normal and uniform", deviation.upper), &distribution.upper);
+  keys.value(
+      instead("values", "Measured values", "table: any of these, each as likely as the others", deviation.values),
+      &distribution.values);
+  keys.file({"file", optional, "File of measured values", "instead: a file beside this one with the column deviation",
+             "\"measured.csv\""},
+            "values", [&distribution](const std::string& path) { distribution.values = read_deviations(path); });
+}
+
+void describe(CaseVisitor& keys, HeightScatter& heights) {
+  describe(keys, heights.distribution, of_height);
+  keys.value(
+      {"correlation_length", defaulted, "Correlation length",
+       "along the foil, over which the correlation of heights falls by 1/e; 0: they are independent", "0 mm", length},
+      &heights.correlation_length);
+}
+
+void describe(CaseVisitor& keys, WavinessScatter& waves) {
+  keys.value({"harmonic", required, "Waves", "around the circumference; their phase is random", "3"}, &waves.harmonic);
+  keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
+}
+
+void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
+  keys.choice({"command", defaulted, "Command", "what is run of each bearing; or \"equilibrium\": the running bearing"},
+              ensemble.command);
+  keys.value({"samples", defaulted, "Samples", "bearings that are drawn"}, &ensemble.samples);
+  keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
+             &ensemble.seed);
+  keys.value({"limits", defaulted, "Limits",
+              "of running bearings: lift-off speeds and load capacities, too, where the film is film.h_lift_off thin"},
+             &ensemble.limits);
+  const auto scatter = [&keys](std::string_view name, std::string_view title, auto& members,
+                               const Deviation& deviation) {
+    optional_table(keys, {name, optional, title, "the same for all of a bearing"}, members,
+                   [&deviation](CaseVisitor& inner, auto& distribution) { describe(inner, distribution, deviation); });
+  };
+  optional_table(keys, {"bump_height", optional, "Scatter of bump heights", "each bump has a deviation of its own"},
+                 ensemble.bump_height, [](CaseVisitor& inner, HeightScatter& heights) { describe(inner, heights); });
+  scatter("bump_foil_thickness", "Scatter of the thickness of the bump foil", ensemble.bump_foil_thickness,
+          of_thickness);
+  scatter("top_foil_thickness", "Scatter of the thickness of the top foil", ensemble.top_foil_thickness, of_thickness);
+  scatter("bump_length", "Scatter of the bump length", ensemble.bump_length, of_height);
+  scatter("friction_top_bump", "Scatter of friction, top foil on bumps", ensemble.friction_top_bump, of_friction);
+  scatter("friction_bump_sleeve", "Scatter of friction, bumps on sleeve", ensemble.friction_bump_sleeve, of_friction);
+  scatter("radial_clearance", "Scatter of the radial clearance", ensemble.radial_clearance, of_thickness);
+  optional_table(keys, {"sleeve_waviness", optional, "Random waviness of the sleeve", "waves whose phase is random"},
+                 ensemble.sleeve_waviness, [](CaseVisitor& inner, WavinessScatter& waves) { describe(inner, waves); });
+}
+
+/// A table that is given if anything in it is not as by default.
+template <typename Table>
+void table(CaseVisitor& keys, const Key& key, Table& members) {
+  keys.table(key, members != Table{}, [&members](CaseVisitor& inner) { describe(inner, members); });
+}
+
+template <typename Table>
+void table(CaseVisitor& keys, const Key& key, std::optional<Table>& members) {
+  optional_table(keys, key, members, [](CaseVisitor& inner, Table& held) { describe(inner, held); });
+}
+
+}  // namespace
+
+void describe(CaseVisitor& keys, Case& input) {
+  keys.value({"title", defaulted, "Title"}, &input.title);
+  table(keys, {"bearing", required, "Bearing"}, input.bearing);
+  table(keys, {"bump_foil", required, "Bump foil"}, input.bump_foil);
+  // The former model has none.
+  const Presence top_foil = input.bump_foil.model == BumpFoilModel::former ? optional : required;
+  table(keys, {"top_foil", top_foil, "Top foil"}, input.top_foil);
+  list_of_tables(keys,
+                 {"pad", optional, "Pad", "a part of the sleeve with foils of its own, welded and free by themselves"},
+                 input.pads, [&input](CaseVisitor& inner, Pad& pad) { describe(inner, input, pad); });
+  table(keys, {"friction", required, "Coefficients of friction", "Coulomb friction of the bump foil; 0 for none"},
+        input.friction);
+  table(keys, {"solver", defaulted, "Solver"}, input.solver);
+  table(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"}, input.cycle);
+  table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
+        input.strip);
+  table(keys, {"path", optional, "Path", "a path of the journal from the centre, for the command path"}, input.path);
+  table(keys,
+        {"vibration", optional, "Vibration",
+         "the journal vibrates about static loads, for the command vibration: each load in each direction with each "
+         "amplitude"},
+        input.vibration);
+  table(keys, {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium and film"},
+        input.gas);
+  table(keys, {"film", defaulted, "Film", "mesh of the film, and what counts as too thin"}, input.film);
+  table(keys,
+        {"equilibrium", optional, "Equilibrium",
+         "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
+        input.equilibrium);
+  table(keys,
+        {"montecarlo", optional, "Ensemble",
+         "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
+         "of "
+         "[cycle], or the states of [equilibrium]; deviations are from the values above"},
+        input.montecarlo);
+}
+
+}  // namespace bumpfoil

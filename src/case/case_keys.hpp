@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "case/units.hpp"
+
+namespace bumpfoil {
+
+enum class Presence {
+  required,
+  optional,   ///< without it there is none
+  defaulted,  ///< without it there is the default
+  inherited,  ///< a table that says what differs from another of the same keys, which has the rest
+};
+
+/// What is to be known of a key of the case file, or of a table, beside its value.
+struct Key {
+  std::string_view name;  ///< in its table
+  Presence presence{Presence::required};
+  std::string_view title;                ///< label in reports
+  std::string_view text{};               ///< what it means, for comments
+  std::string_view example{};            ///< as `init` shows it; none: what the reference case holds
+  std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
+  std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
+  bool instead{};                        ///< in place of the key before it: nobody gives both
+  bool left_open{};              ///< the reader may know better than the default, which authors do not write then
+  std::string_view spared_by{};  ///< table beside which a required key may be left out
+  std::string_view stand_in{};   ///< key of its table that may be given in its place
+};
+
+/// Where the value of a key is kept. An absent number and an empty list stand for no value.
+using Value = std::variant<std::string*, bool*, int*, double*, std::optional<double>*, std::vector<double>*, PerBump*>;
+
+/// Visits every key of the case file, in its order, to read or to write.
+class CaseVisitor {
+ public:
+  CaseVisitor() = default;
+  CaseVisitor(const CaseVisitor&) = delete;
+  CaseVisitor& operator=(const CaseVisitor&) = delete;
+  virtual ~CaseVisitor() = default;
+
+  virtual void value(const Key& key, Value value) = 0;
+
+  /// A list of angles, in which "+X", "+Y", "-X" and "-Y" stand for theirs.
+  virtual void directions(const Key& key, std::vector<double>& angles) = 0;
+
+  /// A list of vectors in the X-Y plane, each by its components along X and Y.
+  virtual void vectors(const Key& key, std::vector<Eigen::Vector2d>& vectors) = 0;
+
+  /// One of a few words, by its index, or none.
+  virtual void word(const Key& key, std::span<const std::string_view> words, std::optional<std::size_t>& index) = 0;
+
+  template <typename Enum>
+  void choice(const Key& key, std::optional<Enum>& value) {
+    std::optional<std::size_t> index;
+    if (value) index = static_cast<std::size_t>(*value);
+    word(key, enum_names<Enum>, index);
+    if (index) value = static_cast<Enum>(*index);
+  }
+
+  template <typename Enum>
+  void choice(const Key& key, Enum& value) {
+    std::optional<Enum> chosen = value;
+    choice(key, chosen);
+    value = *chosen;
+  }
+
+  /// A number that is given once for all of several keys, or for each by its own.
+  virtual void once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) = 0;
+
+  /// A length by itself or by its double, such as a radius or a diameter.
+  virtual void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) = 0;
+
+  /// A displacement or a load, each by a key of its own.
+  virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;
+
+  /// A displacement or a load by one key: its unit tells, and a plain number is what `plain` says.
+  virtual void either(const Key& key, Control plain, std::optional<Target>& target) = 0;
+
+  /// The same with a component along X and one along Y.
+  virtual void either(const Key& key, Control plain, std::optional<PlaneTarget>& target) = 0;
+
+  /// Any number of such places, all displacements or all loads: a list of lists. @return whether there is one
+  virtual bool places(const Key& key, PathPoints& points) = 0;
+
+  /// A file, called by its name beside the case file, in place of the list `other`. `read` may throw Error.
+  /// @return whether there is one
+  virtual bool file(const Key& key, std::string_view other,
+                    const std::function<void(const std::string& path)>& read) = 0;
+
+  /// Any number of tables of one kind, each under its own [[name]]. `describe` visits the keys of the i-th, from 0; the
+  /// case holds `count` yet.
+  virtual void tables(const Key& key, std::size_t count,
+                      const std::function<void(CaseVisitor&, std::size_t i)>& describe) = 0;
+
+  /// A table whose keys `describe` visits; `given`: it holds anything yet.
+  virtual void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) = 0;
+};
+
+/// All keys of the case file. Whoever adds one adds it here and to the Case.
+void describe(CaseVisitor& keys, Case& input);
+
+}  // namespace bumpfoil

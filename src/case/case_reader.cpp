@@ -1,0 +1,168 @@
+#include "bumpfoil/case/case_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/identification.hpp"
+#include "case/case_keys.hpp"
+#include "case/table_reader.hpp"
+#include "case/text_file.hpp"
+#include "case/toml_document.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// What stands for a file in messages.
+std::string name_in_messages(const std::string& path) {
+  return path == standard_input ? "standard input" : path;
+}
+
+/// All commands do, but that about a strip between plates.
+bool needs_bearing(const CaseRequest& request) {
+  return std::any_of(request.commands.begin(), request.commands.end(),
+                     [](const std::string& command) { return command != "strip"; });
+}
+
+/// What keeps the foils from being built, where they are to be a truss.
+std::vector<Fault> truss_faults(const Case& input) {
+  if (input.bump_foil.model == BumpFoilModel::frame) return {};
+  for (const PlacedPad& pad : place_pads(input)) {
+    std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
+    if (!faults.empty()) return faults;
+  }
+  return {};
+}
+
+/// Whether the author of a case chose a model, or gave constants of a truss.
+bool chooses_truss(const toml::table& document) {
+  const auto chosen_in = [](const toml::node_view<const toml::node>& foil) { return foil["model"] || foil["truss"]; };
+  if (chosen_in(document["bump_foil"])) return true;
+  const toml::array* pads = document["pad"].as_array();
+  return pads != nullptr && std::any_of(pads->begin(), pads->end(), [&](const toml::node& pad) {
+           return chosen_in(toml::node_view<const toml::node>(pad)["bump_foil"]);
+         });
+}
+
+/// In place of a truss that nobody asked for. @param fault  of the truss
+void take_frame(Case& input, const Fault& fault) {
+  input.bump_foil.model = BumpFoilModel::frame;
+  for (Pad& pad : input.pads) {
+    if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
+  }
+  input.remarks.push_back(
+      fmt::format("the bump foil is modelled as a frame, since no truss can stand for it ({} {}); write "
+                  "bump_foil.model = \"frame\" to choose that, or give the constants of a truss in [bump_foil.truss]",
+                  fault.key, fault.what));
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& file, const CaseRequest& request) {
+  const std::string name = name_in_messages(file);
+  toml::table document = parse_toml(text, name);
+  ReadingLog log(name);
+  for (Fault& fault : apply_overrides(document, request.overrides)) log.add(std::move(fault));
+  TableReader reader(log, document);
+  Case input;
+  describe(reader, input);
+  reader.finish();
+  // A case without directions and amplitude would pass for one without the table.
+  if (document.contains("cycle") && input.cycle.directions.empty() && input.cycle.amplitude.value == 0.0) {
+    log.later_fault(
+        {"", 0, "cycle.directions", "", "there is no direction to push in", "give a list such as [\"+X\"]"});
+    log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});
+  }
+  if (input.bearing.is_flat() && document.contains("strip") && needs_bearing(request)) {
+    const auto missed = [&log](const char* key, const char* advice) {
+      log.later_fault({"", 0, key, "", "is missing", fmt::format("{}: only the command strip needs none", advice)});
+    };
+    missed("bearing.radius", "give it, or bearing.diameter");
+    if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
+  }
+  std::vector<std::string> commands = request.commands;
+  const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
+  if (runs_ensemble && input.montecarlo) {
+    commands.emplace_back(name_of(input.montecarlo->command));
+    if (input.montecarlo->limits) commands.emplace_back("limits");
+    if (!input.solver.name) input.solver.name = ensemble_solver(input);
+  }
+  for (const std::string& command : commands) {
+    const std::string table = command == "film" || command == "limits" ? "equilibrium" : command;
+    // That an ensemble needs [equilibrium] is told of its command.
+    const bool told = runs_ensemble && command == "equilibrium";
+    if (told || document.contains(table)) continue;
+    // To add what is refused beside pads would lead nowhere.
+    const bool knows_pads = table != "strip";
+    if (knows_pads || input.pads.empty()) {
+      log.fault(table, "this table is missing",
+                fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));
+    } else {
+      log.fault(
+          "pad", "is not known to this command, which takes one foil all around",
+          fmt::format("run cycle, path, vibration or equilibrium, which know pads, or remove [[pad]] and add [{}]",
+                      table));
+    }
+  }
+  std::vector<Fault> faults = find_faults(input, commands);
+  if (faults.empty()) {
+    const std::vector<Fault> of_truss = truss_faults(input);
+    if (!of_truss.empty() && !chooses_truss(document)) {
+      take_frame(input, of_truss.front());
+    } else if (!commands.empty()) {
+      faults = of_truss;
+    }
+  }
+  for (const Fault& fault : faults) log.later_fault(fault);
+  log.throw_if_faulty();
+  return input;
+}
+
+CheckedCase check_case(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}}), .commands = {}};
+  const Case& input = checked.input;
+  std::vector<Fault> faults;
+  for (const auto& [command, has_table] :
+       {std::pair{"cycle", !input.cycle.directions.empty()}, std::pair{"strip", input.strip.has_value()},
+        std::pair{"path", input.path.has_value()}, std::pair{"vibration", input.vibration.has_value()},
+        std::pair{"equilibrium", input.equilibrium.has_value()},
+        std::pair{"montecarlo", input.montecarlo.has_value()}}) {
+    if (!has_table) continue;
+    CheckedCommand& one = checked.commands.emplace_back(CheckedCommand{command, {}});
+    try {
+      static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}}));
+    } catch (const Error& error) {
+      one.faults = error.faults();
+      for (const Fault& fault : one.faults) {
+        const bool told = std::any_of(faults.begin(), faults.end(), [&fault](const Fault& before) {
+          return format_fault(before) == format_fault(fault);
+        });
+        if (!told) faults.push_back(fault);
+      }
+    }
+  }
+  const bool runs = std::any_of(checked.commands.begin(), checked.commands.end(),
+                                [](const CheckedCommand& one) { return one.faults.empty(); });
+  if (!runs && !faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  return checked;
+}
+
+Case read_case(const std::string& path, const CaseRequest& request) {
+  return parse_case(read_case_text(path), path, request);
+}
+
+std::string read_case_text(const std::string& path) {
+  std::string text = read_text_file(path);
+  if (is_blank(text)) {
+    throw Error(ErrorKind::input,
+                {{name_in_messages(path), 0, "", "", "is empty", "`bumpfoil init` writes a case file to start from"}});
+  }
+  return text;
+}
+
+}  // namespace bumpfoil

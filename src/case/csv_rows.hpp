@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "case/csv_dialect.hpp"
+
+namespace bumpfoil {
+
+/// Takes the lines of a CSV file apart, and keeps what is wrong with them.
+class CsvRows {
+ public:
+  explicit CsvRows(std::string path) : path_(std::move(path)) {}
+
+  /// The names of the columns, in the first line that is no remark, which tells what separates them.
+  std::vector<std::string> read_header(std::string_view text);
+
+  [[nodiscard]] bool has_header() const { return columns_ > 0; }
+  [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] const CsvDialect& dialect() const { return dialect_; }
+
+  /// The cells of a line, one for every column; none where there are more or fewer, which is a fault.
+  std::vector<std::string> read(std::size_t line, std::string_view text);
+
+  void fault(std::size_t line, std::string_view text, std::string what, std::string advice);
+
+  /// Of the file as a whole.
+  void fault(std::string what, std::string advice);
+
+  [[nodiscard]] bool faulty() const { return !faults_.empty(); }
+
+  /// @throws Error (input) if there was a fault
+  void throw_if_faulty();
+
+ private:
+  /// Lines of another number of cells than the header, told with the first of them.
+  struct OddLines {
+    std::size_t fault{};  ///< its number among the faults
+    std::size_t count{};
+  };
+
+  std::string path_;
+  CsvDialect dialect_;
+  std::size_t columns_{};
+  std::vector<Fault> faults_;
+  OddLines longer_;
+  OddLines shorter_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,46 @@
+#include "case/deviations_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/validation.hpp"
+#include "case/csv_lines.hpp"
+#include "case/text_file.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view header = "deviation";
+
+}  // namespace
+
+std::vector<double> read_deviations(const std::string& path) {
+  const std::string text = read_text_file(path);
+  std::vector<double> deviations;
+  std::vector<Fault> faults;
+  for_each_line(text, [&](std::size_t line, std::string_view content) {
+    const auto fault = [&](std::string what, std::string advice) {
+      faults.push_back({path, line, "line", std::string(content), std::move(what), std::move(advice)});
+    };
+    if (line == 1) {
+      if (content != header) fault("is no header of deviations", fmt::format("write {}", header));
+    } else if (!content.empty()) {
+      const auto number = parse<double>(content);
+      if (!number || !std::isfinite(*number)) return fault("is no finite number", "give it in SI, without a unit");
+      deviations.push_back(*number);
+    }
+  });
+  if (faults.empty() && deviations.empty()) {
+    faults.push_back({path, 0, "", "", "holds no deviation", fmt::format("write {}, and one in each line", header)});
+  }
+  if (faults.empty() && std::ssize(deviations) > most_points) {
+    faults.push_back({path, 0, "", "", fmt::format("holds {} deviations", deviations.size()),
+                      fmt::format("give at most {}", most_points)});
+  }
+  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+  return deviations;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "case/case_keys.hpp"
+
+namespace bumpfoil {
+
+/// A key of the case file, or a table, with what a case holds.
+struct ListedKey {
+  std::string path;  ///< dotted, such as "bump_foil.truss.k1"
+  Key key;
+  std::string kind;              ///< what it holds, such as "length" or "list of lengths"; empty for a table
+  nlohmann::ordered_json value;  ///< in SI, as in JSON; null for a table, and where there is none
+  bool held{};                   ///< the case has it: it is written
+  bool live{};                   ///< it would be given by an author of the case, rather than left at its default
+  bool instead{};                ///< in place of another key, which is given
+
+  [[nodiscard]] bool is_table() const { return kind.empty(); }
+  [[nodiscard]] std::string table() const {
+    return path.substr(0, path.size() - std::min(path.size(), key.name.size() + 1));
+  }
+};
+
+/// All keys of the case file, in its order; those of tables that the case has not with their defaults.
+std::vector<ListedKey> list_keys(const Case& input);
+
+/// "bump_foil.shim.to" of "bump_foil.shim[2].to": what all tables of a list have.
+std::string without_counts(std::string_view path);
+
+/// The line of a case file that begins a table: "[bump_foil.truss]" and "[[bump_foil.shim]]" of the tables
+/// "bump_foil.truss" and "bump_foil.shim[2]".
+std::string table_header(std::string_view table);
+
+/// The value in TOML.
+std::string toml_of(const nlohmann::ordered_json& value);
+
+/// A value that the key might have, as an author would write it in a case file.
+std::string example_of(const ListedKey& listed);
+
+/// The value that it has, as an author would write it: in the unit of the example.
+std::string authored_value(const ListedKey& listed);
+
+}  // namespace bumpfoil

@@ -1,0 +1,168 @@
+#include "case/presets.hpp"
+
+#include <numbers>
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view assumed = "assumed";
+constexpr std::string_view as_reference = "assumed, as in gen1";
+constexpr double pi = std::numbers::pi;
+
+constexpr std::string_view rubio_head =
+    R"(# Foil bearing of Rubio & San Andres, J. Eng. Gas Turbines Power 128 (2006) 653-660: size, foils and modulus.
+# What is not taken from there is said in its line to be assumed.
+#
+)";
+
+constexpr std::string_view larsen_head =
+    R"(# Strip of foils between plates of Larsen, Varela & Santos, Tribology International 74 (2014) 46-56, for the command
+# strip: foils, modulus and width. What is not taken from there is said in its line to be assumed.
+#
+)";
+
+/// [Rubio2006], and what it takes to run it.
+Preset rubio() {
+  Preset preset{.name = "gen1-rubio",
+                .head = rubio_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.radial_clearance", assumed},
+                            {"bearing.weld_angle", assumed},
+                            {"bearing.wrap", assumed},
+                            {"bump_foil.height_reference", assumed},
+                            {"bump_foil.poisson_ratio", assumed},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.thickness", "assumed, as that of the bump foil"},
+                            {"top_foil.youngs_modulus", assumed},
+                            {"top_foil.poisson_ratio", assumed},
+                            {"friction.coefficient", assumed},
+                            {"cycle.directions", assumed},
+                            {"cycle.amplitude", assumed}}};
+  preset.input.title = "First-generation bearing, Rubio & San Andres 2006";
+  BumpFoil& foil = preset.input.bump_foil;
+  foil.bumps = 25;
+  foil.pitch = 4.581e-3;
+  foil.length = 4.064e-3;
+  foil.height = 0.381e-3;
+  foil.youngs_modulus = 213e9;
+  preset.input.top_foil.youngs_modulus = 213e9;
+  preset.input.cycle.amplitude.value = 63.6e-6;
+  return preset;
+}
+
+/// [Larsen2014], and what it takes to press it.
+Preset larsen() {
+  Preset preset{.name = "larsen-strip",
+                .head = larsen_head,
+                .input = reference_case(),
+                .remarks = {{"bump_foil.model", "of these bumps no truss can be identified, its k2 is negative"},
+                            {"bump_foil.bumps", "assumed"},
+                            {"bump_foil.poisson_ratio", assumed},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.youngs_modulus", assumed},
+                            {"top_foil.poisson_ratio", assumed},
+                            {"friction.coefficient", assumed},
+                            {"strip.bumps", assumed},
+                            {"strip.weld", assumed},
+                            {"strip.displacement", assumed},
+                            {"strip.cycles", assumed}}};
+  Case& input = preset.input;
+  input.title = "Strip of bump foil between plates, Larsen, Varela & Santos 2014";
+  input.bearing = {.axial_length = 53e-3};
+  BumpFoil& foil = input.bump_foil;
+  foil.model = BumpFoilModel::frame;
+  foil.bumps = 10;
+  foil.pitch = 7e-3;
+  foil.length = 6.6e-3;
+  foil.height = 0.9e-3;
+  foil.height_reference = HeightReference::midsurface;
+  foil.thickness = 0.127e-3;
+  foil.youngs_modulus = 207e9;
+  foil.poisson_ratio = 0.3;
+  input.top_foil = {.thickness = 0.254e-3, .youngs_modulus = 207e9, .poisson_ratio = 0.3};
+  input.cycle = {};
+  input.strip = StripSettings{.bumps = 10, .amplitude = {.value = 20e-6}, .cycles = 2};
+  return preset;
+}
+
+constexpr std::string_view three_pads_head =
+    R"(# Illustration of a third-generation foil bearing: three pads, each with a top foil and a bump foil of its own, welded
+# at one edge and free at the other, and displaced towards the journal. Nobody has published this bearing: its sizes are
+# those of the first-generation reference bearing, and what makes it one of three pads is assumed, as its lines say.
+#
+)";
+
+/// Not of any paper: the reference bearing cut into three.
+Preset three_pads() {
+  Preset preset{.name = "gen3-three-pad",
+                .head = three_pads_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.radius", as_reference},
+                            {"bearing.axial_length", as_reference},
+                            {"bearing.radial_clearance", as_reference},
+                            {"bearing.weld_angle", "assumed; pad 1 begins here"},
+                            {"bearing.wrap", assumed},
+                            {"bearing.pad_gap", assumed},
+                            {"bump_foil.bumps", "assumed; of each pad"},
+                            {"bump_foil.pitch", as_reference},
+                            {"bump_foil.length", as_reference},
+                            {"bump_foil.height", as_reference},
+                            {"bump_foil.thickness", as_reference},
+                            {"bump_foil.youngs_modulus", as_reference},
+                            {"bump_foil.poisson_ratio", as_reference},
+                            {"bump_foil.weld_at", assumed},
+                            {"top_foil.thickness", as_reference},
+                            {"top_foil.youngs_modulus", as_reference},
+                            {"top_foil.poisson_ratio", as_reference},
+                            {"friction.coefficient", assumed},
+                            {"cycle.directions", assumed},
+                            {"cycle.amplitude", assumed}}};
+  Case& input = preset.input;
+  input.title = "Illustration of a third-generation bearing: three pads";
+  input.bearing.pad_gap = pi / 18.0;
+  input.bump_foil.bumps = 8;
+  input.pads.resize(3);
+  for (Pad& pad : input.pads) pad.lobe = 10e-6;
+  input.cycle.amplitude.value = 60e-6;
+  preset.remarks.insert(preset.remarks.end(), {{"pad[1].weld_edge", assumed},
+                                               {"pad[1].lobe", assumed},
+                                               {"pad[2].weld_edge", assumed},
+                                               {"pad[2].lobe", assumed},
+                                               {"pad[3].weld_edge", assumed},
+                                               {"pad[3].lobe", assumed}});
+  return preset;
+}
+
+constexpr std::string_view running_head =
+    R"(# The bearing of Arghir & Benchekroun 2019 running in air, pressed towards +X by its rotor, for the command equilibrium.
+# The paper has no film: speed and loads are assumed.
+#
+)";
+
+/// The reference bearing on its film.
+Preset running() {
+  Preset preset{.name = "running",
+                .head = running_head,
+                .input = reference_case(),
+                .remarks = {{"bearing.weld_angle", "the loads point away from the weld"},
+                            {"equilibrium.speeds", "here against the sense of winding"}}};
+  Case& input = preset.input;
+  input.title = "First-generation bearing, running in air";
+  input.cycle = {};
+  input.equilibrium = EquilibriumSettings{.speeds = {45000.0 * (2.0 * pi / 60.0)},
+                                          .loads = {{10.0, 0.0}, {20.0, 0.0}, {50.0, 0.0}, {100.0, 0.0}}};
+  return preset;
+}
+
+}  // namespace
+
+const std::vector<Preset>& presets() {
+  static const std::vector<Preset> all{{.name = "gen1", .head = {}, .input = reference_case(), .remarks = {}},
+                                       rubio(),
+                                       three_pads(),
+                                       larsen(),
+                                       running()};
+  return all;
+}
+
+}  // namespace bumpfoil

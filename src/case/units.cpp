@@ -1,0 +1,149 @@
+#include "case/units.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <system_error>
+
+#include "bumpfoil/core/error.hpp"
+#include "case/csv_lines.hpp"
+#include "case/unit_system.hpp"
+#include "core/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+struct DimensionText {
+  Dimension dimension;
+  std::string_view name;
+  std::string_view si_unit;
+  std::string_view example;
+};
+
+constexpr std::array dimensions{
+    DimensionText{Dimension::length, "a length", "m", "\"31.8 um\""},
+    DimensionText{Dimension::angle, "an angle", "rad", "\"30 deg\""},
+    DimensionText{Dimension::force, "a force", "N", "\"5 N\""},
+    DimensionText{Dimension::stiffness, "a stiffness", "N/m", "\"150 MN/m\""},
+    DimensionText{Dimension::pressure, "a pressure", "Pa", "\"214 GPa\""},
+    DimensionText{Dimension::frequency, "a frequency", "rad/s", "\"200 Hz\""},
+    DimensionText{Dimension::temperature, "a temperature", "K", "\"293 K\""},
+    DimensionText{Dimension::viscosity, "a viscosity", "Pa s", "\"18.5 uPa s\""},
+    DimensionText{Dimension::bed_stiffness, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
+};
+
+/// Longer texts are no quantities; the grammar of UDUNITS-2 recurses.
+constexpr std::size_t longest_quantity = 64;
+
+const DimensionText& text_of(Dimension dimension) {
+  return dimensions[static_cast<std::size_t>(dimension)];
+}
+
+/// Of base_units.
+constexpr std::size_t radian = 7;
+
+UnitPowers powers_of(Dimension dimension) {
+  return read_unit(text_of(dimension).si_unit).value_or(UnitMeaning{}).powers;
+}
+
+/// Angles have radians in them; "30 %" is no angle all the same.
+bool counts_radians(const UnitMeaning& unit) {
+  return unit.powers[radian] != 0;
+}
+
+bool measures(const UnitMeaning& unit, Dimension dimension) {
+  UnitPowers due = powers_of(dimension);
+  // A frequency counts radians or, by its name, turns.
+  if (dimension == Dimension::frequency && !counts_radians(unit)) due[radian] = 0;
+  return unit.powers == due;
+}
+
+/// UDUNITS-2 takes numbers inside units: "1 000 mm" would be nothing, "mm^1.5" half a millimetre. Digits are
+/// exponents here: they follow a letter, a sign or another digit.
+bool has_stray_digits(std::string_view unit) {
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool digit = unit[i] >= '0' && unit[i] <= '9';
+    if (!digit) continue;
+    const char before = i == 0 ? ' ' : unit[i - 1];
+    if (before == ' ' || before == '.' || before == ',' || before == '(' || before == '*' || before == '/') return true;
+  }
+  return false;
+}
+
+/// Turns, or parts of them, by their name: for UDUNITS-2 a hertz is 1/s.
+bool is_hertz(std::string_view unit) {
+  return unit.ends_with("Hz") || unit.ends_with("hertz");
+}
+
+/// Dividing by 1e6 gives the double nearest to the decimal fraction where multiplying by 1e-6 may miss it.
+double scaled(double number, double scale) {
+  const double divisor = std::round(1.0 / scale);
+  return divisor > 1.0 && std::abs(divisor * scale - 1.0) < 1e-14 ? number / divisor : number * scale;
+}
+
+}  // namespace
+
+std::string_view si_unit(Dimension dimension) {
+  return text_of(dimension).si_unit;
+}
+
+std::string_view example_quantity(Dimension dimension) {
+  return text_of(dimension).example;
+}
+
+std::string_view name_of(Dimension dimension) {
+  return text_of(dimension).name;
+}
+
+std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimension due) {
+  const std::string advice = fmt::format("write {} with its unit, for example {}", name_of(due), example_quantity(due));
+  text = trimmed(text);
+  if (text.empty()) return QuantityFault{"is empty", advice};
+  if (text.size() > longest_quantity || printable(text) != text) return QuantityFault{"is not a quantity", advice};
+
+  double number = 0.0;
+  const auto [end, status] = read_number(text, number);
+  if (status == std::errc::result_out_of_range) {
+    return QuantityFault{"has a number that double precision cannot hold", advice};
+  }
+  if (status != std::errc{}) return QuantityFault{"does not begin with a number", advice};
+  if (!std::isfinite(number)) return QuantityFault{"is not finite", advice};
+
+  const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (unit_text.empty()) {
+    return QuantityFault{"has no unit", fmt::format("{}, or a number in {} without quotes", advice, si_unit(due))};
+  }
+  const bool inverse = due == Dimension::frequency && unit_text.starts_with("1/");
+  if (unit_text.front() == ',' || has_stray_digits(unit_text.substr(inverse ? 1 : 0))) {
+    return QuantityFault{
+        fmt::format("has digits where a unit is due, in \"{}\"", unit_text),
+        "write one number with a decimal point, without separators, and one unit with whole exponents"};
+  }
+  const std::optional<UnitMeaning> unit = read_unit(unit_text);
+  if (!unit) return QuantityFault{fmt::format("has a unit that is not known, \"{}\"", unit_text), advice};
+  if (!measures(*unit, due)) {
+    for (const DimensionText& other : dimensions) {
+      if (measures(*unit, other.dimension)) {
+        return QuantityFault{fmt::format("is {} where {} is due", other.name, name_of(due)), advice};
+      }
+    }
+    return QuantityFault{fmt::format("has the unit \"{}\" where {} is due", unit_text, name_of(due)), advice};
+  }
+  if (!unit->scale)
+    return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
+  double value = scaled(number, *unit->scale);
+  if (due == Dimension::frequency && !counts_radians(*unit)) {
+    if (!is_hertz(unit_text)) {
+      return QuantityFault{fmt::format("has the unit \"{}\", which may count turns or radians", unit_text),
+                           "write \"Hz\" or \"rpm\" for turns, \"rad/s\" for radians"};
+    }
+    value *= 2.0 * std::numbers::pi;
+  }
+  if (!std::isfinite(value)) return QuantityFault{"is not finite", advice};
+  return value;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,249 @@
+#include "case/value_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include "bumpfoil/model/validation.hpp"
+#include "case/toml_document.hpp"
+#include "core/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::array axis_names{NamedNumber{"+X", 0.0}, NamedNumber{"+Y", 0.5 * std::numbers::pi},
+                                NamedNumber{"-X", std::numbers::pi}, NamedNumber{"-Y", 1.5 * std::numbers::pi}};
+
+/// Of bearings and their parts, m.
+constexpr double likely_length = 0.3;
+
+std::string_view kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+/// What to write for what is no number, such as "0,2".
+std::string number_advice(const toml::node& node) {
+  std::string text = node.value_or(std::string());
+  const std::size_t comma = text.find(',');
+  double number = 0.0;
+  if (comma != std::string::npos) {
+    text[comma] = '.';
+    const auto [end, status] = read_number(text, number);
+    if (status == std::errc{} && end == text.data() + text.size()) return "write a decimal point: " + text;
+  }
+  return "write a number without quotes, such as 0.1";
+}
+
+constexpr Dimension dimension_of(Control control) {
+  return control == Control::displacement ? Dimension::length : Dimension::force;
+}
+
+}  // namespace
+
+std::string is_where(const toml::node& node, std::string_view due) {
+  // What is no TOML on the command line is a text, which its author need not know.
+  if (node.is_string() && is_override(node)) return fmt::format("is not {}", due);
+  return fmt::format("is {} where {} is due", kind_of(node), due);
+}
+
+void ValueReader::refuse(std::string_view due, std::string advice) const {
+  log.fault(path, is_where(node, due), std::move(advice));
+}
+
+void ValueReader::operator()(std::string* value) const {
+  if (const auto* text = node.as_string()) {
+    *value = text->get();
+  } else {
+    refuse("a text", "write it in quotes");
+  }
+}
+
+void ValueReader::operator()(bool* value) const {
+  if (const auto* flag = node.as_boolean()) {
+    *value = flag->get();
+  } else {
+    refuse("true or false", "write true or false without quotes");
+  }
+}
+
+void ValueReader::operator()(int* value) const {
+  const auto* number = node.as_integer();
+  if (number == nullptr) {
+    refuse("a whole number", "write a whole number without quotes, such as 26");
+  } else if (number->get() < std::numeric_limits<int>::min() || number->get() > std::numeric_limits<int>::max()) {
+    log.fault(path, "is out of range", number->get() > 0 ? "give a smaller number" : "give a larger number");
+  } else {
+    *value = static_cast<int>(number->get());
+  }
+}
+
+void ValueReader::operator()(double* value) const {
+  std::optional<double> number;
+  (*this)(&number);
+  if (number) *value = *number;
+}
+
+void ValueReader::operator()(std::optional<double>* value) const {
+  if (node.is_number()) {
+    *value = node.value<double>();
+    const double size = std::abs(**value);
+    if (dimension == Dimension::angle && size > 2.0 * std::numbers::pi) {
+      log.met_unlikely(path, "numbers are radians: write \"{} deg\" if degrees are meant");
+    } else if (dimension == Dimension::length && size > likely_length) {
+      log.met_unlikely(path, "numbers are metres: write a unit if that is not meant, \"{} mm\"");
+    }
+  } else if (!dimension) {
+    refuse("a number", number_advice(node));
+  } else if (const auto* text = node.as_string()) {
+    const auto quantity = parse_quantity(text->get(), *dimension);
+    if (const auto* fault = std::get_if<QuantityFault>(&quantity)) {
+      log.fault(path, fault->what, fault->advice + alternatives);
+    } else {
+      *value = std::get<double>(quantity);
+    }
+  } else {
+    refuse(name_of(*dimension), fmt::format("write a text with a unit, for example {}, or a number in {}{}",
+                                            example_quantity(*dimension), si_unit(*dimension), alternatives));
+  }
+}
+
+void ValueReader::operator()(PerBump* value) const {
+  if (node.is_array()) {
+    std::vector<double> each;
+    (*this)(&each);
+    *value = PerBump(std::move(each));
+  } else {
+    double common = 0.0;
+    (*this)(&common);
+    *value = common;
+  }
+}
+
+void ValueReader::operator()(std::vector<double>* value) const {
+  read_list(*value, {});
+}
+
+void ValueReader::directions(std::vector<double>& angles) const {
+  read_list(angles, axis_names);
+}
+
+void ValueReader::read_list(std::vector<double>& values, std::span<const NamedNumber> names) const {
+  const auto* list = node.as_array();
+  if (list == nullptr) {
+    return refuse("a list", fmt::format("write a list in brackets: [{}]",
+                                        names.empty() ? example_quantity(*dimension) : "\"+X\""));
+  }
+  if (list->size() > static_cast<std::size_t>(most_bumps)) {
+    return log.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_bumps));
+  }
+  std::string words;
+  for (const auto& [name, number] : names) words += fmt::format("{} \"{}\"", words.empty() ? ", or" : ",", name);
+  values.assign(list->size(), 0.0);
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& entry = *list->get(i);
+    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
+    log.met(entry_path, entry);
+    const std::string word = entry.value_or(std::string());
+    const auto named = std::find_if(names.begin(), names.end(), [&](const auto& one) { return one.first == word; });
+    if (named != names.end()) {
+      values[i] = named->second;
+    } else {
+      ValueReader{log, entry_path, entry, dimension, words}(&values[i]);
+    }
+  }
+}
+
+std::optional<Control> control_of(const toml::node& node) {
+  const auto* text = node.as_string();
+  if (text == nullptr) return std::nullopt;
+  for (const Control control : {Control::displacement, Control::load}) {
+    if (std::holds_alternative<double>(parse_quantity(text->get(), dimension_of(control)))) return control;
+  }
+  return std::nullopt;
+}
+
+void read_target(ReadingLog& log, const std::string& path, const toml::node& node, Control control, double& value) {
+  const Control other = control == Control::displacement ? Control::load : Control::displacement;
+  ValueReader{log, path, node, dimension_of(control),
+              fmt::format(", or {}", example_quantity(dimension_of(other)))}(&value);
+}
+
+const toml::array* plane_vector(ReadingLog& log, const std::string& path, const toml::node& node,
+                                std::string_view example) {
+  const auto* list = node.as_array();
+  if (list != nullptr && list->size() == 2) return list;
+  log.fault(path, list == nullptr ? is_where(node, "a list") : fmt::format("has {} entries", list->size()),
+            fmt::format("give two, along X and Y: {}", example));
+  return nullptr;
+}
+
+std::optional<PlaneTarget> read_place(ReadingLog& log, const std::string& path, const toml::node& node, Control plain,
+                                      std::string_view example) {
+  const toml::array* list = plane_vector(log, path, node, example);
+  if (list == nullptr) return std::nullopt;
+  std::optional<Control> control;
+  for (const toml::node& entry : *list) {
+    const std::optional<Control> met = control_of(entry);
+    if (met && control.value_or(*met) != *met) {
+      log.fault(path, "mixes a displacement and a load", "give two lengths or two forces");
+      return std::nullopt;
+    }
+    if (met) control = met;
+  }
+  PlaneTarget read{.control = control.value_or(plain)};
+  for (const int axis : {0, 1}) {
+    const std::string entry_path = fmt::format("{}[{}]", path, axis + 1);
+    const toml::node& entry = *list->get(static_cast<std::size_t>(axis));
+    log.met(entry_path, entry);
+    read_target(log, entry_path, entry, read.control, read.value[axis]);
+  }
+  return read;
+}
+
+void read_places(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view example,
+                 PathPoints& points) {
+  const auto* list = node.as_array();
+  if (list == nullptr || list->empty()) {
+    return log.fault(path, list == nullptr ? is_where(node, "a list") : "is empty",
+                     fmt::format("give pairs along X and Y: {}", example));
+  }
+  if (list->size() > static_cast<std::size_t>(most_points)) {
+    return log.fault(path, fmt::format("has {} entries", list->size()), fmt::format("give at most {}", most_points));
+  }
+  PathPoints read;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string entry_path = fmt::format("{}[{}]", path, i + 1);
+    const toml::node& entry = *list->get(i);
+    log.met(entry_path, entry);
+    const auto place = read_place(log, entry_path, entry, read.control, "[\"0 um\", \"-40 um\"]");
+    if (!place) return;
+    if (i > 0 && place->control != read.control) {
+      return log.fault(entry_path, "mixes displacements and loads", "give lengths only, or forces only");
+    }
+    read.control = place->control;
+    read.values.push_back(place->value);
+  }
+  points = std::move(read);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <toml++/toml.h>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/model/case.hpp"
+#include "case/reading_log.hpp"
+#include "case/units.hpp"
+
+namespace bumpfoil {
+
+/// A word that stands for a number.
+using NamedNumber = std::pair<std::string_view, double>;
+
+/// What is wrong with a node of another type than is due, "a list".
+std::string is_where(const toml::node& node, std::string_view due);
+
+/// Reads what a key holds into its value; faults go into the log.
+struct ValueReader {
+  ReadingLog& log;
+  const std::string& path;
+  const toml::node& node;
+  std::optional<Dimension> dimension{};
+  std::string alternatives{};  ///< what else may be written
+
+  void operator()(std::string* value) const;
+  void operator()(bool* value) const;
+  void operator()(int* value) const;
+  void operator()(double* value) const;
+  void operator()(std::optional<double>* value) const;
+  void operator()(PerBump* value) const;
+
+  /// Entries that are faulty become zero.
+  void operator()(std::vector<double>* value) const;
+
+  /// A list of angles, in which "+X", "+Y", "-X" and "-Y" stand for theirs.
+  void directions(std::vector<double>& angles) const;
+
+ private:
+  void refuse(std::string_view due, std::string advice) const;
+  void read_list(std::vector<double>& values, std::span<const NamedNumber> names) const;
+};
+
+/// What the unit of a text tells; absent of a plain number, or a text that is neither.
+std::optional<Control> control_of(const toml::node& node);
+
+/// A length or a force.
+void read_target(ReadingLog& log, const std::string& path, const toml::node& node, Control control, double& value);
+
+/// The two entries of a vector in the X-Y plane; null where it is none, which goes into the log.
+const toml::array* plane_vector(ReadingLog& log, const std::string& path, const toml::node& node,
+                                std::string_view example);
+
+/// A list of two, along X and Y; absent where it is none.
+std::optional<PlaneTarget> read_place(ReadingLog& log, const std::string& path, const toml::node& node, Control plain,
+                                      std::string_view example);
+
+/// A list of such places, all positions or all loads.
+void read_places(ReadingLog& log, const std::string& path, const toml::node& node, std::string_view example,
+                 PathPoints& points);
+
+}  // namespace bumpfoil

@@ -1,0 +1,20 @@
+#include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/ensemble/ensemble_identity.hpp"
+
+namespace bumpfoil {
+
+void require_no_checkpoint(const std::filesystem::path& checkpoint, const std::string& advice) {
+  if (!std::filesystem::exists(checkpoint)) return;
+  throw Error(ErrorKind::file, {{checkpoint.string(), 0, "", "", "is of a run that was not finished", advice}});
+}
+
+EnsembleLog open_ensemble_log(const std::filesystem::path& checkpoint, bool resumes, const Case& input,
+                              std::size_t width) {
+  if (!resumes) return {checkpoint, ensemble_identity(input), width};
+  require_same_ensemble(*EnsembleLog::identity_of(checkpoint), input, checkpoint.string());
+  return EnsembleLog::open(checkpoint, width);
+}
+
+}  // namespace bumpfoil

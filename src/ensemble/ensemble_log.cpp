@@ -1,0 +1,166 @@
+#include "bumpfoil/ensemble/ensemble_log.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/results/checksum.hpp"
+#include "results/posix_file.hpp"
+
+namespace bumpfoil {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A log is the signature, a record with the identity, and a record for each block of rows, stored by columns. A record
+// is the number of its bytes, their checksum, and they.
+constexpr std::string_view signature = "bumpfoil-ensemble/1\n";
+constexpr std::size_t checksum_size = blank_checksum.size();
+constexpr std::size_t head_size = sizeof(std::uint64_t) + checksum_size;
+
+/// The checksum vouches for the size, too.
+std::string head_of(std::string_view bytes) {
+  const std::uint64_t size = bytes.size();
+  std::string head(reinterpret_cast<const char*>(&size), sizeof size);
+  return head + xxh3_128(head + xxh3_128(bytes));
+}
+
+std::string record_of(std::string_view bytes) {
+  return head_of(bytes).append(bytes);
+}
+
+}  // namespace
+
+struct EnsembleLog::Open {
+  struct Block {
+    std::size_t first;   ///< sample
+    std::size_t count;   ///< of samples
+    std::size_t offset;  ///< of its numbers in the file
+  };
+
+  /// Reads up to `size` bytes at a place.
+  [[nodiscard]] std::string read(std::size_t offset, std::size_t size) const {
+    std::string bytes(size, '\0');
+    std::size_t have = 0;
+    while (have < size) {
+      const ssize_t count = ::pread(file.get(), bytes.data() + have, size - have, static_cast<off_t>(offset + have));
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) throw_unwritable(path, errno);
+      if (count == 0) break;
+      have += static_cast<std::size_t>(count);
+    }
+    bytes.resize(have);
+    return bytes;
+  }
+
+  /// The identity, which comes first; nothing where this is no log, or it is torn.
+  std::optional<std::string> begin() {
+    file_size = static_cast<std::size_t>(fs::file_size(path));
+    end = signature.size();
+    return read(0, signature.size()) == signature ? next_record() : std::nullopt;
+  }
+
+  /// The record at the end of what was read; nothing where it is torn.
+  std::optional<std::string> next_record() {
+    const std::string head = read(end, head_size);
+    if (head.size() < head_size) return std::nullopt;
+    std::uint64_t size = 0;
+    std::memcpy(&size, head.data(), sizeof size);
+    if (size > file_size - std::min(file_size, end + head_size)) return std::nullopt;
+    std::string bytes = read(end + head_size, static_cast<std::size_t>(size));
+    if (head_of(bytes) != head) return std::nullopt;
+    end += head_size + bytes.size();
+    return bytes;
+  }
+
+  void add(const std::string& record) {
+    if (::lseek(file.get(), static_cast<off_t>(end), SEEK_SET) < 0) throw_unwritable(path, errno);
+    write_all(file, record, path);
+    if (::fdatasync(file.get()) != 0 && errno != EINVAL) throw_unwritable(path, errno);
+    end += record.size();
+  }
+
+  void add_block(std::size_t bytes) {
+    const std::size_t count = bytes / (sizeof(double) * width);
+    blocks.push_back({samples, count, end - bytes});
+    samples += count;
+  }
+
+  fs::path path;
+  FileDescriptor file;
+  std::size_t width;
+  std::size_t file_size{};
+  std::size_t end{};
+  std::vector<Block> blocks{};
+  std::size_t samples{};
+};
+
+EnsembleLog::EnsembleLog(std::unique_ptr<Open> open) : open_(std::move(open)) {}
+EnsembleLog::EnsembleLog(EnsembleLog&&) noexcept = default;
+EnsembleLog::~EnsembleLog() = default;
+
+EnsembleLog::EnsembleLog(const fs::path& path, std::string_view identity, std::size_t width)
+    : open_(new Open{.path = path, .file = FileDescriptor(path, path, O_RDWR | O_CREAT | O_TRUNC), .width = width}) {
+  open_->add(std::string(signature) + record_of(identity));
+}
+
+std::optional<std::string> EnsembleLog::identity_of(const fs::path& path) {
+  std::error_code code;
+  if (!fs::is_regular_file(path, code)) return std::nullopt;
+  return Open{.path = path, .file = FileDescriptor(path, path, O_RDONLY), .width = 1}.begin();
+}
+
+EnsembleLog EnsembleLog::open(const fs::path& path, std::size_t width) {
+  std::unique_ptr<Open> open(new Open{.path = path, .file = FileDescriptor(path, path, O_RDWR), .width = width});
+  [[maybe_unused]] const bool known = open->begin().has_value();
+  BUMPFOIL_ASSERT(known);
+  while (const std::optional<std::string> block = open->next_record()) open->add_block(block->size());
+  if (::ftruncate(open->file.get(), static_cast<off_t>(open->end)) != 0) throw_unwritable(path, errno);
+  return EnsembleLog(std::move(open));
+}
+
+std::size_t EnsembleLog::samples() const {
+  return open_->samples;
+}
+
+void EnsembleLog::append(std::span<const double> rows) {
+  const std::size_t width = open_->width;
+  BUMPFOIL_ASSERT(!rows.empty() && rows.size() % width == 0);
+  const std::size_t count = rows.size() / width;
+  std::string bytes(rows.size_bytes(), '\0');
+  for (std::size_t column = 0; column < width; ++column) {
+    for (std::size_t row = 0; row < count; ++row) {
+      std::memcpy(bytes.data() + (column * count + row) * sizeof(double), &rows[row * width + column], sizeof(double));
+    }
+  }
+  open_->add(record_of(bytes));
+  open_->add_block(bytes.size());
+}
+
+std::vector<double> EnsembleLog::column(std::size_t column, std::size_t first, std::size_t count) const {
+  BUMPFOIL_ASSERT(column < open_->width && first + count <= samples());
+  std::vector<double> values;
+  values.reserve(count);
+  for (const Open::Block& block : open_->blocks) {
+    const std::size_t from = std::max(first, block.first);
+    const std::size_t to = std::min(first + count, block.first + block.count);
+    if (from >= to) continue;
+    const std::size_t place = column * block.count + (from - block.first);
+    const std::string bytes = open_->read(block.offset + place * sizeof(double), (to - from) * sizeof(double));
+    // What was written is there, unless somebody else has cut the file.
+    if (bytes.size() != (to - from) * sizeof(double)) throw_unwritable(open_->path, EIO);
+    values.resize(values.size() + (to - from));
+    std::memcpy(values.data() + values.size() - (to - from), bytes.data(), bytes.size());
+  }
+  return values;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,111 @@
+#include "bumpfoil/ensemble/ensemble_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "bumpfoil/ensemble/running_sample.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+/// Between two writes to the log: as much work as is lost when the power fails.
+constexpr auto write_interval = std::chrono::milliseconds(200);
+/// Memory for rows that wait for one before them.
+constexpr std::size_t buffer_bytes = std::size_t{64} << 20U;
+/// As many threads as there may be always have something to do.
+constexpr std::size_t smallest_window = 1024;
+
+/// Takes rows from the flow to the log, and asks after whole rounds whether these are enough.
+class Writer {
+ public:
+  Writer(SampleFlow& flow, std::size_t window, EnsembleLog& log, const std::function<bool()>& enough)
+      : flow_(flow), window_(window), log_(log), enough_(enough), is_enough_(log.samples() > 0 && asks()) {}
+
+  [[nodiscard]] bool is_enough() const { return is_enough_; }
+
+  [[nodiscard]] bool is_time() const {
+    return Clock::now() - last_write_ >= write_interval || flow_.waiting() > window_ / 2;
+  }
+
+  void write() {
+    while (!is_enough_) {
+      const std::vector<double> rows = flow_.leave(ensemble_round - log_.samples() % ensemble_round);
+      if (rows.empty()) break;
+      log_.append(rows);
+      is_enough_ = asks();
+    }
+    last_write_ = Clock::now();
+  }
+
+ private:
+  [[nodiscard]] bool asks() const { return enough_ && log_.samples() % ensemble_round == 0 && enough_(); }
+
+  SampleFlow& flow_;
+  std::size_t window_;
+  EnsembleLog& log_;
+  const std::function<bool()>& enough_;
+  bool is_enough_;
+  Clock::time_point last_write_{Clock::now()};
+};
+
+}  // namespace
+
+EnsembleSampler::EnsembleSampler(const Case& input, const EnsembleLayout& layout) : input_(input), layout_(layout) {}
+
+std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, const ProgressCallback& progress) {
+  const Case sampled = sampled_case(input_, draw_sample(input_, number));
+  bool stopped = false;
+  const ProgressCallback goes_on = [&](double fraction) {
+    stopped = stopped || !progress(fraction);
+    return !stopped;
+  };
+  SampleResult result;
+  if (layout_.command == EnsembleCommand::cycle) {
+    std::unique_ptr<SampleRunner> runner = take_runner();
+    result = runner->run(sampled, goes_on);
+    give_back(std::move(runner));
+  } else {
+    result = run_running_sample(sampled, goes_on, input_.montecarlo->limits);
+  }
+  if (stopped) return std::nullopt;
+  return make_ensemble_row(layout_, sampled, result);
+}
+
+std::unique_ptr<SampleRunner> EnsembleSampler::take_runner() {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return std::make_unique<SampleRunner>();
+  std::unique_ptr<SampleRunner> runner = std::move(idle_.back());
+  idle_.pop_back();
+  return runner;
+}
+
+void EnsembleSampler::give_back(std::unique_ptr<SampleRunner> runner) {
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(runner));
+}
+
+bool run_ensemble(const Case& input, const EnsembleLayout& layout, EnsembleLog& log, const EnsembleRun& run) {
+  const auto samples = static_cast<std::size_t>(input.montecarlo->samples);
+  const std::size_t window = std::max(smallest_window, buffer_bytes / (layout.width() * sizeof(double)));
+  SampleFlow flow(log.samples(), std::max(samples, log.samples()), window);
+  Writer writer(flow, window, log, run.enough);
+  if (writer.is_enough()) return true;
+  EnsembleSampler sampler(input, layout);
+  const bool finished = run_in_parallel(
+      flow, run.threads,
+      [&](std::size_t number, const ProgressCallback& progress) {
+        std::optional<std::vector<double>> row = sampler.run(number, progress);
+        if (row) flow.put(number, std::move(*row));
+      },
+      [&] {
+        if (run.share) run.share(flow);
+        if (writer.is_time()) writer.write();
+        return !writer.is_enough() && (!run.progress || run.progress(static_cast<double>(flow.done())));
+      });
+  writer.write();
+  return finished || writer.is_enough();
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,120 @@
+#include "ensemble/ensemble_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <variant>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/ensemble/ensemble_table.hpp"
+#include "bumpfoil/model/pads.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json statistics_json(const Statistics& found) {
+  Json json{{"count", found.count},
+            {"undefined", found.undefined},
+            {"mean", value_json(found.mean)},
+            {"std", value_json(found.deviation)},
+            {"standard_error", value_json(found.standard_error)},
+            {"mean_interval_95", {value_json(found.mean_low), value_json(found.mean_high)}}};
+  for (std::size_t i = 0; i < percentiles.size(); ++i) {
+    json[fmt::format("p{}", percentiles[i])] = value_json(found.percentile[i]);
+  }
+  return json;
+}
+
+Json place_json(const EnsembleLayout& layout, const PlaceStatistics& found) {
+  Json json;
+  for (std::size_t k = 1; k < layout.columns.size(); ++k) {
+    const EnsembleColumn& column = layout.columns[k];
+    json[key_of(column.name, column.unit)] = statistics_json(found.columns[k]);
+  }
+  return json;
+}
+
+Json loads_json(const PlaceStatistics& found) {
+  Json json{{"mean_N", Json::array()}, {"std_N", Json::array()}};
+  for (const Statistics& load : found.bump_loads) {
+    json["mean_N"].push_back(value_json(load.mean));
+    json["std_N"].push_back(value_json(load.deviation));
+  }
+  return json;
+}
+
+/// Sensitivities of a quantity, by the names that the factors have in [montecarlo].
+Json sensitivities_json(const Case& input, const std::vector<double>& found) {
+  Json json;
+  std::size_t next = 0;
+  if (input.montecarlo->bump_height) {
+    json["bump_height"] = Json::array();
+    for (; next < static_cast<std::size_t>(total_bumps(input)); ++next) {
+      json["bump_height"].push_back(value_json(found[next]));
+    }
+  }
+  for (const ScatteredNumber& number : scattered_numbers()) {
+    if ((*input.montecarlo).*number.distribution) json[std::string(number.name)] = value_json(found[next++]);
+  }
+  return json;
+}
+
+Json sensitivities_json(const Case& input, const EnsembleLayout& layout, const PlaceStatistics& found) {
+  Json json = Json::object();
+  for (std::size_t k = 1; k < layout.columns.size(); ++k) {
+    if (found.sensitivities[k].empty()) continue;
+    json[layout.columns[k].name] = sensitivities_json(input, found.sensitivities[k]);
+  }
+  return json;
+}
+
+Json yield_json(const Yield& yield) {
+  return {{"passed", yield.passed}, {"samples", yield.samples}, {"interval_95", {yield.low, yield.high}}};
+}
+
+}  // namespace
+
+std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, const EnsembleStatistics& statistics,
+                             const EnsembleYields& yields, RunStatus status, const Manifest& manifest) {
+  Json json = summary_head("montecarlo", input, status, manifest);
+  json["seed"] = input.montecarlo->seed;
+  json["samples_due"] = input.montecarlo->samples;
+  json["samples"] = statistics.samples;
+  json["statistics"] = Json::object();
+  json["bump_loads"] = Json::object();
+  json["sensitivities"] = Json::object();
+  for (std::size_t i = 0; i < layout.places.size(); ++i) {
+    const std::string& name = layout.places[i].name;
+    json["statistics"][name] = place_json(layout, statistics.places[i]);
+    json["bump_loads"][name] = loads_json(statistics.places[i]);
+    json["sensitivities"][name] = sensitivities_json(input, layout, statistics.places[i]);
+  }
+  json["limits"] = Json::array();
+  for (std::size_t i = 0; i < yields.limits.size(); ++i) {
+    Json limit = yield_json(yields.each[i]);
+    limit["limit"] = yields.limits[i].text;
+    json["limits"].push_back(std::move(limit));
+  }
+  if (!yields.limits.empty()) json["yield"] = yield_json(yields.all);
+  json["warnings"] = warning_lines(input, layout, statistics);
+  json["failed"] = Json::array();
+  for (const SampleFailure& failure : statistics.failures) {
+    Json failed{{"sample", failure.sample}};
+    const EnsemblePlace& place = layout.places[failure.place];
+    if (const auto* direction = std::get_if<double>(&place.at)) {
+      failed["direction_deg"] = to_degrees(*direction);
+    } else {
+      failed["state"] = place.name;
+    }
+    failed["status"] = layout.status_name(failure.status);
+    failed["reason"] = layout.status_reason(failure.status);
+    json["failed"].push_back(std::move(failed));
+  }
+  return sealed_summary(json);
+}
+
+}  // namespace bumpfoil

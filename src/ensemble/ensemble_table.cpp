@@ -1,0 +1,83 @@
+#include "bumpfoil/ensemble/ensemble_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::size_t quantity_width = 30;
+constexpr std::size_t quantity_unit_width = 7;
+constexpr std::size_t cell_width = 11;
+
+}  // namespace
+
+std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
+  std::string out;
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
+    if (!out.empty()) out += '\n';
+    out += fmt::format("{:<{}}", layout.places[place].name, quantity_width + quantity_unit_width);
+    for (const std::string_view head : {"mean", "+-", "std", "5 %", "50 %", "95 %"}) {
+      out += fmt::format("{:>{}}", head, cell_width);
+    }
+    out += fmt::format("\n{:-<{}}\n", "", quantity_width + quantity_unit_width + 6 * cell_width);
+    for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+      const EnsembleColumn& column = layout.columns[k];
+      if (column.label.empty()) continue;
+      const Statistics& found = statistics.places[place].columns[k];
+      const double unit = column.shown.size;
+      std::vector<std::string> cells;
+      for (const double value : {found.mean, found.standard_error, found.deviation, found.percentile[1],
+                                 found.percentile[3], found.percentile[5]}) {
+        cells.push_back(number_text(value, unit));
+      }
+      out += fmt::format("{:<{}}{:<{}}", column.label, quantity_width, unit_beside(column.shown.name, cells),
+                         quantity_unit_width);
+      for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
+      out += '\n';
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
+                                       const EnsembleStatistics& statistics) {
+  std::vector<std::string> lines = input.remarks;
+  const auto column = [&](std::string_view name) {
+    const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                    [name](const EnsembleColumn& one) { return one.name == name; });
+    return static_cast<std::size_t>(found - layout.columns.begin());
+  };
+  const std::size_t jumps = column("jumps");
+  const std::size_t lifted = column("lifted_bumps_at_entry");
+  if (jumps == layout.columns.size() || lifted == layout.columns.size()) return lines;
+  for (std::size_t place = 0; place < layout.places.size(); ++place) {
+    const Statistics& jumped = statistics.places[place].columns[jumps];
+    const Statistics& off = statistics.places[place].columns[lifted];
+    const double fewest = off.percentile.front();
+    const double most = off.percentile.back();
+    if (!(jumped.deviation > 0.0) && !(most - fewest > 1.0)) continue;
+    lines.push_back(fmt::format(
+        "{}: the samples lie on several branches of states, and the statistics mix them: {:.3g} jumps per sample, foil "
+        "lifted off {:.3g} to {:.3g} bumps at the entry (1 % and 99 %); see jumps and lifted_bumps_at_entry",
+        layout.places[place].name, jumped.mean, fewest, most));
+  }
+  return lines;
+}
+
+std::vector<std::string> failure_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
+  std::vector<std::string> lines;
+  for (const SampleFailure& failure : statistics.failures) {
+    lines.push_back(fmt::format("sample {}, {}: {}", failure.sample, layout.places[failure.place].name,
+                                layout.status_reason(failure.status)));
+  }
+  return lines;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,63 @@
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bearing/settling.hpp"
+#include "experiments/cycle/cycle_series.hpp"
+#include "experiments/cycle/run_each_cycle.hpp"
+#include "origin/former_cycle.hpp"
+
+namespace bumpfoil {
+
+bool CycleResult::converged() const {
+  return cycles.size() >= due &&
+         std::all_of(cycles.begin(), cycles.end(), [](const Cycle& cycle) { return cycle.converged(); });
+}
+
+CycleRunner::CycleRunner(SharedFoils foils, const SolverSettings& settings)
+    : foils_(std::move(foils)), settings_(settings) {}
+
+void CycleRunner::set_foils(SharedFoils foils) {
+  for (std::optional<FoilStepper>* stepper : {&exact_, &fast_}) {
+    if (*stepper && !(*stepper)->set_foils(foils)) stepper->reset();
+  }
+  foils_ = std::move(foils);
+}
+
+Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recording recording,
+                       const ProgressCallback& progress, const Excitation& centre) {
+  std::vector<Clearance> clearances;
+  for (const double force : settings.clearance_forces) clearances.push_back({force, {}});
+  const auto run_with = [&](std::optional<FoilStepper>& stepper, Rates rates, int steps) {
+    if (!stepper) stepper.emplace(foils_, settings_, rates);
+    const CycleCourse course{.direction = direction,
+                             .amplitude = settings.amplitude,
+                             .preload = settings.preload,
+                             .swings = settings.swings(),
+                             .steps = steps,
+                             .reach = foils_->clearance + foils_->rise};
+    CycleSeries series(*stepper, course, centre, step_);
+    return series.until_settled(settings.cycles, recording, progress, clearances);
+  };
+  const bool needs_no_steps = recording == Recording::quantities && settings_.chosen() == SolverName::events &&
+                              !settings.preload && settings.amplitude.control == Control::displacement;
+  if (needs_no_steps) {
+    Cycle cycle = run_with(fast_, Rates::by_tableau, 1);
+    const bool came_through = cycle.converged() && cycle.substeps == 0;
+    if (came_through || cycle.status == Status::interrupted) return cycle;
+  }
+  return run_with(exact_, Rates::by_solves, settings.steps);
+}
+
+CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
+  if (input.bump_foil.model == BumpFoilModel::former) return run_former_cycles(input, progress);
+  CycleRunner runner(make_bearing_foils(input, {"cycle"}), input.solver);
+  const CycleSettings& settings = input.cycle;
+  return run_each_cycle(Experiment::cycle, input, std::ssize(settings.directions), progress,
+                        [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
+                          return runner.run(settings.directions[i], settings, Recording::everything, progress_of_cycle);
+                        });
+}
+
+}  // namespace bumpfoil

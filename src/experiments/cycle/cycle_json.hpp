@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// The quantities of a cycle, its warnings, and why it ended before its time.
+nlohmann::ordered_json cycle_json(const Case& input, const CycleResult& result, std::size_t cycle);
+
+}  // namespace bumpfoil

@@ -1,0 +1,192 @@
+#include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace bumpfoil {
+namespace {
+
+/// Takes the stresses of one place, `per_bump` columns for each bump, for the peak where they are higher. None per
+/// bump: a column for the weld of each pad.
+void raise(std::optional<StressPeak>& peak, const Increment& increment, const FieldMatrix& stress, Eigen::Index row,
+           StressPlace place, int per_bump) {
+  for (Eigen::Index i = 0; i < stress.cols(); ++i) {
+    if (peak && !(stress(row, i) > peak->stress)) continue;
+    peak = StressPeak{.stress = stress(row, i),
+                      .place = place,
+                      .bump = per_bump > 0 ? static_cast<int>(i) / per_bump : -1,
+                      .pad = per_bump > 0 ? 0 : static_cast<int>(i),
+                      .increment = increment.index,
+                      .displacement = increment.displacement};
+  }
+}
+
+/// Displacement at which the line between two points passes `threshold`.
+double crossing(const LoadingCurve::Point& from, const LoadingCurve::Point& to, double threshold) {
+  const double part = (threshold - from.force) / (to.force - from.force);
+  return from.displacement + part * (to.displacement - from.displacement);
+}
+
+/// The take-up point is where the force passes this part of its maximum.
+constexpr double take_up_force = 0.01;
+/// A loop that takes less than this part of the largest work is a rounding.
+constexpr double least_loop = 1e-10;
+
+std::optional<double> if_positive(double value) {
+  return value > 0.0 ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+void LoadingCurve::add(const Point& point) {
+  if (first_contact_ && !points_.empty() && points_.back().displacement < *first_contact_ &&
+      *first_contact_ < point.displacement) {
+    points_.push_back({*first_contact_, points_.back().force});
+  }
+  points_.push_back(point);
+}
+
+std::optional<double> LoadingCurve::first_reaches(double threshold) const {
+  const auto reached = std::find_if(points_.begin(), points_.end(),
+                                    [threshold](const Point& point) { return point.force >= threshold; });
+  if (reached == points_.end()) return std::nullopt;
+  if (reached == points_.begin()) return reached->displacement;
+  return crossing(*(reached - 1), *reached, threshold);
+}
+
+LoadingCurve::Point LoadingCurve::last_rises_through(double threshold) const {
+  const auto below = std::find_if(points_.rbegin(), points_.rend(),
+                                  [threshold](const Point& point) { return point.force < threshold; });
+  if (below == points_.rend()) return points_.front();
+  return {crossing(*below, *(below - 1), threshold), threshold};
+}
+
+std::optional<double> first_contact_displacement(const Vector& gaps, const Eigen::Matrix2Xd& normals,
+                                                 const Eigen::Vector2d& direction) {
+  constexpr double facing = 1e-12;  // a cosine below this is a right angle with roundings
+  std::optional<double> first;
+  for (Eigen::Index i = 0; i < normals.cols(); ++i) {
+    const double cosine = normals.col(i).dot(direction);
+    if (cosine <= facing) continue;
+    const double displacement = std::max(0.0, gaps[i] / cosine);
+    first = std::min(first.value_or(displacement), displacement);
+  }
+  return first;
+}
+
+std::optional<StressPeak> top_foil_peak(const StressFields& stress, const std::vector<Increment>& increments) {
+  std::optional<StressPeak> peak;
+  for (Eigen::Index row = 0; row < stress.top_crest.rows(); ++row) {
+    const Increment& increment = increments[static_cast<std::size_t>(row)];
+    raise(peak, increment, stress.top_weld, row, StressPlace::weld, 0);
+    raise(peak, increment, stress.top_crest, row, StressPlace::crest, 1);
+  }
+  return peak;
+}
+
+std::optional<StressPeak> bump_foil_peak(const StressFields& stress, const std::vector<Increment>& increments) {
+  std::optional<StressPeak> peak;
+  for (Eigen::Index row = 0; row < stress.bump_crest.rows(); ++row) {
+    const Increment& increment = increments[static_cast<std::size_t>(row)];
+    raise(peak, increment, stress.bump_weld, row, StressPlace::weld, 0);
+    raise(peak, increment, stress.bump_crest, row, StressPlace::crest, 1);
+    raise(peak, increment, stress.bump_foot, row, StressPlace::foot, 2);
+    raise(peak, increment, stress.bump_largest, row, StressPlace::arc, 1);
+  }
+  return peak;
+}
+
+std::optional<CompressionPeak> compression_peak(const FieldMatrix& compression,
+                                                const std::vector<Increment>& increments) {
+  std::optional<CompressionPeak> peak;
+  for (Eigen::Index row = 0; row < compression.rows(); ++row) {
+    const Increment& increment = increments[static_cast<std::size_t>(row)];
+    for (Eigen::Index bump = 0; bump < compression.cols(); ++bump) {
+      if (peak && !(compression(row, bump) > peak->compression)) continue;
+      peak = CompressionPeak{.compression = compression(row, bump),
+                             .bump = static_cast<int>(bump),
+                             .increment = increment.index,
+                             .displacement = increment.displacement};
+    }
+  }
+  return peak;
+}
+
+void CycleQuantities::add(const Increment& increment, bool judged, bool ends_leg,
+                          std::span<const LoadingCurve::Point> way) {
+  cycle_.cost += increment.cost;
+  cycle_.substeps += increment.substeps;
+  // An unknown residual is no small one.
+  double& largest = cycle_.max_residual;
+  if (judged && !std::isnan(largest) && !(increment.residuals.equilibrium <= largest)) {
+    largest = increment.residuals.equilibrium;
+  }
+  if (!increment.converged()) {
+    cycle_.status = increment.status;
+    return;
+  }
+  ++good_;
+  work_ = increment.work;
+  largest_work_ = std::max(largest_work_, std::abs(work_));
+  if (increment.index == 0) cycle_.start = increment;
+  if (cycle_.course == Course::push && increment.index <= cycle_.steps) {
+    for (const LoadingCurve::Point& point : way) loading_.add(point);
+    loading_.add({increment.displacement, increment.force_direct});
+  }
+  if (ends_leg) cycle_.turns.push_back(increment);
+}
+
+void CycleQuantities::turn(TurningPoint response) {
+  const Increment& turning = cycle_.turns.front();
+  response.max_force = turning.force_direct;
+  response.cross_force = turning.force_cross;
+  response.elastic_energy = turning.elastic_energy;
+  cycle_.turning_point = std::move(response);
+}
+
+/// What needs the turning points only.
+void CycleQuantities::find_stiffness() {
+  const Increment& top = cycle_.turns.front();
+  LoadingCurve::Point base;
+  if (cycle_.course == Course::swing) {
+    if (cycle_.turns.size() < 2) return;
+    base = {cycle_.turns[1].displacement, cycle_.turns[1].force_direct};
+  } else {
+    cycle_.secant_stiffness = top.force_direct / top.displacement;
+    if (!(top.force_direct > 0.0)) return;
+    base = loading_.last_rises_through(take_up_force * top.force_direct);
+    cycle_.take_up = base.displacement;
+  }
+  const double range = top.displacement - base.displacement;
+  if (!(range > 0.0)) return;
+  half_range_ = 0.5 * range;
+  cycle_.loaded_stiffness = if_positive((top.force_direct - base.force) / range);
+}
+
+/// What needs the whole loop.
+void CycleQuantities::find_losses() {
+  const double loop = cleared(work_, least_loop * largest_work_);
+  cycle_.loop_energy = loop;
+  if (cycle_.loaded_stiffness) {
+    cycle_.loss_factor = loop / (std::numbers::pi * *cycle_.loaded_stiffness * half_range_ * half_range_);
+  }
+  if (const auto stored = if_positive(cycle_.turning_point->elastic_energy - cycle_.start->elastic_energy)) {
+    cycle_.specific_damping_capacity = loop / *stored;
+  }
+}
+
+void CycleQuantities::finish() {
+  for (Clearance& clearance : cycle_.clearances) clearance.displacement = loading_.first_reaches(clearance.force);
+  cycle_.clearance_5N = loading_.first_reaches(5.0);
+  cycle_.clearance_10N = loading_.first_reaches(10.0);
+  cycle_.top_foil_stress = top_foil_peak(cycle_.fields.stress, cycle_.increments);
+  cycle_.bump_foil_stress = bump_foil_peak(cycle_.fields.stress, cycle_.increments);
+  cycle_.compression = compression_peak(cycle_.fields.compression, cycle_.increments);
+  if (!cycle_.turning_point) return;
+  find_stiffness();
+  if (good_ == cycle_.due) find_losses();
+}
+
+}  // namespace bumpfoil

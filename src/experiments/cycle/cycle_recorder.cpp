@@ -1,0 +1,124 @@
+#include "experiments/cycle/cycle_recorder.hpp"
+
+#include <utility>
+
+#include "bumpfoil/model/geometry.hpp"
+#include "experiments/cycle/increment_log.hpp"
+#include "motion/program_runner.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Watches a cycle pass, and writes it down.
+class CycleRecorder {
+ public:
+  CycleRecorder(FoilStepper& stepper, Recording recording, Cycle cycle)
+      : stepper_(stepper),
+        keeps_curve_(recording == Recording::curve),
+        normal_(unit_vector(cycle.direction)),
+        cycle_(std::move(cycle)),
+        log_(stepper, recording, cycle_),
+        quantities_(cycle_) {}
+
+  /// The next increment. @return whether the cycle may go on
+  /// @param displacement  where it led; if that was prescribed not a rounding beside it
+  bool add(const Step& step, Branch branch, bool ends_leg, double displacement) {
+    // Whatever is recorded, the residual of a cycle is that at the same places. The last is judged, too: its work is
+    // the loop's energy.
+    const bool judged = ends_leg || !cycle_.start;
+    const Increment next = log_.make(step, branch, normal_, displacement, judged);
+    way_.clear();
+    for (const Waypoint& point : step.waypoints) {
+      way_.push_back({point.position.dot(normal_), cleared(point.force.dot(normal_), foils().roundings.force)});
+    }
+    quantities_.add(next, judged && step.converged(), ends_leg, way_);
+    if (next.index == 0 && step.converged()) {
+      cycle_.initial_journal_load = interface_loads(foils(), step.state.contacts, Interface::journal_top).sum();
+    }
+    log_.write_down(step, next, normal_);
+    if (keeps_curve_ && next.converged()) draw(step, next);
+    return next.converged();
+  }
+
+  /// The turning point is where the foils are now.
+  void turn(const FoilState& state, Control control) {
+    if (control == Control::load) cycle_.amplitude = cycle_.turns.front().displacement - cycle_.start->displacement;
+    const auto loads = [&](Interface interface) { return interface_loads(foils(), state.contacts, interface); };
+    TurningPoint response;
+    response.tangent = stepper_.tangents(state).along(normal_);
+    response.journal_loads = loads(Interface::journal_top);
+    response.bump_loads = loads(Interface::top_bump);
+    response.foot_loads = loads(Interface::bump_sleeve);
+    const Eigen::Matrix2Xd forces = pad_forces(foils(), state.contacts.normal_force);
+    response.pad_forces_x = forces.row(0);
+    response.pad_forces_y = forces.row(1);
+    quantities_.turn(std::move(response));
+  }
+
+  [[nodiscard]] bool turned() const { return cycle_.turning_point.has_value(); }
+
+  Cycle finish(bool interrupted) {
+    if (interrupted) cycle_.status = Status::interrupted;
+    log_.finish();
+    quantities_.finish();
+    return std::move(cycle_);
+  }
+
+ private:
+  [[nodiscard]] const Foils& foils() const { return stepper_.foils(); }
+
+  void draw(const Step& step, const Increment& next) {
+    for (const Waypoint& point : step.waypoints) {
+      cycle_.curve.push_back({point.position.dot(normal_), point.force, point.pad_forces});
+    }
+    cycle_.curve.push_back(
+        {next.displacement, {next.force_x, next.force_y}, pad_forces(foils(), step.state.contacts.normal_force)});
+  }
+
+  FoilStepper& stepper_;
+  bool keeps_curve_;
+  Eigen::Vector2d normal_;
+  Cycle cycle_;
+  IncrementLog log_;
+  CycleQuantities quantities_;
+  std::vector<LoadingCurve::Point> way_;
+};
+
+}  // namespace
+
+Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& step,
+                const ProgressCallback& progress) {
+  const int due = increments_of(plan.program);
+  const Eigen::Vector2d normal = unit_vector(cycle.direction);
+  cycle.due = due;
+  if (cycle.course == Course::push && step.converged()) {
+    const Foils& foils = stepper.foils();
+    cycle.first_contact = first_contact_displacement(step.state.contacts.gap(foils.pressed()), foils.normals, normal);
+    if (cycle.first_contact) *cycle.first_contact += step.state.excitation.position.dot(normal);
+  }
+  CycleRecorder recorder(stepper, plan.recording, std::move(cycle));
+  int done = 0;
+  const auto stopped = [&] { return progress && !progress(static_cast<double>(++done) / due); };
+
+  step.state.work = step.state.dissipated_energy = 0.0;
+  FoilState state = step.state;
+  ProgramRunner runner(stepper, plan.program, plan.reach, state);
+  bool good = recorder.add(step, runner.leg().branch, false, state.excitation.position.dot(normal));
+  bool interrupted = good && stopped();
+  while (good && !interrupted && runner.has_next()) {
+    const Leg leg = runner.leg();
+    const bool ends_leg = runner.ends_leg();
+    runner.try_next(step);
+    good = recorder.add(step, leg.branch, ends_leg,
+                        leg.control == Control::displacement ? leg.line.base.dot(normal) + runner.target()
+                                                             : step.state.excitation.position.dot(normal));
+    if (!good) break;
+    runner.commit(step);
+    if (ends_leg && !recorder.turned()) recorder.turn(state, leg.control);
+    interrupted = stopped() && runner.has_next();
+  }
+  step.state = std::move(state);
+  return recorder.finish(interrupted);
+}
+
+}  // namespace bumpfoil

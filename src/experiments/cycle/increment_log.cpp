@@ -1,0 +1,82 @@
+#include "experiments/cycle/increment_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bumpfoil {
+namespace {
+
+/// Work that was neither stored nor dissipated in a response that is linear in pieces, as part of the largest work.
+constexpr double largest_imbalance = 1e-7;
+
+/// Where a contact is, as results count.
+CycleEvent located(const Foils& foils, const StepEvent& event, Branch branch, const Eigen::Vector2d& direction) {
+  const int block = event.contact / foils.contacts_per_block();
+  const int pair = event.contact % foils.contacts_per_block();
+  CycleEvent out{.branch = branch,
+                 .displacement = event.position.dot(direction),
+                 .interface = pair == foils.top_bump() ? Interface::top_bump : Interface::journal_top,
+                 .index = block - foils.structure.first_bump,
+                 .from = event.from,
+                 .to = event.to};
+  if (pair >= foils.first_foot()) {
+    out.interface = Interface::bump_sleeve;
+    out.index = block * foils.feet_per_block() + pair - foils.first_foot();
+  }
+  return out;
+}
+
+}  // namespace
+
+void EnergyBalance::add(const Increment& increment, bool is_linear) {
+  if (increment.index == 0) start_ = increment.elastic_energy;
+  must_hold_ = must_hold_ && (is_linear || increment.index == 0);
+  const double stored = increment.elastic_energy - start_;
+  imbalance_ = std::max(imbalance_, std::abs(increment.work - stored - increment.dissipated_energy));
+  // Roundings of the energies, and of forces where nothing is loaded.
+  const double rounding = 1e-12 * (increment.elastic_energy + force_scale_ * std::abs(increment.displacement));
+  scale_ = std::max({scale_, std::abs(increment.work), rounding / largest_imbalance});
+}
+
+bool EnergyBalance::holds() const {
+  return !must_hold_ || imbalance_ <= largest_imbalance * scale_;
+}
+
+IncrementLog::IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cycle)
+    : stepper_(stepper),
+      everything_(recording == Recording::everything),
+      cycle_(cycle),
+      balance_(stepper.foils().problem.force_scale) {
+  if (!everything_) return;
+  cycle_.increments.reserve(static_cast<std::size_t>(cycle_.due));
+  cycle_.fields = make_fields(stepper.foils(), cycle_.due);
+}
+
+Increment IncrementLog::make(const Step& step, Branch branch, const Eigen::Vector2d& direction, double displacement,
+                             bool judged) {
+  Increment next = step.converged() ? place_increment(foils(), step, direction) : failed_increment(step, direction);
+  next.index = count_++;
+  next.branch = branch;
+  next.displacement = displacement;
+  if (step.converged() && (everything_ || judged)) {
+    judge(foils(), step.state, next);
+    const SolverBounds bounds = stepper_.bounds();
+    if (!next.residuals.within(bounds.force, bounds.displacement)) next.status = Status::residual_above_bound;
+    if (next.converged()) balance_.add(next, step.is_linear);
+  }
+  if (count_ == cycle_.due && !balance_.holds()) next.status = Status::energy_defect;
+  return next;
+}
+
+void IncrementLog::write_down(const Step& step, const Increment& increment, const Eigen::Vector2d& direction) {
+  if (!everything_) return;
+  for (const StepEvent& event : step.events) {
+    cycle_.events.push_back(located(foils(), event, increment.branch, direction));
+  }
+  cycle_.increments.push_back(increment);
+  if (!step.converged()) return;
+  record(foils(), step.state, rows_, cycle_.fields);
+  ++rows_;
+}
+
+}  // namespace bumpfoil

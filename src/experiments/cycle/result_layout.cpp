@@ -1,0 +1,181 @@
+#include "experiments/cycle/result_layout.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/path/path.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
+
+namespace bumpfoil {
+namespace {
+
+std::vector<double> to_vector(const Vector& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+void append(const std::vector<double>& more, std::vector<double>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// What both have. @param foils  one after the other
+ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& foils) {
+  std::vector<BumpShape> shapes;
+  std::vector<double> errors, sleeve_gaps, offsets;
+  for (const BumpFoil& foil : foils) {
+    const std::vector<BumpShape> own = nominal_bumps(foil);
+    shapes.insert(shapes.end(), own.begin(), own.end());
+    const auto append_one_per_bump = [&own](std::vector<double> numbers, std::vector<double>& all) {
+      numbers.resize(own.size());
+      append(numbers, all);
+    };
+    append_one_per_bump(foil.height_errors, errors);
+    append_one_per_bump(foil.sleeve_gaps, sleeve_gaps);
+    append(to_vector(crest_offsets(foil)), offsets);
+  }
+  const std::size_t bumps = shapes.size();
+  ResultLayout layout;
+  layout.bumps = bumps;
+  layout.scalars = {
+      {"axial_length", "m", "axial length of the foils", {axial_length}},
+  };
+  layout.at_bumps = {
+      {"height_error", "m", "height of the bump over the nominal one", errors},
+      {"sleeve_gap", "m", "gap between the feet of the bump and the sleeve before assembly", sleeve_gaps},
+  };
+  // One number where bumps are alike.
+  const auto add = [&](std::string name, std::string long_name, double BumpShape::*member) {
+    std::vector<double> values;
+    values.reserve(bumps);
+    for (const BumpShape& shape : shapes) values.push_back(shape.*member);
+    const bool alike = std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+    if (alike) values.resize(1);
+    (alike ? layout.scalars : layout.at_bumps)
+        .push_back({std::move(name), "m", std::move(long_name), std::move(values)});
+  };
+  add("bump_pitch", "distance from crest to crest along the foil", &BumpShape::pitch);
+  add("bump_half_length", "half the chord of the arc of a bump", &BumpShape::half_length);
+  add("bump_rise", "rise of the mid-surface of a nominal bump", &BumpShape::rise);
+  add("bump_thickness", "thickness of the bump foil at a bump", &BumpShape::thickness);
+  if (offsets != errors) {
+    layout.at_bumps.push_back({"crest_offset", "m",
+                               "height of the crest over that of the tallest nominal bump before assembly: nominal, "
+                               "height error and shim",
+                               offsets});
+  }
+  return layout;
+}
+
+/// Where several pads are, and whose each bump and foot is.
+void add_pads(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
+  if (pads.size() == 1) return;
+  layout.pads = pads.size();
+  NamedNumbers weld{"pad_weld_angle", "rad", "polar angle of the weld of the pad from X towards Y", {}};
+  NamedNumbers end{"pad_end_angle", "rad", "polar angle of the free end of the pad from X towards Y", {}};
+  NamedNumbers lobe{"pad_lobe", "m", "displacement of the centre of the pad away from its middle", {}};
+  NamedNumbers of_bumps{"bump_pad", "1", "pad that the bump belongs to", {}};
+  NamedNumbers of_feet{"foot_pad", "1", "pad that the foot belongs to", {}};
+  for (const PlacedPad& pad : pads) {
+    const Bearing& bearing = pad.alone.bearing;
+    weld.values.push_back(bearing.weld_angle);
+    end.values.push_back(polar_angles(bearing, Vector::Constant(1, foil_angle(pad.alone)))[0]);
+    lobe.values.push_back(input.pads[lobe.values.size()].lobe);
+    const auto number = static_cast<double>(weld.values.size());
+    of_bumps.values.resize(of_bumps.values.size() + static_cast<std::size_t>(pad.alone.bump_foil.bumps), number);
+    of_feet.values.resize(of_feet.values.size() + static_cast<std::size_t>(foot_angles(pad.alone).size()), number);
+  }
+  layout.at_pads = {std::move(weld), std::move(end), std::move(lobe)};
+  layout.at_bumps.push_back(std::move(of_bumps));
+  layout.at_feet.push_back(std::move(of_feet));
+}
+
+ResultLayout layout_of_bearing(const Case& input) {
+  const std::vector<PlacedPad> pads = place_pads(input);
+  std::vector<BumpFoil> foils;
+  foils.reserve(pads.size());
+  std::vector<double> theta, phi, foot_theta, foot_phi;
+  for (const auto& [alone, centre] : pads) {
+    foils.push_back(alone.bump_foil);
+    append(to_vector(crest_angles(alone)), theta);
+    append(to_vector(polar_angles(alone.bearing, crest_angles(alone))), phi);
+    append(to_vector(foot_angles(alone)), foot_theta);
+    append(to_vector(polar_angles(alone.bearing, foot_angles(alone))), foot_phi);
+  }
+  ResultLayout layout = layout_of_foils(input.bearing.axial_length, foils);
+  layout.feet = foot_theta.size();
+  layout.scalars.insert(
+      layout.scalars.end(),
+      {{"bearing_radius", "m", "radius R of the circle on which the foils lie", {input.bearing.radius}},
+       {"radial_clearance", "m", "radial clearance; negative means interference", {input.bearing.radial_clearance}}});
+  layout.at_bumps.insert(layout.at_bumps.end(),
+                         {{"theta", "rad", "angle of the crest from the weld along the foil", theta},
+                          {"phi", "rad", "polar angle of the crest from X towards Y", phi}});
+  layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", foot_theta},
+                    {"foot_phi", "rad", "polar angle of the foot from X towards Y", foot_phi}};
+  add_pads(input, pads, layout);
+  layout.bump_coordinates = "theta phi";
+  layout.foot_coordinates = "foot_theta foot_phi";
+  return layout;
+}
+
+ResultLayout layout_of_cycles(const Case& input) {
+  ResultLayout layout = layout_of_bearing(input);
+  layout.cycles = {"direction", "degree", "direction of the push, from X towards Y", {}};
+  std::vector<double>& sorted = layout.cycles.values;
+  for (const double direction : input.cycle.directions) sorted.push_back(to_degrees(direction));
+  // So that readers can look for the nearest.
+  std::sort(sorted.begin(), sorted.end());
+  for (const double direction : input.cycle.directions) {
+    const auto found = std::find(sorted.begin(), sorted.end(), to_degrees(direction));
+    layout.places.push_back(static_cast<std::size_t>(found - sorted.begin()));
+  }
+  layout.increments = std::size_t{input.cycle.swings() ? 4U : 2U} * static_cast<std::size_t>(input.cycle.steps) + 1;
+  return layout;
+}
+
+ResultLayout layout_of_path(const Case& input) {
+  ResultLayout layout = layout_of_bearing(input);
+  layout.places = {0};
+  layout.increments = static_cast<std::size_t>(increments_of(path_program(*input.path)));
+  return layout;
+}
+
+ResultLayout layout_of_strip(const Case& input) {
+  const StripSettings& strip = *input.strip;
+  const Case cut = cut_to_strip(input);
+  const FoilDesign foils = make_strip_design(input);
+  const Vector feet = foot_positions(foils);
+  ResultLayout layout = layout_of_foils(input.bearing.axial_length, {cut.bump_foil});
+  layout.cycles = {"cycle", "1", "cycle of the plate", {}};
+  for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.cycles.values.push_back(cycle);
+  layout.places.resize(layout.cycles.values.size());
+  std::iota(layout.places.begin(), layout.places.end(), std::size_t{0});
+  layout.increments = std::size_t{strip.preload ? 4U : 2U} * static_cast<std::size_t>(strip.steps) + 1;
+  layout.feet = static_cast<std::size_t>(feet.size());
+  layout.at_bumps.push_back({"crest_position", "m", "place of the crest along the strip, from the weld or its like",
+                             to_vector(crest_positions(foils))});
+  layout.at_feet = {
+      {"foot_position", "m", "place of the foot along the strip, from the weld or its like", to_vector(feet)}};
+  layout.bump_coordinates = "crest_position";
+  layout.foot_coordinates = "foot_position";
+  return layout;
+}
+
+}  // namespace
+
+ResultLayout make_result_layout(const Case& input, Experiment experiment) {
+  switch (experiment) {
+    case Experiment::strip:
+      return layout_of_strip(input);
+    case Experiment::path:
+      return layout_of_path(input);
+    case Experiment::cycle:
+      break;
+  }
+  return layout_of_cycles(input);
+}
+
+}  // namespace bumpfoil

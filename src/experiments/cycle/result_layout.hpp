@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Numbers with what readers are told about them.
+struct NamedNumbers {
+  std::string name;
+  std::string unit;
+  std::string long_name;
+  std::vector<double> values;
+};
+
+/// What result.nc of a bearing and of a strip call and place differently.
+struct ResultLayout {
+  NamedNumbers cycles;  ///< their coordinate: directions, or numbers of a strip's cycles, begun or not; a path: none
+  std::vector<std::size_t> places;  ///< of the cycles of the case among these, which are sorted; a path: one
+  std::size_t increments{};         ///< of a cycle
+  std::size_t bumps{};
+  std::size_t feet{};
+  std::size_t pads{1};
+  std::vector<NamedNumbers> scalars;   ///< geometry
+  std::vector<NamedNumbers> at_bumps;  ///< the same, one per bump
+  std::vector<NamedNumbers> at_feet;   ///< one per foot
+  std::vector<NamedNumbers> at_pads;   ///< one per pad of several
+  std::string bump_coordinates;        ///< those of them that say where a bump is
+  std::string foot_coordinates;
+};
+
+ResultLayout make_result_layout(const Case& input, Experiment experiment);
+
+}  // namespace bumpfoil

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+
+namespace bumpfoil {
+
+/// Runs cycles one after the other and reports their progress. Those of a strip follow from each other: the first that
+/// fails is the last. An interrupted one always is.
+/// @param run  number of the cycle from 0, and a callback for its own progress -> Cycle
+template <typename Run>
+CycleResult run_each_cycle(Experiment experiment, const Case& input, std::ptrdiff_t cycles,
+                           const ProgressCallback& progress, const Run& run) {
+  CycleResult result{
+      .solver = input.solver.chosen(), .experiment = experiment, .due = static_cast<std::size_t>(cycles), .cycles = {}};
+  bool stopped = false;
+  for (std::size_t i = 0; std::cmp_less(i, cycles) && !stopped; ++i) {
+    result.cycles.push_back(run(i, [&](double fraction) {
+      stopped = progress && !progress((static_cast<double>(i) + fraction) / static_cast<double>(cycles));
+      return !stopped;
+    }));
+    if (experiment == Experiment::strip && !result.cycles.back().converged()) break;
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

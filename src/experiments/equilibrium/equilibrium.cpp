@@ -1,0 +1,367 @@
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "bumpfoil/bearing/film_fields.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/case_names.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Where journals are held at the cold start of a path, in C_r less the largest lobe: along the load, and at most on
+/// the way to a position.
+constexpr double start_along_load = 0.6;
+constexpr double start_towards_position = 0.7;
+/// A path begins without opening where this part of the room, what a cold start leaves at the thinnest place, is no
+/// thinner than film.h_floor.
+constexpr double room_left_at_start = 1.0 - start_towards_position;
+/// A ramp of speeds comes from this part of its first.
+constexpr double coasting_from = 1.5;
+/// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
+/// speed itself is to lie inside. So many equal ratios lead from the one to the other: nine frequencies at least lie
+/// between those of any speed, wherever the grid begins.
+constexpr double lowest_frequency = 0.2;
+constexpr double highest_frequency = 1.2;
+constexpr double frequency_intervals = 9.0;
+
+OperatingPoint at_speed(OperatingPoint point, double speed) {
+  point.speed = speed;
+  return point;
+}
+
+/// By how much the clearance is opened, m, for a path to begin: where foils leave too little room for a film, until
+/// they leave c.
+double opening_to_begin(const FilmBearing& bearing, double floor) {
+  const bool has_room = bearing.room > 0.0 && room_left_at_start * bearing.room >= floor;
+  return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
+}
+
+std::vector<double> frequencies_of(const EquilibriumSettings& settings, double speed) {
+  return settings.frequencies.empty() ? std::vector{std::abs(speed)} : settings.frequencies;
+}
+
+std::vector<FilmWhirl> whirls_at(FilmBearingSolver& solver, const FilmBearingState& state,
+                                 const std::vector<double>& frequencies) {
+  std::vector<std::complex<double>> rates;
+  rates.reserve(frequencies.size());
+  for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
+  const auto moving = solver.impedances(state, rates);
+  const auto stuck = solver.impedances(state, rates, true);
+  std::vector<FilmWhirl> whirls(frequencies.size());
+  for (std::size_t i = 0; i < whirls.size(); ++i) {
+    whirls[i].frequency = frequencies[i];
+    if (moving) whirls[i].impedance = (*moving)[i];
+    if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
+  }
+  return whirls;
+}
+
+/// Walks along paths and keeps what is found.
+class PathWalker {
+ public:
+  PathWalker(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress,
+             std::size_t states)
+      : result_(result),
+        progress_(progress),
+        states_(states),
+        settings_(*input.equilibrium),
+        opening_(opening_to_begin(*result.bearing, input.film.h_floor)),
+        solver_(*result.bearing, options_of(input)) {}
+
+  /// The states at `points`, one after the other.
+  void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
+    state_.reset();
+    std::optional<OperatingPoint> before;
+    for (const OperatingPoint& point : points) {
+      done_of_state_ = 0.0;
+      RunningState& found = result_.states.emplace_back();
+      found.path = path;
+      found.asked = point;
+      found.before = std::exchange(before, point);
+      const auto begin = std::chrono::steady_clock::now();
+      found.report.status = FilmStatus::converged;
+      if (!reached_) {
+        found.report.status = FilmStatus::not_reached;
+      } else if (state_) {
+        go(point, found.report);
+      } else {
+        start(path, point, found.report);
+      }
+      reached_ = found.found();
+      if (state_ && found.report.status != FilmStatus::not_reached) judge(found);
+      found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+    reached_ = true;
+  }
+
+ private:
+  FilmBearingOptions options_of(const Case& input) const {
+    FilmBearingOptions options;
+    options.newton.thickness_floor = input.film.h_floor / result_.bearing->scales.thickness;
+    options.keep_going = [this] { return !progress_ || progress_(fraction()); };
+    return options;
+  }
+
+  [[nodiscard]] double fraction() const {
+    const double done = static_cast<double>(std::max<std::size_t>(result_.states.size(), 1) - 1);
+    return (done + done_of_state_) / static_cast<double>(states_);
+  }
+
+  void judge(RunningState& found) {
+    found.last = state_;
+    found.outcome = film_bearing_outcome(*result_.bearing, *state_);
+    const auto moving = solver_.slow_motion(*state_);
+    const auto stuck = solver_.slow_motion(*state_, true);
+    if (moving) found.stiffness = moving->stiffness;
+    if (stuck) found.stuck_stiffness = stuck->stiffness;
+    if (moving || stuck) {
+      found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
+    }
+    found.whirls = whirls_at(solver_, *state_, frequencies_of(settings_, state_->speed));
+    find_stresses(found);
+  }
+
+  /// The largest ones of all pads.
+  void find_stresses(RunningState& found) const {
+    const Foils& foils = *result_.foils;
+    const FilmBearing& bearing = *result_.bearing;
+    const Vector x = foil_state(foils, bearing, *state_).contacts.x;
+    const Eigen::Index size = foils.structure.dofs.size;
+    for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+      const FilmPad& pad = bearing.pads[k];
+      const StressModel& model = foils.stress[k];
+      const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
+      const double top = moment * state_->foil.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+      found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
+      const auto [first, count] = foils.structure.blocks_of(static_cast<int>(k));
+      const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
+      if (stress.bump_largest.size() == 0) continue;
+      found.bump_foil_stress = std::max(
+          {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});
+    }
+  }
+
+  static void add(FilmReport& total, const FilmReport& more) {
+    total.status = more.status;
+    total.iterations += more.iterations;
+    total.factorisations += more.factorisations;
+    total.residual = more.residual;
+    total.jumps += more.jumps;
+  }
+
+  /// From rest to the first state of a path: with a clearance that is opened where it has to be, and closes at the end.
+  void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
+    const bool by_load = point.control == OperatingPoint::Control::load;
+    OperatingPoint opened = point;
+    opened.opening = opening_;
+    switch (path) {
+      case FilmPath::load_ramp:
+        begin_gently(along(point), point.speed, total);
+        ramp(opened, total);
+        break;
+      case FilmPath::position_ray:
+        if (by_load) {
+          begin(Eigen::Vector2d::Zero(), point.speed, total);
+          ramp(OperatingPoint::held_at(along(point), point.speed, opening_), total);
+        } else {
+          begin_gently(towards(point), point.speed, total);
+        }
+        ramp(opened, total);
+        break;
+      case FilmPath::speed_ramp:
+        start(by_load ? FilmPath::load_ramp : FilmPath::position_ray, at_speed(point, coasting_from * point.speed),
+              total);
+        ramp(point, total);
+        break;
+      case FilmPath::cold_start:
+        begin(by_load ? along(point) : point.journal, point.speed, total);
+        if (by_load && total.status == FilmStatus::converged) {
+          add(total, solver_.settle(opened, state_->contact, *state_));
+        }
+        break;
+    }
+    if (state_ && state_->opening > 0.0) ramp(point, total);
+  }
+
+  [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
+    return start_along_load * (result_.bearing->room + opening_) * point.journal.normalized();
+  }
+
+  [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
+    const double farthest = start_towards_position * (result_.bearing->room + opening_);
+    return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
+  }
+
+  void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
+    FilmBearingState started;
+    add(total, solver_.cold_start(position, speed, started, opening_));
+    if (total.status == FilmStatus::converged) state_ = std::move(started);
+  }
+
+  /// begin(); where that throws the foil onto the journal, at the centre instead, and from there on to the position.
+  void begin_gently(const Eigen::Vector2d& position, double speed, FilmReport& total) {
+    begin(position, speed, total);
+    if (total.status != FilmStatus::touchdown) return;
+    begin(Eigen::Vector2d::Zero(), speed, total);
+    ramp(OperatingPoint::held_at(position, speed, opening_), total);
+  }
+
+  /// On to a point in equal increments; a point that is there already takes none.
+  void ramp(const OperatingPoint& point, FilmReport& total) {
+    if (total.status != FilmStatus::converged) return;
+    OperatingPoint from = point;
+    from.speed = state_->speed;
+    from.opening = state_->opening;
+    from.journal = point.control == OperatingPoint::Control::load
+                       ? film_force(*result_.bearing, state_->foil.film.pressure)
+                       : state_->position;
+    if (from == point) return;
+    for (int i = 1; i <= settings_.steps && total.status == FilmStatus::converged; ++i) {
+      const double part = static_cast<double>(i) / settings_.steps;
+      OperatingPoint to = point;
+      to.journal = from.journal + part * (point.journal - from.journal);
+      to.speed = from.speed + part * (point.speed - from.speed);
+      to.opening = from.opening + part * (point.opening - from.opening);
+      done_of_state_ = part - 1.0 / settings_.steps;
+      go(to, total);
+    }
+  }
+
+  /// One increment.
+  void go(const OperatingPoint& to, FilmReport& total) { add(total, solver_.follow(to, state_->contact, *state_)); }
+
+  EquilibriumResult& result_;
+  const std::function<bool(double)>& progress_;
+  std::size_t states_;
+  const EquilibriumSettings& settings_;
+  double opening_;  ///< of the clearance where a path begins, m
+  double done_of_state_{};
+  bool reached_{true};
+  FilmBearingSolver solver_;
+  std::optional<FilmBearingState> state_;  ///< where the path is
+};
+
+/// All loads or positions, at speed 0.
+std::vector<OperatingPoint> journal_points(const EquilibriumSettings& equilibrium) {
+  const bool by_load = !equilibrium.loads.empty();
+  std::vector<OperatingPoint> points;
+  for (const Eigen::Vector2d& value : by_load ? equilibrium.loads : equilibrium.positions) {
+    points.push_back(by_load ? OperatingPoint::loaded_by(value, 0.0) : OperatingPoint::held_at(value, 0.0));
+  }
+  return points;
+}
+
+/// States that follow from one another on a path.
+std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const EquilibriumSettings& equilibrium) {
+  const std::vector<OperatingPoint> journals = journal_points(equilibrium);
+  std::vector<std::vector<OperatingPoint>> chains;
+  if (path == FilmPath::speed_ramp) {
+    for (const OperatingPoint& journal : journals) {
+      auto& chain = chains.emplace_back();
+      for (const double speed : equilibrium.speeds) chain.push_back(at_speed(journal, speed));
+    }
+    return chains;
+  }
+  for (const double speed : equilibrium.speeds) {
+    if (path != FilmPath::cold_start) chains.emplace_back();
+    for (const OperatingPoint& journal : journals) {
+      if (path == FilmPath::cold_start) chains.emplace_back();
+      chains.back().push_back(at_speed(journal, speed));
+    }
+  }
+  return chains;
+}
+
+}  // namespace
+
+bool EquilibriumResult::converged() const {
+  const auto found = [](const auto& one) { return one.found(); };
+  return std::all_of(states.begin(), states.end(), found) && std::all_of(limits.begin(), limits.end(), found);
+}
+
+std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, FilmStatus status) {
+  std::vector<RunningState> states;
+  for (const auto& chain : chains_of(equilibrium.path, equilibrium)) {
+    std::optional<OperatingPoint> before;
+    for (const OperatingPoint& point : chain) {
+      RunningState& state = states.emplace_back();
+      state.path = equilibrium.path;
+      state.asked = point;
+      state.before = std::exchange(before, point);
+      state.report.status = status;
+    }
+  }
+  return states;
+}
+
+std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
+  std::vector<FilmPath> paths{FilmPath::speed_ramp, FilmPath::position_ray, FilmPath::cold_start};
+  if (!equilibrium.loads.empty()) paths.insert(paths.begin(), FilmPath::load_ramp);
+  return paths;
+}
+
+std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium) {
+  std::vector<double> frequencies = equilibrium.frequencies;
+  if (frequencies.empty()) {
+    const auto slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto [slowest, fastest] = std::minmax_element(equilibrium.speeds.begin(), equilibrium.speeds.end(), slower);
+    const double first = lowest_frequency * std::abs(*slowest);
+    const double range = highest_frequency * std::abs(*fastest) / first;
+    // Less a rounding, that one speed has not one more.
+    const double intervals =
+        std::ceil(frequency_intervals * std::log(range) / std::log(highest_frequency / lowest_frequency) - 1e-9);
+    for (double i = 0.0; i <= intervals; ++i) frequencies.push_back(first * std::pow(range, i / intervals));
+  }
+  std::sort(frequencies.begin(), frequencies.end());
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  return frequencies;
+}
+
+void tabulate_whirls(const Case& input, EquilibriumResult& result) {
+  FilmBearingSolver solver(*result.bearing);
+  const bool given = !input.equilibrium->frequencies.empty();
+  const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
+  for (RunningState& state : result.states) {
+    if (!state.found()) continue;
+    if (given) {
+      state.synchronous = whirls_at(solver, *state.last, {std::abs(state.last->speed)}).front();
+      state.tabulated.clear();
+      for (const double frequency : frequencies) {
+        state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
+                                                [=](const FilmWhirl& whirl) { return whirl.frequency == frequency; }));
+      }
+    } else {
+      state.synchronous = state.whirls.front();
+      state.tabulated = whirls_at(solver, *state.last, frequencies);
+    }
+  }
+}
+
+FilmBearing require_running_bearing(const Case& input) {
+  if (!input.equilibrium) {
+    throw Error(ErrorKind::input, {{"", 0, "equilibrium", "", "this table is missing", "add [equilibrium]"}});
+  }
+  return make_film_bearing(input);
+}
+
+EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
+                                  const std::function<bool(double)>& progress) {
+  EquilibriumResult result;
+  result.bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
+  result.foils = make_bearing_foils(input);
+  const EquilibriumSettings& equilibrium = *input.equilibrium;
+  if (paths.empty()) paths.push_back(equilibrium.path);
+  const std::size_t states =
+      paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
+  PathWalker walker(input, result, progress, states);
+  for (const FilmPath path : paths) {
+    for (const auto& chain : chains_of(path, equilibrium)) walker.walk(path, chain);
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,138 @@
+#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "experiments/equilibrium/equilibrium_json.hpp"
+#include "experiments/equilibrium/equilibrium_netcdf.hpp"
+#include "experiments/equilibrium/film_ross_toml.hpp"
+#include "experiments/equilibrium/whirl_quantities.hpp"
+#include "results/csv_value.hpp"
+#include "results/manifest.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
+  const FilmBearing& bearing = *result.bearing;
+  Json json;
+  json["states"] = spread.states;
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    if (quantity.form.kind != Form::real && quantity.name != "loaded_bumps") continue;
+    if (quantity.asked && quantity.name == "wall_time") continue;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const std::size_t i : spread.states) {
+      const double value = value_of(quantity, bearing, result.states[i]);
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    json[key_of(quantity.name, quantity.unit)] = {{"min", value_json(least, {})}, {"max", value_json(most, {})}};
+  }
+  return json;
+}
+
+std::string equilibrium_summary(const Case& input, const EquilibriumResult& result, RunStatus status,
+                                const Manifest& manifest) {
+  Json json = summary_head(command_of(result), input, status, manifest);
+  json["states"] = Json::array();
+  for (const RunningState& state : result.states) json["states"].push_back(state_json(*result.bearing, state));
+  json["spreads"] = Json::array();
+  for (const PathSpread& spread : path_spreads(result)) json["spreads"].push_back(spread_json(result, spread));
+  json["limits"] = Json::array();
+  for (const FilmLimit& limit : result.limits) json["limits"].push_back(limit_json(limit));
+  json["warnings"] = warning_lines(input, result);
+  return sealed_summary(json);
+}
+
+}  // namespace
+
+std::vector<std::string> equilibrium_file_names(std::string_view command) {
+  const std::string csv = fmt::format("{}.csv", command);
+  if (command == "film") return {"summary.json", csv, "result.nc"};
+  return {"summary.json", csv, "coefficients.csv", "coefficients.toml", "result.nc"};
+}
+
+std::string equilibrium_csv(const EquilibriumResult& result) {
+  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing, !result.limits.empty());
+  std::string out;
+  for (const RunningQuantity& column : columns) {
+    if (column.in_csv) out += (out.empty() ? "" : ",") + key_of(column.name, column.unit);
+  }
+  for (const RunningState& state : result.states) {
+    char separator = '\n';
+    for (const RunningQuantity& column : columns) {
+      if (!column.in_csv) continue;
+      append_csv(out += separator, value_of(column, *result.bearing, state), column.form);
+      separator = ',';
+    }
+  }
+  return out + '\n';
+}
+
+std::string film_coefficients_csv(const EquilibriumResult& result) {
+  std::string out = "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s";
+  for (const WhirlQuantity& quantity : whirl_quantities()) out += ',' + key_of(quantity.name(), quantity.unit);
+  for (const RunningState& state : result.states) {
+    if (!state.found()) continue;
+    const bool by_load = state.asked.control == OperatingPoint::Control::load;
+    for (const FilmWhirl& whirl : state.whirls) {
+      append_csv(out += '\n', state.asked.speed);
+      for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.asked.journal[axis] : absent);
+      for (const int axis : {0, 1}) append_csv(out += ',', state.last->position[axis]);
+      out += fmt::format(",{}", name_of(state.path));
+      append_csv(out += ',', whirl.frequency);
+      for (const WhirlQuantity& quantity : whirl_quantities()) append_csv(out += ',', quantity.value(whirl));
+    }
+  }
+  return out + '\n';
+}
+
+std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
+  std::vector<PathSpread> spreads;
+  for (std::size_t i = 0; i < result.states.size(); ++i) {
+    const RunningState& state = result.states[i];
+    if (!state.found()) continue;
+    const auto same = std::find_if(spreads.begin(), spreads.end(), [&](const PathSpread& spread) {
+      const RunningState& first = result.states[spread.states.front()];
+      return first.asked == state.asked && first.path != state.path;
+    });
+    if (same == spreads.end()) {
+      spreads.push_back({{i}});
+    } else {
+      same->states.push_back(i);
+    }
+  }
+  std::erase_if(spreads, [](const PathSpread& spread) { return spread.states.size() < 2; });
+  return spreads;
+}
+
+std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
+                                          const Provenance& provenance, int ross_version) try {
+  const std::string run_id = make_run_id();
+  std::vector<ResultFile> files;
+  files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
+  if (result.foils) {
+    files.push_back({"coefficients.csv", film_coefficients_csv(result)});
+    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id, ross_version)});
+  }
+  files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
+  files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});
+  return files;
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorKind::file, {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice",
+                                 "fewer states or a coarser mesh take less"}});
+}
+
+}  // namespace bumpfoil

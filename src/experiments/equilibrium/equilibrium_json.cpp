@@ -1,0 +1,84 @@
+#include "experiments/equilibrium/equilibrium_json.hpp"
+
+#include <string>
+
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "experiments/equilibrium/whirl_quantities.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What each of several pads takes of the force; null where that is not known.
+void add_pad_forces(Json& json, const FilmBearing& bearing, const RunningState& state, bool known) {
+  if (bearing.pads.size() == 1) return;
+  for (const int axis : {0, 1}) {
+    Json& forces = json[axis == 0 ? "pad_forces_x_N" : "pad_forces_y_N"];
+    for (Eigen::Index k = 0; k < std::ssize(bearing.pads); ++k) {
+      forces.push_back(known ? Json(state.outcome->pad_forces(axis, k)) : Json());
+    }
+  }
+}
+
+/// Stiffness and damping at each frequency.
+void add_motions(Json& json, const RunningState& state) {
+  json["motions"] = Json::array();
+  for (const FilmWhirl& whirl : state.found() ? state.whirls : std::vector<FilmWhirl>{}) {
+    Json& motion = json["motions"].emplace_back(Json{{"frequency_rad_per_s", whirl.frequency}});
+    for (const WhirlQuantity& quantity : whirl_quantities()) {
+      motion[key_of(quantity.name(), quantity.unit)] = value_json(quantity.value(whirl), {});
+    }
+  }
+}
+
+/// Quantities that were found out of a state, whether it is the one that was asked for or not.
+Json found_json(const FilmBearing& bearing, const RunningState& state) {
+  Json json;
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    if (quantity.asked) continue;
+    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(bearing, state), quantity.form);
+  }
+  add_pad_forces(json, bearing, state, true);
+  return json;
+}
+
+}  // namespace
+
+Json state_json(const FilmBearing& bearing, const RunningState& state) {
+  Json json;
+  json["name"] = name_of_state(state);
+  for (const RunningQuantity& quantity : running_quantities(bearing)) {
+    json[key_of(quantity.name, quantity.unit)] = value_json(value_of(quantity, bearing, state), quantity.form);
+  }
+  add_pad_forces(json, bearing, state, state.found());
+  if (bearing.bumps() > 0) add_motions(json, state);
+  const std::string failure = running_failure(bearing, state);
+  json["reason"] = failure.empty() ? Json() : Json(failure);
+  json["last_state"] = Json();
+  if (!state.found() && state.outcome) {
+    json["last_state"] = found_json(bearing, state);
+    json["last_state"]["speed_rad_per_s"] = state.last->speed;
+    json["last_state"]["radial_clearance_m"] = bearing.clearance + state.last->opening;
+  }
+  return json;
+}
+
+Json limit_json(const FilmLimit& limit) {
+  const auto point_json = [](const OperatingPoint& point, double h) {
+    return Json{{"speed_rad_per_s", point.speed},
+                {"load_x_N", point.journal.x()},
+                {"load_y_N", point.journal.y()},
+                {"h_min_m", value_json(h, {})}};
+  };
+  return {{"kind", name_of(limit.kind)},
+          {"status", name_of(limit.status)},
+          {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
+          {"jumps", limit.jumps},
+          {"thick", point_json(limit.thick, limit.h_thick)},
+          {"thin", point_json(limit.thin, limit.h_thin)}};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,453 @@
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/results/quantity.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Imbalances are relative to the power, the torque and the largest flow.
+double relative(double part, double whole_of_it) {
+  return whole_of_it == 0.0 ? 0.0 : part / std::abs(whole_of_it);
+}
+
+template <OperatingPoint::Control control, int axis>
+double asked_journal(const FilmBearing&, const RunningState& state) {
+  return state.asked.control == control ? state.asked.journal[axis] : absent;
+}
+
+template <int axis>
+double position(const FilmBearing&, const RunningState& state) {
+  return state.last->position[axis];
+}
+
+template <int axis>
+double force(const FilmBearing&, const RunningState& state) {
+  return state.outcome->force[axis];
+}
+
+template <double FilmBearingOutcome::*member>
+double of(const FilmBearing&, const RunningState& state) {
+  return (*state.outcome).*member;
+}
+
+template <double FilmBearingOutcome::*member>
+double length(const FilmBearing& bearing, const RunningState& state) {
+  return (*state.outcome).*member * bearing.scales.thickness;
+}
+
+template <double FilmBearingOutcome::*member>
+double pressure(const FilmBearing& bearing, const RunningState& state) {
+  return (*state.outcome).*member * bearing.scales.gas.ambient_pressure;
+}
+
+template <double FilmFlows::*member>
+double flow(const FilmBearing&, const RunningState& state) {
+  return state.outcome->flows.*member;
+}
+
+template <int FilmBearingOutcome::*member>
+double bump_number(const FilmBearing&, const RunningState& state) {
+  const int bump = (*state.outcome).*member;
+  return bump < 0 ? absent : bump + 1;
+}
+
+template <std::optional<Eigen::Matrix2d> RunningState::*member, int row, int column>
+double entry(const FilmBearing&, const RunningState& state) {
+  return state.*member ? (*(state.*member))(row, column) : absent;
+}
+
+/// Of the first of the frequencies.
+template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
+double whirl_stiffness(const FilmBearing&, const RunningState& state) {
+  if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
+  return (*(state.whirls.front().*member))(row, column).real();
+}
+template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
+double whirl_damping(const FilmBearing&, const RunningState& state) {
+  if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
+  return (*(state.whirls.front().*member))(row, column).imag() / state.whirls.front().frequency;
+}
+
+template <int FilmReport::*member>
+double cost(const FilmBearing&, const RunningState& state) {
+  return state.report.*member;
+}
+
+/// Of the pad with the thinnest film.
+const FilmMesh& thinnest_mesh(const FilmBearing& bearing, const RunningState& state) {
+  return bearing.pads[static_cast<std::size_t>(state.outcome->thinnest_pad)].foil.mesh;
+}
+
+// What tells some quantities from others.
+constexpr RunningQuantity as_asked(RunningQuantity quantity) {
+  quantity.asked = true;
+  return quantity;
+}
+constexpr RunningQuantity counted(RunningQuantity quantity) {
+  quantity.form = Form{Form::whole};
+  return quantity;
+}
+constexpr RunningQuantity foils(RunningQuantity quantity) {
+  quantity.of_foils = true;
+  return quantity;
+}
+constexpr RunningQuantity pads(RunningQuantity quantity) {
+  quantity.of_pads = true;
+  return quantity;
+}
+constexpr RunningQuantity limit(RunningQuantity quantity) {
+  quantity.of_limits = true;
+  return foils(as_asked(quantity));
+}
+constexpr RunningQuantity bump(RunningQuantity quantity) {
+  quantity.is_bump = true;
+  return counted(foils(quantity));
+}
+constexpr RunningQuantity csv(RunningQuantity quantity) {
+  quantity.in_csv = true;
+  return quantity;
+}
+
+using B = FilmBearing;
+using S = RunningState;
+using By = OperatingPoint::Control;
+
+constexpr auto table = std::to_array<RunningQuantity>({
+    csv(as_asked({"speed", "rad/s", "speed of the journal, positive from X to Y",
+                  [](const B&, const S& state) { return state.asked.speed; }, "speed", shown::revolutions})),
+    csv(as_asked({"load_x", "N", "load on the journal that was asked for, X", asked_journal<By::load, 0>, "load, X",
+                  shown::newtons})),
+    csv(as_asked({"load_y", "N", "load on the journal that was asked for, Y", asked_journal<By::load, 1>, "load, Y",
+                  shown::newtons})),
+    csv({"x", "m", "journal centre, X", position<0>, "journal, X", shown::micrometres}),
+    csv({"y", "m", "journal centre, Y", position<1>, "journal, Y", shown::micrometres}),
+    csv({"force_x", "N", "force that holds the journal against the film, X", force<0>, "force, X", shown::newtons}),
+    csv({"force_y", "N", "force that holds the journal against the film, Y", force<1>, "force, Y", shown::newtons}),
+    csv({"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
+         of<&FilmBearingOutcome::eccentricity>, "eccentricity", shown::unitless}),
+    csv({"attitude_angle", "degree",
+         "angle from the force to the displacement of the journal, positive in the sense of rotation",
+         [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, "attitude angle",
+         shown::degrees}),
+    csv({"h_min", "m", "least film thickness of all nodes",
+         [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
+         "least film thickness", shown::micrometres}),
+    csv({"h_min_theta", "degree", "where that is, from the weld along the foil",
+         [](const B& bearing,
+            const S&
+                state) { return to_degrees(state.outcome->thinnest.column * thinnest_mesh(bearing, state).dtheta); },
+         "  at, from the weld", shown::degrees}),
+    csv(pads(counted({"h_min_pad", "1", "pad where that is",
+                      [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, "  of pad",
+                      shown::unitless}))),
+    {"h_min_mesh_error", "m", "estimated error of the least film thickness by the mesh, from a mesh of another size",
+     [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->minimum_film_thickness : absent; },
+     "film, error of the mesh", shown::micrometres},
+    {"force_mesh_error", "N",
+     "estimated error of the force by the mesh: at the position, or under a load what the error of the position makes",
+     [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->force : absent; },
+     "force, error of the mesh", shown::newtons},
+    {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
+     [](const B& bearing, const S& state) {
+       return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
+     }},
+    {"h_min_vertex_theta", "degree", "where that is, from the weld along the foil",
+     [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }},
+    foils({"h_min_crest", "m", "least film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>}),
+    csv({"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, "highest pressure",
+         shown::bars}),
+    csv({"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, "lowest pressure",
+         shown::bars}),
+    csv({"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
+         "torque", shown::newton_millimetres}),
+    {"couette_torque", "N m", "part of the torque that the moving surface alone makes",
+     of<&FilmBearingOutcome::couette_torque>},
+    {"poiseuille_torque", "N m", "part of the torque that the pressure gradient makes",
+     [](const B&, const S& state) { return state.outcome->torque - state.outcome->couette_torque; }},
+    csv({"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, "power loss", shown::watts}),
+    {"couette_dissipation", "W", "power that the moving surface dissipates",
+     of<&FilmBearingOutcome::couette_dissipation>},
+    {"poiseuille_dissipation", "W", "power that the pressure flow dissipates",
+     [](const B&, const S& state) { return state.outcome->dissipation - state.outcome->couette_dissipation; }},
+    {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
+    {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
+    {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>},
+    {"energy_imbalance", "1",
+     "dissipated power over that of the journal, less one: what the mesh leaves of the balance",
+     [](const B&, const S& state) {
+       return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power);
+     }},
+    {"torque_imbalance", "1",
+     "torque by the balance of moments over that of the shear, less one: what the mesh leaves of it",
+     [](const B&, const S& state) {
+       return relative(state.outcome->torque_of_moments - state.outcome->torque, state.outcome->torque);
+     }},
+    {"mass_imbalance", "1", "what flows in less what flows out, over the larger flow past an end: a rounding",
+     [](const B&, const S& state) {
+       const FilmFlows& flows = state.outcome->flows;
+       return relative(flows.start - flows.end - flows.sides, std::max(std::abs(flows.start), std::abs(flows.end)));
+     }},
+    csv(counted(foils({"loaded_bumps", "1", "bumps that the top foil presses",
+                       [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
+                       "loaded bumps", shown::unitless}))),
+    bump({"first_loaded_bump", "1", "first of them, counted from the weld, pad after pad",
+          bump_number<&FilmBearingOutcome::first_loaded>}),
+    bump({"last_loaded_bump", "1", "last of them, counted from the weld, pad after pad",
+          bump_number<&FilmBearingOutcome::last_loaded>}),
+    counted(foils(
+        {"lifted_bumps_at_entry", "1",
+         "bumps in a row, from where gas enters, that the foil is lifted off; of several pads, where that is most",
+         [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); }})),
+    foils({"highest_bump_load", "N", "largest compression between top foil and crest",
+           [](const B& bearing, const S& state) { return bump_loads(bearing, *state.last).maxCoeff(); },
+           "highest bump load", shown::newtons}),
+    bump({"highest_loaded_bump", "1", "bump that bears it, counted from the weld, pad after pad",
+          [](const B& bearing, const S& state) {
+            Eigen::Index place = 0;
+            return bump_loads(bearing, *state.last).maxCoeff(&place) > 0.0 ? static_cast<double>(place + 1) : absent;
+          },
+          "  on bump", shown::unitless}),
+    foils({"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
+           [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, "highest stress, top foil",
+           shown::megapascals}),
+    foils({"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil; frame only",
+           [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); },
+           "highest stress, bump foil", shown::megapascals}),
+    csv(as_asked({"status", "", "how the search for the state ended",
+                  [](const B&, const S& state) { return static_cast<double>(state.report.status); }, "status",
+                  shown::unitless, flags<FilmStatus>})),
+    csv(as_asked({"path", "", "path that leads to the state",
+                  [](const B&, const S& state) { return static_cast<double>(state.path); }, "path", shown::unitless,
+                  flags<FilmPath>})),
+    csv(foils({"kxx", "N/m", "dF_x/dx, contacts going on in their modes", entry<&S::stiffness, 0, 0>, "stiffness, xx",
+               shown::stiffness})),
+    csv(foils({"kxy", "N/m", "dF_x/dy, contacts going on in their modes", entry<&S::stiffness, 0, 1>, "stiffness, xy",
+               shown::stiffness})),
+    csv(foils({"kyx", "N/m", "dF_y/dx, contacts going on in their modes", entry<&S::stiffness, 1, 0>, "stiffness, yx",
+               shown::stiffness})),
+    csv(foils({"kyy", "N/m", "dF_y/dy, contacts going on in their modes", entry<&S::stiffness, 1, 1>, "stiffness, yy",
+               shown::stiffness})),
+    csv(foils({"kxx_stuck", "N/m", "dF_x/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 0>})),
+    csv(foils({"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>})),
+    csv(foils({"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>})),
+    csv(foils({"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>})),
+    foils({"foil_response", "1",
+           "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
+           "singular",
+           [](const B&, const S& state) { return state.foil_response.value_or(absent); }}),
+    foils({"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
+           [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; },
+           "whirl frequency", shown::revolutions}),
+    foils({"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 0, 0>, "whirl stiffness, xx", shown::stiffness}),
+    foils({"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 0, 1>, "whirl stiffness, xy", shown::stiffness}),
+    foils({"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 1, 0>, "whirl stiffness, yx", shown::stiffness}),
+    foils({"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, contacts going on in their modes",
+           whirl_stiffness<&FilmWhirl::impedance, 1, 1>, "whirl stiffness, yy", shown::stiffness}),
+    foils({"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 0, 0>, "whirl damping, xx", shown::damping}),
+    foils({"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 0, 1>, "whirl damping, xy", shown::damping}),
+    foils({"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 1, 0>, "whirl damping, yx", shown::damping}),
+    foils({"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+           whirl_damping<&FilmWhirl::impedance, 1, 1>, "whirl damping, yy", shown::damping}),
+    foils({"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 0>}),
+    foils({"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 1>}),
+    foils({"kyx_whirl_stuck", "N/m", "dF_y/dx at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 0>}),
+    foils({"kyy_whirl_stuck", "N/m", "dF_y/dy at whirl_frequency, all closed contacts sticking",
+           whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 1>}),
+    foils({"cxx_whirl_stuck", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 0, 0>}),
+    foils({"cxy_whirl_stuck", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 0, 1>}),
+    foils({"cyx_whirl_stuck", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 1, 0>}),
+    foils({"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+           whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>}),
+    as_asked(
+        counted(foils({"jumps", "1", "jumps on the way to the state: from a branch of states that ends to another one",
+                       cost<&FilmReport::jumps>}))),
+    as_asked(counted({"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>})),
+    as_asked(counted(foils({"factorisations", "1", "factorisations of contact systems on the way to the state",
+                            cost<&FilmReport::factorisations>}))),
+    {"residual", "1", "norm of all scaled residuals before the last Newton step",
+     [](const B&, const S& state) { return state.report.residual; }},
+    as_asked({"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; }}),
+    csv(limit({"lift_off_speed", "rad/s", "speed at which the film under the load is film.h_lift_off thin",
+               [](const B&, const S& state) { return state.lift_off_speed.value_or(absent); }, "lift-off speed",
+               shown::revolutions})),
+    csv(limit({"load_capacity", "N",
+               "load, along the first one, at which the film at the speed is film.h_lift_off thin",
+               [](const B&, const S& state) { return state.load_capacity.value_or(absent); }, "load capacity",
+               shown::newtons})),
+});
+
+constexpr auto column_table = std::to_array<ColumnQuantity>({
+    {"film_thickness", "m", "film thickness, the same over the width",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       return bearing.scales.thickness * state.foil.film.thickness.row(0).transpose();
+     }},
+    {"line_load", "N/m", "pressure beyond the ambient one, integrated over the width",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
+       Vector load = Vector::Zero(bearing.columns());
+       for (int j = 0; j <= mesh.rows; ++j) {
+         load.array() += mesh.row_weight(j) * (state.foil.film.pressure.row(j).transpose().array() - 1.0);
+       }
+       return 2.0 * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
+     }},
+    {"film_top_displacement", "m", "radial displacement of the top foil, positive outward",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       return bearing.scales.thickness * state.foil.lift;
+     }},
+    {"film_top_moment", "N m", "bending moment of the top foil",
+     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+       Vector moment = bearing.scales.thickness * state.foil.moment;
+       for (const FilmPad& pad : bearing.pads) moment(pad.columns()) *= pad.foil.stiffness * pad.foil.pitch;
+       return moment;
+     }},
+});
+
+}  // namespace
+
+std::string_view reason_of(FilmStatus status) {
+  switch (status) {
+    case FilmStatus::converged:
+      break;
+    case FilmStatus::not_converged:
+      return "Newton's method finds no state, however small the steps";
+    case FilmStatus::touchdown:
+      return "the journal touches: the film is thinner than film.h_floor";
+    case FilmStatus::no_room:
+      return "there is no room for the journal between the undeformed foils where the path starts";
+    case FilmStatus::fold:
+      return "the branch of states ends, and from its end the film comes to rest nowhere";
+    case FilmStatus::not_reached:
+      return "not looked for, since an earlier state of its path was not found";
+    case FilmStatus::interrupted:
+      return "interrupted";
+    case FilmStatus::not_physical:
+      return "what was drawn makes no bearing";
+  }
+  return "";
+}
+
+std::string name_of_limit(const FilmLimit& limit) {
+  return limit.kind == FilmLimitKind::lift_off_speed
+             ? fmt::format("lift-off speed under the load ({:.6g}, {:.6g}) N", limit.thick.journal.x(),
+                           limit.thick.journal.y())
+             : fmt::format("load capacity at {:.6g} rpm", limit.thick.speed / shown::revolutions.size);
+}
+
+std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {
+  std::vector<RunningQuantity> quantities(table.begin(), table.end());
+  std::erase_if(quantities, [&](const RunningQuantity& quantity) {
+    return (quantity.of_limits && !limits) || (quantity.of_foils && bearing.bumps() == 0) ||
+           (quantity.of_pads && bearing.pads.size() == 1);
+  });
+  return quantities;
+}
+
+std::span<const RunningQuantity> all_running_quantities() {
+  return table;
+}
+
+std::span<const ColumnQuantity> column_quantities() {
+  return column_table;
+}
+
+double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state) {
+  return quantity.asked || state.found() ? quantity.value(bearing, state) : absent;
+}
+
+Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) {
+  return bearing.scales.gas.ambient_pressure * state.foil.film.pressure;
+}
+
+std::string running_bump_text(const FilmBearing& bearing, int bump) {
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const int bumps = bearing.pads[k].bumps();
+    if (bump < bumps)
+      return bearing.pads.size() == 1 ? fmt::format("{}", bump + 1) : fmt::format("{}.{}", k + 1, bump + 1);
+    bump -= bumps;
+  }
+  return {};
+}
+
+namespace {
+
+std::string speed_text(const OperatingPoint& point) {
+  return fmt::format("{:.6g} rpm", point.speed / shown::revolutions.size);
+}
+
+std::string journal_text(const OperatingPoint& point) {
+  const bool by_load = point.control == OperatingPoint::Control::load;
+  const double unit = by_load ? 1.0 : 1e-6;
+  return fmt::format("{} ({:.6g}, {:.6g}) {}", by_load ? "load" : "position", point.journal.x() / unit,
+                     point.journal.y() / unit, by_load ? "N" : "um");
+}
+
+/// What changes from one point to the next, as it was before.
+std::string where_from(const OperatingPoint& before, const OperatingPoint& now) {
+  return before.journal == now.journal ? speed_text(before) : journal_text(before);
+}
+
+}  // namespace
+
+std::string name_of_point(const OperatingPoint& point) {
+  return (std::isnan(point.speed) ? "" : speed_text(point) + ", ") + journal_text(point);
+}
+
+std::string name_of_state(const RunningState& state) {
+  return fmt::format("{} from {}, {}", name_of(state.path),
+                     state.before ? where_from(*state.before, state.asked) : "rest", name_of_point(state.asked));
+}
+
+std::string running_failure(const FilmBearing& bearing, const RunningState& state) {
+  if (state.found()) return {};
+  std::string text = fmt::format("{}: {}", name_of_state(state), reason_of(state.report.status));
+  if (state.outcome) {
+    text += fmt::format(
+        "; the last state that was found: {:.6g} rpm, journal ({:.5g}, {:.5g}) um, force ({:.5g}, "
+        "{:.5g}) N, least film thickness {:.4g} um",
+        state.last->speed / shown::revolutions.size, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
+        state.outcome->force.x(), state.outcome->force.y(),
+        1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
+    if (state.last->opening > 0.0) {
+      text += fmt::format(", with the clearance at {:.5g} um on its way to {:.5g} um",
+                          1e6 * (bearing.clearance + state.last->opening), 1e6 * bearing.clearance);
+    }
+  }
+  return text;
+}
+
+int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {
+  if (!state.found()) return 0;
+  const Vector loads = bump_loads(bearing, *state.last);
+  if (!(loads.array() > 0.0).any()) return 0;
+  Eigen::Index most = 0;
+  Eigen::Index bump = 0;
+  for (const FilmPad& pad : bearing.pads) {
+    Vector own = loads.segment(bump, pad.bumps());
+    if (bearing.surface_speed(pad, state.asked.speed) < 0.0) own.reverseInPlace();
+    most = std::max(most, std::find_if(own.begin(), own.end(), [](double load) { return load > 0.0; }) - own.begin());
+    bump += pad.bumps();
+  }
+  return static_cast<int>(most);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,134 @@
+#include "experiments/equilibrium/film_ross_toml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "experiments/vibration/ross_element.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view film_head =
+    R"(# Linear coefficients of the running bearing, gas film and foils together, for rotor dynamics. [bearing.element] holds
+# arguments of the constructor of BearingElement of ROSS, version {} (https://github.com/petrobras/ross): in Python 3.11
+# or later
+#
+#     bearing = tomllib.load(open("coefficients.toml", "rb"))["bearing"][0]
+#     ross.BearingElement(n=0, **bearing["element"])
+#
+# kxy = dF_x/dy (N/m), cxy = dF_x/d(dy/dt) (N s/m), F the force that holds the journal, X and Y those of the case file.
+# contacts = "stuck": too small a motion to make any bump slip; "slipping": contacts that slipped slip on.
+)";
+
+/// What the axes are.
+constexpr std::string_view axes_2 = R"(# frequency is the speed of the rotor (rad/s), as version 2 reads it.
+)";
+constexpr std::string_view axes_3 =
+    R"(# speed is that of the rotor, frequency that of a small harmonic motion about the state (rad/s); tables over both have
+# a row for each speed. [bearing.synchronous] has the same arguments at the frequency of the rotation alone.
+)";
+constexpr std::string_view synchronous_only = "\n# synchronous: for unbalance response, not for stability";
+
+using Impedance = std::optional<Eigen::Matrix2cd> FilmWhirl::*;
+
+/// States of one path, load or position and sense of rotation, slow before fast.
+using StatesOverSpeed = std::vector<const RunningState*>;
+
+std::vector<StatesOverSpeed> by_speed(const std::vector<RunningState>& states) {
+  std::vector<StatesOverSpeed> groups;
+  for (const RunningState& state : states) {
+    if (!state.found() || !state.synchronous) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(), [&state](const StatesOverSpeed& one) {
+      const RunningState& first = *one.front();
+      return first.path == state.path && first.asked.control == state.asked.control &&
+             first.asked.journal == state.asked.journal && first.asked.speed * state.asked.speed > 0.0;
+    });
+    if (group == groups.end()) {
+      groups.push_back({&state});
+    } else {
+      group->push_back(&state);
+    }
+  }
+  for (StatesOverSpeed& group : groups) {
+    const auto slower = [](const RunningState* a, const RunningState* b) {
+      return std::abs(a->asked.speed) < std::abs(b->asked.speed);
+    };
+    std::stable_sort(group.begin(), group.end(), slower);
+    const auto same = [](const RunningState* a, const RunningState* b) { return a->asked.speed == b->asked.speed; };
+    group.erase(std::unique(group.begin(), group.end(), same), group.end());
+  }
+  return groups;
+}
+
+/// At the frequency of the rotation, or at all that are tabulated.
+std::vector<FilmWhirl> whirls_of(const RunningState& state, bool synchronous) {
+  return synchronous ? std::vector{*state.synchronous} : state.tabulated;
+}
+
+/// Those whose coefficients of one kind are all known.
+StatesOverSpeed known(StatesOverSpeed states, Impedance impedance) {
+  std::erase_if(states, [impedance](const RunningState* state) {
+    const auto unknown = [impedance](const FilmWhirl& whirl) { return !(whirl.*impedance); };
+    return unknown(*state->synchronous) || std::any_of(state->tabulated.begin(), state->tabulated.end(), unknown);
+  });
+  return states;
+}
+
+RossElement element_of(const StatesOverSpeed& states, Impedance impedance, bool synchronous) {
+  RossElement element;
+  for (const RunningState* state : states) {
+    element.speeds.push_back(std::abs(state->asked.speed));
+    for (const FilmWhirl& whirl : whirls_of(*state, synchronous)) {
+      if (!synchronous && state == states.front()) element.frequencies.push_back(whirl.frequency);
+      element.stiffness.push_back((whirl.*impedance)->real());
+      element.damping.push_back((whirl.*impedance)->imag() / whirl.frequency);
+    }
+  }
+  return element;
+}
+
+/// The tables of one kind of contacts, as a version of ROSS takes them.
+std::string elements_toml(const StatesOverSpeed& states, Impedance impedance, int ross_version) {
+  RossElement synchronous = element_of(states, impedance, true);
+  if (ross_version == 2) {
+    std::swap(synchronous.speeds, synchronous.frequencies);
+    return std::string(synchronous_only) + toml_of(synchronous);
+  }
+  return toml_of(element_of(states, impedance, false)) + std::string(synchronous_only) +
+         toml_of(synchronous, "synchronous");
+}
+
+}  // namespace
+
+std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id,
+                           int ross_version) {
+  std::string out = fmt::format(film_head, ross_version);
+  out += ross_version == 2 ? axes_2 : axes_3;
+  if (ross_version != 2 && input.equilibrium->frequencies.empty()) {
+    out += "# The case names no frequencies: these reach from 0.2 times the lowest speed to 1.2 times the highest.\n";
+  }
+  out += fmt::format("\nsource = \"bumpfoil {} ({})\"\nrun_id = \"{}\"\n", version(), commit(), run_id);
+  for (const StatesOverSpeed& all : by_speed(result.states)) {
+    for (const auto& [contacts, impedance] :
+         {std::pair{"stuck", &FilmWhirl::stuck_impedance}, std::pair{"slipping", &FilmWhirl::impedance}}) {
+      const StatesOverSpeed states = known(all, impedance);
+      if (states.empty()) continue;
+      const OperatingPoint& asked = states.front()->asked;
+      out += fmt::format("\n[[bearing]]\npath = \"{}\"\n{} = {}\n", name_of(states.front()->path),
+                         asked.control == OperatingPoint::Control::load ? "load_N" : "position_m",
+                         toml_list({asked.journal.x(), asked.journal.y()}));
+      out += fmt::format("turns = \"{}\"\ncontacts = \"{}\"\n", asked.speed > 0.0 ? "from X to Y" : "from Y to X",
+                         contacts);
+      if (states.size() == 1) out += fmt::format("speed_rad_per_s = {}\n", toml_number(std::abs(asked.speed)));
+      out += elements_toml(states, impedance, ross_version);
+    }
+  }
+  return out;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,126 @@
+#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bumpfoil {
+namespace {
+
+constexpr double refinement = 1.5;
+constexpr int least_columns_per_pitch = 4;
+constexpr int least_rows_to_coarsen = 4;
+
+/// Even, as every crest has a column.
+int even(double number) {
+  return 2 * static_cast<int>(std::lround(0.5 * number));
+}
+
+FilmResolution other_resolution(const FilmResolution& own) {
+  const bool coarser = own.columns_per_pitch > least_columns_per_pitch && own.rows >= least_rows_to_coarsen;
+  const int columns = even(coarser ? own.columns_per_pitch / refinement : own.columns_per_pitch * refinement);
+  const double ratio = static_cast<double>(columns) / own.columns_per_pitch;
+  return {.columns_per_pitch = columns, .rows = static_cast<int>(std::lround(ratio * own.rows))};
+}
+
+/// Values at equal distances, read at `count` equal distances over the same length: linear in between.
+Vector resampled(const Vector& values, Eigen::Index count) {
+  Vector found(count);
+  const double stride = static_cast<double>(values.size() - 1) / static_cast<double>(count - 1);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double place = stride * static_cast<double>(i);
+    const Eigen::Index before = std::min(static_cast<Eigen::Index>(place), values.size() - 2);
+    const double part = place - static_cast<double>(before);
+    found[i] = (1.0 - part) * values[before] + part * values[before + 1];
+  }
+  return found;
+}
+
+Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
+  Matrix along(field.rows(), columns);
+  for (Eigen::Index j = 0; j < field.rows(); ++j) along.row(j) = resampled(Vector(field.row(j)), columns);
+  Matrix found(rows, columns);
+  for (Eigen::Index k = 0; k < columns; ++k) found.col(k) = resampled(Vector(along.col(k)), rows);
+  return found;
+}
+
+/// A state of `from` on the mesh of `to`: not yet one of its equations, but near.
+FilmBearingState transferred(const FilmBearing& from, const FilmBearing& to, const FilmBearingState& state) {
+  FilmBearingState found = resting(to, state.position, state.speed, state.opening);
+  found.contact.gap = state.contact.gap;
+  found.contact.normal_force = state.contact.normal_force;
+  found.contact.friction_force = state.contact.friction_force;
+  found.contact.mode = state.contact.mode;
+  const Eigen::Index from_size = from.problem.K.block_size();
+  const Eigen::Index to_size = to.problem.K.block_size();
+  const Eigen::Index shared = from.dofs.size;
+  for (std::size_t k = 0; k < from.pads.size(); ++k) {
+    const FilmPad& pad = from.pads[k];
+    const FilmPad& other = to.pads[k];
+    const Eigen::Index columns = other.foil.mesh.nodes();
+    found.foil.film.pressure(Eigen::all, other.columns()) =
+        resampled(part_of(pad, state.foil.film.pressure), other.foil.mesh.rows + 1, columns);
+    found.foil.lift(other.columns()) = resampled(Vector(state.foil.lift(pad.columns())), columns);
+    found.foil.moment(other.columns()) = resampled(Vector(state.foil.moment(pad.columns())), columns);
+    // The last block has one unknown more than those of a bump foil, the displacement of the free end.
+    for (Eigen::Index b = 0; b <= pad.bumps(); ++b) {
+      const Eigen::Index block = pad.first_block + b;
+      found.contact.x.segment(block * to_size, shared + 1) = state.contact.x.segment(block * from_size, shared + 1);
+      if (b == pad.bumps()) continue;
+      const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(b)];
+      for (int j = 0; j < other.foil.mesh.rows; ++j) {
+        found.contact.x[block * to_size + shared + j] =
+            to.scales.thickness * (found.foil.film.pressure(j, crest) - 1.0);
+      }
+    }
+  }
+  found.foil.film.thickness.rowwise() += found.foil.lift.transpose();
+  return found;
+}
+
+/// Compares states on two meshes.
+class MeshComparison {
+ public:
+  MeshComparison(const Case& input, const FilmBearing& bearing)
+      : bearing_(bearing),
+        own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
+        other_(other_resolution(own_)),
+        solver_(make_film_bearing(input, gas_of(input.gas), other_),
+                {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
+
+  [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {
+    const FilmBearing& other = solver_.bearing();
+    FilmBearingState found = transferred(bearing_, other, *state.last);
+    if (solver_.solve(state.asked, ContactState(found.contact), found).status != FilmStatus::converged) return {};
+    const double thickness =
+        (found.foil.film.thickness.minCoeff() - state.last->foil.film.thickness.minCoeff()) * bearing_.scales.thickness;
+    Eigen::Vector2d force = film_force(other, found.foil.film.pressure) - state.outcome->force;
+    if (state.asked.control == OperatingPoint::Control::load) {
+      if (!state.stiffness) return {};
+      force = *state.stiffness * (state.last->position - found.position);
+    }
+    return MeshError{.minimum_film_thickness = std::abs(part() * thickness), .force = std::abs(part()) * force.norm()};
+  }
+
+ private:
+  /// Of the difference to the other mesh that the own one is off by; negative where the other one is finer.
+  [[nodiscard]] double part() const {
+    const double r_squared = static_cast<double>(own_.columns_per_pitch * own_.rows) /
+                             static_cast<double>(other_.columns_per_pitch * other_.rows);
+    return 1.0 / (r_squared - 1.0);
+  }
+
+  const FilmBearing& bearing_;
+  FilmResolution own_, other_;
+  FilmBearingSolver solver_;
+};
+
+}  // namespace
+
+void estimate_mesh_errors(const Case& input, EquilibriumResult& result) {
+  MeshComparison comparison(input, *result.bearing);
+  for (RunningState& state : result.states) {
+    if (state.found()) state.mesh_error = comparison.estimate(state);
+  }
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,68 @@
+#include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bumpfoil/experiments/equilibrium/film_limits.hpp"
+#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Minimum film thicknesses that differ by more than this part belong to different states.
+constexpr double tolerated_difference = 0.02;
+
+double minimum_film_thickness(const EquilibriumResult& result, const RunningState& state) {
+  return state.outcome->thinnest.thickness * result.bearing->scales.thickness;
+}
+
+/// States of `result` that another path reaches with another film.
+std::vector<OtherBranch> other_branches(const EquilibriumResult& result, const EquilibriumResult& second) {
+  std::vector<OtherBranch> found;
+  for (std::size_t i = 0; i < result.states.size(); ++i) {
+    const RunningState& state = result.states[i];
+    const auto other = std::find_if(second.states.begin(), second.states.end(),
+                                    [&](const RunningState& one) { return one.asked == state.asked; });
+    if (!state.found() || other == second.states.end() || !other->found()) continue;
+    const double h = minimum_film_thickness(result, state);
+    const double h_other = minimum_film_thickness(second, *other);
+    if (std::abs(h_other - h) > tolerated_difference * h) found.push_back({i, other->path, h_other});
+  }
+  return found;
+}
+
+}  // namespace
+
+FilmPath second_path(const EquilibriumSettings& equilibrium) {
+  const bool by_load = !equilibrium.loads.empty();
+  const FilmPath gradual = by_load ? FilmPath::load_ramp : FilmPath::position_ray;
+  if (equilibrium.path == gradual) return FilmPath::speed_ramp;
+  return by_load || equilibrium.path == FilmPath::speed_ramp ? gradual : FilmPath::speed_ramp;
+}
+
+EquilibriumResult analyse_running_bearing(const Case& input, const RunningRequest& request,
+                                          const std::function<bool(double)>& progress) {
+  if (!input.equilibrium) static_cast<void>(require_running_bearing(input));  // says what is missing
+  const EquilibriumSettings& settings = *input.equilibrium;
+  const bool all = request.all_paths || settings.paths == ComparedPaths::all;
+  const bool second = !all && settings.paths == ComparedPaths::two;
+  const double parts = 1.0 + (second ? 1.0 : 0.0) + (request.limits ? 1.0 : 0.0);
+  double done = 0.0;
+  const auto part_progress = [&](double fraction) { return !progress || progress((done + fraction) / parts); };
+
+  EquilibriumResult result =
+      run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress);
+  estimate_mesh_errors(input, result);
+  tabulate_whirls(input, result);
+  if (second) {
+    done += 1.0;
+    result.other_branches = other_branches(result, run_equilibrium(input, {second_path(settings)}, part_progress));
+  }
+  if (request.limits) {
+    done += 1.0;
+    add_film_limits(input, result, part_progress);
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,110 @@
+#include "bumpfoil/experiments/film/wall_film.hpp"
+
+#include <chrono>
+#include <numbers>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/validation.hpp"
+
+namespace bumpfoil {
+namespace {
+
+Foundation foundation_of(const Case& input, const FilmScales& scales) {
+  Foundation foundation;
+  switch (input.film.wall) {
+    case FilmWall::rigid:
+      return foundation;
+    case FilmWall::springs:
+      foundation.kind = FoundationKind::pointwise;
+      break;
+    case FilmWall::rigid_across:
+      foundation.kind = FoundationKind::axial_mean;
+      break;
+  }
+  foundation.compliance = scales.gas.ambient_pressure / (scales.thickness * *input.film.wall_stiffness);
+  return foundation;
+}
+
+/// One film, from the centred journal on.
+FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const FilmBearing& bearing,
+                     FilmBearingState& state) {
+  const Matrix centred = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
+  const Matrix there = bearing.undeformed_thickness(state.position);
+  FilmReport report = solver.solve(equation, centred, state.foil.film);
+  if (report.status != FilmStatus::converged) return report;
+  const FilmReport followed = solver.follow(equation, centred, there, state.foil.film);
+  report.status = followed.status;
+  report.iterations += followed.iterations;
+  report.residual = followed.residual;
+  return report;
+}
+
+}  // namespace
+
+FilmBearing make_wall_bearing(const Case& input) {
+  require_bearing(input, {"film"});
+  if (!input.pads.empty()) {
+    throw Error(ErrorKind::input, {{"", 0, "pad", "", "are parts of the sleeve: a wall in place of the foils has none",
+                                    "remove them, or run equilibrium, whose film knows pads"}});
+  }
+  if (input.film.closed && input.bearing.taper != 0.0) {
+    throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a wall without a slot",
+                                    "remove it, or set film.closed = false"}});
+  }
+  const double R = input.bearing.radius;
+  const double half_width = 0.5 * input.bearing.axial_length / R;
+  const double foil_angle = input.bump_foil.bumps * nominal_bump(input.bump_foil).pitch / R;
+  const int columns = input.bump_foil.bumps * input.film.columns_per_pitch;
+  FilmBearing bearing;
+  bearing.scales = {gas_of(input.gas), R, film_thickness_scale(input.bearing.radial_clearance)};
+  FilmPad& pad = bearing.pads.emplace_back();
+  pad.foil.mesh = input.film.closed ? make_closed_mesh(columns, input.film.rows, half_width)
+                                    : make_slotted_mesh(columns, input.film.rows, half_width, foil_angle);
+  pad.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  bearing.clearance = input.bearing.radial_clearance;
+  const Vector angles = pad.foil.mesh.angles();
+  bearing.normals = outward_normals(polar_angles(input.bearing, angles));
+  bearing.sleeve = sleeve_deviations(input, angles);
+  return bearing;
+}
+
+EquilibriumResult run_wall_films(const Case& input, const std::function<bool(double)>& progress) {
+  EquilibriumResult result;
+  result.bearing = std::make_shared<const FilmBearing>(make_wall_bearing(input));
+  if (!input.equilibrium || input.equilibrium->positions.empty()) {
+    throw Error(ErrorKind::input, {{"", 0, "equilibrium.positions", "", "there is no position of the journal",
+                                    "give a list such as [[\"15 um\", \"0 um\"]] in place of loads"}});
+  }
+  const FilmBearing& bearing = *result.bearing;
+  const std::size_t count = input.equilibrium->speeds.size() * input.equilibrium->positions.size();
+  FilmSolver solver(bearing.pads.front().foil.mesh, foundation_of(input, bearing.scales),
+                    {.thickness_floor = input.film.h_floor / bearing.scales.thickness});
+  for (const double speed : input.equilibrium->speeds) {
+    for (const Eigen::Vector2d& position : input.equilibrium->positions) {
+      RunningState& found = result.states.emplace_back();
+      found.path = FilmPath::position_ray;
+      found.asked = OperatingPoint::held_at({position[0], position[1]}, speed);
+      const double done = static_cast<double>(result.states.size() - 1);
+      if (progress && !progress(done / static_cast<double>(count))) {
+        found.report.status = FilmStatus::interrupted;
+        return result;
+      }
+      const auto begin = std::chrono::steady_clock::now();
+      FilmBearingState state;
+      state.position = found.asked.journal;
+      state.speed = speed;
+      state.foil.film = {bearing.field(1.0), {}};
+      state.foil.lift.setZero(bearing.columns());
+      state.foil.moment.setZero(bearing.columns());
+      found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
+      found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (!found.found()) continue;
+      found.outcome = film_bearing_outcome(bearing, state);
+      found.last = std::move(state);
+    }
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

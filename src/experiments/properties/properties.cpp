@@ -1,0 +1,79 @@
+#include "bumpfoil/experiments/properties/properties.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <vector>
+
+#include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/structure/foil_structure.hpp"
+#include "bumpfoil/structure/single_bump.hpp"
+#include "bumpfoil/structure/top_foil.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Dense eigenvalues of more unknowns take too long to wait for.
+constexpr Eigen::Index most_unknowns = 2000;
+
+Vector eigenvalues(const Matrix& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+/// The soft end from the compliance, the stiff end from the stiffness: each is accurate there.
+std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
+  if (!foils.top_foil || !foils.radius || std::ssize(foils.bumps) > most_unknowns) return std::nullopt;
+  const TopFoilBeam beam = make_top_foil_beam(foils);
+  const TopFoilMoments form = make_top_foil_moments(beam);
+  Matrix stiffness(form.size(), form.size());
+  for (Eigen::Index j = 0; j < form.size(); ++j) stiffness.col(j) = top_foil_loads(form, Vector::Unit(form.size(), j));
+  return StiffnessRange{.softest = 1.0 / eigenvalues(top_foil_compliance(beam)).maxCoeff(),
+                        .stiffest = eigenvalues(stiffness).maxCoeff()};
+}
+
+std::optional<StiffnessRange> bump_foil_range(const Case& input, const FoilDesign& foils) {
+  if (input.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty()) return std::nullopt;
+  const FoilStructure structure = make_foil_structure(foils);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index row = 0; row < structure.K.rows(); ++row) {
+    const auto place = static_cast<int>(row % structure.dofs.size);
+    if (place != structure.dofs.top_u && place != structure.dofs.top_moment) kept.push_back(row);
+  }
+  if (std::ssize(kept) > most_unknowns) return std::nullopt;
+  const Vector values = eigenvalues(structure.K.dense()(kept, kept));
+  return StiffnessRange{.softest = values.minCoeff(), .stiffest = values.maxCoeff()};
+}
+
+BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, double friction) {
+  const BumpArc arc = make_bump_arc(bump);
+  const Section section = make_bump_section(foils, bump);
+  BumpProperties properties;
+  properties.shape = bump;
+  properties.arc = arc;
+  properties.cell = make_bump_cell(arc, section);
+  properties.identified = identify_truss_constants(arc, section);
+  properties.shallow_bump = shallow_bump_stiffness(arc, section);
+  properties.sliding_bump = sliding_bump_stiffness(arc, section, 0.0);
+  properties.guided_bump = guided_bump_stiffness(arc, section);
+  properties.loading_bump = sliding_bump_stiffness(arc, section, friction);
+  properties.unloading_bump = sliding_bump_stiffness(arc, section, -friction);
+  return properties;
+}
+
+}  // namespace
+
+Properties compute_properties(const Case& input) {
+  require_valid(input);
+  const FoilDesign foils = make_bearing_design(input);
+  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(input, foils)};
+  int number = 0;
+  for (const BumpShape& bump : nominal_bumps(input.bump_foil)) {
+    ++number;
+    if (properties.bumps.empty() || properties.bumps.back().shape != bump) {
+      properties.bumps.push_back(properties_of(foils, bump, input.friction.bump_sleeve));
+      properties.bumps.back().from = number;
+    }
+    properties.bumps.back().to = number;
+  }
+  return properties;
+}
+
+}  // namespace bumpfoil

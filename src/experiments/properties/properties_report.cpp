@@ -1,0 +1,182 @@
+#include "bumpfoil/experiments/properties/properties_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "case/case_json.hpp"
+#include "core/number_text.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One number of the report: for readers in `unit`, which is `scale` in SI, and for programs in SI under `key`.
+struct Entry {
+  std::string_view key;
+  std::string_view name;
+  std::string_view unit;
+  double scale;
+  std::optional<double> value;
+  std::string_view remark{};
+};
+
+struct Group {
+  std::string_view key;
+  std::string_view name;
+  std::vector<Entry> entries;
+};
+
+Entry stiffness(std::string_view key, std::string_view name, std::optional<double> value,
+                std::string_view remark = {}) {
+  return {key, name, "MN/m", 1e6, value, remark};
+}
+
+Entry length(std::string_view key, std::string_view name, double value) {
+  return {key, name, "mm", 1e-3, value};
+}
+
+Entry angle(std::string_view key, std::string_view name, double value, std::string_view remark = {}) {
+  return {key, name, "deg", std::numbers::pi / 180.0, value, remark};
+}
+
+std::string_view origin(const std::optional<double>& given) {
+  return given ? "given" : "identified";
+}
+
+Entry spring(std::string_view key, std::string_view name, const std::optional<double>& given, double identified) {
+  const bool none = !given && identified < 0.0;
+  return stiffness(key, name, given.value_or(identified),
+                   none ? "identified; no spring is negative: use the frame" : origin(given));
+}
+
+Group range_group(std::string_view key, std::string_view name, const std::optional<StiffnessRange>& range) {
+  const auto end = [&range](double StiffnessRange::*member) {
+    return range ? std::optional((*range).*member) : std::nullopt;
+  };
+  return {key,
+          name,
+          {{"softest_N_per_m", "softest mode", "N/m", 1.0, end(&StiffnessRange::softest)},
+           stiffness("stiffest_N_per_m", "stiffest mode", end(&StiffnessRange::stiffest))}};
+}
+
+/// Of bumps of one shape.
+std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpProperties& p) {
+  return {
+      {"arc",
+       "Arc of a bump, mid-surface",
+       {length("rise_m", "rise", p.arc.rise), length("radius_m", "radius", p.arc.radius),
+        angle("half_angle_rad", "half angle", p.arc.half_angle), length("flat_m", "flat between bumps", p.arc.flat)}},
+      {"truss",
+       "Constants of the truss",
+       {spring("k1_N_per_m", "k1, rods", given.k1, p.identified.k1),
+        spring("k2_N_per_m", "k2, foot to foot", given.k2, p.identified.k2),
+        spring("k3_N_per_m", "k3, crest to crest", given.k3, p.identified.k3),
+        spring("k4_N_per_m", "k4, weld to crest", given.k4, p.identified.k4),
+        angle("theta_d_rad", "theta_d, inclination of rods", given.theta_d.value_or(p.identified.theta_d),
+              origin(given.theta_d))}},
+      {"cell",
+       "Symmetric cell of the frame, energy a v^2/2 - b v e + d e^2/2",
+       {stiffness("a_N_per_m", "a", p.cell.a), stiffness("b_N_per_m", "b", p.cell.b),
+        stiffness("d_N_per_m", "d", p.cell.d),
+        stiffness("crest_stiffness_N_per_m", "crest, feet free to slide", p.cell.crest_stiffness())}},
+      {"single_bump",
+       "One isolated bump, bending only",
+       {stiffness("shallow_N_per_m", "shallow limit", p.shallow_bump),
+        stiffness("sliding_N_per_m", "feet slide freely", p.sliding_bump),
+        stiffness("loading_N_per_m", "with friction, loading", p.loading_bump),
+        stiffness("unloading_N_per_m", "with friction, unloading", p.unloading_bump),
+        stiffness("guided_N_per_m", "rotation of feet clamped", p.guided_bump)}},
+  };
+}
+
+std::vector<Group> groups_of_foils(const Properties& p) {
+  return {range_group("top_foil", "Top foil, free", p.top_foil),
+          range_group("bump_foil", "Bump foil, free", p.bump_foil)};
+}
+
+std::string text_of(const std::vector<Group>& groups) {
+  std::string out;
+  for (const Group& group : groups) {
+    out += fmt::format("{}{}\n", out.empty() ? "" : "\n", group.name);
+    for (const Entry& entry : group.entries) {
+      const std::string line = fmt::format("  {:<30}{:>12} {:<6}{}", entry.name, number_text(entry.value, entry.scale),
+                                           entry.unit, entry.remark);
+      out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    }
+  }
+  return out;
+}
+
+Json json_of(const std::vector<Group>& groups) {
+  Json json;
+  for (const Group& group : groups) {
+    for (const Entry& entry : group.entries) {
+      json[std::string(group.key)][std::string(entry.key)] =
+          entry.value && std::isfinite(*entry.value) ? Json(*entry.value) : Json();
+    }
+  }
+  return json;
+}
+
+/// A line for each shape of bump.
+std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpProperties>& shapes) {
+  std::string out =
+      fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", "Bumps", "pitch", "rise",
+                  "flat", "thickness", "k1", "k2", "k3", "k4", "theta_d", "row", "alone");
+  out += fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", "", "mm", "mm", "mm",
+                     "mm", "MN/m", "MN/m", "MN/m", "MN/m", "deg", "MN/m", "MN/m");
+  for (const BumpProperties& p : shapes) {
+    const std::string bumps = p.from == p.to ? std::to_string(p.from) : fmt::format("{} to {}", p.from, p.to);
+    out += fmt::format("{:<11}{:>9}{:>9}{:>9}{:>10}{:>11}{:>11}{:>11}{:>11}{:>9}{:>11}{:>11}\n", bumps,
+                       number_text(p.shape.pitch, 1e-3), number_text(p.shape.rise, 1e-3), number_text(p.arc.flat, 1e-3),
+                       number_text(p.shape.thickness, 1e-3), number_text(given.k1.value_or(p.identified.k1), 1e6),
+                       number_text(given.k2.value_or(p.identified.k2), 1e6),
+                       number_text(given.k3.value_or(p.identified.k3), 1e6),
+                       number_text(given.k4.value_or(p.identified.k4), 1e6),
+                       number_text(given.theta_d.value_or(p.identified.theta_d), std::numbers::pi / 180.0),
+                       number_text(p.cell.crest_stiffness(), 1e6), number_text(p.sliding_bump, 1e6));
+  }
+  return out +
+         "k1 to theta_d: constants of the truss for a row of such bumps; where one is negative there is none, and "
+         "only\n"
+         "the frame has such bumps; row: crest of the frame of such a row, feet free to slide; alone: one isolated "
+         "bump,\n"
+         "feet free to slide\n\n";
+}
+
+}  // namespace
+
+std::string properties_table(const Case& input, const Properties& properties) {
+  const TrussOverrides& given = input.bump_foil.truss;
+  if (properties.bumps.size() > 1) {
+    return table_of_shapes(given, properties.bumps) + text_of(groups_of_foils(properties));
+  }
+  std::vector<Group> groups = groups_of_bump(given, properties.bumps.front());
+  for (Group& group : groups_of_foils(properties)) groups.push_back(std::move(group));
+  return text_of(groups);
+}
+
+std::string properties_json(const Case& input, const Properties& properties) {
+  const TrussOverrides& given = input.bump_foil.truss;
+  const bool alike = properties.bumps.size() == 1;
+  Json json = alike ? json_of(groups_of_bump(given, properties.bumps.front())) : Json();
+  if (!alike) {
+    for (const BumpProperties& shape : properties.bumps) {
+      Json bumps{{"from", shape.from}, {"to", shape.to}};
+      bumps.update(json_of(groups_of_bump(given, shape)));
+      json["bumps"].push_back(std::move(bumps));
+    }
+  }
+  json.update(json_of(groups_of_foils(properties)));
+  return dump_json(json, 2) + '\n';
+}
+
+}  // namespace bumpfoil

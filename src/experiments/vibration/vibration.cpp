@@ -1,0 +1,270 @@
+#include "bumpfoil/experiments/vibration/vibration.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "bearing/settling.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "experiments/cycle/cycle_series.hpp"
+#include "experiments/cycle/orbit_energy.hpp"
+#include "motion/program_runner.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Where a vibration stands among those of a result.
+std::size_t place_of(const VibrationSettings& vibration, std::size_t load, std::size_t motion, std::size_t amplitude) {
+  return (load * vibration.motions() + motion) * vibration.amplitudes.size() + amplitude;
+}
+
+/// Round a circle from its point on the side of +X.
+Program circle(const Eigen::Vector2d& centre, double radius, Sense sense, int steps) {
+  const double turn = (sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
+  const auto point = [&](int step) -> Eigen::Vector2d {
+    return centre + radius * unit_vector(turn * (step % steps) / steps);
+  };
+  Program program;
+  for (int k = 1; k <= steps; ++k) program.push_back(straight_leg(Control::displacement, point(k - 1), point(k), 1));
+  return program;
+}
+
+class VibrationRunner {
+ public:
+  VibrationRunner(const Case& input, const ProgressCallback& progress)
+      : vibration_(*input.vibration),
+        progress_(progress),
+        stepper_(make_bearing_foils(input, {"vibration"}), input.solver),
+        reach_(stepper_.foils().clearance + stepper_.foils().rise),
+        all_(vibration_.loads.size() * vibration_.motions() * vibration_.amplitudes.size()) {}
+
+  VibrationResult run() {
+    for (const Eigen::Vector2d& load : vibration_.loads) {
+      result_.loads.push_back(go_to(load));
+      for (std::size_t motion = 0; motion < vibration_.motions(); ++motion) {
+        for (const double amplitude : vibration_.amplitudes) {
+          result_.vibrations.push_back(vibration_.orbits() ? circle_round(static_cast<Sense>(motion), amplitude)
+                                                           : vibrate(vibration_.directions[motion], amplitude));
+        }
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// Takes the foils to a load.
+  StaticLoad go_to(const Eigen::Vector2d& load) {
+    StaticLoad out;
+    out.load = load;
+    out.status = Status::interrupted;
+    if (stopped_) return out;
+    approach(stepper_, {.preload = PlaneTarget{Control::load, load}, .steps = vibration_.steps, .reach = reach_},
+             loaded_);
+    out.status = loaded_.status;
+    if (!loaded_.converged()) return out;
+    out.position = loaded_.state.excitation.position;
+    out.tangents = stepper_.tangents(loaded_.state);
+    out.pad_forces = pad_forces(stepper_.foils(), loaded_.state.contacts.normal_force);
+    return out;
+  }
+
+  /// Vibrates about the last load.
+  Vibration vibrate(double direction, double amplitude) {
+    const StaticLoad& about = result_.loads.back();
+    Vibration out;
+    out.cycle.status = stopped_ ? Status::interrupted : about.status;
+    if (!out.cycle.converged()) {
+      out.cycle.direction = direction;
+      out.cycle.amplitude = amplitude;
+      return out;
+    }
+    const CycleCourse course{.direction = direction,
+                             .amplitude = {Control::displacement, amplitude},
+                             .preload = PlaneTarget{Control::load, about.load},
+                             .swings = true,
+                             .steps = vibration_.steps,
+                             .reach = reach_};
+    Step step = loaded_;
+    CycleSeries series(stepper_, course, step);
+    out.cycle = series.until_settled(most_vibration_loops, Recording::curve,
+                                     [this](double fraction) { return goes_on(fraction); });
+    if (out.cycle.converged()) out.harmonic = first_harmonic(out.cycle.curve);
+    return out;
+  }
+
+  /// Goes round the place of the last load.
+  Vibration circle_round(Sense sense, double radius) {
+    const StaticLoad& about = result_.loads.back();
+    Vibration out;
+    out.sense = sense;
+    Cycle& cycle = out.cycle;
+    cycle.amplitude = radius;
+    cycle.status = stopped_ ? Status::interrupted : about.status;
+    if (!cycle.converged()) return out;
+    const auto begin = std::chrono::steady_clock::now();
+    const Program orbit = circle(about.position, radius, sense, 4 * vibration_.steps);
+    FoilState state = loaded_.state;
+    const Program way{straight_leg(Control::displacement, about.position, orbit.front().line.base, vibration_.steps)};
+    take(way, state, cycle, nullptr);
+    for (int loop = 0; loop < most_vibration_loops && cycle.converged() && !cycle.settled; ++loop) {
+      const double work = state.work;
+      const double dissipated = state.dissipated_energy;
+      std::vector<Eigen::Vector2d> forces;
+      cycle.curve.clear();
+      take(orbit, state, cycle, &forces);
+      if (!cycle.converged()) break;
+      std::vector<OrbitPoint> points;
+      for (std::size_t i = 0; i < forces.size(); ++i)
+        points.push_back({orbit[i].line.place(orbit[i].begin), forces[i]});
+      const double rounding = stepper_.foils().roundings.energy;
+      cycle.loop_energy = orbit_energy(cleared(state.work - work, rounding),
+                                       cleared(state.dissipated_energy - dissipated, rounding), points);
+      cycle.loop_energies.push_back(*cycle.loop_energy);
+      cycle.settled = is_settled(cycle.loop_energies);
+      out.harmonic = orbit_harmonic(forces, radius);
+      if (!goes_on(static_cast<double>(loop + 1) / most_vibration_loops) && !cycle.settled) {
+        cycle.status = Status::interrupted;
+      }
+    }
+    if (!cycle.converged()) out.harmonic.reset();
+    cycle.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return out;
+  }
+
+  /// Takes foils through a program.
+  /// @param forces  receives those at the begin of each increment; may be null
+  void take(const Program& program, FoilState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
+    Step step;
+    for (ProgramRunner runner(stepper_, program, reach_, state); runner.has_next(); runner.commit(step)) {
+      if (forces != nullptr) {
+        const Vector& loads = state.contacts.normal_force;
+        forces->push_back(holding_force(stepper_.foils(), loads));
+        cycle.curve.push_back({state.excitation.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
+      }
+      runner.try_next(step);
+      cycle.cost += step.cost;
+      cycle.substeps += step.substeps;
+      cycle.status = step.status;
+      if (!step.converged()) return;
+      Increment increment;
+      judge(stepper_.foils(), step.state, increment);
+      const SolverBounds bounds = stepper_.bounds();
+      if (!increment.residuals.within(bounds.force, bounds.displacement)) cycle.status = Status::residual_above_bound;
+      cycle.max_residual = std::max(cycle.max_residual, increment.residuals.equilibrium);
+      if (!cycle.converged()) return;
+    }
+  }
+
+  /// Tells how far it is. @return whether it is to go on
+  bool goes_on(double fraction) {
+    stopped_ = progress_ &&
+               !progress_((static_cast<double>(result_.vibrations.size()) + fraction) / static_cast<double>(all_));
+    return !stopped_;
+  }
+
+  const VibrationSettings& vibration_;
+  const ProgressCallback& progress_;
+  FoilStepper stepper_;
+  double reach_;
+  std::size_t all_;
+  Step loaded_;  ///< how the last load was reached
+  bool stopped_{};
+  VibrationResult result_;
+};
+
+/// Of an orbit in either sense, see orbit_harmonic().
+LinearFoils linear_foils_of(const FirstHarmonic& counterclockwise, const FirstHarmonic& clockwise) {
+  const FirstHarmonic& a = counterclockwise;
+  const FirstHarmonic& b = clockwise;
+  LinearFoils foils;
+  foils.residual = std::max(a.residual, b.residual);
+  foils.loss_factor = {unknown, unknown};
+  foils.stiffness << 0.5 * (a.stiffness + b.stiffness), 0.5 * (b.loss - a.loss);
+  foils.loss << 0.5 * (a.loss + b.loss), 0.5 * (a.stiffness - b.stiffness);
+  return foils;
+}
+
+/// A vibration that is known, and where it goes.
+struct Answer {
+  Eigen::Vector2d direction;
+  const Vibration& vibration;
+};
+
+/// The matrix M with M n = the part of the harmonic, for the direction n of each answer.
+Eigen::Matrix2d matrix_of(const std::vector<Answer>& answers, Eigen::Vector2d FirstHarmonic::*part) {
+  Eigen::Matrix2d matrix = Eigen::Matrix2d::Constant(answers.size() == 2 ? 0.0 : unknown);
+  for (const auto& [n, vibration] : answers) {
+    const Eigen::Vector2d& column = (*vibration.harmonic).*part;
+    if (answers.size() == 2) {
+      matrix += column * n.transpose();
+    } else if (n.x() == 0.0 || n.y() == 0.0) {
+      matrix.col(n.x() == 0.0 ? 1 : 0) = column * n.sum();
+    }
+  }
+  return matrix;
+}
+
+LinearFoils linear_foils_of(const std::vector<Answer>& answers) {
+  LinearFoils foils{.stiffness = matrix_of(answers, &FirstHarmonic::stiffness),
+                    .loss = matrix_of(answers, &FirstHarmonic::loss),
+                    .residual = unknown,
+                    .loss_factor = {unknown, unknown}};
+  for (const auto& [n, vibration] : answers) {
+    foils.residual = std::fmax(foils.residual, vibration.harmonic->residual);  // not a number is none
+    if (n.x() != 0.0 && n.y() != 0.0) continue;
+    foils.loss_factor[n.x() == 0.0 ? 1 : 0] = vibration.cycle.loss_factor.value_or(unknown);
+  }
+  return foils;
+}
+
+}  // namespace
+
+Vector largest_pad_forces(const Vibration& vibration) {
+  if (!vibration.harmonic) return {};
+  Vector largest = Vector::Zero(vibration.cycle.curve.front().pad_forces.cols());
+  for (const LoopPoint& point : vibration.cycle.curve) {
+    largest = largest.cwiseMax(point.pad_forces.colwise().norm().transpose());
+  }
+  return largest;
+}
+
+bool VibrationResult::converged() const {
+  return std::all_of(vibrations.begin(), vibrations.end(),
+                     [](const Vibration& vibration) { return vibration.cycle.converged(); });
+}
+
+VibrationResult run_vibration(const Case& input, const ProgressCallback& progress) {
+  if (!input.vibration) {
+    throw Error(ErrorKind::input, {{"", 0, "vibration", "", "this table is missing", "add [vibration]"}});
+  }
+  return VibrationRunner(input, progress).run();
+}
+
+std::vector<LinearFoils> linear_foils(const VibrationSettings& vibration, const VibrationResult& result) {
+  std::vector<LinearFoils> all;
+  for (std::size_t load = 0; load < vibration.loads.size(); ++load) {
+    for (std::size_t amplitude = 0; amplitude < vibration.amplitudes.size(); ++amplitude) {
+      std::vector<Answer> answers;
+      for (std::size_t motion = 0; motion < vibration.motions(); ++motion) {
+        const Vibration& one = result.vibrations[place_of(vibration, load, motion, amplitude)];
+        if (one.harmonic) answers.push_back({unit_vector(one.cycle.direction), one});
+      }
+      const bool orbits = vibration.orbits();
+      LinearFoils& foils = all.emplace_back(
+          !orbits               ? linear_foils_of(answers)
+          : answers.size() == 2 ? linear_foils_of(*answers[0].vibration.harmonic, *answers[1].vibration.harmonic)
+                                : linear_foils_of({}));
+      foils.load = vibration.loads[load];
+      foils.amplitude = vibration.amplitudes[amplitude];
+    }
+  }
+  return all;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,168 @@
+#include "experiments/vibration/vibration_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/cycle/warnings.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/results/quantity.hpp"
+
+namespace bumpfoil {
+namespace {
+
+double known(const std::optional<double>& number) {
+  return number.value_or(absent);
+}
+
+/// Of the first harmonic: outward is in phase with the displacement, ahead a quarter of a turn before it.
+enum class Part { outward, ahead };
+
+/// Along the direction of the vibration; of an orbit the mean along and across the radius, see orbit_harmonic().
+template <Part part>
+double direct(const Vibration& vibration) {
+  if (!vibration.harmonic) return absent;
+  const auto& [stiffness, loss, residual] = *vibration.harmonic;
+  if (!vibration.sense) return unit_vector(vibration.cycle.direction).dot(part == Part::outward ? stiffness : loss);
+  const double s = *vibration.sense == Sense::counterclockwise ? 1.0 : -1.0;
+  return part == Part::outward ? 0.5 * (stiffness.x() - s * loss.y()) : 0.5 * (loss.x() + s * stiffness.y());
+}
+
+/// And across it, to the left; of an orbit not defined.
+template <Part part>
+double cross(const Vibration& vibration) {
+  if (!vibration.harmonic || vibration.sense) return absent;
+  const Eigen::Vector2d n = unit_vector(vibration.cycle.direction);
+  return Eigen::Vector2d(-n.y(), n.x())
+      .dot(part == Part::outward ? vibration.harmonic->stiffness : vibration.harmonic->loss);
+}
+
+constexpr auto truth_words = std::to_array<std::string_view>({"no", "yes"});
+constexpr Form truth{Form::truth, truth_words};
+
+constexpr auto vibration_list = std::to_array<VibrationQuantity>({
+    {"stiffness_direct",
+     "N/m",
+     "first harmonic of the force along the direction in phase with the displacement, over that; of an orbit the mean "
+     "force outward over the radius",
+     direct<Part::outward>,
+     {},
+     "stiffness",
+     shown::stiffness},
+    {"stiffness_cross", "N/m", "the same of the force across the direction, turned by +90 degrees",
+     cross<Part::outward>},
+    {"loss_stiffness_direct",
+     "N/m",
+     "first harmonic of the force along the direction a quarter of a turn ahead of the displacement, "
+     "over that: frequency times damping; of an orbit the mean force along the way over the radius",
+     direct<Part::ahead>,
+     {},
+     "loss",
+     shown::stiffness},
+    {"loss_stiffness_cross", "N/m", "the same of the force across the direction", cross<Part::ahead>},
+    {"harmonic_residual",
+     "1",
+     "norm of the higher harmonics of the force over that of the first",
+     [](const Vibration& v) { return v.harmonic ? v.harmonic->residual : absent; },
+     {},
+     "residual",
+     shown::unitless},
+    {"loaded_stiffness", "N/m", "range of the force along the direction over that of the displacement",
+     [](const Vibration& v) { return known(v.cycle.loaded_stiffness); }},
+    {"loop_energy", "J", "closed integral of force over displacement",
+     [](const Vibration& v) { return known(v.cycle.loop_energy); }},
+    {"loss_factor",
+     "1",
+     "loop energy over (pi K X^2): K loaded stiffness, X half the range of the displacement",
+     [](const Vibration& v) { return known(v.cycle.loss_factor); },
+     {},
+     "loss factor",
+     shown::unitless},
+    {"loops",
+     "1",
+     "loops that were run, the last of which is shown",
+     [](const Vibration& v) { return static_cast<double>(v.cycle.loop_energies.size()); },
+     {Form::whole},
+     "loops",
+     shown::unitless},
+    {"settled", "1", "whether the energy of the loop is that of the loop before",
+     [](const Vibration& v) { return v.cycle.settled ? 1.0 : 0.0; }, truth},
+    {"status", "", "how the vibration ended", [](const Vibration& v) { return static_cast<double>(v.cycle.status); },
+     flags<Status>, "status", shown::unitless},
+    {"max_residual", "1", "largest residual where branches end",
+     [](const Vibration& v) { return v.harmonic ? v.cycle.max_residual : absent; }},
+    {"total_iterations",
+     "1",
+     "linear solves of all loops",
+     [](const Vibration& v) { return static_cast<double>(v.cycle.cost.iterations); },
+     {Form::whole}},
+    {"total_substeps",
+     "1",
+     "extra solves because increments had to be halved",
+     [](const Vibration& v) { return static_cast<double>(v.cycle.substeps); },
+     {Form::whole}},
+    {"wall_time", "s", "time that the vibration took", [](const Vibration& v) { return v.cycle.wall_time; }},
+});
+
+constexpr auto linear_list = std::to_array<LinearQuantity>({
+    {"residual", "1", "norm of the higher harmonics over that of the first, the larger of the directions",
+     [](const LinearFoils& foils) { return foils.residual; }},
+    {"loss_factor_x", "1", "loss factor of the vibration along X",
+     [](const LinearFoils& foils) { return foils.loss_factor.x(); }},
+    {"loss_factor_y", "1", "loss factor of the vibration along Y",
+     [](const LinearFoils& foils) { return foils.loss_factor.y(); }},
+});
+
+std::string load_text(const Eigen::Vector2d& load) {
+  return fmt::format("load ({:.4g}, {:.4g}) N", load.x(), load.y());
+}
+
+}  // namespace
+
+std::span<const VibrationQuantity> vibration_quantities() {
+  return vibration_list;
+}
+
+std::span<const LinearQuantity> linear_quantities() {
+  return linear_list;
+}
+
+VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration) {
+  const std::size_t amplitudes = settings.amplitudes.size();
+  const std::size_t motions = settings.motions();
+  return {vibration / amplitudes / motions, vibration / amplitudes % motions, vibration % amplitudes};
+}
+
+std::string name_of_vibration(const VibrationSettings& settings, std::size_t vibration) {
+  const auto [load, motion, amplitude] = place_of(settings, vibration);
+  return fmt::format("{}, {}, {:.4g} um", load_text(settings.loads[load]),
+                     settings.orbits() ? name_of(static_cast<Sense>(motion))
+                                       : fmt::format("{:.6g} deg", to_degrees(settings.directions[motion])),
+                     1e6 * settings.amplitudes[amplitude]);
+}
+
+std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result) {
+  std::vector<std::string> lines;
+  const auto tell = [&lines](const std::string& place, Status status) {
+    if (status == Status::converged || status == Status::interrupted) return;
+    lines.push_back(fmt::format("{}: {}", place, explanation(status)));
+  };
+  for (const StaticLoad& load : result.loads) tell(load_text(load.load) + " was not reached", load.status);
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    if (result.loads[place_of(settings, i).load].status != Status::converged) continue;  // said already
+    tell(name_of_vibration(settings, i), result.vibrations[i].cycle.status);
+  }
+  return lines;
+}
+
+std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    const Cycle& cycle = result.vibrations[i].cycle;
+    if (!cycle.converged() || cycle.settled) continue;
+    lines.push_back(fmt::format("{}: {}", name_of_vibration(settings, i), unsettled(cycle, "loops")));
+  }
+  return lines;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/results/quantity.hpp"
+
+namespace bumpfoil {
+
+/// Of one vibration, described once for all files and the table, as CycleQuantity is.
+struct VibrationQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const Vibration&);
+  Form form{};
+  std::string_view label{};  ///< in the table on the terminal; empty where it is in the files only
+  ShownUnit shown{};
+};
+std::span<const VibrationQuantity> vibration_quantities();
+
+/// Of the foils about one load with one amplitude.
+struct LinearQuantity {
+  std::string_view name, unit, long_name;
+  double (*value)(const LinearFoils&);
+};
+std::span<const LinearQuantity> linear_quantities();
+
+/// Entry of a matrix, by the name of the coefficient: kxy is dF_x/dy.
+struct MatrixEntry {
+  std::string_view axes;
+  int row, column;
+};
+inline constexpr std::array<MatrixEntry, 4> matrix_entries{{{"xx", 0, 0}, {"xy", 0, 1}, {"yx", 1, 0}, {"yy", 1, 1}}};
+
+/// What keeps vibrations from being found, each with its place.
+std::vector<std::string> failure_lines(const VibrationSettings& settings, const VibrationResult& result);
+
+/// Where an answer is less than it seems, and what to do about it.
+std::vector<std::string> warning_lines(const VibrationSettings& settings, const VibrationResult& result);
+
+/// What files call the direction of a vibration, or the sense of an orbit.
+inline std::string_view motion_key(const VibrationSettings& settings) {
+  return settings.orbits() ? "sense" : "direction_deg";
+}
+
+/// Place of a vibration among those of a result.
+struct VibrationPlace {
+  std::size_t load, motion, amplitude;  ///< motion: number of the direction, or of the sense
+};
+VibrationPlace place_of(const VibrationSettings& settings, std::size_t vibration);
+
+/// A vibration as messages call it: "load (0, -50) N, 90 deg, 2 um".
+std::string name_of_vibration(const VibrationSettings& settings, std::size_t vibration);
+
+}  // namespace bumpfoil

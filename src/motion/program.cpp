@@ -1,0 +1,45 @@
+#include "bumpfoil/motion/program.hpp"
+
+#include <algorithm>
+
+namespace bumpfoil {
+
+Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {
+  const Eigen::Vector2d way = to - from;
+  const double length = way.norm();
+  return {.branch = Branch::loading,
+          .control = control,
+          .line = {.base = from, .direction = length > 0.0 ? Eigen::Vector2d(way / length) : way},
+          .begin = 0.0,
+          .end = length,
+          .steps = steps};
+}
+
+Program push_and_pull(Control control, const Line& line, double origin, double amplitude, int steps) {
+  const double top = origin + amplitude;
+  return {{Branch::loading, control, line, origin, top, steps}, {Branch::unloading, control, line, top, origin, steps}};
+}
+
+Program swing(Control control, const Line& line, double origin, double amplitude, int steps) {
+  const double top = origin + amplitude;
+  const double bottom = origin - amplitude;
+  return {{Branch::loading, control, line, origin, top, steps},
+          {Branch::unloading, control, line, top, bottom, 2 * steps},
+          {Branch::loading, control, line, bottom, origin, steps}};
+}
+
+double largest_place(const Program& program) {
+  double largest = 0.0;
+  for (const Leg& leg : program) {
+    largest = std::max({largest, leg.line.place(leg.begin).norm(), leg.line.place(leg.end).norm()});
+  }
+  return largest;
+}
+
+int increments_of(const Program& program) {
+  int increments = 1;
+  for (const Leg& leg : program) increments += leg.steps;
+  return increments;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,273 @@
+#include "bumpfoil/pages/designer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/experiments/properties/properties.hpp"
+#include "bumpfoil/experiments/properties/properties_report.hpp"
+#include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "case/key_list.hpp"
+#include "case/presets.hpp"
+#include "case/units.hpp"
+#include "experiments/equilibrium/equilibrium_json.hpp"
+#include "pages/shown_run.hpp"
+#include "pages/shown_states.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Stands for the case in messages, which it does not need: there is one alone.
+const std::string no_name;
+
+/// @param commands  that answer alike
+Case read(const Json& request, std::vector<std::string> commands) {
+  Case input =
+      parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
+  if (input.pads.empty()) return input;
+  throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
+                                  "remove [[pad]], or run `bumpfoil cycle`"}});
+}
+
+// What the page begins with -----------------------------------------------------------------------------------------
+
+/// Units that people write each dimension in, the SI one among them.
+struct OfferedUnits {
+  Dimension dimension;
+  std::vector<const char*> units;
+};
+
+std::vector<OfferedUnits> offered_units() {
+  return {{Dimension::length, {"m", "mm", "um", "nm", "inch", "mil"}},
+          {Dimension::angle, {"rad", "deg"}},
+          {Dimension::force, {"N", "mN", "kN", "lbf"}},
+          {Dimension::stiffness, {"N/m", "kN/m", "MN/m", "GN/m", "N/mm", "N/um"}},
+          {Dimension::pressure, {"Pa", "kPa", "MPa", "GPa", "bar", "psi"}},
+          {Dimension::frequency, {"rad/s", "Hz", "rpm"}},
+          {Dimension::temperature, {"K"}},
+          {Dimension::viscosity, {"Pa s", "mPa s", "uPa s"}},
+          {Dimension::bed_stiffness, {"Pa/m", "MPa/m", "GPa/m"}}};
+}
+
+Json units_json() {
+  Json json = Json::object();
+  for (const auto& [dimension, units] : offered_units()) {
+    Json& sizes = json[std::string(si_unit(dimension))];
+    for (const char* unit : units) sizes[unit] = std::get<double>(parse_quantity(std::string("1 ") + unit, dimension));
+  }
+  return json;
+}
+
+std::string_view presence_text(Presence presence) {
+  switch (presence) {
+    case Presence::required:
+      return "required";
+    case Presence::optional:
+      return "optional";
+    case Presence::defaulted:
+      return "defaulted";
+    case Presence::inherited:
+      break;  // of pads alone
+  }
+  return {};
+}
+
+Json keys_json() {
+  Json json = Json::array();
+  for (const ListedKey& listed : list_keys(reference_case())) {
+    const Key& key = listed.key;
+    if (listed.path.starts_with("pad[") || key.name == "pad_gap") continue;  // which read() refuses
+    json.push_back({{"path", listed.path},
+                    {"title", key.title},
+                    {"text", key.text},
+                    {"kind", listed.kind},
+                    {"presence", presence_text(key.presence)}});
+    if (listed.is_table()) continue;
+    if (key.dimension) json.back()["unit"] = si_unit(*key.dimension);
+    if (!key.otherwise.empty()) json.back()["otherwise"] = key.otherwise;
+    json.back()["example"] = example_of(listed);
+    json.back()["value"] = listed.value;
+  }
+  return json;
+}
+
+Json answer_keys() {
+  Json presets = Json::object();
+  for (const Preset& preset : bumpfoil::presets()) {
+    if (preset.input.pads.empty()) presets[std::string(preset.name)] = case_template(preset.name);
+  }
+  return {{"version", version()},
+          {"commit", commit()},
+          {"keys", keys_json()},
+          {"units", units_json()},
+          {"presets", presets}};
+}
+
+// Results -----------------------------------------------------------------------------------------------------------
+
+/// Of several parts of about the same size one, in the order of the whole. @param part  number from 0, and how many
+std::vector<double> part_of(const std::vector<double>& all, const std::array<std::size_t, 2>& part) {
+  const auto end = [&](std::size_t parts) {
+    return all.begin() + static_cast<std::ptrdiff_t>(parts * all.size() / part[1]);
+  };
+  return {end(part[0]), end(part[0] + 1)};
+}
+
+Json answer_cycles(const Json& request) {
+  const Case input = read(request, {"cycle"});
+  Case own = input;
+  const std::array<std::size_t, 2> whole{0, 1};
+  own.cycle.directions = part_of(input.cycle.directions, request.value("part", whole));
+  // Where there are fewer directions than parts.
+  if (own.cycle.directions.empty()) return {{"run", shown_run(input, {.solver = input.solver.chosen(), .cycles = {}})}};
+  return {{"run", shown_run(input, run_cycles(own))}};
+}
+
+Json answer_csv(const Json& request) {
+  return {{"csv", cycle_csv(run_cycles(read(request, {"cycle"})))}};
+}
+
+Json answer_properties(const Json& request) {
+  const Case input = read(request, {});
+  return Json::parse(properties_json(input, compute_properties(input)));
+}
+
+Json answer_vibration(const Json& request) {
+  Case input = read(request, {});
+  const auto load = request.at("load").get<std::array<double, 2>>();
+  input.vibration = VibrationSettings{.loads = {{load[0], load[1]}},
+                                      .directions = {0.0, 0.5 * std::numbers::pi},
+                                      .amplitudes = request.at("amplitudes").get<std::vector<double>>(),
+                                      .frequencies = {1.0},
+                                      .steps = request.at("steps").get<int>()};
+  const VibrationResult result = run_vibration(input);
+  const std::vector<LinearFoils> foils = linear_foils(*input.vibration, result);
+  Json json{{"position_m", {result.loads.front().position.x(), result.loads.front().position.y()}},
+            {"status", name_of(result.loads.front().status)},
+            {"directions", Json::array()}};
+  const std::size_t amplitudes = input.vibration->amplitudes.size();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    Json direction{{"stiffness", Json::array()}, {"loss_factor", Json::array()}, {"dissipation", Json::array()}};
+    for (std::size_t k = 0; k < amplitudes; ++k) {
+      direction["stiffness"].push_back(value_json(foils[k].stiffness(i, i)));
+      direction["loss_factor"].push_back(value_json(foils[k].loss_factor[i]));
+      direction["dissipation"].push_back(
+          value_json(result.vibrations[axis * amplitudes + k].cycle.loop_energy.value_or(std::nan(""))));
+    }
+    json["directions"].push_back(std::move(direction));
+  }
+  return json;
+}
+
+/// The settings of the case, where it has any, at one speed with one load or at one position.
+EquilibriumSettings operating_point(const Json& request, const Case& input) {
+  EquilibriumSettings settings = input.equilibrium.value_or(EquilibriumSettings{});
+  const auto vectors = [&request](const char* key) {
+    std::vector<Eigen::Vector2d> all;
+    if (!request.contains(key)) return all;
+    const auto [x, y] = request.at(key).get<std::array<double, 2>>();
+    all.emplace_back(x, y);
+    return all;
+  };
+  settings.speeds = {request.at("speed").get<double>()};
+  settings.loads = vectors("load");
+  settings.positions = vectors("position");
+  // Positions have no load to ramp.
+  if (settings.loads.empty() && settings.path == FilmPath::load_ramp) settings.path = FilmPath::position_ray;
+  return settings;
+}
+
+Json answer_equilibrium(const Json& request) {
+  Case input = read(request, {});
+  input.equilibrium = operating_point(request, input);
+  const EquilibriumResult result = run_equilibrium(input);
+  return {{"run", shown_states(input, result)}, {"state", state_json(*result.bearing, result.states.front())}};
+}
+
+/// Of the quantities of a cycle, those that ensembles are shown by.
+constexpr std::array shown_of_samples{"loaded_stiffness", "secant_stiffness", "max_force",    "loop_energy",
+                                      "loss_factor",      "take_up",          "first_contact"};
+
+Json answer_samples(const Json& request) {
+  const Case input = read(request, {"montecarlo", "cycle"});
+  std::vector<CycleQuantity> quantities;
+  Json shown = Json::array();
+  for (const CycleQuantity& quantity : cycle_quantities(Experiment::cycle)) {
+    if (std::find(shown_of_samples.begin(), shown_of_samples.end(), quantity.name) == shown_of_samples.end()) continue;
+    quantities.push_back(quantity);
+    shown.push_back(shown_quantity(quantity.name, quantity.unit, quantity.label, quantity.long_name));
+  }
+  Json samples = Json::array();
+  const auto first = request.at("first").get<std::uint64_t>();
+  const auto count = request.at("count").get<std::uint64_t>();
+  for (std::uint64_t number = first; number < first + count; ++number) {
+    const Case sampled = sampled_case(input, draw_sample(input, number));
+    Json directions = Json::array();
+    for (const Cycle& cycle : run_sample(sampled).cycles) {
+      Json values = Json::array();
+      for (const CycleQuantity& quantity : quantities) values.push_back(value_json(quantity.value(cycle, sampled)));
+      directions.push_back(std::move(values));
+    }
+    samples.push_back(std::move(directions));
+  }
+  return {{"quantities", shown}, {"samples", samples}};
+}
+
+Json faults_json(const Error& error) {
+  Json json = Json::array();
+  for (const Fault& fault : error.faults()) {
+    json.push_back({{"line", fault.line},
+                    {"key", fault.key},
+                    {"value", fault.value},
+                    {"what", fault.what},
+                    {"advice", fault.advice},
+                    {"message", format_fault(fault)}});
+  }
+  return {{"faults", json}};
+}
+
+Json answer_json(const Json& request) {
+  const auto what = request.at("what").get<std::string>();
+  if (what == "keys") return answer_keys();
+  if (what == "cycles") return answer_cycles(request);
+  if (what == "csv") return answer_csv(request);
+  if (what == "properties") return answer_properties(request);
+  if (what == "vibration") return answer_vibration(request);
+  if (what == "equilibrium") return answer_equilibrium(request);
+  if (what == "samples") return answer_samples(request);
+  throw Error(ErrorKind::input, {{"", 0, "what", what, "is no request", ""}});
+}
+
+}  // namespace
+
+std::string designer_answer(std::string_view request) {
+  Json json;
+  try {
+    json = answer_json(Json::parse(request));
+  } catch (const Error& error) {
+    json = faults_json(error);
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace bumpfoil

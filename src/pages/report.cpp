@@ -1,0 +1,254 @@
+#include "bumpfoil/pages/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <utility>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "bumpfoil/results/result_folder.hpp"
+#include "case/case_json.hpp"
+#include "experiments/vibration/vibration_quantities.hpp"
+#include "pages/ensemble_reader.hpp"
+#include "pages/measured_run.hpp"
+#include "pages/report_names.hpp"
+#include "pages/result_reader.hpp"
+#include "pages/shown_deviations.hpp"
+#include "pages/shown_run.hpp"
+#include "pages/shown_samples.hpp"
+#include "readers/result_kinds.hpp"
+#include "readers/stored_result.hpp"
+#include "readers/summary_reader.hpp"
+
+namespace bumpfoil {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
+
+/// What a report shows of the summary of numbers that result.nc or sweep.nc has.
+constexpr std::array summary_head{"schema", "command", "case", "version", "commit", "solver", "status"};
+/// And of that of an ensemble, whose statistics stand nowhere else.
+constexpr std::array ensemble_summary_parts{"samples_due",   "samples", "statistics", "bump_loads",
+                                            "sensitivities", "limits",  "yield"};
+
+constexpr const char* advice_on_damage = "take it from a backup or run again; --unchecked reads what can be read";
+
+/// What a variable is, in the words of the file that it is in.
+std::string meaning_of(const Json& result, const std::string& name) {
+  const Json& variables = result.contains("meanings") ? result["meanings"] : result["variables"];
+  return variables.contains(name) ? variables[name]["text"].get<std::string>() : "";
+}
+
+/// What the tables of the page say of a quantity: its key in summary.json, words, unit, and what result.nc calls it.
+template <typename Quantity>
+Json quantity_json(const Quantity& quantity, const std::string& label, const Json& result) {
+  return {{"name", quantity.name},
+          {"key", key_of(quantity.name, quantity.unit)},
+          {"label", label},
+          {"unit", quantity.unit == "1" ? "" : quantity.unit},
+          {"whole", quantity.form.kind == Form::whole},
+          {"meaning", meaning_of(result, std::string(quantity.name))}};
+}
+
+template <typename Quantities>
+Json grid_quantities_json(const Quantities& quantities, const Json& result) {
+  Json json = Json::array();
+  for (const auto& quantity : quantities) {
+    json.push_back(quantity_json(quantity, shown_label(quantity.label, quantity.name), result));
+    json.back()["of_solver"] = false;
+  }
+  return json;
+}
+
+/// Without those of pads, where there is one, and of limits that were not asked for.
+std::vector<RunningQuantity> running_quantities_of(const Json& result) {
+  const auto all = all_running_quantities();
+  std::vector<RunningQuantity> quantities(all.begin(), all.end());
+  std::erase_if(quantities, [&](const RunningQuantity& quantity) {
+    return (quantity.of_pads || quantity.of_limits) && !result.at("variables").contains(quantity.name);
+  });
+  return quantities;
+}
+
+Json quantities_json(const Json& result) {
+  // A sweep has the quantities of what it ran.
+  const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
+  if (command == "vibration") return grid_quantities_json(vibration_quantities(), result);
+  if (has_states(command)) return grid_quantities_json(running_quantities_of(result), result);
+  const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
+                                : command == name_of(Experiment::path) ? Experiment::path
+                                                                       : Experiment::cycle;
+  Json json = Json::array();
+  for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
+    if (quantity.label.empty()) continue;
+    json.push_back(quantity_json(quantity, std::string(quantity.label), result));
+    json.back()["of_solver"] = quantity.of_solver;
+  }
+  return json;
+}
+
+/// Of what a report may hold, the part that the bearings of an ensemble take: their page is to stay small.
+constexpr std::size_t part_of_samples = 4;
+
+/// The quantities and the first bearings of an ensemble.
+/// @param name  of ensemble.nc in messages
+Json ensemble_json(const Json& result, const std::string& name, std::size_t samples, std::size_t most_values) {
+  const auto input = [&] {
+    try {
+      return parse_case(result["attributes"].value("case_understood", ""), name);
+    } catch (const Error&) {
+      refuse_damaged(name, "the case in it cannot be read", advice_on_damage);
+    }
+  }();
+  if (!input.montecarlo) refuse_damaged(name, "the case in it has no ensemble", advice_on_damage);
+  Json quantities = Json::array();
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  for (const EnsembleColumn& column : layout.columns) {
+    if (column.label.empty()) continue;
+    quantities.push_back({{"name", column.name},
+                          {"key", key_of(column.name, column.unit)},
+                          {"label", shown_label(column.label, column.name)},
+                          {"unit", column.unit == "1" ? "" : column.unit},
+                          {"whole", false},
+                          {"of_solver", false},
+                          {"meaning", column.long_name}});
+  }
+  Json json{{"quantities", quantities}, {"samples", Json::array()}};
+  if (layout.command == EnsembleCommand::cycle) {
+    json["samples"] = run_shown_samples(input, std::min(samples, most_shown_samples), most_values / part_of_samples);
+  } else {
+    // Not run again, which would take minutes.
+    json["states"] = Json::array();
+    for (const EnsemblePlace& place : layout.places) json["states"].push_back(place.name);
+  }
+  return json;
+}
+
+/// Of the bearing that results are of; null where it is round, where they are of a strip, and of a case of a version
+/// that had other keys.
+Json deviations_json(const Json& result) {
+  const Json& attributes = result["attributes"];
+  for (const std::string& command : {result["kind"].get<std::string>(), attributes.value("swept_command", "")}) {
+    if (command == name_of(Experiment::strip)) return nullptr;
+  }
+  try {
+    return shown_deviations(parse_case(attributes.value("case_understood", ""), ""));
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
+/// What of a summary a report shows.
+Json summary_shown(const Json& summary, const std::string& kind) {
+  if (has_cycles(kind)) return summary;
+  Json shown = Json::object();
+  for (const char* key : summary_head) shown[key] = summary[key];
+  if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
+  if (!has_distributions(kind)) return shown;
+  for (const char* key : ensemble_summary_parts) {
+    if (summary.contains(key)) shown[key] = summary[key];
+  }
+  return shown;
+}
+
+/// The file of numbers in a folder: each command has one.
+const char* result_name_in(const fs::path& folder) {
+  std::error_code code;
+  for (const char* name : {"ensemble.nc", "sweep.nc"}) {
+    if (fs::exists(published_file(folder, name), code)) return name;
+  }
+  return "result.nc";
+}
+
+/// What a folder shows. @throws Error (file)
+Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOptions& options) {
+  const auto refuse = [&folder](std::string what) {
+    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), advice}});
+  };
+  std::error_code code;
+  if (!fs::exists(folder, code)) refuse("does not exist");
+  if (!fs::is_directory(folder, code)) refuse("is no folder");
+  const char* result_name = result_name_in(folder);
+  const fs::path result_path = folder / result_name;
+  auto [summary, bytes] = read_stored_result(folder, result_name, {options.checked, advice_on_damage});
+  Json result = read_result(std::move(bytes), result_path.string(), most_values);
+  match_runs(summary, result, (folder / "summary.json").string(), result_name);
+  Json& attributes = result["attributes"];
+  attributes.erase("history");  // the date and the command line again
+  attributes["command_line"] = without_machine_paths(attributes.value("command_line", ""));
+  const auto kind = result["kind"].get<std::string>();
+  Json run{{"summary", summary_shown(summary.json, kind)}};
+  run.update(result);
+  if (Json deviations = deviations_json(result); !deviations.is_null()) run["deviations"] = std::move(deviations);
+  if (has_distributions(kind)) {
+    run.update(ensemble_json(result, result_path.string(), summary.json["samples"].get<std::size_t>(), most_values));
+  } else {
+    run["quantities"] = quantities_json(result);
+  }
+  return run;
+}
+
+}  // namespace
+
+std::string report_json(const std::vector<fs::path>& folders, const ReadingOptions& options) {
+  BUMPFOIL_ASSERT(!folders.empty());
+  Json runs = Json::array();
+  std::vector<Fault> faults;
+  std::vector<fs::path> sources = folders;
+  for (const MeasuredFile& file : options.measured) sources.push_back(file.path);
+  const std::vector<std::string> names = names_of(sources);
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const fs::path& folder = folders[i];
+    try {
+      Json run{{"name", names[i]}};
+      run.update(read_run(folder, std::max<std::size_t>(1, options.most_values / folders.size()), options));
+      runs.push_back(std::move(run));
+    } catch (const Error& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    } catch (const std::bad_alloc&) {
+      faults.push_back({folder.string(), 0, "", "", "takes more memory than is to be had", ""});
+    }
+  }
+  if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));
+  for (std::size_t i = 0; i < options.measured.size(); ++i) {
+    runs.push_back(measured_run(options.measured[i], options.columns, names[folders.size() + i], runs, options.warn));
+  }
+  return dump_json({{"schema", "bumpfoil-report/1"},
+                    {"version", version()},
+                    {"commit", commit()},
+                    {"keys", case_labels()},
+                    {"runs", runs}},
+                   -1);
+}
+
+std::string fill_report(std::string_view page, std::string_view json) {
+  const std::size_t place = page.find(report_placeholder);
+  BUMPFOIL_ASSERT(place != std::string_view::npos);
+  BUMPFOIL_ASSERT(page.find(report_placeholder, place + 1) == std::string_view::npos);
+  std::string out(page.substr(0, place));
+  out.reserve(page.size() + json.size());
+  for (const char letter : json) {
+    // In JSON it stands in texts alone, where an escape means the same.
+    if (letter == '<') {
+      out += "\\u003c";
+    } else {
+      out += letter;
+    }
+  }
+  out += page.substr(place + report_placeholder.size());
+  return out;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,179 @@
+#include "pages/shown_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/core/assert.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "case/case_json.hpp"
+#include "core/base64.hpp"
+#include "experiments/cycle/cycle_json.hpp"
+#include "experiments/cycle/result_layout.hpp"
+#include "pages/shown_deviations.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Flag = signed char;
+
+constexpr Flag absent_flag = -127;
+
+std::string encoded(const Form& form, const std::vector<double>& numbers) {
+  if (form.kind != Form::flag && form.kind != Form::truth) return base64_of(numbers);
+  std::vector<Flag> flags(numbers.size());
+  std::transform(numbers.begin(), numbers.end(), flags.begin(),
+                 [](double number) { return std::isnan(number) ? absent_flag : static_cast<Flag>(number); });
+  return base64_of(flags);
+}
+
+void add_field(Json& json, const FieldQuantity& quantity, const FoilFields& fields, Eigen::Index reached) {
+  if (is_left_out(quantity.name) || quantity.node == Node::pad) return;
+  const FieldMatrix values = quantity.values(fields);
+  const bool reduced = is_reduced(quantity.name);
+  if (values.cols() == 0 && reduced) return;
+  const std::string name(quantity.name);
+  if (reduced) {
+    const Vector most = values.topRows(reached).rowwise().maxCoeff();
+    json["series"][name] = encoded(quantity.form, {most.begin(), most.end()});
+    return;
+  }
+  const Eigen::Index known = values.cols() == 0 ? 0 : reached * values.cols();
+  json["fields"][name] = {{"at", quantity.node == Node::foot ? "foot" : "bump"},
+                          {"values", encoded(quantity.form, {values.data(), values.data() + known})}};
+}
+
+Json cycle_data(const Cycle& cycle, const std::vector<IncrementQuantity>& quantities) {
+  Json json{{"at", to_degrees(cycle.direction)},
+            {"increments", Json::array()},
+            {"series", Json::object()},
+            {"fields", Json::object()}};
+  const std::vector<Increment>& increments = cycle.increments;
+  const auto failed = std::find_if(increments.begin(), increments.end(),
+                                   [](const Increment& one) { return std::isnan(one.force_direct); });
+  const auto reached = static_cast<std::size_t>(failed - increments.begin());
+  for (std::size_t i = 0; i < reached; ++i) json["increments"].push_back(i);
+  for (const IncrementQuantity& quantity : quantities) {
+    std::vector<double> values(reached);
+    std::transform(increments.begin(), failed, values.begin(), quantity.value);
+    json["series"][std::string(quantity.name)] = encoded(quantity.form, values);
+  }
+  for (const FieldQuantity& quantity : field_quantities())
+    add_field(json, quantity, cycle.fields, static_cast<Eigen::Index>(reached));
+  return json;
+}
+
+Json summary_of(const Case& input, const CycleResult& result) {
+  Json summary = summary_head(name_of(result.experiment), input, status_of(result), {});
+  summary["cycles"] = Json::array();
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) summary["cycles"].push_back(cycle_json(input, result, i));
+  return summary;
+}
+
+Json geometry_of(const ResultLayout& layout) {
+  Json geometry = Json::object();
+  for (const NamedNumbers& one : layout.scalars) geometry[one.name] = one.values.front();
+  for (const NamedNumbers& one : layout.at_bumps) geometry[one.name] = one.values;
+  for (const NamedNumbers& one : layout.at_feet) geometry[one.name] = one.values;
+  return geometry;
+}
+
+/// Of quantities that have no label of their own, those whose names are no words.
+constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"h_min_theta", "angle of the least film thickness"},
+    {"h_min_pad", "pad of the least film thickness"},
+    {"h_min_vertex", "least film thickness, by a parabola"},
+    {"h_min_vertex_theta", "angle of the least film thickness, by a parabola"},
+    {"h_min_crest", "least film thickness over a crest"},
+    {"couette_torque", "Couette torque"},
+    {"poiseuille_torque", "Poiseuille torque"},
+    {"couette_dissipation", "Couette dissipation"},
+    {"poiseuille_dissipation", "Poiseuille dissipation"},
+    {"flow_weld", "flow past the weld"},
+    {"flow_free_end", "flow past the free end"},
+    {"flow_sides", "flow out at the sides"},
+    {"lifted_bumps_at_entry", "lifted bumps where gas enters"},
+    {"highest_loaded_bump", "bump with the highest load"},
+    {"jumps", "jumps to other branches"},
+    {"foil_response", "displacement of the foil per that of the journal"},
+    {"stiffness_cross", "stiffness across the direction"},
+    {"loss_stiffness_cross", "loss stiffness across the direction"},
+});
+
+}  // namespace
+
+bool is_left_out(std::string_view field) {
+  return field.starts_with("gap_") || field == "friction_force_journal_top" || field == "compression";
+}
+
+bool is_reduced(std::string_view field) {
+  return field.starts_with("stress_");
+}
+
+Json shown_quantity(std::string_view name, std::string_view unit, std::string_view label, std::string_view meaning) {
+  return {{"name", name},   {"key", key_of(name, unit)}, {"label", label}, {"unit", unit == "1" ? "" : unit},
+          {"whole", false}, {"meaning", meaning}};
+}
+
+std::string shown_label(std::string_view label, std::string_view name) {
+  const bool own = !label.empty() && !label.starts_with(' ');
+  if (!own && (name.starts_with("kx") || name.starts_with("ky") || name.starts_with("cx") || name.starts_with("cy"))) {
+    return fmt::format("{}{}, {}{}", name.find("_whirl") == std::string_view::npos ? "" : "whirl ",
+                       name.front() == 'k' ? "stiffness" : "damping", name.substr(1, 2),
+                       name.ends_with("_stuck") ? ", all stuck" : "");
+  }
+  const auto named =
+      std::find_if(names_in_words.begin(), names_in_words.end(), [name](const auto& one) { return one.first == name; });
+  if (!own && named != names_in_words.end()) return std::string(named->second);
+  std::string shown(own ? label : name);
+  std::replace(shown.begin(), shown.end(), '_', ' ');
+  return shown;
+}
+
+Json shown_run(const Case& input, const CycleResult& result) {
+  BUMPFOIL_ASSERT(result.experiment == Experiment::cycle);
+  const ResultLayout layout = make_result_layout(input, result.experiment);
+  const Wording wording = wording_of(input, result.experiment);
+  Json run{{"kind", name_of(result.experiment)},
+           {"attributes", {{"title", input.title}}},
+           {"summary", summary_of(input, result)},
+           {"meanings", Json::object()},
+           {"geometry", geometry_of(layout)},
+           {"nodes", {{"bump", layout.bumps}, {"foot", layout.feet}}},
+           {"last_increment", layout.increments - 1},
+           {"cycles", Json::array()},
+           {"quantities", Json::array()}};
+  if (Json deviations = shown_deviations(input); !deviations.is_null()) run["deviations"] = std::move(deviations);
+  const std::vector<IncrementQuantity> quantities = increment_quantities(result.experiment);
+  for (const Cycle& cycle : result.cycles) run["cycles"].push_back(cycle_data(cycle, quantities));
+  const auto explain = [&](const auto& quantity) {
+    run["meanings"][std::string(quantity.name)] = {{"unit", quantity.unit == "1" ? "" : quantity.unit},
+                                                   {"text", spelled(quantity.long_name, wording)}};
+  };
+  for (const IncrementQuantity& quantity : quantities) explain(quantity);
+  for (const FieldQuantity& quantity : field_quantities()) explain(quantity);
+  for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
+    explain(quantity);
+    if (quantity.label.empty()) continue;
+    Json shown = shown_quantity(quantity.name, quantity.unit, quantity.label, spelled(quantity.long_name, wording));
+    shown["whole"] = quantity.form.kind == Form::whole;
+    shown["of_solver"] = quantity.of_solver;
+    run["quantities"].push_back(std::move(shown));
+  }
+  return run;
+}
+
+}  // namespace bumpfoil

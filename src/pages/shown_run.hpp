@@ -1,0 +1,31 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// What tables on a page say of a quantity of a cycle. @param meaning  in words, empty where there are none
+nlohmann::ordered_json shown_quantity(std::string_view name, std::string_view unit, std::string_view label,
+                                      std::string_view meaning);
+
+/// What tables on a page call a quantity of states or vibrations: its label, or words for its name where it has none,
+/// or one that belongs under another on the terminal, which it begins with blanks for.
+std::string shown_label(std::string_view label, std::string_view name);
+
+/// Fields that the page does not show; gaps follow from displacements.
+bool is_left_out(std::string_view field);
+
+/// Fields of which the page shows the largest value at every increment, wherever it is: stresses have no sign.
+bool is_reduced(std::string_view field);
+
+/// Cycles of a bearing as report_json describes them, out of memory: the same as if they had been written and read
+/// back, but for attributes and the order of cycles, which is that of the case.
+/// @param result  with everything recorded
+nlohmann::ordered_json shown_run(const Case& input, const CycleResult& result);
+
+}  // namespace bumpfoil

@@ -1,0 +1,22 @@
+#include "readers/result_kinds.hpp"
+
+namespace bumpfoil {
+
+bool is_shown(std::string_view kind) {
+  return has_cycles(kind) || has_distributions(kind) || has_states(kind) || kind == "path" || kind == "sweep" ||
+         kind == "vibration";
+}
+
+bool has_cycles(std::string_view kind) {
+  return kind == "cycle" || kind == "strip";
+}
+
+bool has_distributions(std::string_view kind) {
+  return kind == "montecarlo";
+}
+
+bool has_states(std::string_view kind) {
+  return kind == "equilibrium" || kind == "film";
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+namespace bumpfoil {
+
+/// Whether reports show the results of the command of this name.
+bool is_shown(std::string_view command);
+
+/// Whether these are cycles, increment by increment.
+bool has_cycles(std::string_view command);
+
+/// Whether these are numbers of many samples, of which distributions are shown; of all other commands they are numbers
+/// over some dimensions.
+bool has_distributions(std::string_view command);
+
+/// Whether these are states of a running bearing, of which single bumps and feet are drawn.
+bool has_states(std::string_view command);
+
+}  // namespace bumpfoil

@@ -1,0 +1,217 @@
+#include "readers/summary_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "readers/result_kinds.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Summaries have five levels. Some of what walks through JSON takes stack for every level.
+constexpr int most_levels = 16;
+
+Experiment experiment_of(std::string_view command) {
+  return command == "strip" ? Experiment::strip : Experiment::cycle;
+}
+
+/// Verifies the parts of a summary; every failure is an Error that names its key.
+class SummaryChecker {
+ public:
+  explicit SummaryChecker(const std::string& name) : name_(name) {}
+
+  [[noreturn]] void refuse(const std::string& key, std::string what) const {
+    throw Error(ErrorKind::file, {{name_, 0, key, "", std::move(what), ""}});
+  }
+
+  [[nodiscard]] Json parse(std::string_view text) const {
+    try {
+      return Json::parse(text, [this](int depth, Json::parse_event_t, Json&) {
+        if (depth > most_levels) refuse("", fmt::format("is nested more than {} levels deep", most_levels));
+        return true;
+      });
+    } catch (const Json::exception&) {
+      refuse("", "cannot be read: it is no JSON");
+    }
+  }
+
+  [[nodiscard]] const Json& at(const Json& object, const std::string& key) const {
+    if (!object.is_object() || !object.contains(key)) refuse(key, "is missing");
+    return object[key];
+  }
+
+  [[nodiscard]] std::string text(const Json& object, const std::string& key) const {
+    const Json& value = at(object, key);
+    if (!value.is_string()) refuse(key, "is no text");
+    return value.get<std::string>();
+  }
+
+  [[nodiscard]] std::map<std::string, ListedFile> files(const Json& summary) const {
+    std::map<std::string, ListedFile> files;
+    const Json& listed = at(summary, "files");
+    if (!listed.is_object()) refuse("files", "is no table");
+    for (const auto& [name, file] : listed.items()) {
+      if (!at(file, "bytes").is_number_unsigned()) refuse("files", "has a size that is no whole number");
+      files[name] = {file["bytes"].get<std::size_t>(), text(file, "xxh3_128")};
+    }
+    return files;
+  }
+
+  void check_cycle(const Json& cycle, Experiment experiment) const {
+    const std::string place_key(cycle_key(experiment));
+    if (!at(cycle, place_key).is_number()) refuse(place_key, "is no number");
+    for (const char* key : {"amplitude_m", "steps", "converged", "max_force_N"}) static_cast<void>(at(cycle, key));
+    // Versions differ in what else they have; numbers that are not known are null.
+    for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
+      const std::string key = key_of(quantity.name, quantity.unit);
+      if (cycle.contains(key)) check_value(key, cycle[key], quantity.form);
+    }
+    for (const char* key : {"clearances", "warnings", "loop_energies_J"}) {
+      if (cycle.contains(key) && !cycle[key].is_array()) refuse(key, "is no list");
+    }
+    // Of a cycle that is there they are known.
+    if (cycle["steps"].is_null()) refuse("steps", "is no whole number");
+    if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");
+  }
+
+  /// Statistics by direction, and how many samples keep which limits.
+  void check_ensemble(const Json& summary) const {
+    for (const char* key : {"samples", "samples_due"}) {
+      if (!at(summary, key).is_number_unsigned()) refuse(key, "is no whole number");
+    }
+    for (const char* key : {"statistics", "bump_loads", "sensitivities"}) {
+      const Json& directions = at(summary, key);
+      const bool tables =
+          directions.is_object() && std::all_of(directions.begin(), directions.end(), [](const Json& one) {
+            return std::all_of(one.begin(), one.end(), [](const Json& part) { return part.is_structured(); });
+          });
+      if (!tables) refuse(key, "is no table by direction or state");
+    }
+    if (!at(summary, "limits").is_array()) refuse("limits", "is no list");
+    for (const Json& limit : summary["limits"]) {
+      static_cast<void>(text(limit, "limit"));
+      check_yield(limit);
+    }
+    if (summary.contains("yield")) check_yield(summary["yield"]);
+  }
+
+  /// Lift-off speeds and load capacities, between two points each.
+  void check_running_limits(const Json& limits) const {
+    if (!limits.is_array()) refuse("limits", "is no list");
+    for (const Json& limit : limits) {
+      for (const char* key : {"kind", "status"}) static_cast<void>(text(limit, key));
+      for (const char* side : {"thick", "thin"}) {
+        for (const char* key : {"speed_rad_per_s", "load_x_N", "load_y_N"}) {
+          if (!at(at(limit, side), key).is_number()) refuse(key, "is no number");
+        }
+      }
+    }
+  }
+
+ private:
+  void check_yield(const Json& yield) const {
+    for (const char* key : {"passed", "samples"}) {
+      if (!at(yield, key).is_number_unsigned()) refuse(key, "is no whole number");
+    }
+    const Json& interval = at(yield, "interval_95");
+    if (!interval.is_array() || interval.size() != 2) refuse("interval_95", "is no interval");
+  }
+
+  void check_value(const std::string& key, const Json& value, const Form& form) const {
+    if (value.is_null()) return;
+    switch (form.kind) {
+      case Form::real:
+        if (!value.is_number()) refuse(key, "is no number");
+        break;
+      case Form::whole:
+        if (!value.is_number_integer()) refuse(key, "is no whole number");
+        break;
+      case Form::truth:
+        if (!value.is_boolean()) refuse(key, "is neither true nor false");
+        break;
+      case Form::flag:
+        if (!value.is_string() ||
+            std::find(form.words.begin(), form.words.end(), value.get<std::string>()) == form.words.end()) {
+          refuse(key, fmt::format("is none of {}", fmt::join(form.words, ", ")));
+        }
+        break;
+    }
+  }
+
+  const std::string& name_;
+};
+
+}  // namespace
+
+StoredSummary read_summary(std::string_view text, const std::string& name) {
+  const SummaryChecker checker(name);
+  StoredSummary summary{checker.parse(text), {}, {}, {}};
+  const Json& json = summary.json;
+  if (!json.is_object() || !json.contains("schema")) checker.refuse("", "is no summary of this program");
+  const std::string schema = checker.text(json, "schema");
+  if (schema != "bumpfoil-summary/2") {
+    checker.refuse("schema", fmt::format("is \"{}\", which this version cannot read", printable(schema)));
+  }
+  for (const char* key : {"version", "commit", "solver", "status"}) static_cast<void>(checker.text(json, key));
+  const std::string command = checker.text(json, "command");
+  if (!is_shown(command)) {
+    checker.refuse("command", fmt::format("is \"{}\", whose results reports cannot show", printable(command)));
+  }
+  if (!checker.at(json, "case").is_object()) checker.refuse("case", "is no table");
+  if (has_cycles(command)) {
+    if (!checker.at(json["case"], command).is_object()) checker.refuse("case", "does not say what was run");
+    if (!checker.at(json, "cycles").is_array()) checker.refuse("cycles", "is no list");
+    for (const Json& cycle : json["cycles"]) checker.check_cycle(cycle, experiment_of(command));
+  }
+  if (has_distributions(command)) checker.check_ensemble(json);
+  if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
+  summary.xxh3_128 = checker.text(json, "xxh3_128");
+  summary.run_id = checker.text(json, "run_id");
+  if (summary.run_id.empty()) checker.refuse("run_id", "is empty");
+  summary.files = checker.files(json);
+  return summary;
+}
+
+void match_runs(const StoredSummary& summary, Json& result, const std::string& name, std::string_view result_name) {
+  const SummaryChecker checker(name);
+  const auto require = [&](bool same, const std::string& key) {
+    if (!same) {
+      checker.refuse(key, fmt::format("is not that of {} beside it: they are of two runs, or damaged", result_name));
+    }
+  };
+  require(summary.json["command"] == result["kind"], "command");
+  require(summary.run_id == result["attributes"].value("run_id", ""), "run_id");
+  const auto kind = result["kind"].get<std::string>();
+  if (has_distributions(kind)) {
+    require(summary.json["statistics"].size() == result["directions"].size() + result["states"].size(), "statistics");
+    require(summary.json["samples"] == result["sample_count"], "samples");
+  }
+  if (!has_cycles(kind)) return;
+  const std::string place_key(cycle_key(experiment_of(kind)));
+  const Json& cycles = summary.json["cycles"];
+  Json& stored = result["cycles"];
+  require(cycles.size() <= stored.size(), "cycles");
+  require(summary.json["status"] != "complete" || cycles.size() == stored.size(), "cycles");
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    // Directions are sorted in result.nc, and in the order of the case here.
+    const auto first = stored.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto same =
+        std::find_if(first, stored.end(), [&](const Json& one) { return one["at"] == cycles[i][place_key]; });
+    require(same != stored.end(), place_key);
+    std::rotate(first, same, same + 1);
+    // Out and back; a swing also to the other side and back.
+    const Json& last = result["last_increment"];
+    const auto steps = cycles[i]["steps"].get<double>();
+    require(2.0 * steps == last.get<double>() || 4.0 * steps == last.get<double>(), "steps");
+  }
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bumpfoil/results/result_set.hpp"
+
+namespace bumpfoil {
+
+/// 128 bits from the system, 32 hexadecimal digits.
+std::string make_run_id();
+
+/// What a summary says of the files beside it.
+Manifest make_manifest(std::string run_id, const std::vector<ResultFile>& files);
+
+}  // namespace bumpfoil

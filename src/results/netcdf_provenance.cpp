@@ -1,0 +1,42 @@
+#include "results/netcdf_provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ctime>
+
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/model/case_names.hpp"
+
+namespace bumpfoil {
+
+void add_provenance(NewNetcdf& file, const RunOrigin& origin) {
+  const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  file.add_text("Conventions", "CF-1.8");
+  file.add_text("schema", "bumpfoil-result/2");
+  file.add_text("title", origin.input.title);
+  file.add_text("source", fmt::format("bumpfoil {} ({})", version(), commit()));
+  file.add_text("history", fmt::format("{}: {}", date, origin.provenance.command_line));
+  file.add_text("date_created", date);
+  file.add_text("run_id", origin.run_id);
+  file.add_text("command_line", origin.provenance.command_line);
+  file.add_text("bumpfoil_command", origin.command);
+  file.add_text("solver", name_of(origin.input.solver.chosen()));
+  file.add_text("status", origin.status == RunStatus::complete ? "complete" : "partial");
+  file.add_text("status_message", origin.message);
+  file.add_text("warnings", fmt::format("{}", fmt::join(origin.warnings, "\n")));
+  file.add_text("case_text", origin.provenance.case_text);
+  file.add_text("case_understood", case_to_toml(origin.input));
+}
+
+Error unbuilt(std::string_view name, const netCDF::exceptions::NcException& error, std::string_view advice) {
+  // The first line says what went wrong, the second where in the library.
+  const std::string_view reason = error.what();
+  return {ErrorKind::file,
+          {{std::string(name), 0, "", "", fmt::format("cannot be built: {}", reason.substr(0, reason.find('\n'))),
+            fmt::format("the memory may not suffice: {}", advice)}}};
+}
+
+}  // namespace bumpfoil

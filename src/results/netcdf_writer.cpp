@@ -1,0 +1,129 @@
+#include "results/netcdf_writer.hpp"
+
+#include <fcntl.h>
+#include <fmt/ranges.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <numeric>
+
+namespace bumpfoil {
+namespace {
+
+using netCDF::NcType;
+using netCDF::NcVar;
+using Flag = signed char;
+
+NcType type_of(const Form& form) {
+  if (form.kind == Form::real) return netCDF::ncDouble;
+  return form.kind == Form::whole ? NcType(netCDF::ncInt) : NcType(netCDF::ncByte);
+}
+
+/// What stands for an absent number: the default of netCDF, said aloud. All are exact in binary64.
+double fill_of(const NcType& type) {
+  if (type == netCDF::ncDouble) return NC_FILL_DOUBLE;
+  return type == netCDF::ncInt ? NC_FILL_INT : NC_FILL_BYTE;
+}
+
+/// An empty file of HDF5 1.8 whose root group keeps variables and attributes in the order in which they are added. The
+/// files that nc_create_mem makes do not, and take no attributes beyond 64 kB.
+std::string empty_hdf5() {
+  constexpr std::size_t size = 239;
+  using namespace std::string_literals;
+  // Superblock: version 2, addresses and lengths of 8 bytes, end of the file, address of the root group, checksum.
+  std::string bytes = "\x89HDF\r\n\x1a\n\x02\x08\x08\0"s + std::string(8, '\0') + std::string(8, '\xff') +
+                      "\xef\0\0\0\0\0\0\0"s + "\x30\0\0\0\0\0\0\0"s + "\x94\x33\x45\x0f"s;
+  // Object header of the root group: links by order, group info, and room that is filled by zeros; checksum.
+  bytes += "OHDR\x02\x0c\xb4\x02\x22\0\0\0\0\0\x03\0\0\0\0\0\0\0\0"s + std::string(24, '\xff') +
+           "\x0a\x02\0\x01\0\0\0\0\0\x7e"s;
+  bytes.resize(size - 4, '\0');
+  return bytes + "\x63\x28\xac\x1c"s;
+}
+
+}  // namespace
+
+NewNetcdf::NewNetcdf() {
+  const std::string empty = empty_hdf5();
+  NC_memio image{empty.size(), std::malloc(empty.size()), 0};
+  if (image.memory == nullptr) throw std::bad_alloc();
+  std::copy(empty.begin(), empty.end(), static_cast<char*>(image.memory));
+  // The image is its own from here on. The name only has to be one.
+  netCDF::ncCheck(nc_open_memio("result.nc", NC_NETCDF4 | NC_WRITE, &image, &id_), __FILE__, __LINE__);
+  root_ = netCDF::NcGroup(id_);
+}
+
+NewNetcdf::NewNetcdf(const std::filesystem::path& path)
+    : file_(FileDescriptor(path, path, O_RDWR | O_CREAT | O_TRUNC)) {
+  write_all(*file_, empty_hdf5(), path);
+  // netCDF reads paths its own way (URLs, backslashes, leading blanks): this one is a plain one, whatever the folder.
+  const std::string name = fmt::format("/proc/self/fd/{}", file_->get());
+  netCDF::ncCheck(nc_open(name.c_str(), NC_NETCDF4 | NC_WRITE, &id_), __FILE__, __LINE__);
+  root_ = netCDF::NcGroup(id_);
+}
+
+void NewNetcdf::add_text(const std::string& name, std::string_view text) {
+  if (!text.empty()) root_.putAtt(name, std::string(text));
+}
+
+NcVar NewNetcdf::define(const VariableMeaning& meaning, const Dims& dims) {
+  const NcVar variable = root_.addVar(meaning.name, type_of(meaning.form), dims);
+  variable.putAtt("long_name", meaning.long_name);
+  if (!meaning.unit.empty()) variable.putAtt("units", meaning.unit);
+  if (!meaning.form.words.empty()) {
+    std::vector<Flag> values(meaning.form.words.size());
+    std::iota(values.begin(), values.end(), Flag{0});
+    variable.putAtt("flag_values", netCDF::ncByte, values.size(), values.data());
+    variable.putAtt("flag_meanings", fmt::format("{}", fmt::join(meaning.form.words, " ")));
+  }
+  return variable;
+}
+
+NcVar NewNetcdf::add(const VariableMeaning& meaning, const Dims& dims) {
+  const NcVar variable = define(meaning, dims);
+  const double fill = fill_of(variable.getType());
+  switch (meaning.form.kind) {
+    case Form::real:
+      variable.setFill(true, fill);
+      break;
+    case Form::whole:
+      variable.setFill(true, static_cast<int>(fill));
+      break;
+    case Form::truth:
+    case Form::flag:
+      variable.setFill(true, static_cast<Flag>(fill));
+      break;
+  }
+  return variable;
+}
+
+void NewNetcdf::put(const NcVar& variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
+                    std::vector<double> values) {
+  const double fill = fill_of(variable.getType());
+  std::replace_if(
+      values.begin(), values.end(), [](double value) { return !std::isfinite(value); }, fill);
+  variable.putVar(start, count, values.data());
+}
+
+NcVar NewNetcdf::put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values) {
+  const NcVar variable = define(meaning, dims);
+  variable.putVar(values.data());
+  return variable;
+}
+
+std::string NewNetcdf::close() {
+  NC_memio image{};
+  netCDF::ncCheck(nc_close_memio(id_, &image), __FILE__, __LINE__);
+  const std::unique_ptr<void, decltype(&std::free)> owned(image.memory, &std::free);
+  return {static_cast<const char*>(image.memory), image.size};
+}
+
+void NewNetcdf::close_file() {
+  netCDF::ncCheck(nc_close(id_), __FILE__, __LINE__);
+}
+
+}  // namespace bumpfoil

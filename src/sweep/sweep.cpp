@@ -1,0 +1,346 @@
+#include "bumpfoil/sweep/sweep.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/core/nearest_name.hpp"
+#include "bumpfoil/experiments/equilibrium/film_limits.hpp"
+#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
+#include "case/case_json.hpp"
+#include "case/key_list.hpp"
+#include "case/key_suggestion.hpp"
+#include "case/toml_document.hpp"
+#include "core/number_text.hpp"
+#include "sweep/swept_result.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr std::string_view option = "--over";
+/// More faults are counted, not listed.
+constexpr std::size_t most_faults = 50;
+/// The list that is swept one value at a point.
+constexpr std::string_view swept_list = "equilibrium.speeds";
+/// What keys hold that are a length or a force, as their unit tells.
+constexpr std::string_view either_kind = "length or force";
+
+bool holds_number(const ListedKey& listed) {
+  constexpr std::array plain{std::string_view("number"), std::string_view("whole number"), either_kind};
+  // Bumps all get what is swept, though they may have a value each.
+  const std::string one = listed.kind.substr(0, listed.kind.find(','));
+  if (listed.key.dimension) return name_of(*listed.key.dimension).ends_with(" " + one);
+  return std::find(plain.begin(), plain.end(), listed.kind) != plain.end();
+}
+
+/// A key by its path; of a table that the case has not, the key of the first table of its list.
+const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view path) {
+  const auto exact = std::find_if(keys.begin(), keys.end(), [&](const ListedKey& one) { return one.path == path; });
+  if (exact != keys.end()) return &*exact;
+  const auto like = std::find_if(keys.begin(), keys.end(), [name = without_counts(path)](const ListedKey& one) {
+    return without_counts(one.path) == name;
+  });
+  return like == keys.end() ? nullptr : &*like;
+}
+
+/// The dimension of a value of a key that takes two.
+std::optional<Dimension> dimension_of_either(const std::string& value) {
+  for (const Dimension dimension : {Dimension::length, Dimension::force}) {
+    if (std::holds_alternative<double>(parse_quantity(value, dimension))) return dimension;
+  }
+  return std::nullopt;
+}
+
+/// Checks the options, each by itself and beside the others.
+class OptionReader {
+ public:
+  explicit OptionReader(const SweepRequest& request) : request_(request) {}
+
+  std::vector<SweepAxis> read() {
+    for (const std::string& argument : request_.over) {
+      try {
+        add(parse_swept_key(argument));
+      } catch (const Error& error) {
+        faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
+      }
+    }
+    double points = 1.0;
+    for (const SweepAxis& axis : axes_) points *= static_cast<double>(axis.swept.values.size());
+    if (points > static_cast<double>(most_sweep_points)) {
+      fault("", fmt::format("make a grid of {:.0f} points", points),
+            fmt::format("a sweep takes at most {}", most_sweep_points));
+    }
+    if (!faults_.empty()) throw Error(ErrorKind::input, std::move(faults_));
+    return std::move(axes_);
+  }
+
+ private:
+  void fault(const std::string& key, std::string what, std::string advice) {
+    faults_.push_back({std::string(option), 0, key, "", std::move(what), std::move(advice)});
+  }
+
+  void add(SweptKey swept) {
+    const std::string& key = swept.key;
+    const ListedKey* listed = find_key(keys_, key);
+    if (listed == nullptr || listed->is_table()) {
+      std::vector<std::string> paths;
+      for (const ListedKey& one : keys_) {
+        if (holds_number(one)) paths.push_back(one.path);
+      }
+      std::vector<std::string> likely = keys_with_words(key, paths);
+      if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
+      return fault(key, "is no known key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
+    }
+    const bool is_list = listed->path == swept_list;
+    if (!is_list && !holds_number(*listed)) return fault(key, "holds no number", "sweep over keys that do");
+    const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
+    if (std::any_of(axes_.begin(), axes_.end(), same)) return fault(key, "is swept twice", "give it once");
+    for (const std::string& one : request_.overrides) {
+      if (one.starts_with(key + '=')) fault(key, "is swept, and set by --set", "give one of the two");
+    }
+    const std::string title = fmt::format("{}: {}", find_key(keys_, listed->table())->key.title, listed->key.title);
+    SweepAxis axis{.swept = {}, .is_list = is_list, .name = key, .title = title, .unit = "1", .values = {}};
+    std::erase(axis.name, ']');
+    std::replace_if(
+        axis.name.begin(), axis.name.end(), [](char c) { return c == '.' || c == '['; }, '_');
+    if (listed->key.dimension) axis.unit = si_unit(*listed->key.dimension);
+    if (listed->kind == either_kind) axis.unit = unit_of_either(swept);
+    axis.swept = std::move(swept);
+    axes_.push_back(std::move(axis));
+  }
+
+  std::string unit_of_either(const SweptKey& swept) {
+    const std::optional<Dimension> first = dimension_of_either(swept.values.front());
+    for (const std::string& value : swept.values) {
+      const std::optional<Dimension> dimension = dimension_of_either(value);
+      if (dimension && dimension == first) continue;
+      fault(swept.key, fmt::format("is \"{}\" where {}", value, first ? "others are of another kind" : "a unit is due"),
+            "write lengths or forces, all with their units: 10 um:50 um:10 um");
+      return {};
+    }
+    return std::string(si_unit(*first));
+  }
+
+  const SweepRequest& request_;
+  std::vector<ListedKey> keys_{list_keys(Case{})};
+  std::vector<SweepAxis> axes_;
+  std::vector<Fault> faults_;
+};
+
+/// Faults of all points: each is told once, with the first point that has it.
+class GridFaults {
+ public:
+  GridFaults(const Sweep& sweep, std::size_t points) : sweep_(sweep), points_(points) {}
+
+  void add(std::size_t point, const Error& error) {
+    input_ = input_ || error.kind() == ErrorKind::input;
+    for (const Fault& fault : error.faults()) {
+      const auto [place, is_new] = places_.try_emplace(format_fault(fault), faults_.size());
+      if (is_new) faults_.push_back({fault, point, 0});
+      ++faults_[place->second].count;
+    }
+  }
+
+  void throw_if_any() const {
+    if (faults_.empty()) return;
+    std::vector<Fault> told;
+    for (const Found& found : faults_) {
+      if (told.size() == most_faults) {
+        told.push_back(
+            {"", 0, "", "", fmt::format("and {} more faults", faults_.size() - most_faults), "mend the first ones"});
+        break;
+      }
+      Fault& fault = told.emplace_back(found.fault);
+      const auto swept = [&fault](const SweepAxis& axis) {
+        return fault.key == axis.swept.key + (axis.is_list ? "[1]" : "");
+      };
+      if (fault.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept)) fault.file = option;
+      if (found.count == points_) continue;  // has nothing to do with the grid
+      fault.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
+                                found.count > 1 ? fmt::format(" and {} more points", found.count - 1) : "");
+    }
+    throw Error(input_ ? ErrorKind::input : ErrorKind::file, std::move(told));
+  }
+
+ private:
+  struct Found {
+    Fault fault;
+    std::size_t first;
+    std::size_t count;
+  };
+
+  const Sweep& sweep_;
+  std::size_t points_;
+  std::vector<Found> faults_;
+  std::map<std::string, std::size_t> places_;
+  bool input_{};
+};
+
+/// What a case holds under a key, SI.
+double value_in(const Case& input, const std::string& key) {
+  const std::vector<ListedKey> keys = list_keys(input);
+  const nlohmann::ordered_json& held = find_key(keys, key)->value;
+  const nlohmann::ordered_json& value = held.is_array() ? held.front() : held;
+  if (value.is_number()) return value.get<double>();
+  double number = 0.0;  // in front of the unit that it is told apart by
+  read_number(value.get<std::string>(), number);
+  return number;
+}
+
+/// A list of one value, in TOML.
+std::string list_of(const std::string& value) {
+  double number = 0.0;
+  const auto [end, status] = read_number(value, number);
+  const bool plain = status == std::errc{} && end == value.data() + value.size();
+  return plain ? fmt::format("[{}]", value) : fmt::format("[\"{}\"]", value);
+}
+
+std::size_t points_of(const std::vector<SweepAxis>& axes) {
+  std::size_t points = 1;
+  for (const SweepAxis& axis : axes) points *= axis.swept.values.size();
+  return points;
+}
+
+/// Reads the values of an axis out of the cases along it, the other keys at their first values.
+void take_values(Sweep& sweep) {
+  std::size_t stride = sweep.cases.size();
+  std::vector<Fault> faults;
+  for (SweepAxis& axis : sweep.axes) {
+    const std::size_t count = axis.swept.values.size();
+    stride /= count;
+    std::map<double, std::size_t> known;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double value = value_in(sweep.cases[i * stride], axis.swept.key);
+      axis.values.push_back(value);
+      const auto [first, is_new] = known.try_emplace(value, i);
+      if (is_new) continue;
+      faults.push_back({std::string(option), 0, axis.swept.key, axis.swept.values[i],
+                        fmt::format("is the same value as {}", axis.swept.values[first->second]),
+                        "give every value once"});
+    }
+  }
+  if (!faults.empty()) throw Error(ErrorKind::input, std::move(faults));
+}
+
+/// Whether the loops are not too many to be kept.
+bool keeps_loops(const Sweep& sweep) {
+  std::size_t values = 0;
+  for (const Case& input : sweep.cases) values += loop_values(sweep.command, input);
+  return values <= most_loop_values;
+}
+
+SweepPoint kept(SweptResult result) {
+  SweepPoint point{.status = result.status,
+                   .rows = std::move(result.rows),
+                   .coefficients = std::move(result.coefficients),
+                   .lists = dump_json(result.lists, -1),
+                   .failures = std::move(result.failures),
+                   .warnings = std::move(result.warnings)};
+  for (const GridDim& dim : result.grid.dims) point.extents.push_back(dim.size);
+  for (GridVariable& variable : result.grid.variables) point.values.push_back(std::move(variable.values));
+  return point;
+}
+
+}  // namespace
+
+Sweep parse_sweep(std::string_view text, const std::string& name, const SweepRequest& request) {
+  if (request.limits && request.command != SweptCommand::equilibrium) {
+    throw Error(ErrorKind::input,
+                {{"", 0, "--limits", "", "are those of running bearings", "add --command equilibrium"}});
+  }
+  Sweep sweep{
+      .command = request.command, .axes = OptionReader(request).read(), .cases = {}, .with_limits = request.limits};
+  const std::size_t points = points_of(sweep.axes);
+  GridFaults faults(sweep, points);
+  for (std::size_t point = 0; point < points; ++point) {
+    CaseRequest one{.overrides = request.overrides, .commands = {std::string(name_of(request.command))}};
+    if (request.limits) one.commands.emplace_back("limits");
+    const std::vector<std::size_t> indices = indices_of(sweep, point);
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
+      const SweptKey& swept = sweep.axes[i].swept;
+      const std::string& value = swept.values[indices[i]];
+      one.overrides.push_back(swept.key + '=' + (sweep.axes[i].is_list ? list_of(value) : value));
+    }
+    try {
+      sweep.cases.push_back(parse_case(text, name, one));
+    } catch (const Error& error) {
+      faults.add(point, error);
+    }
+  }
+  faults.throw_if_any();
+  take_values(sweep);
+  sweep.with_loops = keeps_loops(sweep);
+  return sweep;
+}
+
+std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point) {
+  std::vector<std::size_t> indices(sweep.axes.size());
+  for (std::size_t i = indices.size(); i-- > 0;) {
+    const std::size_t count = sweep.axes[i].swept.values.size();
+    indices[i] = point % count;
+    point /= count;
+  }
+  return indices;
+}
+
+std::string point_name(const Sweep& sweep, std::size_t point) {
+  const std::vector<std::size_t> indices = indices_of(sweep, point);
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const SweptKey& swept = sweep.axes[i].swept;
+    words.push_back(swept.key + '=' + swept.values[indices[i]]);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const CycleResult& result) {
+  return kept(swept_result(sweep.cases[point], result, status_of(result), sweep.with_loops));
+}
+
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationResult& result) {
+  return kept(swept_result(sweep.cases[point], result, sweep.with_loops));
+}
+
+SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const EquilibriumResult& result) {
+  return kept(swept_result(sweep.cases[point], result));
+}
+
+SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress) {
+  const Case& input = sweep.cases[point];
+  switch (sweep.command) {
+    case SweptCommand::cycle:
+      return sweep_point(sweep, point, run_cycles(input, progress));
+    case SweptCommand::strip:
+      return sweep_point(sweep, point, run_strip(input, progress));
+    case SweptCommand::vibration:
+      return sweep_point(sweep, point, run_vibration(input, progress));
+    case SweptCommand::equilibrium:
+      break;
+  }
+  EquilibriumResult result = run_equilibrium(input, {}, progress);
+  estimate_mesh_errors(input, result);
+  if (sweep.with_limits) add_film_limits(input, result, progress);
+  return sweep_point(sweep, point, result);
+}
+
+void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].values.empty()) points[i] = kept(not_begun(sweep, sweep.cases[i]));
+  }
+}
+
+RunStatus status_of(const std::vector<SweepPoint>& points) {
+  RunStatus status = RunStatus::complete;
+  for (const SweepPoint& point : points) status = std::max(status, point.status);
+  return status;
+}
+
+}  // namespace bumpfoil

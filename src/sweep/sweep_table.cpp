@@ -1,0 +1,171 @@
+#include "bumpfoil/sweep/sweep_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "bumpfoil/core/status.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "core/number_text.hpp"
+#include "sweep/sweep_layout.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// More values than this are not listed.
+constexpr std::size_t most_listed = 50;
+/// More parts of a result than this are not shown.
+constexpr std::size_t most_parts = 24;
+constexpr std::size_t number_width = 12;
+
+/// A quantity of the table.
+struct Column {
+  std::size_t number;   ///< among the variables
+  std::string heading;  ///< "maximum force (N)"
+  double size;          ///< of its unit, SI
+};
+
+std::vector<Column> columns_of(const ResultGrid& grid, const std::vector<SweepPoint>& points) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < grid.variables.size(); ++i) {
+    const auto& [name, size] = grid.variables[i].shown;
+    const std::string& heading = grid.variables[i].heading;
+    if (heading.empty()) continue;
+    const bool known = std::any_of(points.begin(), points.end(), [i](const SweepPoint& point) {
+      const std::vector<double>& values = point.values[i];
+      return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    });
+    columns.push_back({i, name.empty() || !known ? heading : fmt::format("{} ({})", heading, name), size});
+  }
+  return columns;
+}
+
+/// One block of the table: a direction, a cycle of a strip, a vibration.
+class Block {
+ public:
+  Block(const Sweep& sweep, const std::vector<SweepPoint>& points, const SweptResult& layout, std::size_t place)
+      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.grid, points)) {
+    const auto& variables = layout.grid.variables;
+    const auto status = std::find_if(variables.begin(), variables.end(),
+                                     [](const GridVariable& one) { return one.meaning.name == "status"; });
+    status_ = static_cast<std::size_t>(status - variables.begin());
+    words_ = status->meaning.form.words;
+  }
+
+  /// Whether any point has begun it.
+  [[nodiscard]] bool begun() const {
+    for (std::size_t point = 0; point < points_.size(); ++point) {
+      const std::string_view word = status(point);
+      if (word != "-" && word != name_of(Status::interrupted)) return true;
+    }
+    return false;
+  }
+
+  /// A line for each value of a single key.
+  [[nodiscard]] std::string lines() const {
+    const SweptKey& swept = sweep_.axes.front().swept;
+    std::size_t width = swept.key.size();
+    for (const std::string& value : swept.values) width = std::max(width, value.size());
+    std::string out = fmt::format("{:<{}}", swept.key, width);
+    for (const Column& column : columns_) out += fmt::format("  {:>{}}", column.heading, width_of(column));
+    out += "  status\n";
+    for (std::size_t point = 0; point < points_.size(); ++point) {
+      out += fmt::format("{:<{}}", swept.values[point], width);
+      for (const Column& column : columns_) {
+        out += fmt::format("  {:>{}}", number_text(value(column.number, point), column.size), width_of(column));
+      }
+      out += fmt::format("  {}\n", status(point));
+    }
+    return out;
+  }
+
+  /// Two lines for each quantity.
+  [[nodiscard]] std::string extremes() const {
+    std::string out;
+    for (const Column& column : columns_) {
+      std::optional<std::size_t> smallest;
+      std::optional<std::size_t> largest;
+      for (std::size_t point = 0; point < points_.size(); ++point) {
+        const double number = value(column.number, point);
+        if (!std::isfinite(number)) continue;
+        if (!smallest || number < value(column.number, *smallest)) smallest = point;
+        if (!largest || number > value(column.number, *largest)) largest = point;
+      }
+      out += extreme_line(column.heading, "smallest", column, smallest);
+      out += extreme_line("", "largest", column, largest);
+    }
+    return out;
+  }
+
+ private:
+  static std::size_t width_of(const Column& column) { return std::max(number_width, column.heading.size()); }
+
+  /// Not a number where the point has not so many.
+  [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
+    const std::vector<double>& values = points_[point].values[variable];
+    return place_ < values.size() ? values[place_] : absent;
+  }
+
+  [[nodiscard]] std::string_view status(std::size_t point) const {
+    const double number = value(status_, point);
+    return std::isfinite(number) ? words_[static_cast<std::size_t>(number)] : "-";
+  }
+
+  [[nodiscard]] std::string extreme_line(std::string_view heading, std::string_view which, const Column& column,
+                                         std::optional<std::size_t> point) const {
+    constexpr std::size_t heading_width = 26;
+    return fmt::format("{:<{}}{:<9}{:>{}}  {}\n", heading, heading_width, which,
+                       point ? number_text(value(column.number, *point), column.size) : "-", number_width,
+                       point ? "at " + point_name(sweep_, *point) : "");
+  }
+
+  const Sweep& sweep_;
+  const std::vector<SweepPoint>& points_;
+  std::size_t place_;
+  std::vector<Column> columns_;
+  std::size_t status_{};
+  std::span<const std::string_view> words_;
+};
+
+/// Lines of every point, behind its name.
+std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<SweepPoint>& points,
+                                     std::vector<std::string> SweepPoint::*lines) {
+  std::vector<std::string> all;
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    for (const std::string& line : points[point].*lines) {
+      all.push_back(fmt::format("{}: {}", point_name(sweep, point), line));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+  const bool listed = sweep.axes.size() == 1 && points.size() <= most_listed;
+  const SweptResult layout = layout_of(sweep, points);
+  std::string out;
+  std::size_t shown = 0;
+  for (const auto& [name, place] : layout.parts) {
+    const Block block(sweep, points, layout, place);
+    if (!block.begun()) continue;
+    if (++shown > most_parts) continue;
+    out += fmt::format("{}{}\n{}", out.empty() ? "" : "\n", name, listed ? block.lines() : block.extremes());
+  }
+  if (shown > most_parts) out += fmt::format("\n{} more are in the files only\n", shown - most_parts);
+  return out;
+}
+
+std::vector<std::string> failure_lines(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+  return named_lines(sweep, points, &SweepPoint::failures);
+}
+
+std::vector<std::string> warning_lines(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+  return named_lines(sweep, points, &SweepPoint::warnings);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,35 @@
+#include "bearing/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/toy_problems.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// One unknown against a wall, and one slipping contact.
+ContactProblem two_contacts() {
+  ContactProblem problem;
+  problem.K = BlockTridiagonal(1, 3);
+  problem.pairs = {{.plus = 0}, {.minus = 1, .tangential = 2, .friction_coefficient = 0.25}};
+  return problem;
+}
+
+TEST(GapWork, IsTheMeanForceTimesTheMotionOfTheWall) {
+  // The wall of contact 0 advances by 2 um, that of contact 1 recedes by 3 um, that of contact 2 stands still.
+  const Vector force = Eigen::Vector3d(20.0, 8.0, 5.0);
+  EXPECT_DOUBLE_EQ(gap_work(force, Eigen::Vector3d(-2e-6, 3e-6, 0.0)), 20.0 * 2e-6 - 8.0 * 3e-6);
+}
+
+TEST(FrictionDissipation, IsBoundTimesSlipWhateverItsDirection) {
+  const ContactProblem problem = two_contacts();
+  const Vector begin = Vector::Zero(3);
+  Vector end = begin;
+  end << 5e-6, 5e-6, -2e-6;
+  const Vector p = Eigen::Vector2d(100.0, 8.0);
+  EXPECT_DOUBLE_EQ(friction_dissipation(problem, p, begin, end), 0.25 * 8.0 * 2e-6);
+  EXPECT_DOUBLE_EQ(friction_dissipation(problem, p, end, begin), 0.25 * 8.0 * 2e-6);
+}
+
+}  // namespace
+}  // namespace bumpfoil

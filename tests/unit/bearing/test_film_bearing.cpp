@@ -1,0 +1,157 @@
+#include "bumpfoil/bearing/film_bearing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "bumpfoil/core/error.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 3};
+
+TEST(FilmBearing, HasAColumnOverEveryCrest) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  const double pitch_angle = 4.572e-3 / 19.05e-3;
+  ASSERT_EQ(bearing.pads.front().foil.supports.size(), 26U);
+  for (std::size_t i = 0; i < 26; ++i) {
+    EXPECT_NEAR(bearing.pads.front().foil.supports[i] * bearing.pads.front().foil.mesh.dtheta,
+                (static_cast<double>(i) + 0.5) * pitch_angle, 1e-13);
+  }
+  EXPECT_EQ(bearing.pads.front().foil.mesh.columns, 104);
+  EXPECT_EQ(bearing.problem.K.blocks(), 27);
+  EXPECT_EQ(bearing.problem.K.block_size(), 6 + 3);
+  EXPECT_EQ(bearing.problem.pairs.size(), 2U);  // no journal/top foil
+}
+
+TEST(FilmBearing, TakesTheBumpFoilWithoutTheTopFoil) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  const BumpDofs& dofs = bearing.dofs;
+  for (const Matrix& block : bearing.problem.K.diagonal) {
+    if (&block == &bearing.problem.K.diagonal.back()) continue;
+    EXPECT_EQ(block.row(dofs.top_u).norm() + block.row(dofs.top_moment).norm(), 0.0);
+    EXPECT_GT(block(dofs.crest_v, dofs.crest_v), 1e6);
+  }
+  EXPECT_EQ(bearing.problem.K.diagonal.back()(dofs.size, dofs.size), 0.0);  // the free end moves
+}
+
+TEST(FilmBearing, IsThinWhereTheJournalGoes) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  // The weld is at -X, and theta runs clockwise: column 26 of 104 stands near +Y, 52 near +X.
+  const Matrix H = bearing.undeformed_thickness({0.5 * bearing.clearance, 0.0});
+  EXPECT_NEAR(H(0, 0), 1.5, 1e-12);
+  EXPECT_NEAR(H.minCoeff(), 0.5, 1e-3);
+  EXPECT_NEAR(bearing.undeformed_thickness({0.0, 0.5 * bearing.clearance}).col(26).minCoeff(), 0.5, 1e-3);
+  Case tapered = film_reference_case(coarse);
+  tapered.bearing.taper = 3.18e-6;  // a tenth of the clearance
+  const Matrix wider = make_film_bearing(tapered).undeformed_thickness({0.5 * bearing.clearance, 0.0});
+  EXPECT_NEAR(wider(0, 0), 1.5, 1e-12);
+  EXPECT_NEAR(wider(2, 104) - H(2, 104), 0.1, 1e-12);
+  EXPECT_LT(bearing.surface_speed(bearing.pads.front(), 100.0), 0.0);
+  EXPECT_NEAR(film_equation(bearing, bearing.pads.front(), speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
+}
+
+/// A pressure by hand: the forces are those of its integral over the foil.
+TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 12, .rows = 8});
+  FilmBearingState state = resting(bearing, Eigen::Vector2d::Zero(), 100.0);
+  state.contact.normal_force[4] = 3.0;  // top_bump of the third bump
+  const int n = bearing.pads.front().foil.mesh.columns;
+  for (int k = 0; k <= n; ++k) state.foil.film.pressure.col(k).array() += 0.1 * bearing.normals(1, k);
+  const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+  const double area = 101325.0 * 19.05e-3 * 38.1e-3;
+  // 0.1 pa sin(phi) over the foil, which lacks 2.5 degrees at the weld where the sine is small.
+  EXPECT_NEAR(outcome.force.y(), 0.1 * area * std::numbers::pi, 1e-3 * area * 0.1);
+  EXPECT_NEAR(outcome.force.x(), 0.0, 1e-2 * area * 0.1);
+  EXPECT_EQ(outcome.loaded_bumps, 1);
+  EXPECT_NEAR(outcome.power, 100.0 * outcome.torque, 1e-15);
+}
+
+/// Petroff's law: a centred journal without pressure shears mu Omega R^3 / c over the foil.
+TEST(FilmBearing, DragsByCouetteFlowAlone) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  for (const double speed : {-100.0, 100.0}) {
+    const FilmBearingOutcome outcome = film_bearing_outcome(bearing, resting(bearing, Eigen::Vector2d::Zero(), speed));
+    const double petroff = 1.85e-5 * speed * std::pow(19.05e-3, 2) / 31.8e-6 * 26 * 4.572e-3 * 38.1e-3;
+    EXPECT_NEAR(outcome.torque, petroff, 1e-12 * std::abs(petroff));
+    EXPECT_NEAR(outcome.dissipation, outcome.power, 1e-12 * outcome.power);
+    // Half of what the surface moves past: U c L / 2, along theta where U is positive.
+    EXPECT_NEAR(outcome.flows.end, -0.5 * speed * 19.05e-3 * 31.8e-6 * 38.1e-3, 1e-12 * std::abs(speed));
+  }
+}
+
+/// Pads of 8 and 6 bumps, the second welded at its far edge.
+TEST(FilmBearing, HasTheColumnsAndBlocksOfItsPadsInARow) {
+  Case input = film_reference_case(coarse);
+  input.bump_foil.bumps = 8;
+  input.bearing.weld_angle = 0.0;
+  input.pads = {{.weld_edge = WeldEdge::leading, .lobe = 8e-6}, {.weld_edge = WeldEdge::trailing, .lobe = 8e-6}};
+  input.pads[1].bump_foil = input.bump_foil;
+  input.pads[1].bump_foil->bumps = 6;
+  const FilmBearing bearing = make_film_bearing(input);
+  ASSERT_EQ(bearing.pads.size(), 2U);
+  const auto& [first, second] = std::tie(bearing.pads[0], bearing.pads[1]);
+  EXPECT_EQ(first.first_column, 0);
+  EXPECT_EQ(second.first_column, 33);
+  EXPECT_EQ(second.first_block, 9);
+  EXPECT_EQ(bearing.columns(), 33 + 25);
+  EXPECT_EQ(bearing.bumps(), 14);
+  EXPECT_EQ(bearing.problem.K.blocks(), 16);
+  EXPECT_EQ(first.wrap_sign, -1.0);
+  EXPECT_EQ(second.wrap_sign, 1.0);
+  // Nothing ties the free end of one to the weld of the other; bumps of each are tied.
+  EXPECT_EQ(bearing.problem.K.upper[8].norm(), 0.0);
+  EXPECT_EQ(bearing.problem.K.upper[7].norm(), 0.0);
+  EXPECT_GT(bearing.problem.K.upper[6].norm(), 1e6);
+  EXPECT_GT(bearing.problem.K.upper[9].norm(), 1e6);
+  EXPECT_EQ(bearing.problem.K.diagonal[8](bearing.dofs.size, bearing.dofs.size), 0.0);
+  // Clockwise from X; the second begins opposite, and ends at its weld.
+  const double pitch_angle = 4.572e-3 / 19.05e-3;
+  EXPECT_NEAR(bearing.normals(0, 0), 1.0, 1e-14);
+  EXPECT_NEAR(std::atan2(bearing.normals(1, 32), bearing.normals(0, 32)), -8.0 * pitch_angle, 1e-12);
+  EXPECT_NEAR(std::atan2(bearing.normals(1, 33), bearing.normals(0, 33)), std::numbers::pi - 6.0 * pitch_angle, 1e-12);
+  EXPECT_NEAR(bearing.normals(0, 57), -1.0, 1e-14);
+  // A lobe takes its size in the middle.
+  const Matrix H = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
+  EXPECT_NEAR(H(0, 16) * bearing.clearance, 31.8e-6 - 8e-6, 1e-12);
+  EXPECT_NEAR(H(0, 45) * bearing.clearance, 31.8e-6 - 8e-6, 1e-12);
+  EXPECT_NEAR(H(0, 0) * bearing.clearance, 31.8e-6 - 8e-6 * std::cos(4.0 * pitch_angle), 1e-12);
+}
+
+TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
+  Case input = film_reference_case(coarse);
+  input.bump_foil.bumps = 8;
+  input.bearing.weld_angle = 0.0;
+  input.pads.resize(2);
+  const FilmBearing bearing = make_film_bearing(input);
+  FilmBearingState state = resting(bearing, {0.0, 0.5 * bearing.clearance}, 100.0);  // to the second pad
+  state.contact.normal_force[2 * (9 + 2)] = 3.0;                                     // top_bump of its third bump
+  const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
+  EXPECT_EQ(outcome.thinnest_pad, 1);
+  EXPECT_NEAR(outcome.thinnest.thickness, 0.5, 1e-2);
+  EXPECT_NEAR(outcome.thinnest.column * bearing.pads[1].foil.mesh.dtheta, 0.5 * std::numbers::pi, 0.04);
+  EXPECT_EQ(outcome.first_loaded, 8 + 2);
+  EXPECT_EQ(outcome.loaded_bumps, 1);
+  EXPECT_EQ(bump_loads(bearing, state)[8 + 2], 3.0);
+}
+
+TEST(FilmBearing, HasAScaleWithoutClearanceToo) {
+  EXPECT_EQ(film_thickness_scale(30e-6), 30e-6);
+  EXPECT_EQ(film_thickness_scale(1e-9), 10e-6);
+  EXPECT_EQ(film_thickness_scale(0.0), 10e-6);
+  EXPECT_EQ(film_thickness_scale(-2e-6), 10e-6);
+  EXPECT_EQ(film_thickness_scale(-15e-6), 15e-6);
+}
+
+TEST(FilmBearing, HasARoundJournal) {
+  Case input = film_reference_case(coarse);
+  input.bearing.journal.waves = {{.harmonic = 2, .amplitude = 1e-6, .phase = 0.0}};
+  EXPECT_THROW(make_film_bearing(input), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil

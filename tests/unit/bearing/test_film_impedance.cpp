@@ -1,0 +1,101 @@
+#include "bearing/film_impedance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <numbers>
+#include <random>
+
+#include "bearing/film_newton.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// J X + s S X = -(r + s a), force f X, all drawn at random: film_forces() against the equations themselves.
+TEST(FilmForces, SolveTheEquationsAtEveryRate) {
+  constexpr Eigen::Index n = 40;
+  constexpr double shift = 3.0;
+  std::mt19937 draw(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto drawn = [&](Eigen::Index rows, Eigen::Index columns) -> Matrix {
+    return Matrix::NullaryExpr(rows, columns, [&] { return uniform(draw); });
+  };
+  const Matrix J = drawn(n, n) + 8.0 * Matrix::Identity(n, n);
+  const Matrix S = drawn(n, n) + 4.0 * Matrix::Identity(n, n);
+  const Matrix f = drawn(2, n);
+  const Vector r = drawn(n, 1);
+  const Vector a = drawn(n, 1);
+
+  const Eigen::PartialPivLU<Matrix> at_shift(J + shift * S);
+  const auto force = [&](const Vector& X) -> Eigen::Vector2d { return f * X; };
+  const Vector X0 = at_shift.solve(-(r + shift * a));
+  const auto stored = [&](const Vector& w) {
+    const Vector X = at_shift.solve(-w);
+    return FilmAnswer{S * X, force(X)};
+  };
+  const std::vector<Complex> rates{{0.0, 0.0}, {0.0, 3.0}, {0.0, -0.2}, {0.0, 40.0}, {2.0, 1.0}, {shift, 0.0}};
+  std::vector<Complex> excess;
+  for (const Complex s : rates) excess.push_back(s - shift);
+  const auto found = film_forces({S * X0 + a, force(X0)}, stored, excess);
+  ASSERT_TRUE(found.has_value());
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const Eigen::MatrixXcd system = J.cast<Complex>() + rates[i] * S.cast<Complex>();
+    const Eigen::VectorXcd X = system.partialPivLu().solve(-(r.cast<Complex>() + rates[i] * a.cast<Complex>()));
+    const Eigen::Vector2cd expected = f.cast<Complex>() * X;
+    EXPECT_LT(((*found)[i] - expected).norm(), 1e-8 * expected.norm()) << rates[i];
+  }
+}
+
+TEST(FilmForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
+  // What is stored at a third node never shows, and yet one direction is all that there is: no solution at s = shift
+  // + 1.
+  const auto stored = [](const Vector& w) { return FilmAnswer{w, Eigen::Vector2d::Zero()}; };
+  EXPECT_FALSE(film_forces({Vector::Ones(3), {1.0, 0.0}}, stored, {{1.0, 0.0}}).has_value());
+}
+
+/// The journal whirls by a nanometre, and the equations themselves are marched in time by implicit Euler. In steps dt
+/// the rate of e^{s t} is (1 - e^{-s dt}) / dt: once the start is forgotten, the force is that of the impedance there.
+TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
+  FilmBearingSolver solver(bearing);
+  FilmBearingState rest;
+  const Eigen::Vector2d position(0.6 * bearing.clearance, 0.2 * bearing.clearance);
+  ASSERT_EQ(solver.cold_start(position, speed, rest).status, FilmStatus::converged);
+
+  constexpr int steps = 24;
+  constexpr int turns = 6;
+  constexpr double amplitude = 1e-9;  // m; no contact changes its mode over so little
+  const double dt = 2.0 * std::numbers::pi / (steps * speed);
+  const Complex turn = std::polar(1.0, speed * dt);
+  const Complex s = (1.0 - 1.0 / turn) / dt;
+  const auto Z = solver.impedances(rest, {s});
+  ASSERT_TRUE(Z.has_value());
+
+  const Eigen::Vector2cd motion(amplitude, Complex(0.0, -amplitude));  // round from X to Y
+  const Eigen::Vector2d still = film_bearing_outcome(bearing, rest).force;
+  FilmNewton newton(bearing, {});
+  FilmEquations equations = film_equations(bearing, speed);
+  FilmBearingState state = rest;
+  Complex phase = 1.0;
+  double largest = 0.0;
+  for (int i = 1; i <= steps * turns; ++i) {
+    phase *= turn;
+    squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.foil.film), equations);
+    const Eigen::Vector2d there = position + (motion * phase).real();
+    ASSERT_EQ(newton.solve(OperatingPoint::held_at(there, speed), equations, {.tolerance = 1e-10}, rest.contact, state)
+                  .status,
+              FilmStatus::converged);
+    if (i <= steps * (turns - 1)) continue;
+    const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();
+    largest = std::max(largest, (film_bearing_outcome(bearing, state).force - still - expected).norm());
+  }
+  // Forces of tens of newtons are good to 1e-9 N, and the amplitude is part of the clearance to 3e-5.
+  EXPECT_LT(largest, 1e-4 * ((*Z)[0] * motion).norm());
+}
+
+}  // namespace
+}  // namespace bumpfoil

@@ -1,0 +1,153 @@
+#include "case/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace bumpfoil {
+namespace {
+
+double value_of(std::string_view text, Dimension dimension) {
+  const auto quantity = parse_quantity(text, dimension);
+  if (const auto* fault = std::get_if<QuantityFault>(&quantity)) {
+    ADD_FAILURE() << text << ": " << fault->what;
+    return std::nan("");
+  }
+  return std::get<double>(quantity);
+}
+
+std::string fault_of(std::string_view text, Dimension dimension) {
+  const auto quantity = parse_quantity(text, dimension);
+  if (const auto* fault = std::get_if<QuantityFault>(&quantity)) return fault->what + "; " + fault->advice;
+  ADD_FAILURE() << text << " was read as " << std::get<double>(quantity);
+  return {};
+}
+
+TEST(ParseQuantity, ReadsWhatCaseFilesHold) {
+  // Exact: a decimal fraction is divided by the power of ten, so the nearest double comes out.
+  EXPECT_EQ(value_of("31.8 um", Dimension::length), 31.8e-6);
+  EXPECT_EQ(value_of("19.05 mm", Dimension::length), 19.05e-3);
+  EXPECT_EQ(value_of("0.102mm", Dimension::length), 0.102e-3);
+  EXPECT_EQ(value_of("214 GPa", Dimension::pressure), 214e9);
+  EXPECT_EQ(value_of("150 MN/m", Dimension::stiffness), 150e6);
+  EXPECT_EQ(value_of("150 N um-1", Dimension::stiffness), 150e6);
+  EXPECT_EQ(value_of("5 N", Dimension::force), 5.0);
+  EXPECT_EQ(value_of(" -2e1 um ", Dimension::length), -20e-6);
+  EXPECT_EQ(value_of("+1.5 m", Dimension::length), 1.5);
+}
+
+TEST(ParseQuantity, ReadsBothMicroSigns) {
+  EXPECT_EQ(value_of("31.8 \xc2\xb5m", Dimension::length), 31.8e-6);  // micro sign
+  EXPECT_EQ(value_of("31.8 \xce\xbcm", Dimension::length), 31.8e-6);  // Greek mu
+}
+
+TEST(ParseQuantity, ReadsDegreesInEverySpelling) {
+  for (const char* text : {"180 deg", "180 degrees", "180 degree", "180 \xc2\xb0", "3.141592653589793 rad"}) {
+    EXPECT_DOUBLE_EQ(value_of(text, Dimension::angle), std::numbers::pi) << text;
+  }
+}
+
+TEST(ParseQuantity, ReadsTurnsAndRadians) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  EXPECT_DOUBLE_EQ(value_of("200 Hz", Dimension::frequency), turn * 200.0);
+  EXPECT_DOUBLE_EQ(value_of("1.5 kHz", Dimension::frequency), turn * 1500.0);
+  EXPECT_DOUBLE_EQ(value_of("2 hertz", Dimension::frequency), turn * 2.0);
+  EXPECT_DOUBLE_EQ(value_of("45000 rpm", Dimension::frequency), turn * 750.0);
+  EXPECT_DOUBLE_EQ(value_of("300 rad/s", Dimension::frequency), 300.0);
+  EXPECT_DOUBLE_EQ(value_of("360 deg/s", Dimension::frequency), turn);
+  for (const char* text : {"200 1/s", "200 s-1", "200 s^-1", "200 1/min", "200 Bq"}) {
+    EXPECT_NE(fault_of(text, Dimension::frequency).find("which may count turns or radians"), std::string::npos) << text;
+  }
+  EXPECT_NE(fault_of("30 deg", Dimension::frequency).find("is an angle where a frequency is due"), std::string::npos);
+  EXPECT_NE(fault_of("200 Hz", Dimension::length).find("is a frequency where a length is due"), std::string::npos);
+  EXPECT_NE(fault_of("200 Hz", Dimension::angle), "");
+  EXPECT_NE(fault_of("3 s", Dimension::frequency).find("has the unit \"s\" where a frequency is due"),
+            std::string::npos);
+}
+
+TEST(ParseQuantity, ReadsWhatGasesAreToldBy) {
+  EXPECT_EQ(value_of("293 K", Dimension::temperature), 293.0);
+  EXPECT_NE(fault_of("20 degC", Dimension::temperature).find("plain multiple"), std::string::npos);
+  EXPECT_EQ(value_of("18.5 uPa s", Dimension::viscosity), 18.5e-6);
+  EXPECT_DOUBLE_EQ(value_of("0.0185 mPa s", Dimension::viscosity), 18.5e-6);
+}
+
+TEST(ParseQuantity, ReadsOtherSystemsOfUnits) {
+  EXPECT_DOUBLE_EQ(value_of("1 inch", Dimension::length), 25.4e-3);
+  EXPECT_DOUBLE_EQ(value_of("1 mil", Dimension::length), 25.4e-6);
+  EXPECT_NEAR(value_of("1 psi", Dimension::pressure), 6894.757293168, 1e-8);  // all digits of the definition known here
+}
+
+TEST(ParseQuantity, NamesTheDimensionThatWasMet) {
+  EXPECT_EQ(fault_of("19.05 N", Dimension::length),
+            "is a force where a length is due; write a length with its unit, for example \"31.8 um\"");
+  EXPECT_NE(fault_of("30 deg", Dimension::length).find("is an angle where a length is due"), std::string::npos);
+  EXPECT_NE(fault_of("3 mm", Dimension::angle).find("is a length where an angle is due"), std::string::npos);
+  EXPECT_NE(fault_of("3 s", Dimension::pressure).find("has the unit \"s\" where a pressure is due"), std::string::npos);
+  EXPECT_NE(fault_of("3 mm2", Dimension::length).find("has the unit \"mm2\""), std::string::npos);
+}
+
+TEST(ParseQuantity, WantsAUnitThatItKnows) {
+  EXPECT_NE(fault_of("0.019", Dimension::length).find("has no unit"), std::string::npos);
+  EXPECT_NE(fault_of("0.019", Dimension::length).find("number in m without quotes"), std::string::npos);
+  EXPECT_NE(fault_of("+-2 um", Dimension::length).find("does not begin with a number"), std::string::npos);
+  EXPECT_NE(fault_of("3 parsnips", Dimension::length).find("not known, \"parsnips\""), std::string::npos);
+  EXPECT_NE(fault_of("214 GPA", Dimension::pressure).find("not known, \"GPA\""), std::string::npos);
+}
+
+TEST(ParseQuantity, TakesNoNumberInsideTheUnit) {
+  // UDUNITS would read nothing, half a millimetre, and ten millimetres.
+  EXPECT_NE(fault_of("1 000 mm", Dimension::length).find("digits where a unit is due"), std::string::npos);
+  EXPECT_NE(fault_of("1 mm^1.5", Dimension::length).find("digits where a unit is due"), std::string::npos);
+  EXPECT_NE(fault_of("1 (10 mm)", Dimension::length).find("digits where a unit is due"), std::string::npos);
+  EXPECT_NE(fault_of("31,8 um", Dimension::length).find("decimal point"), std::string::npos);
+  EXPECT_NE(fault_of("mm^3.5", Dimension::length).find("does not begin with a number"), std::string::npos);
+}
+
+TEST(ParseQuantity, TakesPlainMultiplesOnly) {
+  EXPECT_NE(fault_of("3 m from 5", Dimension::length), "");
+  EXPECT_NE(fault_of("3 m @ 5", Dimension::length), "");
+  EXPECT_NE(fault_of("3 lg(re 1 m)", Dimension::length), "");
+  EXPECT_NE(fault_of("30 %", Dimension::angle), "");
+}
+
+TEST(ParseQuantity, StaysFinite) {
+  EXPECT_NE(fault_of("nan mm", Dimension::length).find("not finite"), std::string::npos);
+  EXPECT_NE(fault_of("-inf mm", Dimension::length).find("not finite"), std::string::npos);
+  EXPECT_NE(fault_of("1e400 mm", Dimension::length).find("cannot hold"), std::string::npos);
+  EXPECT_NE(fault_of("1e305 Gm", Dimension::length).find("not finite"), std::string::npos);
+}
+
+TEST(ParseQuantity, SurvivesHostileTexts) {
+  EXPECT_NE(fault_of("", Dimension::length).find("is empty"), std::string::npos);
+  EXPECT_NE(fault_of("   ", Dimension::length).find("is empty"), std::string::npos);
+  EXPECT_NE(fault_of("1 " + std::string(100000, '('), Dimension::length).find("not a quantity"), std::string::npos);
+  EXPECT_NE(fault_of("1 " + std::string(50, '('), Dimension::length).find("not known"), std::string::npos);
+  EXPECT_NE(fault_of(std::string("1 mm\0 N", 7), Dimension::length).find("not a quantity"), std::string::npos);
+  EXPECT_NE(fault_of("1 mm\x1b[2J", Dimension::length).find("not a quantity"), std::string::npos);
+  EXPECT_NE(fault_of("1 m^99999999999999999999", Dimension::length), "");
+  EXPECT_NE(fault_of("1 \xff\xfe", Dimension::length), "");
+}
+
+TEST(ParseQuantity, PrintsNothing) {
+  testing::internal::CaptureStderr();
+  fault_of("3 parsnips", Dimension::length);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Dimension, TextsBelongToTheirDimension) {
+  for (const Dimension dimension :
+       {Dimension::length, Dimension::angle, Dimension::force, Dimension::stiffness, Dimension::pressure,
+        Dimension::frequency, Dimension::temperature, Dimension::viscosity, Dimension::bed_stiffness}) {
+    std::string example(example_quantity(dimension));
+    example = example.substr(1, example.size() - 2);  // without its quotes
+    EXPECT_TRUE(std::isfinite(value_of(example, dimension)));
+    EXPECT_EQ(value_of("1 " + std::string(si_unit(dimension)), dimension), 1.0);
+    EXPECT_NE(name_of(dimension).find(' '), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil

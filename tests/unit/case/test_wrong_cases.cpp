@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/core/error.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/wrong_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using testing::WrongCase;
+
+/// Reads the text as the program does: from a file.
+std::vector<Fault> faults_of(const std::string& text) {
+  const testing::TemporaryFolder folder;
+  try {
+    const std::string file = folder.write("wrong.toml", text);
+    static_cast<void>(check_case(read_case_text(file), file));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    return error.faults();
+  }
+  return {};
+}
+
+bool says(const Fault& fault, const WrongCase& wrong) {
+  const std::string message = format_fault(fault);
+  return (wrong.line == 0 || fault.line == wrong.line) &&
+         std::all_of(wrong.fragments.begin(), wrong.fragments.end(),
+                     [&](const std::string& fragment) { return message.find(fragment) != std::string::npos; });
+}
+
+std::string listed(const std::vector<Fault>& faults) {
+  std::string out;
+  for (const Fault& fault : faults) out += format_fault(fault) + '\n';
+  return out;
+}
+
+TEST(WholeCase, IsRight) {
+  const std::vector<Fault> faults = faults_of(testing::whole_case());
+  EXPECT_TRUE(faults.empty()) << listed(faults);
+}
+
+TEST(WrongCases, EveryFaultIsNamedOnceWithPlaceAndAdvice) {
+  for (const WrongCase& wrong : testing::wrong_cases()) {
+    SCOPED_TRACE(wrong.name);
+    const std::vector<Fault> faults = faults_of(wrong.text);
+    EXPECT_EQ(faults.size(), wrong.faults) << listed(faults);
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) { return says(fault, wrong); }))
+        << "line " << wrong.line << " of:\n"
+        << listed(faults);
+    for (const Fault& fault : faults) {
+      EXPECT_NE(fault.file.find("wrong.toml"), std::string::npos);
+      EXPECT_FALSE(fault.what.empty());
+      EXPECT_FALSE(fault.advice.empty()) << format_fault(fault);
+      for (const char c : format_fault(fault)) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << "control character";
+    }
+  }
+}
+
+TEST(WrongCases, AreManyAndHaveNoTwins) {
+  std::set<std::string> names, texts;
+  for (const WrongCase& wrong : testing::wrong_cases()) {
+    names.insert(wrong.name);
+    texts.insert(wrong.text);
+  }
+  EXPECT_GE(names.size(), 80U);
+  EXPECT_EQ(texts.size(), names.size());
+}
+
+TEST(WrongCase, SaysEverythingAtOnce) {
+  std::string text = testing::whole_case();
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("title", "titel");                         // line 1
+  replace("\"19.05 mm\"", "\"-19.05 mm\"");          // line 3
+  replace("\"38.1 mm\"", "\"38.1 N\"");              // line 4
+  replace("bumps = 26", "bumps = \"26\"");           // line 10
+  replace("\"3.556 mm\"", "\"5 mm\"");               // line 12
+  replace("coefficient = 0.1", "coefficient = -1");  // line 27
+  replace("\"37.5 deg\"", "37.5");                   // line 32
+  const std::vector<Fault> faults = faults_of(text);
+  std::vector<std::size_t> lines;
+  for (const Fault& fault : faults) lines.push_back(fault.line);
+  EXPECT_EQ(lines, (std::vector<std::size_t>{1, 3, 4, 11, 13, 28, 33})) << listed(faults);
+}
+
+}  // namespace
+}  // namespace bumpfoil

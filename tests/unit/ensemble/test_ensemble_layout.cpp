@@ -1,0 +1,110 @@
+#include "bumpfoil/ensemble/ensemble_layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bumpfoil/ensemble/running_sample.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "support/ensemble_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
+  Case input = testing::ensemble_case(1);
+  input.cycle.clearance_forces = {5.0, 1e6};
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  EXPECT_EQ(layout.columns.front().name, "status");
+  std::set<std::string> names;
+  for (const EnsembleColumn& column : layout.columns) names.insert(column.name);
+  EXPECT_EQ(names.size(), layout.columns.size());
+  EXPECT_EQ(names.count("clearance_5N"), 1U);
+  EXPECT_EQ(names.count("clearance_1e+06N"), 1U);
+
+  const Case sampled = sampled_case(input, draw_sample(input, 0));
+  const CycleResult result = run_sample(sampled);
+  const std::vector<double> row = make_ensemble_row(layout, sampled, result);
+  ASSERT_EQ(row.size(), layout.width());
+  for (std::size_t direction = 0; direction < 2; ++direction) {
+    const Cycle& cycle = result.cycles[direction];
+    const auto value = [&](std::string_view name) -> double {
+      for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+        if (layout.columns[k].name == name) return row[layout.entry(direction, k)];
+      }
+      return NAN;
+    };
+    EXPECT_EQ(value("status"), 0.0);
+    EXPECT_EQ(value("max_force"), cycle.turning_point->max_force);
+    EXPECT_EQ(value("loop_energy"), *cycle.loop_energy);
+    EXPECT_EQ(value("clearance_5N"), *cycle.clearance_5N);
+    EXPECT_TRUE(std::isnan(value("clearance_1e+06N")));
+    EXPECT_EQ(value("largest_bump_load"), cycle.turning_point->bump_loads.maxCoeff());
+    EXPECT_EQ(row[layout.entry(direction, layout.columns.size() + 7)], cycle.turning_point->bump_loads[7]);
+  }
+}
+
+TEST(EnsembleLayout, OfWhatWasNotRunOnlyTheStatusIsKnown) {
+  const Case input = testing::ensemble_case(1);
+  Case sampled = input;
+  sampled.friction.top_bump = -0.1;
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  const std::vector<double> row = make_ensemble_row(layout, sampled, run_sample(sampled));
+  for (std::size_t k = 0; k < layout.per_place(); ++k) {
+    if (k == 0) {
+      EXPECT_EQ(row[k], static_cast<double>(Status::not_physical));
+    } else {
+      EXPECT_TRUE(std::isnan(row[k])) << k;
+    }
+  }
+}
+
+TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
+  const Case input = testing::running_ensemble_case(1);
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  ASSERT_EQ(layout.places.size(), 2U);
+  EXPECT_EQ(layout.places[1].name, "44996.3 rpm, load (40, 0) N");
+  EXPECT_EQ(layout.columns.front().name, "status");
+  // Loads are asked for, and do not scatter.
+  EXPECT_TRUE(std::none_of(layout.columns.begin(), layout.columns.end(),
+                           [](const EnsembleColumn& column) { return column.name == "force_x"; }));
+
+  const Case sampled = sampled_case(input, draw_sample(input, 0));
+  const EquilibriumResult result = run_running_sample(sampled);
+  const std::vector<double> row = make_ensemble_row(layout, sampled, result);
+  ASSERT_EQ(row.size(), layout.width());
+  for (std::size_t place = 0; place < 2; ++place) {
+    const RunningState& state = result.states[place];
+    ASSERT_TRUE(state.found());
+    const auto value = [&](std::string_view name) {
+      const auto column = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                       [name](const EnsembleColumn& one) { return one.name == name; });
+      return row[layout.entry(place, static_cast<std::size_t>(column - layout.columns.begin()))];
+    };
+    EXPECT_EQ(value("power"), state.outcome->power);
+    EXPECT_EQ(value("kyx"), (*state.stiffness)(1, 0));
+    const Vector loads = bump_loads(*result.bearing, *state.last);
+    EXPECT_GT(loads.maxCoeff(), 1.0);
+    for (std::size_t bump = 0; bump < layout.bumps; ++bump) {
+      EXPECT_EQ(row[layout.entry(place, layout.columns.size() + bump)], loads[static_cast<Eigen::Index>(bump)]);
+    }
+  }
+}
+
+TEST(EnsembleLayout, OfARunningBearingThatIsNoneOnlyTheStatusIsKnown) {
+  const Case input = testing::running_ensemble_case(1);
+  Case sampled = input;
+  sampled.friction.top_bump = -0.1;
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  const std::vector<double> row = make_ensemble_row(layout, sampled, run_running_sample(sampled));
+  EXPECT_EQ(layout.status_name(static_cast<int>(row[0])), "not_physical");
+  EXPECT_EQ(layout.status_reason(static_cast<int>(row[0])), "what was drawn makes no bearing");
+  EXPECT_TRUE(std::all_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(layout.per_place()),
+                          [](double value) { return std::isnan(value); }));
+}
+
+}  // namespace
+}  // namespace bumpfoil

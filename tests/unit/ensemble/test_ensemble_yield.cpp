@@ -1,0 +1,83 @@
+#include "bumpfoil/ensemble/ensemble_yield.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bumpfoil/core/error.hpp"
+#include "support/ensemble_cases.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const EnsembleLayout layout = make_ensemble_layout(testing::ensemble_case(4));
+
+std::string refusal(const std::string& limit) {
+  try {
+    parse_limits({limit}, layout);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(EnsembleYield, LimitsAreQuantitiesWithUnits) {
+  const std::vector<EnsembleLimit> limits = parse_limits(
+      {"clearance_5N > 20 um", "max_force<900", "loaded_stiffness > 10 MN/m", "loss_factor > 0.1"}, layout);
+  EXPECT_EQ(layout.columns[limits[0].column].name, "clearance_5N");
+  EXPECT_TRUE(limits[0].above);
+  EXPECT_DOUBLE_EQ(limits[0].bound, 20e-6);
+  EXPECT_FALSE(limits[1].above);
+  EXPECT_EQ(limits[1].bound, 900.0);
+  EXPECT_DOUBLE_EQ(limits[2].bound, 10e6);
+  EXPECT_EQ(limits[3].bound, 0.1);
+}
+
+TEST(EnsembleYield, WrongLimitsAreRefused) {
+  EXPECT_NE(refusal("clearance_5N = 20 um").find("has no < and no >"), std::string::npos);
+  EXPECT_EQ(refusal("clearence_5N > 20 um"),
+            "--limit = clearence_5N > 20 um: is of no quantity of an ensemble; did you mean \"clearance_5N\"?");
+  EXPECT_NE(refusal("clearance_5N > 20 N"), "");
+  EXPECT_NE(refusal("loss_factor > 20 N").find("write a number"), std::string::npos);
+  EXPECT_NE(refusal("status < 1"), "");
+  EXPECT_NE(refusal("max_force < inf"), "");
+}
+
+TEST(EnsembleYield, BearingsPassInEveryDirection) {
+  const std::vector<EnsembleLimit> limits = parse_limits({"clearance_5N > 20 um", "max_force < 900"}, layout);
+  const std::size_t clearance = limits[0].column;
+  const std::size_t force = limits[1].column;
+  // Five bearings: good; never touched along +X; tight along -X; stiff along +X; failed along -X.
+  std::vector<double> rows(5 * layout.width(), 0.0);
+  const auto at = [&](std::size_t sample, std::size_t direction, std::size_t column) -> double& {
+    return rows[sample * layout.width() + layout.entry(direction, column)];
+  };
+  for (std::size_t sample = 0; sample < 5; ++sample) {
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+      at(sample, direction, clearance) = 25e-6;
+      at(sample, direction, force) = 800.0;
+    }
+  }
+  at(1, 0, clearance) = NAN;
+  at(2, 1, clearance) = 15e-6;
+  at(3, 0, force) = 1000.0;
+  at(4, 1, 0) = static_cast<double>(Status::no_modes);
+  const testing::TemporaryFolder folder;
+  EnsembleLog log(folder.path() / "log", "", layout.width());
+  log.append(rows);
+  const EnsembleYields yields = make_yields(limits, layout, log);
+  ASSERT_EQ(yields.each.size(), 2U);
+  EXPECT_EQ(yields.each[0].passed, 3U);
+  EXPECT_EQ(yields.each[1].passed, 3U);
+  EXPECT_EQ(yields.all.passed, 2U);
+  EXPECT_EQ(yields.all.samples, 5U);
+  // Wilson's interval of 2 of 5, by hand: (0.4 + z^2/10 -+ z sqrt(0.048 + z^2/100)) / (1 + z^2/5) with z^2 = 3.8415.
+  EXPECT_NEAR(yields.all.low, 0.1176, 5e-5);
+  EXPECT_NEAR(yields.all.high, 0.7693, 5e-5);
+  EXPECT_EQ(yield_text(yields), "yield: 2 of 5 bearings, 40.0 % (11.8 to 76.9 %)\n");
+  EXPECT_EQ(yield_text(make_yields({}, layout, log)), "");
+}
+
+}  // namespace
+}  // namespace bumpfoil

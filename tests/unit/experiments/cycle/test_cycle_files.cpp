@@ -1,0 +1,67 @@
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <netcdf>
+#include <nlohmann/json.hpp>
+
+#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
+#include "bumpfoil/results/checksum.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+const CycleResult& short_run() {
+  static const CycleResult result = [] {
+    Case input = reference_case();
+    input.cycle.directions = {0.0};
+    input.cycle.steps = 2;
+    return run_cycles(input);
+  }();
+  return result;
+}
+
+std::vector<ResultFile> files_of(const CycleResult& result) {
+  return cycle_files(reference_case(), result, RunStatus::complete, {});
+}
+
+TEST(CycleFiles, SummaryKnowsTheOthersByTheirChecksums) {
+  const std::vector<ResultFile> files = files_of(short_run());
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(files[0].name, "cycle.csv");
+  EXPECT_EQ(files[0].contents, cycle_csv(short_run()));
+  EXPECT_EQ(files[1].name, "result.nc");
+  ASSERT_EQ(files[2].name, "summary.json");
+  const json summary = json::parse(files[2].contents);
+  ASSERT_EQ(summary.at("files").size(), 2U);
+  for (const ResultFile& file : {files[0], files[1]}) {
+    EXPECT_EQ(summary.at("files").at(file.name).at("bytes"), file.contents.size());
+    EXPECT_EQ(summary.at("files").at(file.name).at("xxh3_128"), xxh3_128(file.contents));
+  }
+}
+
+TEST(CycleFiles, CarryTheSameRunIdAndEveryRunItsOwn) {
+  const std::vector<ResultFile> files = files_of(short_run());
+  const std::string run_id = json::parse(files[2].contents).at("run_id");
+  EXPECT_EQ(run_id.size(), 32U);
+  EXPECT_EQ(run_id.find_first_not_of("0123456789abcdef"), std::string::npos) << run_id;
+  const testing::TemporaryFolder folder;
+  const netCDF::NcFile file(folder.write("result.nc", files[1].contents), netCDF::NcFile::read);
+  std::string in_netcdf;
+  file.getAtt("run_id").getValues(in_netcdf);
+  EXPECT_EQ(in_netcdf, run_id);
+  EXPECT_NE(json::parse(files_of(short_run())[2].contents).at("run_id"), run_id);
+}
+
+TEST(CycleFiles, OfAStripAreNamedSo) {
+  Case input = reference_case();
+  input.strip = StripSettings{.bumps = 2, .amplitude = {Control::displacement, 1e-6}, .steps = 1};
+  EXPECT_EQ(cycle_files(input, run_strip(input), RunStatus::complete, {})[0].name, "strip.csv");
+}
+
+}  // namespace
+}  // namespace bumpfoil

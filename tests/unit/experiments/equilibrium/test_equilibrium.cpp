@@ -1,0 +1,298 @@
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "bumpfoil/core/error.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const double speed = speed_of_rpm(45000.0);
+
+Case running_case(const EquilibriumSettings& equilibrium, double friction_coefficient = 0.0) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, friction_coefficient);
+  input.equilibrium = equilibrium;
+  return input;
+}
+
+TEST(Equilibrium, RampsLoads) {
+  const Case input = running_case({.speeds = {speed, 0.8 * speed}, .loads = {{30.0, 0.0}, {40.0, 10.0}}, .steps = 3});
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_EQ(result.states.size(), 4U);
+  EXPECT_TRUE(result.converged());
+  for (const RunningState& state : result.states) {
+    EXPECT_EQ(state.path, FilmPath::load_ramp);
+    EXPECT_EQ(state.last->speed, state.asked.speed);
+    EXPECT_LT((state.outcome->force - state.asked.journal).norm(), 1e-7);  // N
+    EXPECT_GT(state.outcome->attitude_angle, 0.0);
+    EXPECT_LT(state.outcome->attitude_angle, 1.6);
+    EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-4 * state.outcome->torque);
+    ASSERT_TRUE(state.stiffness && state.stuck_stiffness);
+    EXPECT_GT(state.stiffness->determinant(), 0.0);
+  }
+  EXPECT_EQ(result.states[1].asked.journal, Eigen::Vector2d(40.0, 10.0));
+  EXPECT_EQ(result.states[2].asked.speed, 0.8 * speed);
+}
+
+TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
+  EquilibriumSettings settings{
+      .speeds = {-speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::position_ray, .steps = 2};
+  const FilmWhirl of_rotation = run_equilibrium(running_case(settings, 0.1)).states.at(0).whirls.at(0);
+  EXPECT_EQ(of_rotation.frequency, speed);
+  settings.frequencies = {0.1 * speed, speed};
+  const EquilibriumResult result = run_equilibrium(running_case(settings, 0.1));
+  const RunningState& state = result.states.at(0);
+  ASSERT_EQ(state.whirls.size(), 2U);
+  EXPECT_EQ(state.whirls[0].frequency, 0.1 * speed);
+  const FilmWhirl& again = state.whirls[1];
+  ASSERT_TRUE(of_rotation.impedance && of_rotation.stuck_impedance && again.impedance && again.stuck_impedance);
+  // Where the equations are factored depends on what is asked for: to 1e-10 of what is stored.
+  EXPECT_LT((*again.impedance - *of_rotation.impedance).norm(), 1e-8 * again.impedance->norm());
+  EXPECT_LT((*again.stuck_impedance - *of_rotation.stuck_impedance).norm(), 1e-8 * again.impedance->norm());
+  EXPECT_GT((*again.stuck_impedance - *again.impedance).norm(), 1e-3 * again.impedance->norm());
+  const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, 0.1 * speed}}, true);
+  ASSERT_TRUE(Z && state.whirls[0].stuck_impedance);
+  EXPECT_LT(((*Z)[0] - *state.whirls[0].stuck_impedance).norm(), 1e-8 * (*Z)[0].norm());
+}
+
+TEST(Equilibrium, TabulatesFrequenciesThatCoverTheSpeeds) {
+  const std::vector<double> of_one = tabulated_frequencies({.speeds = {-1000.0}});
+  ASSERT_EQ(of_one.size(), 10U);
+  EXPECT_NEAR(of_one.front(), 200.0, 1e-9);
+  EXPECT_NEAR(of_one.back(), 1200.0, 1e-9);
+  const std::vector<double> of_many = tabulated_frequencies({.speeds = {3000.0, -1000.0, 7000.0}});
+  EXPECT_NEAR(of_many.front(), 200.0, 1e-9);
+  EXPECT_NEAR(of_many.back(), 8400.0, 1e-9);
+  for (const double one : {1000.0, 3000.0, 7000.0}) {
+    const auto inside = [=](double frequency) { return frequency > 0.199 * one && frequency < 1.201 * one; };
+    EXPECT_GE(std::count_if(of_many.begin(), of_many.end(), inside), 9) << one;
+  }
+  EXPECT_EQ(tabulated_frequencies({.speeds = {1000.0}, .frequencies = {5.0, 3.0, 5.0}}),
+            (std::vector<double>{3.0, 5.0}));
+}
+
+TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
+  EquilibriumSettings settings{
+      .speeds = {speed, 0.8 * speed}, .positions = {{1e-5, 0.0}}, .path = FilmPath::cold_start, .steps = 2};
+  Case input = running_case(settings, 0.1);
+  EquilibriumResult result = run_equilibrium(input);
+  EXPECT_FALSE(result.states[0].synchronous);
+  result.states[1].report.status = FilmStatus::fold;
+  tabulate_whirls(input, result);
+  EXPECT_FALSE(result.states[1].synchronous);
+  EXPECT_TRUE(result.states[1].tabulated.empty());
+  const RunningState& state = result.states[0];
+  ASSERT_TRUE(state.synchronous);
+  EXPECT_EQ(state.synchronous->frequency, speed);
+  const std::vector<double> frequencies = tabulated_frequencies(settings);
+  ASSERT_EQ(state.tabulated.size(), frequencies.size());
+  const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, frequencies[2]}});
+  ASSERT_TRUE(Z && state.tabulated[2].impedance);
+  EXPECT_LT(((*Z)[0] - *state.tabulated[2].impedance).norm(), 1e-8 * (*Z)[0].norm());
+
+  input.equilibrium->frequencies = {2.0 * speed, 0.5 * speed};
+  EquilibriumResult given = run_equilibrium(input);
+  tabulate_whirls(input, given);
+  ASSERT_EQ(given.states[1].tabulated.size(), 2U);
+  EXPECT_EQ(given.states[1].tabulated[0].frequency, 0.5 * speed);
+  EXPECT_EQ(*given.states[1].tabulated[0].impedance, *given.states[1].whirls[1].impedance);
+  EXPECT_EQ(given.states[1].synchronous->frequency, 0.8 * speed);
+}
+
+/// Every path leads to states that carry the load, if not to the same ones.
+TEST(Equilibrium, PathsLeadToStatesThatCarryTheLoad) {
+  const Case input = running_case({.speeds = {speed, 0.9 * speed}, .loads = {{50.0, 0.0}}, .steps = 4});
+  const std::vector<FilmPath> paths = possible_paths(*input.equilibrium);
+  ASSERT_EQ(paths.size(), 4U);
+  const EquilibriumResult result = run_equilibrium(input, paths);
+  ASSERT_EQ(result.states.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    SCOPED_TRACE(i);
+    const RunningState& state = result.states[i];
+    ASSERT_TRUE(state.found());
+    EXPECT_EQ(state.path, paths[i / 2]);
+    EXPECT_LT((state.outcome->force - state.asked.journal).norm(), 1e-7);  // N
+    EXPECT_EQ(state.last->speed, state.asked.speed);
+  }
+}
+
+/// Positions there and back: friction leaves another force.
+TEST(Equilibrium, KeepsTheHistoryOfFrictionAlongItsPath) {
+  const auto at = [](double e) { return Eigen::Vector2d(e * 31.8e-6, 0.0); };
+  const EquilibriumSettings there_and_back{
+      .speeds = {speed}, .positions = {at(0.5), at(0.8), at(0.5)}, .path = FilmPath::position_ray};
+  for (const double f : {0.0, 0.1}) {
+    const EquilibriumResult result = run_equilibrium(running_case(there_and_back, f));
+    ASSERT_TRUE(result.converged());
+    const double lost = 1.0 - result.states[2].outcome->force.x() / result.states[0].outcome->force.x();
+    if (f == 0.0) {
+      EXPECT_NEAR(lost, 0.0, 1e-7);
+    } else {
+      EXPECT_GT(lost, 0.05);
+    }
+  }
+}
+
+TEST(Equilibrium, SaysWhatItDidNotFindAndKeepsTheLastState) {
+  Case input = running_case({.speeds = {speed}, .loads = {{50.0, 0.0}, {100.0, 0.0}, {60.0, 0.0}}, .steps = 2});
+  input.film.h_floor = 10e-6;
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_EQ(result.states.size(), 3U);
+  EXPECT_FALSE(result.converged());
+  EXPECT_TRUE(result.states[0].found());
+  const RunningState& failed = result.states[1];
+  EXPECT_EQ(failed.report.status, FilmStatus::touchdown);
+  ASSERT_TRUE(failed.outcome.has_value());
+  EXPECT_GT(failed.outcome->force.x(), 50.0);  // on the way
+  EXPECT_LT(failed.outcome->force.x(), 100.0);
+  EXPECT_NEAR(failed.outcome->thinnest.thickness * 31.8, 10.0, 0.2);
+  EXPECT_EQ(result.states[2].report.status, FilmStatus::not_reached);
+  EXPECT_FALSE(result.states[2].last.has_value());
+}
+
+TEST(Equilibrium, HasNoRoomBeyondTheClearance) {
+  const Case input = running_case({.speeds = {speed}, .positions = {{40e-6, 0.0}}, .path = FilmPath::cold_start});
+  const EquilibriumResult result = run_equilibrium(input);
+  EXPECT_EQ(result.states.at(0).report.status, FilmStatus::no_room);
+  EXPECT_FALSE(result.states[0].outcome.has_value());
+}
+
+/// A journal larger than the foils, by 2 um: gas enters at the weld, and the load takes the journal off it.
+TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
+  const auto states = [](FilmPath path, EquilibriumSettings settings) {
+    settings.speeds = {-speed, -0.9 * speed};
+    settings.path = path;
+    settings.steps = 3;
+    Case input = running_case(settings);
+    input.bearing.radial_clearance = -2e-6;
+    return run_equilibrium(input);
+  };
+  const EquilibriumSettings loads{.loads = {{120.0, 0.0}, {150.0, 0.0}}};
+  const EquilibriumResult ramped = states(FilmPath::load_ramp, loads);
+  ASSERT_TRUE(ramped.converged());
+  EquilibriumSettings positions;
+  for (const std::size_t i : {0U, 1U}) positions.positions.push_back(ramped.states[i].last->position);
+  for (const FilmPath path : {FilmPath::load_ramp, FilmPath::position_ray, FilmPath::speed_ramp}) {
+    for (const EquilibriumSettings& settings : {loads, positions}) {
+      if (path == FilmPath::load_ramp && settings.loads.empty()) continue;
+      const EquilibriumResult result = states(path, settings);
+      ASSERT_EQ(result.states.size(), 4U);
+      for (const RunningState& state : result.states) {
+        ASSERT_EQ(state.report.status, FilmStatus::converged) << static_cast<int>(path);
+        EXPECT_EQ(state.last->opening, 0.0);
+        EXPECT_GT(state.last->position.x(), 2e-6);
+        EXPECT_GT(state.last->foil.film.thickness.minCoeff(), 0.0);
+      }
+      // Without friction all paths come to the same state here.
+      const Eigen::Vector2d& first = result.states.front().last->position;
+      EXPECT_LT((first - ramped.states.front().last->position).norm(), 1e-12);  // m
+    }
+  }
+}
+
+/// Gas that enters under a free end finds no more than the foil's own clearance there: the film ends with it.
+TEST(Equilibrium, SaysHowFarAClearanceClosed) {
+  Case input = running_case({.speeds = {speed}, .loads = {{50.0, 0.0}, {60.0, 0.0}}, .steps = 3});
+  input.bearing.radial_clearance = -2e-6;
+  input.film.h_floor = 0.1e-6;
+  const EquilibriumResult result = run_equilibrium(input);
+  const RunningState& failed = result.states.at(0);
+  EXPECT_EQ(failed.report.status, FilmStatus::touchdown);
+  ASSERT_TRUE(failed.last && failed.outcome);
+  const double clearance = input.bearing.radial_clearance + failed.last->opening;
+  EXPECT_GT(clearance, 0.2e-6);
+  EXPECT_LT(clearance, 0.4e-6);
+  const double h = failed.outcome->thinnest.thickness * result.bearing->scales.thickness;
+  EXPECT_GE(h, input.film.h_floor);
+  EXPECT_LT(h, 1.1 * input.film.h_floor);
+  EXPECT_EQ(result.states.at(1).report.status, FilmStatus::not_reached);
+}
+
+/// Lobes of all the clearance and more: the journal finds room between the pads' middles once they give way.
+TEST(Equilibrium, ClosesPadsInOnTheJournal) {
+  Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}, .steps = 3});
+  input.bump_foil.bumps = 8;
+  input.bearing.weld_angle = -1.0;  // the load points to the middle of the first pad
+  input.bearing.wrap = Wrap::counterclockwise;
+  input.bearing.radial_clearance = 20e-6;
+  input.pads.assign(3, {.lobe = 21e-6});
+  const EquilibriumResult result = run_equilibrium(input);
+  EXPECT_LT(result.bearing->room, 0.0);
+  ASSERT_EQ(result.states.at(0).report.status, FilmStatus::converged);
+  EXPECT_EQ(result.states[0].last->opening, 0.0);
+  EXPECT_LT((result.states[0].outcome->force - Eigen::Vector2d(20.0, 0.0)).norm(), 1e-7);  // N
+}
+
+/// A bearing whose heights scatter by 3 um: the march from rest throws its foil onto the journal at 0.6 C_r.
+TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
+  Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}}, 0.1);
+  input.bearing.radial_clearance = 31.3e-6;
+  input.bump_foil.height_errors = {0.8, -2.5, -0.3, -6.0, -5.3, 2.2,  1.3,  -2.5, 4.3,  -1.8, 2.1,  -3.0, -2.7,
+                                   6.2, -1.6, -5.2, -1.3, -4.9, -0.6, -3.0, 4.6,  -3.9, -0.8, -6.8, -2.1, -2.1};
+  for (double& error : input.bump_foil.height_errors) error *= 1e-6;
+  const auto state_on = [&](FilmPath path) {
+    input.equilibrium->path = path;
+    return run_equilibrium(input).states.at(0);
+  };
+  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, FilmStatus::touchdown);
+  const RunningState ramped = state_on(FilmPath::load_ramp);
+  ASSERT_EQ(ramped.report.status, FilmStatus::converged);
+  // Increment by increment what position_ray does.
+  const RunningState ray = state_on(FilmPath::position_ray);
+  ASSERT_EQ(ray.report.status, FilmStatus::converged);
+  EXPECT_EQ(ramped.last->position, ray.last->position);
+  EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, FilmStatus::converged);
+  // The same where that position is asked for.
+  input.equilibrium->loads.clear();
+  input.equilibrium->positions = {{0.6 * input.bearing.radial_clearance, 0.0}};
+  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, FilmStatus::touchdown);
+  EXPECT_EQ(state_on(FilmPath::position_ray).report.status, FilmStatus::converged);
+}
+
+/// Lobes of half the clearance: 0.6 of all of it would be beyond the foils.
+TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
+  for (const FilmPath path :
+       {FilmPath::load_ramp, FilmPath::speed_ramp, FilmPath::position_ray, FilmPath::cold_start}) {
+    Case input = running_case({.speeds = {speed}, .loads = {{20.0, 0.0}}, .path = path, .steps = 3});
+    input.bump_foil.bumps = 8;
+    input.bearing.weld_angle = 1.0;  // the load points to the middle of the first pad
+    input.pads.assign(3, {.lobe = 16e-6});
+    const EquilibriumResult result = run_equilibrium(input);
+    EXPECT_EQ(result.states.at(0).report.status, FilmStatus::converged) << static_cast<int>(path);
+    EXPECT_EQ(result.bearing->room, input.bearing.radial_clearance - 16e-6);
+  }
+}
+
+TEST(Equilibrium, ReportsProgressAndStops) {
+  const Case input = running_case({.speeds = {speed}, .loads = {{30.0, 0.0}, {40.0, 0.0}}, .steps = 2});
+  double last = 0.0;
+  EXPECT_TRUE(run_equilibrium(input, {}, [&](double fraction) {
+                EXPECT_GE(fraction, last);
+                EXPECT_LE(fraction, 1.0);
+                last = fraction;
+                return true;
+              }).converged());
+  EXPECT_GE(last, 0.5);
+  const EquilibriumResult stopped = run_equilibrium(input, {}, [&](double fraction) { return fraction < 0.5; });
+  ASSERT_EQ(stopped.states.size(), 2U);
+  EXPECT_TRUE(stopped.states[0].found());
+  EXPECT_EQ(stopped.states[1].report.status, FilmStatus::interrupted);
+}
+
+TEST(Equilibrium, NeedsItsTable) {
+  EXPECT_THROW(run_equilibrium(film_reference_case({.columns_per_pitch = 4, .rows = 4})), Error);
+}
+
+TEST(Equilibrium, KnowsNoWavesOfTheJournal) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
+  input.equilibrium = EquilibriumSettings{.speeds = {4000.0}, .loads = {{50.0, 0.0}}};
+  input.bearing.journal.waves = {{3, 5e-6, 0.0}};
+  EXPECT_THROW(run_equilibrium(input), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil

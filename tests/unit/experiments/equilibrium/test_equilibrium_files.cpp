@@ -1,0 +1,363 @@
+#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <netcdf>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/pages/report.hpp"
+#include "bumpfoil/results/checksum.hpp"
+#include "core/number_text.hpp"
+#include "support/film_bearing_cases.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+Case small_case() {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
+  input.equilibrium =
+      EquilibriumSettings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}, {60.0, 0.0}}, .steps = 3};
+  input.top_foil.yield_stress = 1e6;
+  return input;
+}
+
+/// Two states found and, if `fails`, the second not.
+const EquilibriumResult& example(bool fails = false) {
+  static const EquilibriumResult result = run_equilibrium(small_case());
+  static const EquilibriumResult failed = [] {
+    EquilibriumResult half = result;
+    half.states[1].report.status = FilmStatus::fold;
+    return half;
+  }();
+  return fails ? failed : result;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+TEST(EquilibriumFiles, AreOneSet) {
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  ASSERT_EQ(files.size(), 5U);
+  EXPECT_EQ(files[0].name, "equilibrium.csv");
+  EXPECT_EQ(files[1].name, "coefficients.csv");
+  EXPECT_EQ(files[2].name, "coefficients.toml");
+  const json summary = json::parse(files[4].contents);
+  EXPECT_EQ(summary.at("command"), "equilibrium");
+  EXPECT_TRUE(is_sealed(files[4].contents, summary.at("xxh3_128").get<std::string>()));
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+    EXPECT_EQ(summary.at("files").at(files[i].name).at("xxh3_128"), xxh3_128(files[i].contents));
+  }
+  ASSERT_EQ(summary.at("states").size(), 2U);
+  EXPECT_EQ(summary.at("states")[0].at("status"), "converged");
+  EXPECT_EQ(summary.at("states")[0].at("path"), "load_ramp");
+  EXPECT_NEAR(summary.at("states")[1].at("force_x_N"), 60.0, 1e-6);
+  EXPECT_LT(std::abs(summary.at("states")[1].at("mass_imbalance").get<double>()), 1e-12);
+  EXPECT_LT(std::abs(summary.at("states")[1].at("energy_imbalance").get<double>()), 1e-3);
+  EXPECT_TRUE(summary.at("states")[0].at("last_state").is_null());
+  EXPECT_TRUE(summary.at("spreads").empty());
+}
+
+TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
+  const std::vector<std::string> lines = lines_of(equilibrium_csv(example(true)));
+  ASSERT_EQ(lines.size(), 3U);
+  const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+  EXPECT_EQ(commas(lines[0]), 25);
+  for (const std::string& line : lines) EXPECT_EQ(commas(line), 25);
+  EXPECT_NE(lines[1].find(",converged,load_ramp,"), std::string::npos);
+  EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,");
+}
+
+TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
+  const std::vector<std::string> lines = lines_of(film_coefficients_csv(example(true)));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0],
+            "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,"
+            "kyy_N_per_m,cxx_N_s_per_m,cxy_N_s_per_m,cyx_N_s_per_m,cyy_N_s_per_m,kxx_stuck_N_per_m,kxy_stuck_N_per_m,"
+            "kyx_stuck_N_per_m,kyy_stuck_N_per_m,cxx_stuck_N_s_per_m,cxy_stuck_N_s_per_m,cyx_stuck_N_s_per_m,"
+            "cyy_stuck_N_s_per_m");
+  const FilmWhirl& whirl = example().states[0].whirls.at(0);
+  const Eigen::Matrix2cd& Z = *whirl.impedance;
+  EXPECT_NE(lines[1].find(fmt::format(",30,0,{:.17g},{:.17g},load_ramp,{:.17g},{:.17g},{:.17g},",
+                                      example().states[0].last->position.x(), example().states[0].last->position.y(),
+                                      whirl.frequency, Z(0, 0).real(), Z(0, 1).real())),
+            std::string::npos);
+  EXPECT_TRUE(lines[1].ends_with(fmt::format(",{:.17g}", whirl.stuck_impedance->imag()(1, 1) / whirl.frequency)));
+  // At the frequency of the rotation these are quantities of the state, too.
+  const json state =
+      json::parse(equilibrium_files(small_case(), example(), RunStatus::complete, {})[4].contents).at("states").at(0);
+  EXPECT_EQ(state.at("whirl_frequency_rad_per_s"), whirl.frequency);
+  EXPECT_EQ(state.at("kyx_whirl_N_per_m"), Z(1, 0).real());
+  EXPECT_EQ(state.at("cxy_whirl_N_s_per_m"), Z(0, 1).imag() / whirl.frequency);
+  EXPECT_EQ(state.at("cyy_whirl_stuck_N_s_per_m"), whirl.stuck_impedance->imag()(1, 1) / whirl.frequency);
+}
+
+TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
+  Case input = small_case();
+  input.equilibrium->frequencies = {4000.0, 2000.0, 1000.0};
+  EquilibriumResult result = run_equilibrium(input);
+  tabulate_whirls(input, result);
+  const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
+  const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
+  const testing::TemporaryFolder folder;
+  const netCDF::NcFile file(folder.write("result.nc", files[3].contents), netCDF::NcFile::read);
+  std::vector<double> frequencies(3), stiffness(6), damping(6);
+  file.getVar("frequency").getVar(frequencies.data());
+  file.getVar("kxy_at_frequency").getVar(stiffness.data());
+  file.getVar("cyx_at_frequency_stuck").getVar(damping.data());
+  EXPECT_EQ(frequencies, input.equilibrium->frequencies);
+  const json motions = json::parse(files[4].contents).at("states").at(1).at("motions");
+  ASSERT_EQ(motions.size(), 3U);
+  const std::string table = equilibrium_table(result);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(stiffness[3 + i], (*whirls[i].impedance)(0, 1).real());
+    EXPECT_EQ(damping[3 + i], (*whirls[i].stuck_impedance)(1, 0).imag() / whirls[i].frequency);
+    EXPECT_EQ(motions[i].at("frequency_rad_per_s"), whirls[i].frequency);
+    EXPECT_EQ(motions[i].at("kxy_N_per_m"), stiffness[3 + i]);
+    EXPECT_EQ(motions[i].at("cyx_stuck_N_s_per_m"), damping[3 + i]);
+    const std::string rpm = number_text(whirls[i].frequency, std::numbers::pi / 30.0);
+    EXPECT_NE(table.find("whirl frequency           rpm   " + fmt::format("{:>14}{:>14}", rpm, rpm)), std::string::npos)
+        << table;
+  }
+  // The axis of the other file rises.
+  EXPECT_NE(files[2].contents.find("\nfrequency = [1000"), std::string::npos) << files[2].contents;
+}
+
+TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
+  EquilibriumResult result = example();
+  tabulate_whirls(small_case(), result);
+  const testing::TemporaryFolder folder;
+  const netCDF::NcFile file(
+      folder.write("result.nc", equilibrium_files(small_case(), result, RunStatus::complete, {})[3].contents),
+      netCDF::NcFile::read);
+  std::vector<double> stiffness(2 * 10);
+  ASSERT_EQ(file.getDim("frequency").getSize(), 10U);
+  file.getVar("kyy_at_frequency").getVar(stiffness.data());
+  EXPECT_EQ(stiffness[9], (*result.states[0].tabulated[9].impedance)(1, 1).real());
+  // Of one frequency alone there is nothing to say beside the whirl of the state.
+  const std::string table = equilibrium_table(result);
+  EXPECT_EQ(table.find("whirl frequency"), table.rfind("whirl frequency"));
+}
+
+TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
+  EquilibriumResult result = example(true);
+  result.states[1].last->opening = 2e-6;
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), result, RunStatus::failed, {});
+  const json failed = json::parse(files[4].contents).at("states").at(1);
+  EXPECT_TRUE(failed.at("x_m").is_null());
+  EXPECT_GT(failed.at("last_state").at("x_m"), 0.0);
+  EXPECT_EQ(failed.at("last_state").at("radial_clearance_m"), result.bearing->clearance + 2e-6);
+  EXPECT_NE(failed.at("reason").get<std::string>().find("the branch of states ends"), std::string::npos);
+}
+
+TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
+  const testing::TemporaryFolder folder;
+  const std::string path =
+      folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[3].contents);
+  const netCDF::NcFile file(path, netCDF::NcFile::read);
+  std::string status;
+  file.getAtt("status").getValues(status);
+  EXPECT_EQ(status, "partial");
+  EXPECT_EQ(file.getDim("column").getSize(), 105U);
+  EXPECT_EQ(file.getDim("row").getSize(), 4U);
+  const RunningState& found = example().states[0];
+  std::vector<double> h_min(2), speed(2);
+  file.getVar("h_min").getVar(h_min.data());
+  EXPECT_DOUBLE_EQ(h_min[0], found.outcome->thinnest.thickness * example().bearing->scales.thickness);
+  EXPECT_EQ(h_min[1], NC_FILL_DOUBLE);  // of the state that was not found
+  file.getVar("speed").getVar(speed.data());
+  EXPECT_EQ(speed[1], example(true).states[1].asked.speed);
+  std::vector<double> p(2 * 4 * 105);
+  file.getVar("pressure").getVar(p.data());
+  EXPECT_DOUBLE_EQ(p[1 * 105 + 50], 101325.0 * found.last->foil.film.pressure(1, 50));
+  EXPECT_EQ(p[4 * 105], NC_FILL_DOUBLE);
+  std::vector<double> loads(2 * 26);
+  file.getVar("normal_force_top_bump").getVar(loads.data());
+  double sum = 0.0;
+  for (std::size_t b = 0; b < 26; ++b) sum += loads[b];
+  EXPECT_NEAR(sum, found.last->contact.normal_force(Eigen::seqN(0, 26, 2)).sum(), 1e-9);
+  EXPECT_EQ(loads[26], NC_FILL_DOUBLE);
+  // Loads of the columns integrate to the force.
+  std::vector<double> q(2 * 105), phi(105);
+  file.getVar("line_load").getVar(q.data());
+  file.getVar("column_phi").getVar(phi.data());
+  double force = 0.0;
+  for (std::size_t k = 0; k < 105; ++k) force += q[k] * std::cos(phi[k]) * 4.572e-3 / 4;  // none at the ends
+  EXPECT_NEAR(force, 30.0, 1e-6);
+}
+
+Case padded_case() {
+  Case input = small_case();
+  input.bump_foil.bumps = 8;
+  input.pads.assign(3, {.lobe = 8e-6});
+  input.pads[1].weld_edge = WeldEdge::trailing;
+  return input;
+}
+
+const EquilibriumResult& padded_example() {
+  static const EquilibriumResult result = run_equilibrium(padded_case());
+  return result;
+}
+
+TEST(EquilibriumFiles, HaveThePadsInARow) {
+  const EquilibriumResult& result = padded_example();
+  ASSERT_TRUE(result.converged());
+  const testing::TemporaryFolder folder;
+  const std::vector<ResultFile> files = equilibrium_files(padded_case(), result, RunStatus::complete, {});
+  const std::string path = folder.write("result.nc", files[3].contents);
+  const netCDF::NcFile file(path, netCDF::NcFile::read);
+  const std::size_t columns = 3 * 33;
+  EXPECT_EQ(file.getDim("column").getSize(), columns);
+  EXPECT_EQ(file.getDim("pad").getSize(), 3U);
+  const auto read = [&](const char* name, std::size_t size) {
+    std::vector<double> values(size);
+    file.getVar(name).getVar(values.data());
+    return values;
+  };
+  const std::vector<double> pad = read("column_pad", columns);
+  const std::vector<double> theta = read("column_theta", columns);
+  const std::vector<double> phi = read("column_phi", columns);
+  const std::vector<double> q = read("line_load", 2 * columns);
+  const std::vector<double> forces = read("pad_force_x", 2 * 3);
+  const std::vector<double> thickness = read("film_thickness", 2 * columns);
+  EXPECT_EQ(read("bump_pad", 24)[8], 2.0);
+  double sums[3] = {};
+  for (std::size_t k = 0; k < columns; ++k) {
+    EXPECT_EQ(pad[k], static_cast<double>(k / 33 + 1));
+    sums[k / 33] += q[k] * std::cos(phi[k]) * 4.572e-3 / 4;  // none at the ends
+  }
+  EXPECT_EQ(theta[33], 0.0);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sums[i], forces[i], 1e-6) << i;
+  EXPECT_NEAR(forces[0] + forces[1] + forces[2], 30.0, 1e-6);
+  const json state = json::parse(files[4].contents).at("states").at(0);
+  EXPECT_EQ(state.at("pad_forces_x_N").get<std::vector<double>>(),
+            std::vector<double>(forces.begin(), forces.begin() + 3));
+  const auto thinnest = static_cast<std::size_t>(
+      std::min_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(columns)) -
+      thickness.begin());
+  EXPECT_EQ(state.at("h_min_pad").get<double>(), pad[thinnest]);
+  EXPECT_NEAR(state.at("h_min_theta_deg").get<double>(), theta[thinnest] * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_NE(files[0].contents.find(",h_min_theta_deg,h_min_pad,"), std::string::npos);
+  // Those of one pad have none of it.
+  const std::vector<ResultFile> plain = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  EXPECT_EQ(plain[0].contents.find("pad"), std::string::npos);
+  EXPECT_FALSE(json::parse(plain[4].contents).at("states").at(0).contains("pad_forces_x_N"));
+}
+
+TEST(EquilibriumTable, TellsPads) {
+  const std::string table = equilibrium_table(padded_example());
+  for (const char* row : {"\n  of pad 1, size", "\n  of pad 3, size", "\n  of pad  "}) {
+    EXPECT_NE(table.find(row), std::string::npos) << row;
+  }
+  const Vector loads = bump_loads(*padded_example().bearing, *padded_example().states[0].last);
+  Eigen::Index most = 0;
+  loads.maxCoeff(&most);
+  EXPECT_NE(table.find(fmt::format(" {}.{} ", most / 8 + 1, most % 8 + 1)), std::string::npos) << table;
+  EXPECT_EQ(equilibrium_table(example()).find("of pad"), std::string::npos);
+}
+
+TEST(EquilibriumTable, ShowsTheStates) {
+  const std::string table = equilibrium_table(example(true));
+  EXPECT_NE(table.find("least film thickness      um"), std::string::npos) << table;
+  EXPECT_NE(table.find("fold"), std::string::npos);
+  EXPECT_NE(table.find("45000"), std::string::npos);
+  EXPECT_EQ(table.find("paths to"), std::string::npos);
+}
+
+TEST(EquilibriumTable, ComparesPaths) {
+  EquilibriumResult two = example();
+  two.states[1].asked = two.states[0].asked;
+  EXPECT_TRUE(path_spreads(two).empty());  // the same path twice
+  two.states[1].path = FilmPath::cold_start;
+  const std::vector<PathSpread> spreads = path_spreads(two);
+  ASSERT_EQ(spreads.size(), 1U);
+  EXPECT_EQ(spreads[0].states, (std::vector<std::size_t>{0, 1}));
+  EXPECT_NE(equilibrium_table(two).find("2 paths to 45000 rpm, load (30, 0) N"), std::string::npos);
+}
+
+TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
+  EXPECT_TRUE(failure_lines(example()).empty());
+  ASSERT_EQ(failure_lines(example(true)).size(), 1U);
+  EquilibriumResult jumped = example();
+  jumped.states[0].report.jumps = 2;
+  const std::vector<std::string> warnings = warning_lines(small_case(), jumped);
+  ASSERT_GE(warnings.size(), 3U);
+  EXPECT_NE(warnings[0].find("2 times on the way"), std::string::npos);
+  EXPECT_NE(warnings[1].find("the top foil yields: its bending stress reaches"), std::string::npos);
+}
+
+/// The state depends on what was before: names say so.
+TEST(EquilibriumLines, NameStatesByWhereTheyCameFrom) {
+  RunningState state = example().states[0];
+  EXPECT_EQ(name_of_state(state), "load_ramp from rest, 45000 rpm, load (30, 0) N");
+  state = example().states[1];
+  EXPECT_EQ(name_of_state(state), "load_ramp from load (30, 0) N, 45000 rpm, load (60, 0) N");
+  state.before = state.asked;
+  state.before->speed *= 2.0;
+  EXPECT_EQ(name_of_state(state), "load_ramp from 90000 rpm, 45000 rpm, load (60, 0) N");
+  const std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  EXPECT_EQ(json::parse(files.back().contents).at("states").at(1).at("name"), name_of_state(example().states[1]));
+}
+
+TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
+  EquilibriumResult result = example();
+  const std::size_t before = warning_lines(small_case(), result).size();
+  result.other_branches.push_back({1, FilmPath::speed_ramp, 3.25e-6});
+  result.states[0].foil_response = 1e4;
+  FilmLimit& limit = result.limits.emplace_back();
+  limit.kind = FilmLimitKind::load_capacity;
+  limit.status = FilmStatus::converged;
+  limit.thick = result.states[0].asked;
+  limit.jumps = 2;
+  const std::vector<std::string> warnings = warning_lines(small_case(), result);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
+    return line.starts_with("load capacity at 45000 rpm: the branch of states ended 2 times");
+  }));
+  ASSERT_EQ(warnings.size(), before + 3);
+  const auto says = [&](std::string_view what) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [what](const std::string& line) { return line.find(what) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("speed_ramp ends in another state, with a minimum film thickness of 3.25 um instead of"));
+  EXPECT_TRUE(says("load (30, 0) N: the state is nearly singular: the top foil moves 1e+04 times as far"));
+}
+
+TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
+  const testing::TemporaryFolder folder;
+  std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
+  for (const ResultFile& file : files) folder.write(file.name, file.contents);
+  const json run = json::parse(report_json({folder.path()})).at("runs").at(0);
+  EXPECT_EQ(run.at("kind"), "equilibrium");
+  EXPECT_TRUE(run.at("summary").at("limits").empty());
+  EXPECT_TRUE(run.at("left_out").empty());
+  const json& variables = run.at("variables");
+  EXPECT_EQ(variables.at("pressure").at("dims"), (json{"state", "row", "column"}));
+  EXPECT_EQ(variables.at("normal_force_top_bump").at("dims"), (json{"state", "bump"}));
+  EXPECT_EQ(variables.at("state_bump_sleeve").at("dims"), (json{"state", "foot"}));
+  for (const json& quantity : run.at("quantities")) {
+    EXPECT_TRUE(variables.contains(quantity.at("name"))) << quantity;
+    EXPECT_NE(quantity.at("label").get<std::string>().front(), ' ') << quantity;
+  }
+  json summary = json::parse(files[4].contents);
+  summary["limits"] = {{{"kind", "load_capacity"}, {"status", "converged"}, {"thick", json::object()}}};
+  folder.write("summary.json", summary.dump());
+  EXPECT_THROW(report_json({folder.path()}, {.checked = false}), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil

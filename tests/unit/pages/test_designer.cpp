@@ -1,0 +1,298 @@
+#include "bumpfoil/pages/designer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/core/version.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/cycle_csv.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/properties/properties.hpp"
+#include "bumpfoil/experiments/properties/properties_report.hpp"
+#include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/pages/report.hpp"
+#include "bumpfoil/results/result_set.hpp"
+#include "experiments/equilibrium/equilibrium_json.hpp"
+#include "pages/shown_run.hpp"
+#include "pages/shown_states.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using nlohmann::json;
+
+json ask(const json& request) {
+  return json::parse(designer_answer(request.dump()));
+}
+
+std::string case_text(int steps = 10) {
+  Case input = reference_case();
+  input.cycle.steps = steps;
+  return case_to_toml(input);
+}
+
+std::string with_ensemble(const std::string& text) {
+  return text + "\n[montecarlo]\nsamples = 4\nseed = 7\nbump_height = { distribution = \"normal\", std = \"5 um\" }\n";
+}
+
+TEST(DesignerAnswer, DescribesEveryKeyOfTheCaseFile) {
+  const json answer = ask({{"what", "keys"}});
+  EXPECT_EQ(answer["version"], version());
+  const auto key = [&answer](const std::string& path) {
+    const json& keys = answer["keys"];
+    return *std::find_if(keys.begin(), keys.end(), [&path](const json& one) { return one["path"] == path; });
+  };
+  EXPECT_EQ(key("bearing.radius")["unit"], "m");
+  EXPECT_EQ(key("bearing.radius")["value"], 19.05e-3);
+  EXPECT_EQ(key("bearing.radius")["presence"], "required");
+  EXPECT_EQ(key("bump_foil.truss")["kind"], "");
+  EXPECT_EQ(key("top_foil.youngs_modulus")["otherwise"], "bump_foil.youngs_modulus");
+  // All keys that a case file may have are on the page's list: those of its reference page.
+  const std::string reference = case_reference();
+  for (const json& one : answer["keys"]) {
+    const auto path = one["path"].get<std::string>();
+    const std::string name = path.substr(path.rfind('.') + 1);
+    EXPECT_NE(reference.find(name.substr(0, name.find('['))), std::string::npos) << path;
+  }
+  for (const auto& [name, text] : answer["presets"].items()) EXPECT_NO_THROW(parse_case(text.get<std::string>(), name));
+}
+
+TEST(DesignerAnswer, OffersUnitsWithTheirSizes) {
+  const json units = ask({{"what", "keys"}})["units"];
+  EXPECT_EQ(units["m"]["um"], 1e-6);
+  EXPECT_DOUBLE_EQ(units["m"]["inch"].get<double>(), 25.4e-3);
+  EXPECT_EQ(units["N/m"]["N/um"], 1e6);
+  EXPECT_DOUBLE_EQ(units["rad"]["deg"].get<double>(), 0.017453292519943295);
+  // Turns are counted: 60 rpm are one turn each second.
+  EXPECT_DOUBLE_EQ(60.0 * units["rad/s"]["rpm"].get<double>(), 6.283185307179586);
+  for (const auto& [si, sizes] : units.items()) EXPECT_EQ(sizes[si], 1.0) << si;
+}
+
+TEST(DesignerAnswer, CyclesAreThoseOfAReport) {
+  const Case input = parse_case(case_text(), "case");
+  const CycleResult result = run_cycles(input);
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& file : cycle_files(input, result, status_of(result), {}))
+    folder.write(file.name, file.contents);
+  json expected = json::parse(report_json({folder.path()}))["runs"][0];
+  json run = json::parse(shown_run(input, result).dump());
+  for (const char* part : {"kind", "nodes", "last_increment", "quantities"})
+    EXPECT_EQ(run[part], expected[part]) << part;
+  // The file also has the numbers of bumps and feet.
+  for (const auto& [name, values] : run["geometry"].items()) EXPECT_EQ(values, expected["geometry"][name]) << name;
+  EXPECT_EQ(run["geometry"].size() + 2, expected["geometry"].size());
+  for (const auto& [name, meaning] : run["meanings"].items()) {
+    if (!expected["meanings"].contains(name)) continue;
+    EXPECT_EQ(meaning, expected["meanings"][name]) << name;
+  }
+  ASSERT_EQ(run["cycles"].size(), expected["cycles"].size());
+  for (std::size_t i = 0; i < run["cycles"].size(); ++i) {
+    const json& cycle = run["cycles"][i];
+    const json& stored = expected["cycles"][i];
+    for (const char* part : {"at", "increments", "fields"}) EXPECT_EQ(cycle[part], stored[part]) << i << ' ' << part;
+    for (const auto& [name, values] : stored["series"].items()) {
+      // A truss knows no stresses of the bump foil; the file says so number by number.
+      if (name.find("stress_bump_foil") == 0) {
+        EXPECT_FALSE(cycle["series"].contains(name));
+      } else {
+        EXPECT_EQ(cycle["series"][name], values) << i << ' ' << name;
+      }
+    }
+    const json& summary = run["summary"]["cycles"][i];
+    for (const auto& [key, value] : summary.items()) EXPECT_EQ(value, expected["summary"]["cycles"][i][key]) << key;
+  }
+  EXPECT_EQ(run["summary"]["case"], expected["summary"]["case"]);
+}
+
+TEST(DesignerAnswer, ComputesTheCaseItIsGiven) {
+  const json answer = ask({{"what", "cycles"}, {"text", case_text()}});
+  const CycleResult result = run_cycles(parse_case(case_text(), "case"));
+  ASSERT_EQ(answer["run"]["summary"]["cycles"].size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(answer["run"]["summary"]["cycles"][i]["max_force_N"], result.cycles[i].turning_point->max_force);
+  }
+  const auto csv = ask({{"what", "csv"}, {"text", case_text()}})["csv"].get<std::string>();
+  EXPECT_EQ(csv, cycle_csv(result));
+  const json properties = ask({{"what", "properties"}, {"text", case_text()}});
+  const Case input = parse_case(case_text(), "case");
+  EXPECT_EQ(properties, json::parse(properties_json(input, compute_properties(input))));
+}
+
+/// Without what differs from run to run.
+json cycles_of(const json& request) {
+  json run = ask(request)["run"];
+  for (json& cycle : run["summary"]["cycles"]) cycle.erase("wall_time_s");
+  return run;
+}
+
+TEST(DesignerAnswer, DividesCyclesAmongSeveral) {
+  const json whole = cycles_of({{"what", "cycles"}, {"text", case_text()}});
+  // With more parts than directions some are empty.
+  for (const std::size_t parts : {2U, 3U, 5U}) {
+    json cycles = json::array();
+    json summaries = json::array();
+    for (std::size_t number = 0; number < parts; ++number) {
+      json part = cycles_of({{"what", "cycles"}, {"text", case_text()}, {"part", {number, parts}}});
+      EXPECT_LE(part["cycles"].size(), 2U);
+      for (const json& one : part["cycles"]) cycles.push_back(one);
+      for (const json& one : part["summary"]["cycles"]) summaries.push_back(one);
+      part["cycles"] = whole["cycles"];
+      part["summary"]["cycles"] = whole["summary"]["cycles"];
+      EXPECT_EQ(part, whole) << number << " of " << parts;
+    }
+    EXPECT_EQ(cycles, whole["cycles"]) << parts;
+    EXPECT_EQ(summaries, whole["summary"]["cycles"]) << parts;
+  }
+}
+
+TEST(DesignerAnswer, VibratesAboutALoad) {
+  Case input = parse_case(case_text(), "case");
+  const std::vector<double> amplitudes{1e-6, 4e-6};
+  const json answer = ask({{"what", "vibration"},
+                           {"text", case_text()},
+                           {"load", {0.0, -50.0}},
+                           {"amplitudes", amplitudes},
+                           {"steps", 10}});
+  input.vibration = VibrationSettings{
+      .loads = {{0.0, -50.0}}, .directions = {0.0}, .amplitudes = amplitudes, .frequencies = {1.0}, .steps = 10};
+  const std::vector<LinearFoils> foils = linear_foils(*input.vibration, run_vibration(input));
+  ASSERT_EQ(answer["directions"].size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(answer["directions"][0]["stiffness"][k], foils[k].stiffness(0, 0));
+    EXPECT_EQ(answer["directions"][0]["loss_factor"][k], foils[k].loss_factor.x());
+    EXPECT_GT(answer["directions"][1]["dissipation"][k], 0.0);
+  }
+  // Larger motions slip more, and are held less stiffly.
+  EXPECT_LT(answer["directions"][1]["stiffness"][1], answer["directions"][1]["stiffness"][0]);
+}
+
+/// A bearing that runs, on a coarse mesh.
+std::string running_text() {
+  Case input = reference_case();
+  input.film.columns_per_pitch = 4;
+  input.film.rows = 4;
+  input.equilibrium = EquilibriumSettings{.speeds = {3000.0, 4000.0}, .loads = {{20.0, 0.0}}, .steps = 4};
+  return case_to_toml(input);
+}
+
+TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
+  Case input = parse_case(running_text(), "case");
+  input.equilibrium->loads = {{20.0, 0.0}, {5000.0, 0.0}};  // of which the second is too much
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_EQ(status_of(result), RunStatus::failed);
+  const testing::TemporaryFolder folder;
+  for (const ResultFile& file : equilibrium_files(input, result, status_of(result), {}))
+    folder.write(file.name, file.contents);
+  const json expected = json::parse(report_json({folder.path()}))["runs"][0];
+  const json run = json::parse(shown_states(input, result).dump());
+  for (const char* part : {"kind", "dimensions", "left_out", "quantities"})
+    EXPECT_EQ(run[part], expected[part]) << part;
+  for (const auto& [name, variable] : expected["variables"].items())
+    EXPECT_EQ(run["variables"][name], variable) << name;
+  EXPECT_EQ(run["variables"].size(), expected["variables"].size());
+  for (const auto& [name, text] : run["attributes"].items())
+    EXPECT_EQ(text, expected["attributes"].value(name, "")) << name;
+  for (const char* part : {"case", "status"}) EXPECT_EQ(run["summary"][part], expected["summary"][part]) << part;
+}
+
+TEST(DesignerAnswer, RunsTheBearingAtOnePoint) {
+  Case input = parse_case(running_text(), "case");
+  const auto ask_at = [](const json& journal) {
+    json request{{"what", "equilibrium"}, {"text", running_text()}, {"speed", 2500.0}};
+    request.update(journal);
+    json answer = ask(request);
+    answer["state"].erase("wall_time_s");
+    return answer;
+  };
+  const auto state_of = [&input] {
+    const EquilibriumResult result = run_equilibrium(input);
+    json state = json::parse(state_json(*result.bearing, result.states.front()).dump());
+    state.erase("wall_time_s");
+    return state;
+  };
+  input.equilibrium->speeds = {2500.0};
+  input.equilibrium->loads = {{30.0, -10.0}};
+  const json loaded = ask_at({{"load", {30.0, -10.0}}});
+  EXPECT_EQ(loaded["state"], state_of());
+  EXPECT_EQ(loaded["state"]["status"], "converged");
+  EXPECT_EQ(loaded["run"]["dimensions"]["state"], 1);
+  // Of all that the case says of paths, a ramp of loads leads to no position.
+  input.equilibrium->loads.clear();
+  input.equilibrium->positions = {{10e-6, 5e-6}};
+  input.equilibrium->path = FilmPath::position_ray;
+  EXPECT_EQ(ask_at({{"position", {10e-6, 5e-6}}})["state"], state_of());
+  const json touching = ask_at({{"load", {5000.0, 0.0}}});
+  EXPECT_EQ(touching["state"]["status"], "touchdown");
+  EXPECT_EQ(touching["state"]["reason"], touching["run"]["attributes"]["status_message"]);
+  EXPECT_NE(touching["state"]["reason"].get<std::string>().find("the journal touches"), std::string::npos);
+}
+
+TEST(DesignerAnswer, RunsWhatSaysNothingOfRunning) {
+  const json request{{"what", "equilibrium"}, {"text", case_text()}, {"speed", 4000.0}, {"load", {50.0, 0.0}}};
+  EXPECT_EQ(ask(request)["state"]["status"], "converged");
+}
+
+TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
+  const auto fault = [](const std::string& text, double speed) {
+    return ask({{"what", "equilibrium"}, {"text", text}, {"speed", speed}, {"load", {50.0, 0.0}}})["faults"][0];
+  };
+  EXPECT_EQ(fault(running_text(), 0.0)["what"], "a journal at rest has no film");
+  EXPECT_EQ(fault(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
+  const std::string unequal = running_text() + "\n[[bump_foil.section]]\nfrom = 1\nto = 2\npitch = \"4.5 mm\"\n";
+  EXPECT_EQ(fault(unequal, 3000.0)["key"], "bump_foil.pitch");
+  Case events = parse_case(running_text(), "case");
+  events.solver.name = SolverName::events;
+  EXPECT_EQ(fault(case_to_toml(events), 3000.0)["key"], "solver.name");
+}
+
+TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
+  const std::string text = with_ensemble(case_text());
+  const json answer = ask({{"what", "samples"}, {"text", text}, {"first", 1}, {"count", 2}});
+  const Case input = parse_case(text, "case", {.overrides = {}, .commands = {"montecarlo"}});
+  ASSERT_EQ(answer["samples"].size(), 2U);
+  const auto name = [](const json& quantity) { return quantity["name"] == "max_force"; };
+  const json& quantities = answer["quantities"];
+  const auto place = std::find_if(quantities.begin(), quantities.end(), name) - quantities.begin();
+  const CycleResult second = run_sample(sampled_case(input, draw_sample(input, 2)));
+  EXPECT_EQ(answer["samples"][1][3][static_cast<std::size_t>(place)], second.cycles[3].turning_point->max_force);
+  EXPECT_NE(answer["samples"][0], answer["samples"][1]);
+  EXPECT_EQ(ask({{"what", "samples"}, {"text", case_text()}, {"first", 0}, {"count", 1}})["faults"][0]["key"],
+            "montecarlo");
+}
+
+TEST(DesignerAnswer, SaysWhichTableIsMissingForLoops) {
+  const std::string text = case_text();
+  const json answer = ask({{"what", "cycles"}, {"text", text.substr(0, text.find("[cycle]"))}});
+  ASSERT_EQ(answer["faults"].size(), 1U);
+  EXPECT_EQ(answer["faults"][0]["key"], "cycle");
+}
+
+TEST(DesignerAnswer, TellsEveryFaultWithItsKey) {
+  const json answer = ask({{"what", "cycles"}, {"text", "[bearing]\nradius = \"-1 mm\"\nraduis = 1\n"}});
+  EXPECT_FALSE(answer.contains("run"));
+  const auto fault = [&answer](const std::string& key) {
+    for (const json& one : answer["faults"]) {
+      if (one["key"] == key) return one;
+    }
+    return json{};
+  };
+  EXPECT_EQ(fault("bearing.radius")["line"], 2);
+  EXPECT_EQ(fault("bearing.raduis")["advice"], "did you mean \"radius\"?");
+  EXPECT_EQ(fault("bump_foil")["what"], "this table is missing");
+  EXPECT_EQ(fault("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: is no known key"), 0U);
+  EXPECT_EQ(ask({{"what", "parsnips"}})["faults"][0]["what"], "is no request");
+  // Files cannot be read in a browser; texts that are no UTF-8 are mended.
+  EXPECT_EQ(ask({{"what", "cycles"}, {"text", "x = ["}})["faults"][0]["line"], 1);
+}
+
+}  // namespace
+}  // namespace bumpfoil
