@@ -12,6 +12,7 @@
 #include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/ensemble_files.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
 #include "bumpfoil/experiments/cycle/cycle_table.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/warnings.hpp"

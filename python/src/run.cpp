@@ -8,6 +8,7 @@
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/warnings.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
