@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/increment_log.hpp"
-#include "motion/program_runner.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -102,20 +102,19 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
 
   step.state.work = step.state.dissipated_energy = 0.0;
   FoilState state = step.state;
-  ProgramRunner runner(stepper, plan.program, plan.reach, state);
-  bool good = recorder.add(step, runner.leg().branch, false, state.excitation.position.dot(normal));
+  const bool good = recorder.add(step, plan.program.front().branch, false, state.excitation.position.dot(normal));
   bool interrupted = good && stopped();
-  while (good && !interrupted && runner.has_next()) {
-    const Leg leg = runner.leg();
-    const bool ends_leg = runner.ends_leg();
-    runner.try_next(step);
-    good = recorder.add(step, leg.branch, ends_leg,
-                        leg.control == Control::displacement ? leg.line.base.dot(normal) + runner.target()
-                                                             : step.state.excitation.position.dot(normal));
-    if (!good) break;
-    runner.commit(step);
-    if (ends_leg && !recorder.turned()) recorder.turn(state, leg.control);
-    interrupted = stopped() && runner.has_next();
+  if (good && !interrupted) {
+    march(stepper, plan.program, plan.reach, state, step, [&](const Passage& at) {
+      const double displacement = at.leg.control == Control::displacement
+                                      ? at.leg.line.base.dot(normal) + at.target
+                                      : at.step.state.excitation.position.dot(normal);
+      if (!recorder.add(at.step, at.leg.branch, at.ends_leg, displacement)) return Verdict::refuse;
+      if (at.ends_leg && !recorder.turned()) recorder.turn(at.step.state, at.leg.control);
+      const bool is_last = at.ends_leg && &at.leg == &plan.program.back();
+      interrupted = stopped() && !is_last;
+      return interrupted ? Verdict::stop : Verdict::go_on;
+    });
   }
   step.state = std::move(state);
   return recorder.finish(interrupted);

@@ -6,7 +6,7 @@
 
 #include "bearing/settling.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "motion/program_runner.hpp"
+#include "bumpfoil/motion/march.hpp"
 
 namespace bumpfoil {
 
@@ -49,10 +49,9 @@ double approach(FoilStepper& stepper, const Approach& way, Step& step) {
                          .begin = 0.0,
                          .end = distance.norm(),
                          .steps = way.steps}};
-  for (ProgramRunner runner(stepper, lead_in, way.reach, state); runner.has_next(); runner.commit(step)) {
-    runner.try_next(step);
-    if (!step.converged()) return assembly_dissipation;
-  }
+  const bool there = march(stepper, lead_in, way.reach, state, step,
+                           [](const Passage& at) { return at.step.converged() ? Verdict::go_on : Verdict::refuse; });
+  if (!there) return assembly_dissipation;
   step.state = std::move(state);
   start_anew(step);
   return assembly_dissipation;

@@ -11,9 +11,9 @@
 #include "bearing/settling.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
+#include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/increment_log.hpp"
 #include "experiments/cycle/orbit_energy.hpp"
-#include "motion/program_runner.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -118,12 +118,9 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
   if (step.converged()) {
     cycle.initial_journal_load = interface_loads(stepper.foils(), step.state.contacts, Interface::journal_top).sum();
   }
-  ProgramRunner runner(stepper, program, reach, state);
-  while (goes_on && runner.has_next()) {
-    const bool ends_leg = runner.ends_leg();
-    runner.try_next(step);
-    goes_on = add(ends_leg);
-    if (goes_on) runner.commit(step);
+  if (goes_on) {
+    goes_on = march(stepper, program, reach, state, step,
+                    [&](const Passage& at) { return add(at.ends_leg) ? Verdict::go_on : Verdict::refuse; });
   }
   if (!goes_on && cycle.converged()) cycle.status = Status::interrupted;
   log.finish();

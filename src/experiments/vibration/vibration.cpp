@@ -10,9 +10,9 @@
 #include "bearing/settling.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/cycle_series.hpp"
 #include "experiments/cycle/orbit_energy.hpp"
-#include "motion/program_runner.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -141,24 +141,23 @@ class VibrationRunner {
   /// @param forces  receives those at the begin of each increment; may be null
   void take(const Program& program, FoilState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
     Step step;
-    for (ProgramRunner runner(stepper_, program, reach_, state); runner.has_next(); runner.commit(step)) {
+    march(stepper_, program, reach_, state, step, [&](const Passage& at) {
       if (forces != nullptr) {
-        const Vector& loads = state.contacts.normal_force;
+        const Vector& loads = at.from.contacts.normal_force;
         forces->push_back(holding_force(stepper_.foils(), loads));
-        cycle.curve.push_back({state.excitation.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
+        cycle.curve.push_back({at.from.excitation.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
       }
-      runner.try_next(step);
-      cycle.cost += step.cost;
-      cycle.substeps += step.substeps;
-      cycle.status = step.status;
-      if (!step.converged()) return;
+      cycle.cost += at.step.cost;
+      cycle.substeps += at.step.substeps;
+      cycle.status = at.step.status;
+      if (!at.step.converged()) return Verdict::refuse;
       Increment increment;
-      judge(stepper_.foils(), step.state, increment);
+      judge(stepper_.foils(), at.step.state, increment);
       const SolverBounds bounds = stepper_.bounds();
       if (!increment.residuals.within(bounds.force, bounds.displacement)) cycle.status = Status::residual_above_bound;
       cycle.max_residual = std::max(cycle.max_residual, increment.residuals.equilibrium);
-      if (!cycle.converged()) return;
-    }
+      return cycle.converged() ? Verdict::go_on : Verdict::refuse;
+    });
   }
 
   /// Tells how far it is. @return whether it is to go on

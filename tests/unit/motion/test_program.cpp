@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/program_runner.hpp"
-#include "support/reference_cycles.hpp"
-
 namespace bumpfoil {
 namespace {
 
@@ -32,52 +29,6 @@ TEST(Program, TargetsAreEqualPartsThatMeetTheEndsExactly) {
   EXPECT_EQ(leg.target(1), 0.5);
   EXPECT_EQ(leg.target(3), 1.0);
   EXPECT_EQ(leg.line.place(0.7), Eigen::Vector2d(1e-6, 0.7));
-}
-
-TEST(ProgramRunner, TakesLegsOfBothKindsAndKeepsTheStateUntilItIsToldTo) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilStepper stepper(foils, {});
-  Step step;
-  stepper.assemble({}, step);
-  FoilState state = step.state;
-  const Line along_x{};
-  const Program program{{Branch::loading, Control::displacement, along_x, 0.0, 60e-6, 3},
-                        {Branch::loading, Control::load, along_x, 300.0, 400.0, 2}};
-  ProgramRunner runner(stepper, program, 0.3e-3, state);
-  int taken = 0;
-  for (; runner.has_next(); runner.commit(step)) {
-    const Eigen::Vector2d before = state.excitation.position;
-    const Leg leg = runner.leg();
-    const double target = runner.target();
-    runner.try_next(step);
-    ASSERT_TRUE(step.converged()) << taken;
-    EXPECT_EQ(state.excitation.position, before);
-    if (leg.control == Control::displacement) {
-      EXPECT_EQ(step.state.excitation.position, Eigen::Vector2d(target, 0.0));
-    } else {
-      const Eigen::Vector2d force = holding_force(*foils, step.state.contacts.normal_force);
-      EXPECT_LT((force - Eigen::Vector2d(target, 0.0)).norm(), 1e-6);
-    }
-    ++taken;
-  }
-  EXPECT_EQ(taken, 5);
-}
-
-/// Under no load the place would not be determined: a millionth of the largest stands for it.
-TEST(ProgramRunner, ALoadOfZeroIsAMillionthOfTheLargest) {
-  const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilStepper stepper(foils, {});
-  Step step;
-  stepper.assemble({}, step);
-  FoilState state = step.state;
-  const Program program{{Branch::loading, Control::load, {}, 0.0, 100.0, 1},
-                        {Branch::unloading, Control::load, {}, 100.0, 0.0, 1}};
-  ProgramRunner runner(stepper, program, 0.3e-3, state);
-  for (; runner.has_next(); runner.commit(step)) {
-    runner.try_next(step);
-    ASSERT_TRUE(step.converged());
-  }
-  EXPECT_NEAR(holding_force(*foils, state.contacts.normal_force).x(), 1e-4, 1e-8);
 }
 
 }  // namespace
