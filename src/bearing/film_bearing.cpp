@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -136,14 +135,17 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 }  // namespace
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  const SharedFoils shared = make_bearing_foils(input, {"equilibrium"});
-  const Foils& foils = *shared;
+  return make_film_bearing(input, make_bearing_foils(input, {"equilibrium"}), gas, resolution);
+}
+
+FilmBearing make_film_bearing(const Case& input, SharedFoils shared, const Gas& gas, const FilmResolution& resolution) {
   FilmBearing bearing;
+  bearing.foils = std::move(shared);
+  const Foils& foils = *bearing.foils;
   bearing.clearance = bearing.room = foils.clearance;
   for (const Pad& pad : input.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
   bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
-  bearing.dofs = foils.structure.dofs;
   bearing.problem.K = bump_foils_alone(foils.structure, bearing.pads);
   bearing.problem.force_scale = foils.problem.force_scale;
   bearing.problem.pairs.assign(foils.problem.pairs.begin() + foils.top_bump(), foils.problem.pairs.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bearing/film_newton.hpp"
 
@@ -50,8 +51,8 @@ struct BranchEnd {
 }  // namespace
 
 struct FilmBearingSolver::Workspace {
-  Workspace(const FilmBearing& film_bearing, const FilmBearingOptions& solver_options)
-      : bearing(film_bearing), options(solver_options), newton(film_bearing, solver_options.newton) {}
+  Workspace(SharedFilmBearing film_bearing, const FilmBearingOptions& solver_options)
+      : shared(std::move(film_bearing)), options(solver_options), newton(shared, solver_options.newton) {}
 
   FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const ContactState& previous,
                    FilmBearingState& state, bool stays_near = false);
@@ -60,7 +61,8 @@ struct FilmBearingSolver::Workspace {
   void jump(BranchEnd& end, const ContactState& previous, FilmBearingState& state, FilmReport& total);
   [[nodiscard]] double steps_between(const OperatingPoint& from, const OperatingPoint& to) const;
 
-  FilmBearing bearing;
+  SharedFilmBearing shared;
+  const FilmBearing& bearing{*shared};
   FilmBearingOptions options;
   FilmNewton newton;
 };
@@ -71,7 +73,8 @@ FilmReport FilmBearingSolver::Workspace::solve(const OperatingPoint& to, const F
   // A step in time is but a guess of the next.
   const double tolerance =
       equations.front().squeeze_rate > 0.0 ? options.marching_tolerance : options.newton.step_tolerance;
-  return newton.solve(to, equations, {.tolerance = tolerance, .stays_near = stays_near}, previous, state);
+  const NewtonTarget target{journal_law(to, bearing.scales), to.speed, to.opening};
+  return newton.solve(target, equations, {.tolerance = tolerance, .stays_near = stays_near}, previous, state);
 }
 
 /// solve() from one state to the next, under a load on the same branch: a state that lies off the tangent's prediction
@@ -181,8 +184,11 @@ double FilmBearingSolver::Workspace::steps_between(const OperatingPoint& from, c
   return steps;
 }
 
-FilmBearingSolver::FilmBearingSolver(const FilmBearing& bearing, const FilmBearingOptions& options)
-    : workspace_(std::make_unique<Workspace>(bearing, options)) {}
+FilmBearingSolver::FilmBearingSolver(SharedFilmBearing bearing, const FilmBearingOptions& options)
+    : workspace_(std::make_unique<Workspace>(std::move(bearing), options)) {}
+
+FilmBearingSolver::FilmBearingSolver(FilmBearing bearing, const FilmBearingOptions& options)
+    : FilmBearingSolver(std::make_shared<const FilmBearing>(std::move(bearing)), options) {}
 
 FilmBearingSolver::~FilmBearingSolver() = default;
 

@@ -1,11 +1,9 @@
 #include "bumpfoil/bearing/film_fields.hpp"
 
-#include "bumpfoil/core/assert.hpp"
-
 namespace bumpfoil {
 
-FoilState foil_state(const Foils& foils, const FilmBearing& bearing, const FilmBearingState& state) {
-  BUMPFOIL_ASSERT(foils.has_top_foil() && foils.bumps() == bearing.bumps());
+FoilState foil_state(const FilmBearing& bearing, const FilmBearingState& state) {
+  const Foils& foils = *bearing.foils;
   FoilState dry = FoilState::unstressed(foils);
   ContactState& contacts = dry.contacts;
   const Eigen::Index size = foils.structure.dofs.size;

@@ -14,17 +14,10 @@ namespace {
 constexpr int max_halvings = 8;
 /// Part of a step that is taken where no halving lets the residual fall.
 constexpr double forced_fraction = 0.25;
-/// Longest displacement of the journal in one step, in units of c. Where it is held, the state comes along on its
-/// branch in steps this short, as it does where the clearance opens or closes; on the way to its load the residual sees
-/// to that.
-constexpr double longest_displacement = 0.00625;
-constexpr double longest_displacement_under_load = 0.15;
-/// Residual of a journal that is not yet where it is held, or of a clearance, per c. The film's residual grows with the
-/// square of a step, and Newton's method takes it away in the next one: with a lesser weight it would keep steps far
-/// below the longest.
-constexpr double weight_of_way = 30.0;
-/// Displacements to a position that roundings have left, in units of c.
-constexpr double rounded_displacement = 1e-14;
+/// As those of a journal that is held, see journal_law.cpp: longest change of the clearance in one step, in units of c,
+/// and what is left of it among the residuals, per c.
+constexpr double longest_opening = 0.00625;
+constexpr double weight_of_opening = 30.0;
 
 Eigen::Index unknown_pressures(const FilmMesh& mesh) {
   return Eigen::Index{mesh.unknown_rows()} * mesh.unknown_columns();
@@ -35,15 +28,15 @@ Eigen::Index unknown_pressures(const FilmMesh& mesh) {
 FilmNewton::Part::Part(const FilmPad& of_pad)
     : pad(of_pad), system(of_pad.foil), support_step(of_pad.foil.mesh.rows + 2, system.blocks()) {}
 
-FilmNewton::FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& options)
-    : bearing_(bearing),
+FilmNewton::FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options)
+    : shared_(std::move(bearing)),
       options_(options),
       parts_(bearing_.pads.begin(), bearing_.pads.end()),
-      modes_(make_mode_system(bearing.problem)),
-      contacts_(bearing.problem, modes_),
-      K_(bearing.problem.K),
-      loading_(ContactLoading::none(bearing.problem)),
-      begin_(ContactState::unstressed(bearing.problem)) {
+      modes_(make_mode_system(bearing_.problem)),
+      contacts_(SharedProblem({shared_, &bearing_.problem}), modes_),
+      K_(bearing_.problem.K),
+      loading_(ContactLoading::none(bearing_.problem)),
+      begin_(ContactState::unstressed(bearing_.problem)) {
   for (const Matrix& block : K_.upper) K_.lower.push_back(block.transpose());
   bump_K_ = K_;
 }
@@ -51,14 +44,14 @@ FilmNewton::FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& opti
 template <typename Visitor>
 void FilmNewton::for_each_place(const FilmPad& pad, int b, Visitor&& visit) const {
   const int n = pad.foil.mesh.rows;
-  const int first_pressure = bearing_.dofs.size;
+  const int first_pressure = bearing_.dofs().size;
   if (b == pad.bumps()) {
     visit(first_pressure, n);  // the free end
     return;
   }
   for (int j = 0; j < n; ++j) visit(first_pressure + j, j);
-  visit(bearing_.dofs.top_u, n);
-  visit(bearing_.dofs.top_moment, n + 1);
+  visit(bearing_.dofs().top_u, n);
+  visit(bearing_.dofs().top_moment, n + 1);
 }
 
 /// Forces that the bump foils take at their displacements, N; what is held in the last blocks takes none.
@@ -72,9 +65,9 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 }
 
 /// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
-/// of a cell, forces by EI' c / p^3, compatibility by c / p, what is missing of the load by pa R^2, of position and
-/// opening by c / weight_of_way.
-double FilmNewton::find_residual(const OperatingPoint& to, const FilmEquations& equations,
+/// of a cell, forces by EI' c / p^3, compatibility by c / p, the law of the journal by its unit, the opening by
+/// c / weight_of_opening.
+double FilmNewton::find_residual(const NewtonTarget& to, const FilmEquations& equations,
                                  const FilmBearingState& state) {
   const ContactState& contact = state.contact;
   Vector& forces = find_bump_forces(contact);
@@ -94,21 +87,16 @@ double FilmNewton::find_residual(const OperatingPoint& to, const FilmEquations& 
     double balance = residual.balance.squaredNorm();
     for (int i = 0; i < pad.bumps(); ++i) {
       const double held = residual.balance[pad.foil.supports[static_cast<std::size_t>(i)]];
-      double& support = forces[(pad.first_block + i) * size + bearing_.dofs.top_u];
+      double& support = forces[(pad.first_block + i) * size + bearing_.dofs().top_u];
       balance += (held + support / unit) * (held + support / unit) - held * held;
       support = 0.0;
     }
     square += balance + residual.compatibility.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
-  if (to.control == OperatingPoint::Control::load) {
-    const Eigen::Vector2d missing = to.journal - film_force(bearing_, state.foil.film.pressure);
-    square += missing.squaredNorm() / (bearing_.scales.force() * bearing_.scales.force());
-  } else {
-    const double way = weight_of_way * (to.journal - state.position).norm() / bearing_.scales.thickness;
-    square += way * way;
-  }
-  const double opening = weight_of_way * (to.opening - state.opening) / bearing_.scales.thickness;
+  square += to.law.residual(state.position, film_force(bearing_, state.foil.film.pressure)).squaredNorm() /
+            (to.law.unit * to.law.unit);
+  const double opening = weight_of_opening * (to.opening - state.opening) / bearing_.scales.thickness;
   square += opening * opening;
   return std::sqrt(square);
 }
@@ -337,37 +325,24 @@ bool FilmNewton::find_step(const ContactState& previous, const FilmBearingState&
   return true;
 }
 
-/// What is left of the way to the position where the journal is held or, with the step and the rates, of the load.
-Eigen::Vector2d FilmNewton::missing_displacement(const OperatingPoint& to, const FilmBearingState& state) {
-  if (to.control == OperatingPoint::Control::position) {
-    Eigen::Vector2d way = to.journal - state.position;
-    if (way.norm() <= rounded_displacement * bearing_.scales.thickness) return Eigen::Vector2d::Zero();
-    find_rates();
-    return way;
-  }
-  const Eigen::Vector2d missing =
-      to.journal - film_force(bearing_, state.foil.film.pressure + step_.foil.film.pressure);
-  return find_rates().partialPivLu().solve(missing);
-}
-
-/// Lets the journal move with the step, by as much as it is to: the linearised equations stay solved, in the modes that
+/// Lets the journal move with the step, by what its law lacks: the linearised equations stay solved, in the modes that
 /// the step has without it.
-void FilmNewton::move_journal(const OperatingPoint& to, const FilmBearingState& state) {
-  Eigen::Vector2d displacement = missing_displacement(to, state);
-  if (displacement.isZero(0.0)) return;
-  const bool held = to.control == OperatingPoint::Control::position;
-  const double longest = (held ? longest_displacement : longest_displacement_under_load) * bearing_.scales.thickness;
-  if (displacement.norm() > longest) displacement *= longest / displacement.norm();
+void FilmNewton::move_journal(const JournalLaw& law, const FilmBearingState& state) {
+  const Eigen::Vector2d lacking =
+      law.residual(state.position, film_force(bearing_, state.foil.film.pressure + step_.foil.film.pressure));
+  if (lacking.norm() <= law.round_off) return;
+  Eigen::Vector2d displacement = law.matrix(find_rates()).partialPivLu().solve(lacking);
+  if (displacement.norm() > law.longest_step) displacement *= law.longest_step / displacement.norm();
   step_.displacement = displacement;
   for (const int axis : {0, 1}) add_to_step(displacement[axis], rates_[static_cast<std::size_t>(axis)]);
 }
 
 /// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
 /// way.
-void FilmNewton::move_foils(const OperatingPoint& to, const FilmBearingState& state) {
-  if (to.opening == state.opening) return;
-  const double longest = longest_displacement * bearing_.scales.thickness;
-  step_.opening = std::clamp(to.opening - state.opening, -longest, longest);
+void FilmNewton::move_foils(double opening, const FilmBearingState& state) {
+  if (opening == state.opening) return;
+  const double longest = longest_opening * bearing_.scales.thickness;
+  step_.opening = std::clamp(opening - state.opening, -longest, longest);
   find_rate(bearing_.field(1.0 / bearing_.scales.thickness), opening_rate_);
   add_to_step(step_.opening, opening_rate_);
 }
@@ -407,7 +382,7 @@ double FilmNewton::distance(const FilmBearingState& a, const FilmBearingState& b
                    (a.position - b.position).norm() / bearing_.scales.thickness});
 }
 
-FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equations, const NewtonAim& aim,
+FilmReport FilmNewton::solve(const NewtonTarget& to, const FilmEquations& equations, const NewtonAim& aim,
                              const ContactState& previous, FilmBearingState& state) {
   FilmReport report;
   iterate_ = state;
@@ -422,8 +397,8 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
   while (report.iterations < options_.max_iterations) {
     ++report.iterations;
     if (!linearise_films(equations, iterate_) || !find_step(previous, iterate_, report)) return report;
-    move_foils(to, iterate_);
-    move_journal(to, iterate_);
+    move_foils(to.opening, iterate_);
+    move_journal(to.law, iterate_);
     // All residuals but those of what changes are zero here: this step leads along the tangent.
     if (report.iterations == 1) take_step(1.0, iterate_, predicted_);
     const double fraction = longest_step(options_, iterate_.foil.film, step_.foil.film);
@@ -434,7 +409,7 @@ FilmReport FilmNewton::solve(const OperatingPoint& to, const FilmEquations& equa
       take_step(1.0, iterate_, trial_);
       const bool touches = trial_.foil.film.thickness.minCoeff() < options_.thickness_floor;
       report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
-      if (to.control == OperatingPoint::Control::position) trial_.position = to.journal;
+      if (to.law.holds_position()) trial_.position = to.law.position;
       trial_.opening = to.opening;
       report.predicted_change = distance(predicted_, state);
       report.departure = distance(trial_, predicted_);

@@ -7,11 +7,19 @@
 #include <optional>
 #include <vector>
 
+#include "bearing/journal_law.hpp"
 #include "bumpfoil/bearing/film_bearing_solver.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 
 namespace bumpfoil {
+
+/// Where a solve leads.
+struct NewtonTarget {
+  JournalLaw law;
+  double speed{};    ///< Omega, rad/s
+  double opening{};  ///< of the clearance, m
+};
 
 /// What a solve looks for.
 struct NewtonAim {
@@ -22,14 +30,14 @@ struct NewtonAim {
 /// Newton's method for film, foils, contacts and the journal in one system. Keeps its storage between solves.
 class FilmNewton {
  public:
-  FilmNewton(const FilmBearing& bearing, const FilmSolverOptions& options);
+  FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
 
-  /// Takes `state` to an operating point: the journal moves with the film from where it is.
+  /// Takes `state` to a target: the journal moves with the film from where it is.
   /// @param equations  at the speed there; with a squeeze term, for a step in time
   /// @param previous   state that friction refers to
   /// @param state      first guess, whose position, pressure and lift count; receives the result, and stays as it was
   ///                   unless the status is converged
-  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const NewtonAim& aim,
+  [[nodiscard]] FilmReport solve(const NewtonTarget& to, const FilmEquations& equations, const NewtonAim& aim,
                                  const ContactState& previous, FilmBearingState& state);
 
   /// With contacts in the modes of `state`, or with all closed ones stuck.
@@ -66,7 +74,7 @@ class FilmNewton {
   };
 
   Vector& find_bump_forces(const ContactState& state);
-  double find_residual(const OperatingPoint& to, const FilmEquations& equations, const FilmBearingState& state);
+  double find_residual(const NewtonTarget& to, const FilmEquations& equations, const FilmBearingState& state);
   void assemble();
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);
@@ -77,9 +85,8 @@ class FilmNewton {
   [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
   Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
   Eigen::Matrix2d find_rates();
-  Eigen::Vector2d missing_displacement(const OperatingPoint& to, const FilmBearingState& state);
-  void move_journal(const OperatingPoint& to, const FilmBearingState& state);
-  void move_foils(const OperatingPoint& to, const FilmBearingState& state);
+  void move_journal(const JournalLaw& law, const FilmBearingState& state);
+  void move_foils(double opening, const FilmBearingState& state);
   void add_to_step(double way, const Step& rate);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
   void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
@@ -88,7 +95,8 @@ class FilmNewton {
   template <typename Visitor>
   void for_each_place(const FilmPad& pad, int b, Visitor&& visit) const;
 
-  FilmBearing bearing_;
+  SharedFilmBearing shared_;
+  const FilmBearing& bearing_{*shared_};
   FilmSolverOptions options_;
   std::deque<Part> parts_;             ///< one per pad
   std::shared_ptr<ModeSystem> modes_;  ///< shared with `contacts_`, which leaves it as the step has it

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
 #include "bumpfoil/film/foil_film.hpp"
 #include "bumpfoil/model/case.hpp"
-#include "bumpfoil/structure/foil_structure.hpp"
 
 namespace bumpfoil {
 
@@ -36,20 +37,21 @@ struct FilmPad {
 };
 
 /// A bearing that runs: gas film, top foil, bump foil, and the contacts top foil/bump and bump/sleeve. The film takes
-/// the place of the contact between journal and top foil. A plain value.
+/// the place of the contact between journal and top foil. Never changed once it is made, so that solvers and results
+/// share it.
 ///
 /// Every pad has a film of its own from edge to edge, with ambient pressure at both; pads have nothing in common but
 /// the journal. A bearing without pads is one. Fields have the columns of all pads in a row, each from its weld, and
 /// as many rows in all.
 ///
 /// Unknowns come in blocks, pad after pad one for each bump and a last one for the free end. The block of a bump has
-/// the places of `dofs`, with the top foil over the crest among them, and after them the pressures of the column over
-/// the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the place of its
-/// first pressure; all else there stays zero.
+/// the places of its foils' unknowns, with the top foil over the crest among them, and after them the pressures of the
+/// column over the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the
+/// place of its first pressure; all else there stays zero.
 struct FilmBearing {
+  SharedFoils foils;  ///< none where a wall takes their place
   FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;
-  BumpDofs dofs;
   ContactProblem problem;  ///< K of the bump foils alone, which holds what means nothing in the last blocks
   Vector initial_gap;      ///< of each contact, m
   double clearance{};      ///< C_r, m
@@ -71,7 +73,11 @@ struct FilmBearing {
   /// H of the undeformed foils with the journal at `position` (m), at all nodes, where the foils stand farther out than
   /// they do by `opening` (m).
   [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position, double opening = 0.0) const;
+  /// Places in the block of a bump. Only where there are foils.
+  [[nodiscard]] const BumpDofs& dofs() const { return foils->structure.dofs; }
 };
+
+using SharedFilmBearing = std::shared_ptr<const FilmBearing>;
 
 /// What a pad has of a field of all.
 Matrix part_of(const FilmPad& pad, const Matrix& field);
@@ -86,7 +92,10 @@ void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& al
 /// @throws Error (input) if the case cannot be built.
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
 
-/// The same in the gas and on the mesh of the case.
+/// The same of foils that are there already.
+FilmBearing make_film_bearing(const Case& input, SharedFoils foils, const Gas& gas, const FilmResolution& resolution);
+
+/// The bearing in the gas and on the mesh of the case.
 FilmBearing make_film_bearing(const Case& input);
 
 /// What is known of a bearing that runs: a plain value, all that a next state needs.

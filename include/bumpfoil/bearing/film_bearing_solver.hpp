@@ -71,7 +71,8 @@ struct SlowMotion {
 /// was found on the way, or stays as it was.
 class FilmBearingSolver {
  public:
-  explicit FilmBearingSolver(const FilmBearing& bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  explicit FilmBearingSolver(SharedFilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  explicit FilmBearingSolver(FilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
   ~FilmBearingSolver();
 
   /// The state near `state` at another operating point, all in one step.

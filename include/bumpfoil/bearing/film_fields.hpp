@@ -7,7 +7,6 @@ namespace bumpfoil {
 
 /// The foils of a bearing that runs as foils without a film know them: displacements, gaps, contact forces and modes.
 /// The journal touches nothing; its gaps are the film thickness over the crests.
-/// @param foils  of the same case
-FoilState foil_state(const Foils& foils, const FilmBearing& bearing, const FilmBearingState& state);
+FoilState foil_state(const FilmBearing& bearing, const FilmBearingState& state);
 
 }  // namespace bumpfoil

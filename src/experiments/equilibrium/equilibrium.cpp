@@ -63,14 +63,14 @@ std::vector<FilmWhirl> whirls_at(FilmBearingSolver& solver, const FilmBearingSta
 /// Walks along paths and keeps what is found.
 class PathWalker {
  public:
-  PathWalker(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress,
-             std::size_t states)
+  PathWalker(const EquilibriumSettings& settings, double thickness_floor, EquilibriumResult& result,
+             const std::function<bool(double)>& progress, std::size_t states)
       : result_(result),
         progress_(progress),
         states_(states),
-        settings_(*input.equilibrium),
-        opening_(opening_to_begin(*result.bearing, input.film.h_floor)),
-        solver_(*result.bearing, options_of(input)) {}
+        settings_(settings),
+        opening_(opening_to_begin(*result.bearing, thickness_floor)),
+        solver_(result.bearing, options(thickness_floor)) {}
 
   /// The states at `points`, one after the other.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
@@ -99,9 +99,9 @@ class PathWalker {
   }
 
  private:
-  FilmBearingOptions options_of(const Case& input) const {
+  [[nodiscard]] FilmBearingOptions options(double thickness_floor) const {
     FilmBearingOptions options;
-    options.newton.thickness_floor = input.film.h_floor / result_.bearing->scales.thickness;
+    options.newton.thickness_floor = thickness_floor / result_.bearing->scales.thickness;
     options.keep_going = [this] { return !progress_ || progress_(fraction()); };
     return options;
   }
@@ -127,9 +127,9 @@ class PathWalker {
 
   /// The largest ones of all pads.
   void find_stresses(RunningState& found) const {
-    const Foils& foils = *result_.foils;
     const FilmBearing& bearing = *result_.bearing;
-    const Vector x = foil_state(foils, bearing, *state_).contacts.x;
+    const Foils& foils = *bearing.foils;
+    const Vector x = foil_state(bearing, *state_).contacts.x;
     const Eigen::Index size = foils.structure.dofs.size;
     for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
       const FilmPad& pad = bearing.pads[k];
@@ -322,7 +322,7 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
 }
 
 void tabulate_whirls(const Case& input, EquilibriumResult& result) {
-  FilmBearingSolver solver(*result.bearing);
+  FilmBearingSolver solver(result.bearing);
   const bool given = !input.equilibrium->frequencies.empty();
   const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
   for (RunningState& state : result.states) {
@@ -350,14 +350,19 @@ FilmBearing require_running_bearing(const Case& input) {
 
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
                                   const std::function<bool(double)>& progress) {
+  const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
+  if (paths.empty()) paths.push_back(input.equilibrium->path);
+  return find_states(bearing, *input.equilibrium, input.film.h_floor, paths, progress);
+}
+
+EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
+                              double thickness_floor, const std::vector<FilmPath>& paths,
+                              const std::function<bool(double)>& progress) {
   EquilibriumResult result;
-  result.bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
-  result.foils = make_bearing_foils(input);
-  const EquilibriumSettings& equilibrium = *input.equilibrium;
-  if (paths.empty()) paths.push_back(equilibrium.path);
+  result.bearing = bearing;
   const std::size_t states =
       paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
-  PathWalker walker(input, result, progress, states);
+  PathWalker walker(equilibrium, thickness_floor, result, progress, states);
   for (const FilmPath path : paths) {
     for (const auto& chain : chains_of(path, equilibrium)) walker.walk(path, chain);
   }

@@ -123,7 +123,7 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
   files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
-  if (result.foils) {
+  if (result.bearing->foils) {
     files.push_back({"coefficients.csv", film_coefficients_csv(result)});
     files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id, ross_version)});
   }

@@ -111,17 +111,16 @@ class LimitSearch {
 };
 
 /// One limit, from the end of a load ramp.
-FilmLimit find_limit(const Case& input, FilmLimitKind kind, double speed, const Eigen::Vector2d& load,
-                     const std::function<bool()>& keep_going) {
-  Case at_start = input;
-  at_start.equilibrium->speeds = {speed};
-  at_start.equilibrium->loads = {load};
-  at_start.equilibrium->path = FilmPath::load_ramp;
-  const EquilibriumResult begin = run_equilibrium(at_start, {}, [&](double) { return keep_going(); });
+FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLimitKind kind, double speed,
+                     const Eigen::Vector2d& load, const std::function<bool()>& keep_going) {
+  EquilibriumSettings at_start = *input.equilibrium;
+  at_start.speeds = {speed};
+  at_start.loads = {load};
+  const EquilibriumResult begin =
+      find_states(bearing, at_start, input.film.h_floor, {FilmPath::load_ramp}, [&](double) { return keep_going(); });
   const RunningState& start = begin.states.front();
-  FilmBearingSolver solver(
-      *begin.bearing,
-      {.newton = {.thickness_floor = input.film.h_floor / begin.bearing->scales.thickness}, .keep_going = keep_going});
+  FilmBearingSolver solver(bearing, {.newton = {.thickness_floor = input.film.h_floor / bearing->scales.thickness},
+                                     .keep_going = keep_going});
   LimitSearch search(solver, *input.film.h_lift_off, kind, start.asked);
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
 }
@@ -132,25 +131,33 @@ std::size_t place_in(const std::vector<Value>& list, const Value& value) {
   return static_cast<std::size_t>(std::find(list.begin(), list.end(), value) - list.begin());
 }
 
-}  // namespace
-
-std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bool(double)>& progress) {
-  require_valid(input, {"limits"});
+std::vector<FilmLimit> find_limits(const SharedFilmBearing& bearing, const Case& input,
+                                   const std::function<bool(double)>& progress) {
   const EquilibriumSettings& equilibrium = *input.equilibrium;
   const auto total = static_cast<double>(equilibrium.loads.size() + equilibrium.speeds.size());
   std::vector<FilmLimit> limits;
   const auto keep_going = [&] { return !progress || progress(static_cast<double>(limits.size()) / total); };
   for (const Eigen::Vector2d& load : equilibrium.loads) {
-    limits.push_back(find_limit(input, FilmLimitKind::lift_off_speed, equilibrium.speeds.front(), load, keep_going));
+    limits.push_back(
+        find_limit(bearing, input, FilmLimitKind::lift_off_speed, equilibrium.speeds.front(), load, keep_going));
   }
   for (const double speed : equilibrium.speeds) {
-    limits.push_back(find_limit(input, FilmLimitKind::load_capacity, speed, equilibrium.loads.front(), keep_going));
+    limits.push_back(
+        find_limit(bearing, input, FilmLimitKind::load_capacity, speed, equilibrium.loads.front(), keep_going));
   }
   return limits;
 }
 
+}  // namespace
+
+std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bool(double)>& progress) {
+  require_valid(input, {"limits"});
+  return find_limits(std::make_shared<const FilmBearing>(make_film_bearing(input)), input, progress);
+}
+
 void add_film_limits(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress) {
-  result.limits = run_film_limits(input, progress);
+  require_valid(input, {"limits"});
+  result.limits = find_limits(result.bearing, input, progress);
   const std::vector<double>& speeds = input.equilibrium->speeds;
   const std::vector<Eigen::Vector2d>& loads = input.equilibrium->loads;
   const auto value_at = [&result](std::size_t place) {

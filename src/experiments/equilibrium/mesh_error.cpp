@@ -52,7 +52,7 @@ FilmBearingState transferred(const FilmBearing& from, const FilmBearing& to, con
   found.contact.mode = state.contact.mode;
   const Eigen::Index from_size = from.problem.K.block_size();
   const Eigen::Index to_size = to.problem.K.block_size();
-  const Eigen::Index shared = from.dofs.size;
+  const Eigen::Index shared = from.dofs().size;
   for (std::size_t k = 0; k < from.pads.size(); ++k) {
     const FilmPad& pad = from.pads[k];
     const FilmPad& other = to.pads[k];
@@ -84,7 +84,7 @@ class MeshComparison {
       : bearing_(bearing),
         own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
         other_(other_resolution(own_)),
-        solver_(make_film_bearing(input, gas_of(input.gas), other_),
+        solver_(make_film_bearing(input, bearing.foils, bearing.scales.gas, other_),
                 {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
 
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {

@@ -56,7 +56,8 @@ EquilibriumResult analyse_running_bearing(const Case& input, const RunningReques
   tabulate_whirls(input, result);
   if (second) {
     done += 1.0;
-    result.other_branches = other_branches(result, run_equilibrium(input, {second_path(settings)}, part_progress));
+    result.other_branches = other_branches(
+        result, find_states(result.bearing, settings, input.film.h_floor, {second_path(settings)}, part_progress));
   }
   if (request.limits) {
     done += 1.0;

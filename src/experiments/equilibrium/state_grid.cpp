@@ -107,7 +107,7 @@ class StateGrid {
 
   void add_film() {
     add_nodes({"pressure", "Pa", "pressure of the film"}, film_pressure);
-    if (!result_.foils) return add_thickness();
+    if (!result_.bearing->foils) return add_thickness();
     for (const ColumnQuantity& quantity : column_quantities()) {
       GridVariable& variable =
           add(meaning(quantity), {"state", "column"},
@@ -119,10 +119,10 @@ class StateGrid {
 
   /// What is known of the foils without a film, too, but for the contact with the journal, which there is none of.
   void add_foils() {
-    const Foils& foils = *result_.foils;
+    const Foils& foils = *result_.bearing->foils;
     FoilFields fields = make_fields(foils, static_cast<int>(result_.states.size()));
     for_each_found([&](std::size_t i, const FilmBearingState& state) {
-      record(foils, foil_state(foils, *result_.bearing, state), static_cast<Eigen::Index>(i), fields);
+      record(foils, foil_state(*result_.bearing, state), static_cast<Eigen::Index>(i), fields);
     });
     for (const FieldQuantity& quantity : field_quantities()) {
       if (quantity.name.ends_with("journal_top") || quantity.node == Node::pad) continue;
@@ -237,7 +237,7 @@ ResultGrid state_grid(const Case& input, const EquilibriumResult& result) {
   grid.add_motions();
   grid.add_pads();
   grid.add_film();
-  if (result.foils) grid.add_foils();
+  if (result.bearing->foils) grid.add_foils();
   return grid.take();
 }
 

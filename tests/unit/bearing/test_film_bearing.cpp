@@ -30,7 +30,7 @@ TEST(FilmBearing, HasAColumnOverEveryCrest) {
 
 TEST(FilmBearing, TakesTheBumpFoilWithoutTheTopFoil) {
   const FilmBearing bearing = film_reference_bearing(coarse);
-  const BumpDofs& dofs = bearing.dofs;
+  const BumpDofs& dofs = bearing.dofs();
   for (const Matrix& block : bearing.problem.K.diagonal) {
     if (&block == &bearing.problem.K.diagonal.back()) continue;
     EXPECT_EQ(block.row(dofs.top_u).norm() + block.row(dofs.top_moment).norm(), 0.0);
@@ -108,7 +108,7 @@ TEST(FilmBearing, HasTheColumnsAndBlocksOfItsPadsInARow) {
   EXPECT_EQ(bearing.problem.K.upper[7].norm(), 0.0);
   EXPECT_GT(bearing.problem.K.upper[6].norm(), 1e6);
   EXPECT_GT(bearing.problem.K.upper[9].norm(), 1e6);
-  EXPECT_EQ(bearing.problem.K.diagonal[8](bearing.dofs.size, bearing.dofs.size), 0.0);
+  EXPECT_EQ(bearing.problem.K.diagonal[8](bearing.dofs().size, bearing.dofs().size), 0.0);
   // Clockwise from X; the second begins opposite, and ends at its weld.
   const double pitch_angle = 4.572e-3 / 19.05e-3;
   EXPECT_NEAR(bearing.normals(0, 0), 1.0, 1e-14);

@@ -36,7 +36,7 @@ void expect_solved(const FilmBearing& bearing, const FilmBearingState& state, co
   Vector elastic = bearing.problem.K.multiply(state.contact.x);
   elastic.tail(size).setZero();
   for (std::size_t i = 0; i < bearing.pads.front().foil.supports.size(); ++i) {
-    const Eigen::Index place = static_cast<Eigen::Index>(i) * size + bearing.dofs.top_u;
+    const Eigen::Index place = static_cast<Eigen::Index>(i) * size + bearing.dofs().top_u;
     double& balance = residual.balance[bearing.pads.front().foil.supports[i]];
     elastic[place] = balance * unit;
     balance = 0.0;

@@ -15,12 +15,12 @@ TEST(FilmFields, AreThoseOfFoilsUnderTheirLoads) {
     Case input = film_reference_case({.columns_per_pitch = 4, .rows = 3}, 0.1);
     input.bump_foil.model = model;
     const FilmBearing bearing = make_film_bearing(input);
-    const SharedFoils foils = make_bearing_foils(input);
+    const SharedFoils& foils = bearing.foils;
     FilmBearingSolver solver(bearing);
     FilmBearingState state;
     ASSERT_EQ(solver.cold_start({0.7 * bearing.clearance, 0.0}, speed_of_rpm(45000.0), state).status,
               FilmStatus::converged);
-    const FoilState dry = foil_state(*foils, bearing, state);
+    const FoilState dry = foil_state(bearing, state);
     FoilFields fields = make_fields(*foils, 1);
     record(*foils, dry, 0, fields);
     EXPECT_EQ((fields.top_bump.normal_force.array() > 0.0).count(), film_bearing_outcome(bearing, state).loaded_bumps);
@@ -50,11 +50,11 @@ TEST(FilmFields, HaveTheBumpsOfAllPadsInARow) {
     const double speed = speed_of_rpm(45000.0);
     const auto fields_of = [speed](const Case& one) {
       const FilmBearing bearing = make_film_bearing(one);
-      const SharedFoils foils = make_bearing_foils(one);
+      const SharedFoils& foils = bearing.foils;
       FilmBearingState state;
       EXPECT_EQ(FilmBearingSolver(bearing).cold_start({12e-6, -4e-6}, speed, state).status, FilmStatus::converged);
       FoilFields fields = make_fields(*foils, 1);
-      record(*foils, foil_state(*foils, bearing, state), 0, fields);
+      record(*foils, foil_state(bearing, state), 0, fields);
       return fields;
     };
     const FoilFields all = fields_of(input);

@@ -77,7 +77,7 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
 
   const Eigen::Vector2cd motion(amplitude, Complex(0.0, -amplitude));  // round from X to Y
   const Eigen::Vector2d still = film_bearing_outcome(bearing, rest).force;
-  FilmNewton newton(bearing, {});
+  FilmNewton newton(std::make_shared<const FilmBearing>(bearing), {});
   FilmEquations equations = film_equations(bearing, speed);
   FilmBearingState state = rest;
   Complex phase = 1.0;
@@ -86,9 +86,8 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
     phase *= turn;
     squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.foil.film), equations);
     const Eigen::Vector2d there = position + (motion * phase).real();
-    ASSERT_EQ(newton.solve(OperatingPoint::held_at(there, speed), equations, {.tolerance = 1e-10}, rest.contact, state)
-                  .status,
-              FilmStatus::converged);
+    const NewtonTarget held{journal_law(OperatingPoint::held_at(there, speed), bearing.scales), speed};
+    ASSERT_EQ(newton.solve(held, equations, {.tolerance = 1e-10}, rest.contact, state).status, FilmStatus::converged);
     if (i <= steps * (turns - 1)) continue;
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();
     largest = std::max(largest, (film_bearing_outcome(bearing, state).force - still - expected).norm());

@@ -3,13 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "bumpfoil/bearing/film_bearing_solver.hpp"
-#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
 
@@ -88,8 +86,7 @@ struct OtherBranch {
 };
 
 struct EquilibriumResult {
-  std::shared_ptr<const FilmBearing> bearing;
-  SharedFoils foils;                        ///< of the same case, without the film
+  SharedFilmBearing bearing;
   std::vector<RunningState> states;         ///< path after path, in the order in which they were found
   std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were asked for
   std::vector<OtherBranch> other_branches;  ///< of analyse_running_bearing(), where a second path was asked for
@@ -135,6 +132,12 @@ FilmBearing require_running_bearing(const Case& input);
 /// @throws Error (input) as require_running_bearing() does
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
                                   const std::function<bool(double)>& progress = {});
+
+/// The same of a bearing that is there already, along these paths.
+/// @param thickness_floor  film.h_floor, m
+EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
+                              double thickness_floor, const std::vector<FilmPath>& paths,
+                              const std::function<bool(double)>& progress = {});
 
 /// Frequencies that all states of a case are tabulated at, rad/s, rising: those of the case; where it names none, from
 /// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2
