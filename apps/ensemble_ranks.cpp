@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 /// A rank writes at least that often: as long as its rows may be on their way.
 constexpr auto letter_interval = 200ms;
 /// Between two looks for letters.
-constexpr auto patience = 20ms;
+constexpr auto polling_interval = 20ms;
 
 // Letters are numbers as they lie in memory: all ranks are machines of one kind.
 std::string text_of(const std::vector<double>& numbers) {
@@ -163,7 +163,7 @@ void help_with(const Ranks& ranks, const std::string& order) {
 Letter wait_for_letter(const Ranks& ranks) {
   std::optional<Letter> letter = ranks.receive();
   while (!letter) {
-    std::this_thread::sleep_for(patience);
+    std::this_thread::sleep_for(polling_interval);
     letter = ranks.receive();
   }
   return *std::move(letter);

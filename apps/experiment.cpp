@@ -7,15 +7,8 @@
 #include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
-#include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/ensemble/ensemble_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
-#include "bumpfoil/experiments/cycle/cycle_table.hpp"
-#include "bumpfoil/experiments/cycle/failures.hpp"
-#include "bumpfoil/experiments/cycle/warnings.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/readers/sampled_case.hpp"
 #include "bumpfoil/results/result_folder.hpp"
@@ -32,6 +25,7 @@ struct ExperimentOptions {
   std::string folder;
   std::string sample;
   std::vector<std::string> overrides;
+  Switches switches;
   bool force{};
 };
 
@@ -46,11 +40,11 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
   return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
-ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& options, const Session& session) {
+ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options, const Session& session) {
   // Read once: what is written beside the results is what they came from.
   const std::string case_text = read_case_text(options.case_path);
-  Case input =
-      parse_case(case_text, options.case_path, {.overrides = options.overrides, .commands = {experiment.name}});
+  Case input = parse_case(case_text, options.case_path,
+                          {.overrides = options.overrides, .commands = {std::string(experiment.name)}});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
   const InterruptionGuard guard;  // from before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
@@ -58,7 +52,7 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   Outcome outcome;
   {
     ProgressBar bar(!session.quiet);
-    outcome = experiment.run(input, [&](double fraction) {
+    outcome = experiment.run(input, options.switches, [&](double fraction) {
       bar.show(fraction);
       return !guard.interrupted();
     });
@@ -82,6 +76,22 @@ ExitCode run(const ExperimentCommand& experiment, const ExperimentOptions& optio
   return exit_code_of(outcome.status);
 }
 
+void add_switch(CLI::App& command, const Switch& one, Switches& given) {
+  const std::string name(one.name);
+  const std::string help(one.help);
+  if (one.values.empty()) {
+    command.add_flag_callback(
+        "--" + name, [&given, name] { given[name] = ""; }, help);
+    return;
+  }
+  command
+      .add_option_function<std::string>(
+          "--" + name, [&given, name](const std::string& value) { given[name] = value; }, help)
+      ->check(one_of(one.values))
+      ->type_name("N")
+      ->default_str(one.values.front());
+}
+
 }  // namespace
 
 ExitCode exit_code_of(RunStatus status) {
@@ -96,31 +106,9 @@ ExitCode exit_code_of(RunStatus status) {
   return ExitCode::numerical_failure;
 }
 
-ExperimentCommand cycle_experiment(std::string name, std::string summary, std::string examples,
-                                   CycleResult (*run)(const Case&, const ProgressCallback&)) {
-  std::vector<std::string> files = cycle_file_names(name);
-  return {.name = std::move(name),
-          .summary = std::move(summary),
-          .examples = std::move(examples),
-          .files = std::move(files),
-          .run = [run](const Case& input, const ProgressCallback& progress) {
-            CycleResult result = run(input, progress);
-            const RunStatus status = status_of(result);
-            Outcome outcome{.status = status,
-                            .table = cycle_table(input, result),
-                            .warnings = warning_lines(input, result),
-                            .failures = failure_lines(input, result),
-                            .files = {}};
-            outcome.files = [input, status, result = std::move(result)](const Provenance& provenance) {
-              return cycle_files(input, result, status, provenance);
-            };
-            return outcome;
-          }};
-}
-
-CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCommand& experiment) {
+void add_experiment(CLI::App& program, Session& session, const ExperimentInfo& experiment) {
   const auto options = std::make_shared<ExperimentOptions>();
-  CLI::App* command = program.add_subcommand(experiment.name, experiment.summary);
+  CLI::App* command = program.add_subcommand(std::string(experiment.name), std::string(experiment.summary));
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command->add_option("-o,--output", options->folder, fmt::format("Folder for {}", fmt::join(experiment.files, ", ")))
       ->type_name("DIR")
@@ -131,12 +119,12 @@ CLI::App* add_experiment(CLI::App& program, Session& session, const ExperimentCo
   }
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
+  for (const Switch& one : experiment.switches) add_switch(*command, one, options->switches);
   command->add_flag("--force", options->force, "Replace results that the folder holds");
-  command->footer("Examples:\n" + experiment.examples +
+  command->footer("Examples:\n" + std::string(experiment.examples) +
                   "Ctrl-C, or a limit of a batch system, ends the run; what there is by then is written and flagged as "
                   "partial. A second Ctrl-C ends it at once.");
-  command->callback([options, experiment, &session] { session.exit_code = run(experiment, *options, session); });
-  return command;
+  command->callback([options, &experiment, &session] { session.exit_code = run(experiment, *options, session); });
 }
 
 }  // namespace bumpfoil

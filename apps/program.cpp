@@ -10,6 +10,7 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "commands.hpp"
+#include "experiment.hpp"
 
 namespace bumpfoil {
 
@@ -71,14 +72,9 @@ void describe_program(CLI::App& program, Session& session) {
   add_init_command(program, session);
   add_check_command(program, session);
   add_properties_command(program, session);
-  add_cycle_command(program, session);
-  add_strip_command(program, session);
+  for (const ExperimentInfo& experiment : experiments()) add_experiment(program, session, experiment);
   add_montecarlo_command(program, session);
-  add_path_command(program, session);
   add_sweep_command(program, session);
-  add_vibration_command(program, session);
-  add_equilibrium_command(program, session);
-  add_film_command(program, session);
   add_reproduce_command(program, session);
   add_report_command(program, session);
   add_designer_command(program, session);

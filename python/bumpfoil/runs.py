@@ -55,10 +55,12 @@ def _documented(parameters: str = "") -> Callable[[_Running], _Running]:
     return document
 
 
-def _run(command: str, case: Any, progress: Progress, tables: dict[str, Any]) -> Result:
+def _run(
+    command: str, case: Any, progress: Progress, tables: dict[str, Any], switches: Sequence[str] = ()
+) -> Result:
     source = as_case(case, tables)._source
     with shown(progress) as called:
-        run = _native.run(command, source, called)
+        run = _native.run(command, source, list(switches), called)
     return Result._of_run(run)
 
 
@@ -166,10 +168,8 @@ def run_equilibrium(
     case: Any, /, *, all_paths: bool = False, limits: bool = False, progress: Progress = None, **tables: Any
 ) -> Result:
     """Finds where the journal of a running bearing is, with gas film, foils and friction, as [equilibrium] says."""
-    source = as_case(case, tables)._source
-    with shown(progress) as called:
-        run = _native.run_equilibrium(source, all_paths, limits, called)
-    return Result._of_run(run)
+    switches = [name for name, on in (("paths", all_paths), ("limits", limits)) if on]
+    return _run("equilibrium", case, progress, tables, switches)
 
 
 @_documented(

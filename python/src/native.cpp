@@ -70,18 +70,15 @@ Run watched(const py::object& progress, const Running& running) {
   return result;
 }
 
-Run run(const std::string& command, const CaseSource& source, const py::object& progress) {
+/// @param switches  names of those that are on
+Run run(const std::string& command, const CaseSource& source, const std::vector<std::string>& switches,
+        const py::object& progress) {
   const Case input = read_source(source, {command});  // with the lock: units are not thread-safe
   const std::string text = kept_text(source, input);
-  return watched(progress, [&](const ProgressCallback& go_on) { return run_command(command, input, text, go_on); });
-}
-
-Run run_running(const CaseSource& source, bool all_paths, bool limits, const py::object& progress) {
-  const Case input = read_source(source, {"equilibrium"});
-  const std::string text = kept_text(source, input);
-  return watched(progress, [&](const ProgressCallback& go_on) {
-    return find_running_states(input, text, {.all_paths = all_paths, .limits = limits}, go_on);
-  });
+  Switches given;
+  for (const std::string& name : switches) given[name] = "";
+  return watched(progress,
+                 [&](const ProgressCallback& go_on) { return run_command(command, input, text, given, go_on); });
 }
 
 Run sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
@@ -180,7 +177,6 @@ PYBIND11_MODULE(_native, m) {
   m.def("quantity_names", quantity_names);
   m.def("key_of", key_of);
   m.def("run", run);
-  m.def("run_equilibrium", run_running);
   m.def("sweep", sweep);
   m.def("swept_commands",
         [] { return std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()); });

@@ -5,14 +5,6 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/parallel_runs.hpp"
-#include "bumpfoil/experiments/cycle/failures.hpp"
-#include "bumpfoil/experiments/cycle/warnings.hpp"
-#include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
-#include "bumpfoil/experiments/path/path.hpp"
-#include "bumpfoil/experiments/strip/strip.hpp"
-#include "bumpfoil/experiments/vibration/vibration.hpp"
-#include "bumpfoil/experiments/vibration/vibration_files.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/sweep/sweep_files.hpp"
 #include "bumpfoil/sweep/sweep_table.hpp"
@@ -31,46 +23,6 @@ auto told_by_keys(const Reading& reading) try {
     if (fault.file.empty()) fault.line = 0;
   }
   throw Error(error.kind(), std::move(faults));
-}
-
-Run cycle_run(const std::string& command, const Case& input, const std::string& case_text, CycleResult computed) {
-  const auto result = std::make_shared<const CycleResult>(std::move(computed));
-  const RunStatus status = status_of(*result);
-  return {.command = command,
-          .input = input,
-          .status = status,
-          .warnings = warning_lines(input, *result),
-          .failures = failure_lines(input, *result),
-          .files = [=] { return cycle_files(input, *result, status, provenance_of(command, case_text)); },
-          .cycles = result};
-}
-
-Run vibration_run(const Case& input, const std::string& case_text, VibrationResult result) {
-  const RunStatus status = status_of(result);
-  Run run{.command = "vibration",
-          .input = input,
-          .status = status,
-          .warnings = warning_lines(input, result),
-          .failures = failure_lines(input, result),
-          .files = {}};
-  run.files = [=, result = std::move(result)] {
-    return vibration_files(input, result, status, provenance_of("vibration", case_text));
-  };
-  return run;
-}
-
-Run equilibrium_run(const Case& input, const std::string& case_text, EquilibriumResult result) {
-  const RunStatus status = status_of(result);
-  Run run{.command = "equilibrium",
-          .input = input,
-          .status = status,
-          .warnings = warning_lines(input, result),
-          .failures = failure_lines(result),
-          .files = {}};
-  run.files = [=, result = std::move(result)] {
-    return equilibrium_files(input, result, status, provenance_of("equilibrium", case_text));
-  };
-  return run;
 }
 
 }  // namespace
@@ -95,17 +47,17 @@ Provenance provenance_of(const std::string& command, const std::string& case_tex
   return {.command_line = "bumpfoil.run_" + command + " (Python)", .case_text = case_text};
 }
 
-Run run_command(const std::string& command, const Case& input, const std::string& case_text,
+Run run_command(const std::string& command, const Case& input, const std::string& case_text, const Switches& switches,
                 const ProgressCallback& progress) {
-  if (command == "strip") return cycle_run(command, input, case_text, run_strip(input, progress));
-  if (command == "path") return cycle_run(command, input, case_text, run_path(input, progress));
-  if (command == "vibration") return vibration_run(input, case_text, run_vibration(input, progress));
-  return cycle_run("cycle", input, case_text, run_cycles(input, progress));
-}
-
-Run find_running_states(const Case& input, const std::string& case_text, const RunningRequest& request,
-                        const ProgressCallback& progress) {
-  return equilibrium_run(input, case_text, analyse_running_bearing(input, request, progress));
+  Outcome outcome = experiment_named(command).run(input, switches, progress);
+  return {.command = command,
+          .input = input,
+          .status = outcome.status,
+          .warnings = std::move(outcome.warnings),
+          .failures = std::move(outcome.failures),
+          .files = [files = std::move(outcome.files),
+                    provenance = provenance_of(command, case_text)] { return files(provenance); },
+          .cycles = std::move(outcome.cycles)};
 }
 
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress) {

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/experiments/cycle/cycle.hpp"
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/sweep/sweep.hpp"
@@ -44,14 +42,10 @@ Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vect
 /// Where results come from. @param case_text  see kept_text()
 Provenance provenance_of(const std::string& command, const std::string& case_text);
 
-/// Runs `cycle`, `strip`, `path` or `vibration`.
+/// Runs an experiment.
 /// @param case_text  for the provenance
-Run run_command(const std::string& command, const Case& input, const std::string& case_text,
+Run run_command(const std::string& command, const Case& input, const std::string& case_text, const Switches& switches,
                 const ProgressCallback& progress);
-
-/// Runs `equilibrium`. @param case_text  for the provenance
-Run find_running_states(const Case& input, const std::string& case_text, const RunningRequest& request,
-                        const ProgressCallback& progress);
 
 /// Runs the points of a sweep, several at a time. @param progress  called by this thread alone
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "bumpfoil/experiments/experiments.hpp"
+
+namespace bumpfoil {
+
+/// What a run has to show whose results are cycles.
+Outcome cycle_outcome(const Case& input, CycleResult result);
+
+}  // namespace bumpfoil

@@ -1,0 +1,22 @@
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/path/path.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
+
+namespace bumpfoil {
+
+ExperimentInfo path_experiment() {
+  return {.name = "path",
+          .summary = "Take the journal along the path of [path]: positions, loads, orbits",
+          .examples =
+              "  bumpfoil path case.toml -o orbit --set 'path.centre=[\"0 um\",\"-45 um\"]' --set "
+              "'path.semi_axes=[\"10 um\",\"5 um\"]'\n"
+              "  bumpfoil path case.toml -o whirl --set 'path.centre=[\"0 N\",\"-100 N\"]' --set "
+              "'path.semi_axes=[\"20 N\",\"20 N\"]'\n"
+              "  bumpfoil path case.toml -o measured --set path.file=path.csv\n",
+          .files = cycle_file_names("path"),
+          .run = [](const Case& input, const Switches&, const ProgressCallback& progress) {
+            return cycle_outcome(input, run_path(input, progress));
+          }};
+}
+
+}  // namespace bumpfoil

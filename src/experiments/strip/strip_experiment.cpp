@@ -1,0 +1,20 @@
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/strip/strip.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
+
+namespace bumpfoil {
+
+ExperimentInfo strip_experiment() {
+  return {.name = "strip",
+          .summary = "Compress a flat strip of the foils between two plates, as [strip] says",
+          .examples =
+              "  bumpfoil strip examples/strip.toml -o strip\n"
+              "  bumpfoil strip examples/strip.toml -o pressed --set strip.preload=\"100 N\"\n"
+              "  bumpfoil strip examples/strip.toml -o free --set strip.weld=none\n",
+          .files = cycle_file_names("strip"),
+          .run = [](const Case& input, const Switches&, const ProgressCallback& progress) {
+            return cycle_outcome(input, run_strip(input, progress));
+          }};
+}
+
+}  // namespace bumpfoil
