@@ -3,8 +3,8 @@
 
     scripts/compare_programs.py OLD NEW [--drawn N] [--seed S] [--tolerance T]
 
-Runs every command that each case in examples/ has tables for, and as many of them with keys drawn at random, by both
-programs. Compares exit codes, and of every number in result.nc, film.nc, ensemble.nc and summary.json the difference
+Runs every command on each case in examples/ that can take it, and as many of them with keys drawn at random, by both
+programs. Compares exit codes, messages, and of every number in the files of netCDF and summary.json the difference
 over the largest of its quantity. Prints a line per run; exit code 1 where one differs by more than the tolerance.
 """
 
@@ -29,13 +29,34 @@ SHORT = {
     "strip": ["strip.steps=20"],
     "equilibrium": ["film.columns_per_pitch=4", "film.rows=6", "equilibrium.paths=one"],
     "montecarlo": ["montecarlo.samples=4", "film.columns_per_pitch=4", "film.rows=4"],
+    "path": ['path.centre=["0 um", "-45 um"]', 'path.semi_axes=["10 um", "5 um"]', "path.steps=20", "path.orbits=1"],
+    "film": [
+        "film.columns_per_pitch=4",
+        "film.rows=6",
+        'equilibrium.speeds=["45000 rpm"]',
+        'equilibrium.positions=[["15 um", "-4 um"]]',
+    ],
 }
+SWEPT = ("cycle", "strip", "vibration", "equilibrium")
 
 
 def commands_of(program, case):
-    """The commands that can run a case, by the last lines of `check`."""
+    """The commands that can run a case, by the last lines of `check`, with their options: those that it has tables for,
+    sweeps of them, and path and film, whose tables are given by SHORT."""
     done = subprocess.run([program, "check", case], capture_output=True, text=True, check=True)
-    return re.findall(r"^# (\w+): ok", done.stdout, re.MULTILINE)
+    able = re.findall(r"^# (\w+): ok", done.stdout, re.MULTILINE)
+    commands = [[name] for name in able]
+    commands += [["sweep", "--command", name, "--over", "friction.coefficient=[0.05, 0.3]"] for name in able if name in SWEPT]
+    if "cycle" in able:
+        commands.append(["path"])
+        if "equilibrium" not in able and "[[pad]]" not in case.read_text():
+            commands.append(["film"])
+    return commands
+
+
+def run_by(command):
+    """The command that does the work: that which a sweep repeats."""
+    return command[command.index("--command") + 1] if "--command" in command else command[0]
 
 
 def drawn_keys(rng, command):
@@ -45,7 +66,7 @@ def drawn_keys(rng, command):
         f"bump_foil.thickness={rng.uniform(80, 130)} um",
         f"top_foil.thickness={rng.uniform(80, 200)} um",
     ]
-    if command in ("cycle", "path", "vibration", "equilibrium"):
+    if command in ("cycle", "path", "vibration", "equilibrium", "film"):
         keys.append(f"bearing.radial_clearance={rng.uniform(20, 45)} um")
     if command == "cycle":
         keys.append(f"cycle.amplitude={rng.uniform(40, 90)} um")
@@ -60,7 +81,7 @@ def drawn_keys(rng, command):
 
 def run(program, command, case, keys, folder):
     """Exit code and errors."""
-    line = [program, command, str(case), "-o", str(folder), "--quiet"]
+    line = [program, *command, str(case), "-o", str(folder), "--quiet"]
     for key in keys:
         line += ["--set", key]
     done = subprocess.run(line, capture_output=True, text=True, check=False)
@@ -131,10 +152,10 @@ def main():
 
     known = [(case, command) for case in sorted(EXAMPLES.glob("*.toml")) for command in commands_of(options.old, case)]
     rng = random.Random(options.seed)
-    runs = [(case, command, SHORT.get(command, [])) for case, command in known]
+    runs = [(case, command, SHORT.get(run_by(command), [])) for case, command in known]
     for _ in range(options.drawn):
         case, command = rng.choice(known)
-        runs.append((case, command, SHORT.get(command, []) + drawn_keys(rng, command)))
+        runs.append((case, command, SHORT.get(run_by(command), []) + drawn_keys(rng, run_by(command))))
     same = within = beyond = 0
     for number, (case, command, keys) in enumerate(runs):
         with tempfile.TemporaryDirectory() as folder:
@@ -147,7 +168,8 @@ def main():
         within += 0.0 < worst <= options.tolerance
         beyond += worst > options.tolerance
         verdict = "same" if worst == 0.0 else f"{worst:.2g} in {where}"
-        print(f"{number:4} {case.stem:16} {command:12} exit {ends[0][0]}  {verdict}", flush=True)
+        name = " ".join(command[:3:2])
+        print(f"{number:4} {case.stem:18} {name:18} exit {ends[0][0]}  {verdict}", flush=True)
     print(f"{len(runs)} runs: {same} the same, {within} within {options.tolerance:g}, {beyond} beyond")
     return 1 if beyond > 0 else 0
 
