@@ -14,8 +14,9 @@ int main() {
   std::vector<double> forces, clearances;
   for (std::uint64_t number = 0; number < 100; ++number) {
     const bumpfoil::Sample sample = bumpfoil::draw_sample(bearing, number);
-    const bumpfoil::Cycle push = bumpfoil::run_sample(bumpfoil::sampled_case(bearing, sample)).cycles.front();
-    if (!push.converged()) return 3;
+    const auto run = bumpfoil::run_sample(bumpfoil::sampled_case(bearing, sample));
+    if (!run || !run->converged()) return 3;
+    const bumpfoil::Cycle& push = run->cycles.front();
     forces.push_back(push.turning_point->max_force);
     clearances.push_back(1e6 * *push.clearance_10N);
   }

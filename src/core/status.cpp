@@ -15,7 +15,6 @@ constexpr std::array<std::string_view, enum_names<Status>.size()> explanations{
     "the run was interrupted",
     "the journal would not stay under its load: the foils push it on where it gives way",
     "the load does not determine the place of the journal: nothing resists its motion",
-    "what was drawn makes no bearing",
 };
 
 }  // namespace

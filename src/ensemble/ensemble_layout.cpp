@@ -119,8 +119,6 @@ EnsembleColumn column_of(const RunningQuantity& quantity) {
   column.value = [quantity](const SampleResult& result, std::size_t place, const Case&) {
     const auto& running = std::get<EquilibriumResult>(result);
     const RunningState& state = running.states[place];
-    // Of what makes no bearing the status alone is known.
-    if (!running.bearing) return quantity.name == "status" ? static_cast<double>(state.report.status) : absent;
     return value_of(quantity, *running.bearing, state);
   };
   return column;
@@ -174,6 +172,15 @@ Vector bump_loads(const SampleResult& result, std::size_t place) {
   return state.found() ? bumpfoil::bump_loads(*running.bearing, *state.last) : Vector();
 }
 
+/// Statuses of a command, and behind them that of samples that make no bearing.
+template <typename Status>
+constexpr auto sample_statuses = [] {
+  std::array<std::string_view, enum_names<Status>.size() + 1> names;
+  std::copy(enum_names<Status>.begin(), enum_names<Status>.end(), names.begin());
+  names.back() = "not_physical";
+  return names;
+}();
+
 }  // namespace
 
 std::string_view EnsembleLayout::status_name(int status) const {
@@ -181,6 +188,7 @@ std::string_view EnsembleLayout::status_name(int status) const {
 }
 
 std::string_view EnsembleLayout::status_reason(int status) const {
+  if (status == no_bearing()) return "what was drawn makes no bearing";
   return command == EnsembleCommand::cycle ? explanation(static_cast<Status>(status))
                                            : reason_of(static_cast<FilmStatus>(status));
 }
@@ -192,13 +200,22 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
                         .bumps = static_cast<std::size_t>(total_bumps(input))};
   if (layout.command == EnsembleCommand::cycle) {
     lay_out_cycles(input, layout);
+    layout.columns.front().form.words = sample_statuses<Status>;
   } else {
     lay_out_states(input, layout);
+    layout.columns.front().form.words = sample_statuses<FilmStatus>;
   }
   return layout;
 }
 
 std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& sampled, const SampleResult& result) {
+  if (std::holds_alternative<std::monostate>(result)) {
+    std::vector<double> nothing(layout.width(), absent);
+    for (std::size_t place = 0; place < layout.places.size(); ++place) {
+      nothing[layout.entry(place, 0)] = layout.no_bearing();
+    }
+    return nothing;
+  }
   [[maybe_unused]] const auto* cycles = std::get_if<CycleResult>(&result);  // by the assertion alone
   BUMPFOIL_ASSERT((cycles ? cycles->cycles.size() : std::get<EquilibriumResult>(result).states.size()) ==
                   layout.places.size());

@@ -64,10 +64,10 @@ std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, cons
   SampleResult result;
   if (layout_.command == EnsembleCommand::cycle) {
     std::unique_ptr<SampleRunner> runner = take_runner();
-    result = runner->run(sampled, goes_on);
+    if (auto cycles = runner->run(sampled, goes_on)) result = std::move(*cycles);
     give_back(std::move(runner));
-  } else {
-    result = run_running_sample(sampled, goes_on, input_.montecarlo->limits);
+  } else if (auto states = run_running_sample(sampled, goes_on, input_.montecarlo->limits)) {
+    result = std::move(*states);
   }
   if (stopped) return std::nullopt;
   return make_ensemble_row(layout_, sampled, result);

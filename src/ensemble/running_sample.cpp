@@ -5,15 +5,14 @@
 
 namespace bumpfoil {
 
-EquilibriumResult run_running_sample(const Case& sampled, const std::function<bool(double)>& progress, bool limits) {
+std::optional<EquilibriumResult> run_running_sample(const Case& sampled, const std::function<bool(double)>& progress,
+                                                    bool limits) {
   try {
     EquilibriumResult result = run_equilibrium(sampled, {}, progress);
     if (limits) add_film_limits(sampled, result, progress);
     return result;
   } catch (const Error&) {
-    EquilibriumResult not_run;
-    not_run.states = planned_states(*sampled.equilibrium, FilmStatus::not_physical);
-    return not_run;
+    return std::nullopt;
   }
 }
 

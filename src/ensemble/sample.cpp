@@ -55,18 +55,6 @@ void raise_bumps(Case& sampled, const std::vector<double>& deviations) {
   }
 }
 
-/// What is told of a bearing that cannot be built.
-CycleResult not_run(const Case& sampled) {
-  CycleResult result{.solver = sampled.solver.chosen(), .experiment = Experiment::cycle, .cycles = {}};
-  for (const double direction : sampled.cycle.directions) {
-    Cycle& cycle = result.cycles.emplace_back();
-    cycle.direction = direction;
-    cycle.status = Status::not_physical;
-    for (const double force : sampled.cycle.clearance_forces) cycle.clearances.push_back({force, {}});
-  }
-  return result;
-}
-
 }  // namespace
 
 Sample draw_sample(const Case& input, std::uint64_t number) {
@@ -115,12 +103,12 @@ Case sampled_case(const Case& input, const Sample& sample) {
   return sampled;
 }
 
-CycleResult SampleRunner::run(const Case& sampled, const ProgressCallback& progress) {
+std::optional<CycleResult> SampleRunner::run(const Case& sampled, const ProgressCallback& progress) {
   SharedFoils foils;
   try {
     foils = make_bearing_foils(sampled, {"cycle"});
   } catch (const Error&) {
-    return not_run(sampled);
+    return std::nullopt;
   }
   if (runner_ && settings_ == sampled.solver) {
     runner_->set_foils(std::move(foils));
@@ -135,7 +123,7 @@ CycleResult SampleRunner::run(const Case& sampled, const ProgressCallback& progr
   return result;
 }
 
-CycleResult run_sample(const Case& sampled, const ProgressCallback& progress) {
+std::optional<CycleResult> run_sample(const Case& sampled, const ProgressCallback& progress) {
   return SampleRunner().run(sampled, progress);
 }
 

@@ -223,9 +223,12 @@ Json answer_samples(const Json& request) {
   for (std::uint64_t number = first; number < first + count; ++number) {
     const Case sampled = sampled_case(input, draw_sample(input, number));
     Json directions = Json::array();
-    for (const Cycle& cycle : run_sample(sampled).cycles) {
+    const std::optional<CycleResult> result = run_sample(sampled);
+    for (std::size_t i = 0; i < input.cycle.directions.size(); ++i) {
       Json values = Json::array();
-      for (const CycleQuantity& quantity : quantities) values.push_back(value_json(quantity.value(cycle, sampled)));
+      for (const CycleQuantity& quantity : quantities) {
+        values.push_back(result ? value_json(quantity.value(result->cycles[i], sampled)) : Json());
+      }
       directions.push_back(std::move(values));
     }
     samples.push_back(std::move(directions));

@@ -22,14 +22,13 @@ enum class Status : std::uint8_t {
   interrupted,           ///< the run was stopped from outside
   unstable,              ///< under load control: the tangent of further motion would not hold the body there
   not_unique,            ///< under load control: that tangent vanishes, so that other places meet the load as well
-  not_physical,          ///< of an ensemble: what was drawn makes no bearing, and was not run
 };
 
 /// As files spell it.
 template <>
 inline constexpr auto enum_names<Status> = std::to_array<std::string_view>(
     {"converged", "no_modes", "no_tangent", "iterations_spent", "energy_defect", "residual_above_bound",
-     "load_out_of_reach", "load_not_met", "interrupted", "unstable", "not_unique", "not_physical"});
+     "load_out_of_reach", "load_not_met", "interrupted", "unstable", "not_unique"});
 
 /// What happened, in words that complete "increment 37: ...".
 std::string_view explanation(Status status);

@@ -16,8 +16,9 @@
 
 namespace bumpfoil {
 
-/// What was run of a bearing of an ensemble, as its case says by montecarlo.command.
-using SampleResult = std::variant<CycleResult, EquilibriumResult>;
+/// What was run of a bearing of an ensemble, as its case says by montecarlo.command; nothing if what was drawn makes no
+/// bearing.
+using SampleResult = std::variant<std::monostate, CycleResult, EquilibriumResult>;
 
 /// Where numbers of a bearing are kept: the direction of a cycle, rad, or a state in which it runs.
 struct EnsemblePlace {
@@ -32,7 +33,7 @@ struct EnsembleColumn {
   std::string label{};  ///< on the terminal; empty where it is in the files only
   ShownUnit shown{};
   Undefined undefined{Undefined::unknown};
-  /// (what was run, place, sampled case); not a number where it is not known
+  /// (what was run, place, sampled case) -> value; not a number where it is not known
   std::function<double(const SampleResult&, std::size_t, const Case&)> value{};
 };
 
@@ -53,6 +54,8 @@ struct EnsembleLayout {
   [[nodiscard]] std::string_view dimension() const { return command == EnsembleCommand::cycle ? "direction" : "state"; }
   /// The quantity whose mean EnsembleRun is asked to know: the maximum force, or the least film thickness.
   [[nodiscard]] std::string_view leading() const { return command == EnsembleCommand::cycle ? "max_force" : "h_min"; }
+  /// The status of samples that make no bearing: "not_physical".
+  [[nodiscard]] int no_bearing() const { return static_cast<int>(columns.front().form.words.size()) - 1; }
   /// What the number of a status means: a word, and a reason.
   [[nodiscard]] std::string_view status_name(int status) const;
   [[nodiscard]] std::string_view status_reason(int status) const;
@@ -62,7 +65,7 @@ struct EnsembleLayout {
 /// @throws Error (input) if it is one of running bearings, and the case makes none
 EnsembleLayout make_ensemble_layout(const Case& input);
 
-/// The row of a sample, not a number where something is not known.
+/// The row of a sample, not a number where something is not known: all but the status of one that makes no bearing.
 std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& sampled, const SampleResult& result);
 
 }  // namespace bumpfoil

@@ -40,14 +40,15 @@ std::vector<double> factors_of(const Case& input, const Sample& sample);
 Case sampled_case(const Case& input, const Sample& sample);
 
 /// Runs a cycle in each direction of a sampled case, for quantities alone. Nothing but the case decides on them, to the
-/// last bit. Numerical failures are reported in the result; so is a case that makes no bearing, as `not_physical`.
-CycleResult run_sample(const Case& sampled, const ProgressCallback& progress = {});
+/// last bit. Numerical failures are reported in the result.
+/// @return nothing if the case makes no bearing
+std::optional<CycleResult> run_sample(const Case& sampled, const ProgressCallback& progress = {});
 
 /// Runs one sample after the other, with the results of run_sample(). What was built of the stiffness of one is kept
 /// for the next where heights and gaps alone scatter.
 class SampleRunner {
  public:
-  CycleResult run(const Case& sampled, const ProgressCallback& progress = {});
+  std::optional<CycleResult> run(const Case& sampled, const ProgressCallback& progress = {});
 
  private:
   SolverSettings settings_;

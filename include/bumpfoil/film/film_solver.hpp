@@ -34,7 +34,6 @@ enum class FilmStatus : std::uint8_t {
   fold,           ///< of a path: the branch of states ends, and from its end the film comes to rest nowhere
   not_reached,    ///< of a path: an earlier state was not found
   interrupted,    ///< stopped from outside
-  not_physical,   ///< of an ensemble: what was drawn makes no bearing, and was not run
 };
 
 struct FilmSolverOptions {

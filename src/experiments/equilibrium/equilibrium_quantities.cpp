@@ -340,8 +340,6 @@ std::string_view reason_of(FilmStatus status) {
       return "not looked for, since an earlier state of its path was not found";
     case FilmStatus::interrupted:
       return "interrupted";
-    case FilmStatus::not_physical:
-      return "what was drawn makes no bearing";
   }
   return "";
 }

@@ -33,7 +33,6 @@ TEST(Status, NamesAreThoseOfTheEnumerators) {
   EXPECT_EQ(name_of(Status::interrupted), "interrupted");
   EXPECT_EQ(name_of(Status::unstable), "unstable");
   EXPECT_EQ(name_of(Status::not_unique), "not_unique");
-  EXPECT_EQ(name_of(Status::not_physical), "not_physical");
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ TEST(Sample, StiffnessIsIdentifiedAgain) {
   Case thicker = input;
   thicker.montecarlo.reset();
   thicker.bump_foil.thickness.values.front() += 5e-6;
-  const CycleResult sampled = run_sample(sampled_case(input, draw_sample(input, 0)));
+  const CycleResult sampled = run_sample(sampled_case(input, draw_sample(input, 0))).value();
   EXPECT_EQ(sampled.cycles.at(0).turning_point.value().max_force,
             run_cycles(thicker).cycles.at(0).turning_point.value().max_force);
 }
@@ -185,7 +185,7 @@ TEST(Sample, QuantitiesAreThoseOfTheFullRecord) {
   input.cycle.steps = 20;
   for (std::uint64_t i = 0; i < 5; ++i) {
     const Case sampled = sampled_case(input, draw_sample(input, i));
-    const CycleResult lean = run_sample(sampled);
+    const CycleResult lean = run_sample(sampled).value();
     const CycleResult full = run_cycles(sampled);
     ASSERT_EQ(lean.cycles.size(), 4U);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -207,8 +207,8 @@ TEST(Sample, IsTheSameToTheLastBitAfterOthers) {
   for (const std::uint64_t number : {4U, 1U, 4U, 2U}) {
     Case sampled = sampled_case(input, draw_sample(input, number));
     if (number == 1) sampled.solver.name = SolverName::newton;
-    const CycleResult again = runner.run(sampled);
-    const CycleResult alone = run_sample(sampled);
+    const CycleResult again = runner.run(sampled).value();
+    const CycleResult alone = run_sample(sampled).value();
     EXPECT_EQ(again.solver, alone.solver);
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_EQ(again.cycles.at(k).loop_energy, alone.cycles.at(k).loop_energy);
@@ -218,17 +218,10 @@ TEST(Sample, IsTheSameToTheLastBitAfterOthers) {
   }
 }
 
-TEST(Sample, WhatMakesNoBearingIsToldAndNotRun) {
+TEST(Sample, IsNothingWhereWhatWasDrawnMakesNoBearing) {
   const Case input =
       ensemble_case({.friction_top_bump = Distribution{.kind = DistributionKind::table, .values = {-0.2}}});
-  const CycleResult result = run_sample(sampled_case(input, draw_sample(input, 0)));
-  ASSERT_EQ(result.cycles.size(), 4U);
-  for (const Cycle& cycle : result.cycles) {
-    EXPECT_EQ(cycle.status, Status::not_physical);
-    EXPECT_FALSE(cycle.turning_point);
-    EXPECT_EQ(cycle.clearances.size(), 2U);
-  }
-  EXPECT_EQ(result.cycles[2].direction, input.cycle.directions[2]);
+  EXPECT_FALSE(run_sample(sampled_case(input, draw_sample(input, 0))));
 }
 
 }  // namespace

@@ -262,7 +262,7 @@ TEST(DesignerAnswer, DrawsTheSamplesOfTheProgram) {
   const auto name = [](const json& quantity) { return quantity["name"] == "max_force"; };
   const json& quantities = answer["quantities"];
   const auto place = std::find_if(quantities.begin(), quantities.end(), name) - quantities.begin();
-  const CycleResult second = run_sample(sampled_case(input, draw_sample(input, 2)));
+  const CycleResult second = run_sample(sampled_case(input, draw_sample(input, 2))).value();
   EXPECT_EQ(answer["samples"][1][3][static_cast<std::size_t>(place)], second.cycles[3].turning_point->max_force);
   EXPECT_NE(answer["samples"][0], answer["samples"][1]);
   EXPECT_EQ(ask({{"what", "samples"}, {"text", case_text()}, {"first", 0}, {"count", 1}})["faults"][0]["key"],

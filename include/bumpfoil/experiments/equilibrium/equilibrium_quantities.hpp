@@ -12,8 +12,9 @@
 namespace bumpfoil {
 
 template <>
-inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>(
-    {"converged", "not_converged", "touchdown", "no_room", "fold", "not_reached", "interrupted", "not_physical"});
+inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>({"converged", "not_converged",
+                                                                                "touchdown", "no_room", "fold",
+                                                                                "not_reached", "interrupted"});
 
 /// Of one state; values that are not known are not numbers.
 struct RunningQuantity {
