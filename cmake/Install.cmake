@@ -10,7 +10,7 @@ configure_package_config_file(cmake/bumpfoilConfig.cmake.in ${PROJECT_BINARY_DIR
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/bumpfoilConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/bumpfoilConfig.cmake ${PROJECT_BINARY_DIR}/bumpfoilConfigVersion.cmake
-              cmake/FindNetCDFCxx4.cmake cmake/FindUDUNITS2.cmake
+              cmake/FindNetCDFCxx4.cmake
         DESTINATION ${package_dir})
 # Links between pages, and from them to examples and headers, lead to what is installed.
 install(FILES LICENSE README.md CITATION.cff CHANGELOG.md CONTRIBUTING.md packages.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -73,7 +73,7 @@ Run watched(const py::object& progress, const Running& running) {
 /// @param switches  names of those that are on
 Run run(const std::string& command, const CaseSource& source, const std::vector<std::string>& switches,
         const py::object& progress) {
-  const Case input = read_source(source, {command});  // with the lock: units are not thread-safe
+  const Case input = read_source(source, {command});
   const std::string text = kept_text(source, input);
   Switches given;
   for (const std::string& name : switches) given[name] = "";

@@ -8,6 +8,7 @@
 #include "case/case_json.hpp"
 #include "case/key_list.hpp"
 #include "case/presets.hpp"
+#include "case/unit_table.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -69,6 +70,20 @@ A list of quantities may be a range of equally spaced ones, both ends included: 
 changes a key for one run. This page is what `bumpfoil init --keys` prints.
 )";
 
+/// What is known of units.
+std::string units_text() {
+  std::vector<std::string> units, prefixes;
+  for (const KnownUnit& unit : known_units()) {
+    const std::string_view words = unit.symbols.empty() ? unit.names : unit.symbols;
+    if (unit.meaning.scale) units.push_back(fmt::format("`{}`", words.substr(0, words.find(' '))));
+  }
+  for (const UnitPrefix& prefix : unit_prefixes()) prefixes.push_back(fmt::format("`{}`", prefix.symbol));
+  return fmt::format(
+      "\nUnits are {}, by symbol or name (`inch`, `degrees`), with one of the prefixes {} or none, and their products "
+      "(`Pa s`), quotients (`MN/m`) and powers (`m2`).\n",
+      fmt::join(units, ", "), fmt::join(prefixes, " "));
+}
+
 }  // namespace
 
 std::vector<std::string> preset_names() {
@@ -104,7 +119,7 @@ std::string case_template(std::string_view name) {
 }
 
 std::string case_reference() {
-  std::string out(reference_head);
+  std::string out = std::string(reference_head) + units_text();
   constexpr std::string_view header = "\n| key | value | default | meaning |\n|---|---|---|---|\n";
   const std::vector<ListedKey> unset = list_keys({});
   std::size_t i = 0;

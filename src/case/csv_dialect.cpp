@@ -27,15 +27,6 @@ std::string replaced(std::string_view text, std::string_view old, std::string_vi
   return out.append(text);
 }
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return lower(c); });
-  return text;
-}
-
 /// Micro as "u", whether it is written as the sign or as the letter, in UTF-8 or Latin-1.
 std::string without_micro(std::string_view column) {
   std::string text = replaced(replaced(column, "\xc2\xb5", "u"), "\xce\xbc", "u");

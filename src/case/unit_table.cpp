@@ -1,216 +1,212 @@
 #include "case/unit_table.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "case/csv_lines.hpp"
+
 namespace bumpfoil {
+std::span<const KnownUnit> known_units() {
+  constexpr UnitPowers length{0, 1}, mass{1}, duration{0, 0, 1}, temperature{0, 0, 0, 1}, angle{0, 0, 0, 0, 1};
+  constexpr UnitPowers force{1, 1, -2}, pressure{1, -1, -2}, viscosity{1, -1, -1}, energy{1, 2, -2}, power{1, 2, -3};
+  constexpr double inch = 0.0254, pound_force = 4.4482216152605, psi = pound_force / (inch * inch);
+  constexpr double turn = 2.0 * std::numbers::pi;
+
+  static constexpr auto units = std::to_array<KnownUnit>({
+      {"m", "meter metre", {length, 1.0}},
+      {"", "micron", {length, 1e-6}},
+      {"in", "inch inches", {length, inch}},
+      {"", "mil thou", {length, 1e-3 * inch}},
+      {"ft", "foot feet", {length, 12.0 * inch}},
+      {"rad", "radian", {angle, 1.0}},
+      {"deg \u00b0", "degree", {angle, turn / 360.0}},
+      {"rev", "revolution turn", {angle, turn}},
+      {"s", "second sec", {duration, 1.0}},
+      {"min", "minute", {duration, 60.0}},
+      {"h", "hour", {duration, 3600.0}},
+      {"Hz", "hertz", {{0, 0, -1}, 1.0}},
+      {"rpm", "", {{0, 0, -1, 0, 1}, turn / 60.0}},
+      {"g", "gram", {mass, 1e-3}},
+      {"lb", "pound", {mass, 0.45359237}},
+      {"N", "newton", {force, 1.0}},
+      {"lbf", "", {force, pound_force}},
+      {"", "kip", {force, 1e3 * pound_force}},
+      {"kgf", "", {force, 9.80665}},
+      {"Pa", "pascal", {pressure, 1.0}},
+      {"", "bar", {pressure, 1e5}},
+      {"psi", "", {pressure, psi}},
+      {"ksi", "", {pressure, 1e3 * psi}},
+      {"atm", "atmosphere", {pressure, 101325.0}},
+      {"mmHg", "torr", {pressure, 133.322387415}},
+      {"P", "poise", {viscosity, 0.1}},
+      {"J", "joule", {energy, 1.0}},
+      {"W", "watt", {power, 1.0}},
+      {"K", "kelvin", {temperature, 1.0}},
+      {"\u00b0C", "degc celsius", {temperature, std::nullopt}},
+      {"\u00b0F", "degf fahrenheit", {temperature, std::nullopt}},
+  });
+  return units;
+}
+
+std::span<const UnitPrefix> unit_prefixes() {
+  static constexpr auto prefixes = std::to_array<UnitPrefix>({
+      {"T", "tera", 1e12},
+      {"G", "giga", 1e9},
+      {"M", "mega", 1e6},
+      {"k", "kilo", 1e3},
+      {"h", "hecto", 1e2},
+      {"da", "deka", 1e1},
+      {"d", "deci", 1e-1},
+      {"c", "centi", 1e-2},
+      {"m", "milli", 1e-3},
+      {"u", "micro", 1e-6},
+      {"n", "nano", 1e-9},
+      {"p", "pico", 1e-12},
+  });
+  return prefixes;
+}
+
 namespace {
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool equal_but_for_capitals(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
-}
-
-bool begins_but_for_capitals(std::string_view text, std::string_view begin) {
-  return text.size() >= begin.size() && equal_but_for_capitals(text.substr(0, begin.size()), begin);
-}
-
-UnitMeaning product(const UnitMeaning& a, const UnitMeaning& b, int sign) {
-  UnitMeaning out;
-  for (std::size_t i = 0; i < out.powers.size(); ++i) out.powers[i] = a.powers[i] + sign * b.powers[i];
-  if (a.scale && b.scale) out.scale = sign > 0 ? *a.scale * *b.scale : *a.scale / *b.scale;
-  return out;
-}
-
-UnitMeaning power(const UnitMeaning& unit, int exponent) {
-  UnitMeaning out{.scale = unit.scale};
-  for (std::size_t i = 0; i < out.powers.size(); ++i) out.powers[i] = unit.powers[i] * exponent;
-  if (unit.scale) out.scale = std::pow(*unit.scale, exponent);
-  return out;
-}
-
-/// One word: a unit with prefixes before it.
-std::optional<UnitMeaning> read_word(std::string_view word, const UnitTable& table) {
-  double prefix = 1.0;
-  bool had_symbol = false;
-  while (!word.empty()) {
-    for (const bool is_symbol : {false, true}) {
-      const auto unit = std::find_if(table.units.begin(), table.units.end(), [&](const TableUnit& one) {
-        return one.is_symbol == is_symbol && (is_symbol ? one.name == word : equal_but_for_capitals(one.name, word));
-      });
-      if (unit == table.units.end()) continue;
-      UnitMeaning meaning = unit->meaning;
-      if (meaning.scale) meaning.scale = *meaning.scale * prefix;
-      return meaning;
-    }
-    // The longest that fits; one symbol at most, after names.
-    const TablePrefix* longest = nullptr;
-    for (const bool is_symbol : {false, true}) {
-      if (longest != nullptr || (is_symbol && had_symbol)) break;
-      for (const TablePrefix& one : table.prefixes) {
-        const bool fits = one.is_symbol == is_symbol &&
-                          (is_symbol ? word.starts_with(one.name) : begins_but_for_capitals(word, one.name));
-        if (fits && (longest == nullptr || one.name.size() > longest->name.size())) longest = &one;
-      }
-    }
-    if (longest == nullptr) return std::nullopt;
-    had_symbol = had_symbol || longest->is_symbol;
-    prefix *= longest->value;
-    word.remove_prefix(longest->name.size());
-  }
-  return std::nullopt;
-}
 
 struct Spelling {
   std::string_view from;
   std::string_view to;
 };
 
-/// Signs beyond ASCII that stand for others.
-constexpr std::array spellings{
-    Spelling{"\xc2\xb7", "."},     Spelling{"\xc2\xb9", "1"},     Spelling{"\xc2\xb2", "2"},
-    Spelling{"\xc2\xb3", "3"},     Spelling{"\xe2\x81\xb0", "0"}, Spelling{"\xe2\x81\xb4", "4"},
-    Spelling{"\xe2\x81\xb5", "5"}, Spelling{"\xe2\x81\xb6", "6"}, Spelling{"\xe2\x81\xb7", "7"},
-    Spelling{"\xe2\x81\xb8", "8"}, Spelling{"\xe2\x81\xb9", "9"}, Spelling{"\xe2\x81\xbb", "-"},
-    Spelling{"\xe2\x81\xba", "+"},
-};
+/// Signs beyond ASCII that stand for others: micro, mu, the dot of products, and exponents.
+constexpr auto plain_spellings = std::to_array<Spelling>({
+    {"\u00b5", "u"},
+    {"\u03bc", "u"},
+    {"\u00b7", "."},
+    {"\u207b", "-"},
+    {"\u00b9", "1"},
+    {"\u00b2", "2"},
+    {"\u00b3", "3"},
+});
 
-std::string plainly_spelt(std::string_view text) {
-  std::string out;
-  while (!text.empty()) {
-    const auto* const found = std::find_if(spellings.begin(), spellings.end(),
-                                           [text](const Spelling& one) { return text.starts_with(one.from); });
-    if (found == spellings.end()) {
-      out += text.front();
-      text.remove_prefix(1);
-    } else {
-      out += found->to;
-      text.remove_prefix(found->from.size());
-    }
+std::string plainly_spelt(std::string text) {
+  for (const auto& [from, to] : plain_spellings) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at))
+      text.replace(at, from.size(), to);
   }
-  return out;
+  return text;
+}
+
+/// Whether a word is one of a list, which blanks set off.
+bool is_among(std::string_view list, std::string_view word) {
+  while (!list.empty()) {
+    const std::string_view first = list.substr(0, list.find(' '));
+    if (first == word) return true;
+    list.remove_prefix(std::min(first.size() + 1, list.size()));
+  }
+  return false;
+}
+
+/// @param small  the word in small letters
+const KnownUnit* find_unit(std::string_view word, std::string_view small) {
+  const std::string_view one = small.ends_with('s') ? small.substr(0, small.size() - 1) : small;
+  for (const KnownUnit& unit : known_units()) {
+    if (is_among(unit.symbols, word) || is_among(unit.names, small) || is_among(unit.names, one)) return &unit;
+  }
+  return nullptr;
+}
+
+std::optional<UnitMeaning> read_word(std::string_view word) {
+  const std::string small = lower(std::string(word));
+  if (const KnownUnit* unit = find_unit(word, small)) return unit->meaning;
+  for (const UnitPrefix& prefix : unit_prefixes()) {
+    const bool named = small.starts_with(prefix.name);
+    if (!named && !word.starts_with(prefix.symbol)) continue;
+    const std::size_t size = named ? prefix.name.size() : prefix.symbol.size();
+    const KnownUnit* const unit = find_unit(word.substr(size), std::string_view(small).substr(size));
+    if (unit == nullptr || !unit->meaning.scale) continue;
+    return UnitMeaning{unit->meaning.powers, prefix.value * *unit->meaning.scale};
+  }
+  return std::nullopt;
 }
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Whether a sign is part of a word, at its ends as well as inside.
 bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
-}
-
-/// Signs that are units by themselves.
-bool is_word(char c) {
-  return c == '%' || c == '\'' || c == '"';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
 class UnitParser {
  public:
-  UnitParser(std::string_view text, const UnitTable& table) : rest_(text), table_(table) {}
+  explicit UnitParser(std::string_view text) : rest_(text) {}
 
-  std::optional<UnitMeaning> whole() {
-    skip_spaces();
-    std::optional<UnitMeaning> unit;
-    if (rest_.starts_with('1') && rest_.find('/') == rest_.find_first_not_of("1 ")) {
-      rest_.remove_prefix(1);
-      unit = UnitMeaning{.scale = 1.0};
-      unit = further(*unit);
-    } else {
-      unit = all_factors();
+  [[nodiscard]] bool is_done() const { return rest_.empty(); }
+
+  std::optional<UnitMeaning> product() {
+    skip_blanks();
+    // No other numbers stand in units.
+    const bool inverse = rest_.starts_with("1/") && takes("1");
+    std::optional<UnitMeaning> unit = inverse ? UnitMeaning{.scale = 1.0} : factor();
+    for (bool apart = skip_blanks(); unit && !rest_.empty() && rest_.front() != ')'; apart = skip_blanks()) {
+      const bool divides = takes("/");
+      if (!divides && !takes(".") && !takes("*") && !takes("-") && !apart) return std::nullopt;
+      skip_blanks();
+      const std::optional<UnitMeaning> next = factor();
+      if (!next) return std::nullopt;
+      multiply(*unit, *next, divides ? -1 : 1);
     }
-    return rest_.empty() ? unit : std::nullopt;
+    return unit;
   }
 
  private:
-  std::optional<UnitMeaning> all_factors() {
-    const std::optional<UnitMeaning> first = factor();
-    return first ? further(*first) : std::nullopt;
-  }
-
-  /// Products and quotients, from the left.
-  std::optional<UnitMeaning> further(UnitMeaning unit) {
-    for (skip_spaces(); !rest_.empty() && rest_.front() != ')'; skip_spaces()) {
-      const int sign = operation();
-      const std::optional<UnitMeaning> next = factor();
-      if (!next) return std::nullopt;
-      unit = product(unit, *next, sign);
-    }
-    return unit;
-  }
-
-  /// Takes an operator; units side by side are multiplied.
-  int operation() {
-    int sign = 1;
-    if (rest_.front() == '/') {
-      sign = -1;
-      rest_.remove_prefix(1);
-    } else if (rest_.front() == '.' || rest_.front() == '*' || rest_.front() == '-') {
-      rest_.remove_prefix(1);
-    } else if ((rest_.starts_with("per ") || rest_.starts_with("PER "))) {
-      sign = -1;
-      rest_.remove_prefix(3);
-    }
-    skip_spaces();
-    return sign;
-  }
-
-  /// A unit with its exponent.
+  /// A unit with its exponent, or a product in brackets.
   std::optional<UnitMeaning> factor() {
-    const std::optional<UnitMeaning> unit = basic();
+    if (takes("(")) {
+      const std::optional<UnitMeaning> inner = product();
+      return takes(")") ? inner : std::nullopt;
+    }
+    const auto* const end = std::find_if_not(rest_.begin(), rest_.end(), is_letter);
+    const std::string_view word = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
+    const std::optional<UnitMeaning> unit = read_word(word);
+    rest_.remove_prefix(word.size());
     if (!unit) return std::nullopt;
-    const bool raised = rest_.starts_with('^') || rest_.starts_with("**");
-    if (raised) rest_.remove_prefix(rest_.starts_with('^') ? 1 : 2);
-    const bool negative = rest_.size() > 1 && rest_.front() == '-' && is_digit(rest_[1]);
-    const bool positive = rest_.size() > 1 && rest_.front() == '+' && is_digit(rest_[1]);
-    const std::string_view digits = rest_.substr(negative || positive ? 1 : 0);
-    if (digits.empty() || !is_digit(digits.front())) return raised ? std::nullopt : unit;
-    int exponent = 0;
-    const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    constexpr int largest_exponent = 255;
-    if (status != std::errc{} || exponent > largest_exponent) return std::nullopt;
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
-    return power(*unit, negative ? -exponent : exponent);
+    const bool raised = takes("^") || takes("**");
+    const bool negative = rest_.size() > 1 && is_digit(rest_[1]) && takes("-");
+    if (rest_.empty() || !is_digit(rest_.front())) return raised ? std::nullopt : unit;
+    UnitMeaning out{.scale = 1.0};
+    multiply(out, *unit, negative ? '0' - rest_.front() : rest_.front() - '0');
+    rest_.remove_prefix(1);
+    return out;
   }
 
-  std::optional<UnitMeaning> basic() {
-    if (rest_.starts_with('(')) {
-      rest_.remove_prefix(1);
-      skip_spaces();
-      const std::optional<UnitMeaning> inner = all_factors();
-      skip_spaces();
-      if (!rest_.starts_with(')')) return std::nullopt;
-      rest_.remove_prefix(1);
-      return inner;
-    }
-    // Digits may stand inside a word ("H2O"), and are an exponent after it.
-    std::size_t length = !rest_.empty() && is_word(rest_.front()) ? 1 : 0;
-    for (std::size_t i = 0; i < rest_.size() && (is_letter(rest_[i]) || (i > 0 && is_digit(rest_[i]))); ++i) {
-      if (is_letter(rest_[i])) length = i + 1;
-    }
-    const std::optional<UnitMeaning> unit = read_word(rest_.substr(0, length), table_);
-    rest_.remove_prefix(length);
-    return unit;
+  static void multiply(UnitMeaning& unit, const UnitMeaning& by, int exponent) {
+    for (std::size_t i = 0; i < unit.powers.size(); ++i) unit.powers[i] += exponent * by.powers[i];
+    if (!by.scale) unit.scale.reset();
+    if (unit.scale) *unit.scale *= std::pow(*by.scale, exponent);
   }
 
-  void skip_spaces() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
+  bool takes(std::string_view sign) {
+    const bool taken = rest_.starts_with(sign);
+    if (taken) rest_.remove_prefix(sign.size());
+    return taken;
+  }
+
+  bool skip_blanks() {
+    const std::size_t blanks = std::min(rest_.find_first_not_of(' '), rest_.size());
+    rest_.remove_prefix(blanks);
+    return blanks > 0;
+  }
 
   std::string_view rest_;
-  const UnitTable& table_;
 };
 
 }  // namespace
 
-std::optional<UnitMeaning> read_unit(std::string_view text, const UnitTable& table) {
-  const std::string plain = plainly_spelt(text);
-  std::optional<UnitMeaning> unit = UnitParser(plain, table).whole();
-  if (unit && unit->scale && !std::isfinite(*unit->scale)) unit->scale.reset();
+std::optional<UnitMeaning> read_unit(std::string_view text) {
+  const std::string plain = plainly_spelt(std::string(text));
+  UnitParser parser(plain);
+  std::optional<UnitMeaning> unit = parser.product();
+  if (!parser.is_done()) return std::nullopt;
+  if (unit && unit->scale && !std::isnormal(*unit->scale)) unit->scale.reset();
   return unit;
 }
 

@@ -1,39 +1,41 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
 
-#include "case/unit_system.hpp"
-
 namespace bumpfoil {
 
-/// A unit of the database of UDUNITS-2.
-struct TableUnit {
-  std::string_view name;
-  bool is_symbol;  ///< which capitals tell apart
+/// Powers of kg, m, s, K and rad, which the units of case files are made of.
+using UnitPowers = std::array<int, 5>;
+
+/// What a unit measures, and how large it is.
+struct UnitMeaning {
+  UnitPowers powers{};
+  std::optional<double> scale{};  ///< one of it in SI; none if it is shifted ("degC")
+};
+
+/// A unit that is known.
+struct KnownUnit {
+  std::string_view symbols;  ///< set off by blanks; capitals tell them apart
+  std::string_view names;  ///< set off by blanks, in small letters: capitals and an "s" behind them make no difference
   UnitMeaning meaning;
 };
 
-/// A prefix of it.
-struct TablePrefix {
+/// What may stand before any of them, once.
+struct UnitPrefix {
+  std::string_view symbol;
   std::string_view name;
-  bool is_symbol;
   double value;
 };
 
-/// The units and prefixes of UDUNITS-2, for where it is not to be had.
-struct UnitTable {
-  std::span<const TableUnit> units;
-  std::span<const TablePrefix> prefixes;
-};
+/// All that are known: those that people write. A test compares each of them with UDUNITS-2.
+std::span<const KnownUnit> known_units();
+std::span<const UnitPrefix> unit_prefixes();
 
-/// The table that make_unit_table.cpp writes, when the program is built, out of the database of UDUNITS-2.
-UnitTable unit_table();
-
-/// Reads a unit by the grammar of UDUNITS-2: products ("N m", "N.m", "N*m"), quotients ("N/m", "N per m"), powers
-/// ("m2", "s-1", "m^2", "m**2"), brackets, and prefixes. Shifted units ("K from 273") and logarithms, which no case
-/// file has a use for, are not read; nor are numbers, but for a 1 at the beginning ("1/s").
-std::optional<UnitMeaning> read_unit(std::string_view text, const UnitTable& table);
+/// Reads units with their prefixes, as products ("Pa s", "N.m", "N*m", "N-m"), quotients from the left ("kg/m/s2",
+/// "kg/(m s2)", "1/s") and powers of one digit ("m2", "s-1", "m^2", "m**2", "m²"); nothing where it is none.
+std::optional<UnitMeaning> read_unit(std::string_view text);
 
 }  // namespace bumpfoil

@@ -10,7 +10,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "case/csv_lines.hpp"
-#include "case/unit_system.hpp"
+#include "case/unit_table.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -35,21 +35,20 @@ constexpr std::array dimensions{
     DimensionText{Dimension::bed_stiffness, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
 };
 
-/// Longer texts are no quantities; the grammar of UDUNITS-2 recurses.
+/// Longer texts are no quantities; the grammar of units recurses.
 constexpr std::size_t longest_quantity = 64;
 
 const DimensionText& text_of(Dimension dimension) {
   return dimensions[static_cast<std::size_t>(dimension)];
 }
 
-/// Of base_units.
-constexpr std::size_t radian = 7;
+/// Of UnitPowers.
+constexpr std::size_t radian = 4;
 
 UnitPowers powers_of(Dimension dimension) {
   return read_unit(text_of(dimension).si_unit).value_or(UnitMeaning{}).powers;
 }
 
-/// Angles have radians in them; "30 %" is no angle all the same.
 bool counts_radians(const UnitMeaning& unit) {
   return unit.powers[radian] != 0;
 }
@@ -61,8 +60,8 @@ bool measures(const UnitMeaning& unit, Dimension dimension) {
   return unit.powers == due;
 }
 
-/// UDUNITS-2 takes numbers inside units: "1 000 mm" would be nothing, "mm^1.5" half a millimetre. Digits are
-/// exponents here: they follow a letter, a sign or another digit.
+/// Numbers that are separated ("1 000 mm", "31,8 um") and broken exponents ("mm^1.5") are worth words of their own.
+/// Digits are exponents here: they follow a letter, a sign or another digit.
 bool has_stray_digits(std::string_view unit) {
   for (std::size_t i = 0; i < unit.size(); ++i) {
     const bool digit = unit[i] >= '0' && unit[i] <= '9';
@@ -73,7 +72,7 @@ bool has_stray_digits(std::string_view unit) {
   return false;
 }
 
-/// Turns, or parts of them, by their name: for UDUNITS-2 a hertz is 1/s.
+/// Turns, or parts of them, by their name: a hertz is 1/s.
 bool is_hertz(std::string_view unit) {
   return unit.ends_with("Hz") || unit.ends_with("hertz");
 }

@@ -43,12 +43,11 @@ FOREIGN_WORDS = {
 MAY_USE_FILES = {"case", "results", "experiments", "ensemble", "sweep", "readers", "pages", "studies"}
 IO_HEADERS = re.compile(
     r"iostream|fstream|cstdio|filesystem|print|fmt/(?:os|ostream|color)\.h|nlohmann/.*|toml\+\+/.*|toml\.hpp|"
-    r"udunits2\.h|netcdf.*|CLI/.*"
+    r"netcdf.*|CLI/.*"
 )
 # Everything that is printed goes through one place, which keeps texts of others from steering the terminal. The progress
-# bar has no such texts; the message of a failed assertion is the last thing a broken program says; the maker of the
-# table of units is a tool of the build.
-MAY_PRINT = {"include/bumpfoil/core/assert.hpp", "apps/output.cpp", "apps/progress_bar.cpp", "src/case/make_unit_table.cpp"}
+# bar has no such texts; the message of a failed assertion is the last thing a broken program says.
+MAY_PRINT = {"include/bumpfoil/core/assert.hpp", "apps/output.cpp", "apps/progress_bar.cpp"}
 PRINTING = re.compile(r"\b(?:stdout|stderr|cout|cerr|clog|fmt::print|v?f?printf|perror|puts|putchar)\b")
 
 # What the users of an installed library have: its public headers, the standard library and Eigen.

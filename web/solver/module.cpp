@@ -4,16 +4,6 @@
 #include <string>
 
 #include "bumpfoil/pages/designer.hpp"
-#include "case/unit_system.hpp"
-#include "case/unit_table.hpp"
-
-namespace bumpfoil {
-
-std::optional<UnitMeaning> read_unit(std::string_view text) {
-  return read_unit(text, unit_table());
-}
-
-}  // namespace bumpfoil
 
 namespace {
 
