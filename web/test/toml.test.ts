@@ -24,6 +24,8 @@ describe('case files', () => {
     expect(written('bearing.wave[2].amplitude')).toBe('2');
     expect(written('montecarlo.bump_height.std')).toBe('"5 um"');
     expect(written('bearing.length')).toBeUndefined();
+    const inPads = '[[pad]]\narc = "90 deg"\n[[pad]]\n[pad.bump_foil]\nthickness = "0.1 mm"\n';
+    expect(writtenValue(inPads, outlineOf(inPads), 'pad[2].bump_foil.thickness')).toBe('"0.1 mm"');
   });
 
   it('are changed in one place alone', () => {
@@ -59,7 +61,9 @@ describe('case files', () => {
 
   it('are read as far as they are right', () => {
     expect(writtenValue('a = 1\nb = [', outlineOf('a = 1\nb = ['), 'a')).toBe('1');
+    expect(writtenValue('a = 1\nb = [\n1,\n2,\n', outlineOf('a = 1\nb = [\n1,\n2,\n'), 'a')).toBe('1');
     expect(outlineOf('a = "open').values.size).toBe(0);
+    expect(outlineOf('\n\n]').values.size).toBe(0);
   });
 });
 

@@ -1,4 +1,6 @@
 /** Where the values of a case file stand in its text, so that one can be changed and all else stays as it was written. */
+/*! Reads TOML by toml-eslint-parser, copyright 2021 Yosuke Ota, MIT License (https://opensource.org/license/mit), with eslint-visitor-keys, copyright OpenJS Foundation and contributors, Apache License 2.0. */
+import { ParseError, parseTOML, type AST } from 'toml-eslint-parser';
 
 interface Span {
   start: number;
@@ -16,147 +18,22 @@ export interface Outline {
   heads: Map<string, Span>;
 }
 
-/** Reads as far as the text is TOML: what is wrong with it the solver says. */
-class Reader {
-  readonly outline: Outline = { values: new Map(), statements: new Map(), tables: new Map(), heads: new Map() };
-  private place = 0;
-
-  constructor(private readonly text: string) {}
-
-  read(): void {
-    let table = '';
-    const arrays = new Map<string, number>();
-    this.outline.tables.set('', 0);
-    for (this.skip(true); this.place < this.text.length; this.skip(true)) {
-      const line = this.lineStart();
-      const head = /^\[\[?/.exec(this.text.slice(this.place, this.place + 2))?.[0];
-      if (head !== undefined) {
-        this.place += head.length;
-        table = this.key();
-        if (head === '[[') {
-          // Counted from 1, as the solver does.
-          const count = (arrays.get(table) ?? 0) + 1;
-          arrays.set(table, count);
-          table = `${table}[${count}]`;
-        }
-        this.skip(false);
-        this.expect(head === '[[' ? ']]' : ']');
-        this.outline.heads.set(table, { start: line, end: this.lineEnd() });
-      } else {
-        const path = joined(table, this.key());
-        this.value(path);
-        this.outline.statements.set(path, { start: line, end: this.lineEnd() });
-      }
-      this.outline.tables.set(table, this.lineEnd());
-      this.skipComment();
-      if (this.place < this.text.length && !/[\r\n]/.test(this.text[this.place] ?? '')) throw new SyntaxError();
+/** As much of the text from its beginning as is TOML: what is wrong with the rest the solver says. */
+function readable(text: string): AST.TOMLProgram {
+  for (let end = text.length; ; ) {
+    try {
+      return parseTOML(text.slice(0, end));
+    } catch (error) {
+      if (!(error instanceof ParseError)) throw error;
+      // Without the line, then without those before it, where one of them opens what is never closed.
+      end = Math.max(0, text.lastIndexOf('\n', Math.min(error.index, end) - 1));
     }
-  }
-
-  /** An equals sign and what follows it. */
-  private value(path: string): void {
-    this.skip(false);
-    this.expect('=');
-    this.skip(false);
-    const start = this.place;
-    this.content(path);
-    this.outline.values.set(path, { start, end: this.place });
-  }
-
-  private content(path: string): void {
-    const quote = /^("""|'''|"|')/.exec(this.text.slice(this.place, this.place + 3))?.[0];
-    if (quote !== undefined) this.string(quote);
-    else if (this.text[this.place] === '[') this.list(path);
-    else if (this.text[this.place] === '{') this.inlineTable(path);
-    else {
-      const plain = /^[^\s,\]}#]+( \d\d:[^\s,\]}#]*)?/.exec(this.text.slice(this.place, this.place + 200))?.[0];
-      if (plain === undefined) throw new SyntaxError();
-      this.place += plain.length;
-    }
-  }
-
-  private string(quote: string): void {
-    this.place += quote.length;
-    while (!this.text.startsWith(quote, this.place)) {
-      if (this.place >= this.text.length || (quote.length === 1 && this.text[this.place] === '\n')) throw new SyntaxError();
-      this.place += quote.startsWith('"') && this.text[this.place] === '\\' ? 2 : 1;
-    }
-    this.place += quote.length;
-  }
-
-  private list(path: string): void {
-    this.place += 1;
-    for (let i = 0; ; i += 1) {
-      this.skip(true);
-      if (this.text[this.place] === ']') break;
-      const entry = `${path}[${i + 1}]`;
-      const start = this.place;
-      this.content(entry);
-      this.outline.values.set(entry, { start, end: this.place });
-      this.skip(true);
-      if (this.text[this.place] === ',') this.place += 1;
-      else if (this.text[this.place] !== ']') throw new SyntaxError();
-    }
-    this.place += 1;
-  }
-
-  private inlineTable(path: string): void {
-    this.place += 1;
-    for (this.skip(false); this.text[this.place] !== '}'; this.skip(false)) {
-      this.value(joined(path, this.key()));
-      this.skip(false);
-      if (this.text[this.place] === ',') this.place += 1;
-      else if (this.text[this.place] !== '}') throw new SyntaxError();
-    }
-    this.place += 1;
-  }
-
-  private key(): string {
-    const parts: string[] = [];
-    do {
-      if (parts.length > 0) this.place += 1;
-      this.skip(false);
-      const part = /^([A-Za-z0-9_-]+|"[^"\\\n]*"|'[^'\n]*')/.exec(this.text.slice(this.place, this.place + 200))?.[0];
-      if (part === undefined) throw new SyntaxError();
-      this.place += part.length;
-      parts.push(/^["']/.test(part) ? part.slice(1, -1) : part);
-      this.skip(false);
-    } while (this.text[this.place] === '.');
-    return parts.join('.');
-  }
-
-  private skip(lines: boolean): void {
-    const blank = lines ? /\s/ : /[ \t]/;
-    while (this.place < this.text.length) {
-      if (blank.test(this.text[this.place] ?? '')) this.place += 1;
-      else if (lines && this.text[this.place] === '#') this.skipComment();
-      else return;
-    }
-  }
-
-  private skipComment(): void {
-    this.skip(false);
-    if (this.text[this.place] === '#') this.place = this.lineEnd();
-  }
-
-  private expect(sign: string): void {
-    if (!this.text.startsWith(sign, this.place)) throw new SyntaxError();
-    this.place += sign.length;
-  }
-
-  private lineStart(): number {
-    return this.text.lastIndexOf('\n', this.place - 1) + 1;
-  }
-
-  /** Before its line feed. */
-  private lineEnd(): number {
-    const end = this.text.indexOf('\n', this.place);
-    return end < 0 ? this.text.length : end;
   }
 }
 
-function joined(table: string, key: string): string {
-  return table === '' ? key : `${table}.${key}`;
+function joined(table: string, key: AST.TOMLKey): string {
+  const names = key.keys.map((part) => (part.type === 'TOMLBare' ? part.name : part.value));
+  return (table === '' ? names : [table, ...names]).join('.');
 }
 
 function tableOf(path: string): string {
@@ -164,21 +41,36 @@ function tableOf(path: string): string {
 }
 
 export function outlineOf(text: string): Outline {
-  const reader = new Reader(text);
-  try {
-    reader.read();
-  } catch (error) {
-    if (!(error instanceof SyntaxError)) throw error;
+  const outline: Outline = { values: new Map(), statements: new Map(), tables: new Map([['', 0]]), heads: new Map() };
+  const lineEnd = (place: number): number => (text + '\n').indexOf('\n', place);
+  const lines = ([start, end]: AST.Range): Span => ({ start: text.lastIndexOf('\n', start - 1) + 1, end: lineEnd(end) });
+  const value = (path: string, { range: [start, end], ...node }: AST.TOMLContentNode): void => {
+    outline.values.set(path, { start, end });
+    // Counted from 1, as the solver does.
+    if (node.type === 'TOMLArray') node.elements.forEach((entry, i) => value(`${path}[${i + 1}]`, entry));
+    if (node.type === 'TOMLInlineTable') for (const entry of node.body) value(joined(path, entry.key), entry.value);
+  };
+  const statement = (table: string, node: AST.TOMLKeyValue): void => {
+    value(joined(table, node.key), node.value);
+    outline.statements.set(joined(table, node.key), lines(node.range));
+    outline.tables.set(table, lineEnd(node.range[1]));
+  };
+  for (const node of readable(text).body[0].body) {
+    if (node.type === 'TOMLKeyValue') statement('', node);
+    else {
+      const table = node.resolvedKey.map((part) => (typeof part === 'number' ? `[${part + 1}]` : `.${part}`)).join('').slice(1);
+      outline.heads.set(table, lines(node.key.range));
+      outline.tables.set(table, lineEnd(node.key.range[1]));
+      for (const entry of node.body) statement(table, entry);
+    }
   }
-  return reader.outline;
+  return outline;
 }
 
 /** Whether a text by itself is a value: a text in quotes, a number, true or false, or a list or table of values. */
 export function isValue(text: string): boolean {
-  const { values } = outlineOf(`x = ${text}`);
-  const leaf = /^(["'[{]|true$|false$|[+-]?((0|[1-9](_?\d)*)(\.\d+)?([eE][+-]?\d+)?|inf|nan)$)/;
-  const whole = values.get('x');
-  return whole?.end === 4 + text.length && [...values.values()].every(({ start, end }) => leaf.test(text.slice(start - 4, end - 4)));
+  const { values, statements } = outlineOf(`x = ${text}`);
+  return statements.size === 1 && values.get('x')?.end === 4 + text.length;
 }
 
 /** The value of a key as it is written; nothing where the text does not give it. */
