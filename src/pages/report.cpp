@@ -38,7 +38,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
 
 /// What a report shows of the summary of numbers that result.nc or sweep.nc has.
-constexpr std::array summary_head{"schema", "command", "case", "version", "commit", "solver", "status"};
+constexpr std::array shown_of_summary{"schema", "command", "case", "version", "commit", "solver", "status"};
 /// And of that of an ensemble, whose statistics stand nowhere else.
 constexpr std::array ensemble_summary_parts{"samples_due",   "samples", "statistics", "bump_loads",
                                             "sensitivities", "limits",  "yield"};
@@ -154,7 +154,7 @@ Json deviations_json(const Json& result) {
 Json summary_shown(const Json& summary, const std::string& kind) {
   if (has_cycles(kind)) return summary;
   Json shown = Json::object();
-  for (const char* key : summary_head) shown[key] = summary[key];
+  for (const char* key : shown_of_summary) shown[key] = summary[key];
   if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
   if (!has_distributions(kind)) return shown;
   for (const char* key : ensemble_summary_parts) {
