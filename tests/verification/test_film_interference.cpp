@@ -18,19 +18,6 @@ RunningState state_of(double clearance, double load, const FilmResolution& resol
   return run_equilibrium(input).states.at(0);
 }
 
-/// Slower than thicker films: the layers at their edges are as thin as those of any mesh.
-TEST(FilmInterference, ConvergesWithTheMesh) {
-  std::vector<double> x;
-  for (const int fineness : {1, 2, 4}) {
-    const RunningState state = state_of(0.0, 50.0, {.columns_per_pitch = 6 * fineness, .rows = 8 * fineness});
-    ASSERT_TRUE(state.found()) << fineness;
-    EXPECT_EQ(state.last->opening, 0.0);
-    x.push_back(state.last->position.x());
-  }
-  EXPECT_LT(std::abs(x[2] - x[1]), 3e-3 * x[2]);
-  EXPECT_LT(std::abs(x[2] - x[1]), 0.7 * std::abs(x[1] - x[0]));
-}
-
 /// From interference to clearance: no part of the range is left out, and the film grows with the clearance all along.
 TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
   double before = 0.0;
