@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs deb test-deb dist paper test test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -14,9 +14,11 @@ endef
 help: ## list the commands
 	@grep -E '^[a-z-]+:.*##' Makefile | sed -E 's/^([a-z-]+):.*## /\1|/' | awk -F'|' '{printf "make %-16s %s\n", $$1, $$2}'
 
+# The designer's solver is all of the library compiled again: the demo leaves it to `make designer`, but keeps one that a
+# folder of build has.
 demo: ## install what is missing, build, run the reference bearing in four directions, make its report
 	@scripts/require_packages.sh build
-	$(call BUILD,release)
+	$(call BUILD,release,$(if $(wildcard build/release/CMakeCache.txt),,-DBUMPFOIL_BUILD_DESIGNER=OFF))
 	echo
 	build/release/bumpfoil cycle examples/gen1.toml -o results/demo --force
 	build/release/bumpfoil report results/demo --force --quiet
@@ -27,7 +29,7 @@ demo: ## install what is missing, build, run the reference bearing in four direc
 
 designer: ## the program as one HTML page: change the bearing, see it answer
 	@scripts/require_packages.sh build designer
-	$(call BUILD,release)
+	$(call BUILD,release,-DBUMPFOIL_BUILD_DESIGNER=ON)
 	echo
 	mkdir -p results
 	build/release/bumpfoil designer -o results/designer.html --force --quiet
@@ -49,7 +51,7 @@ docs: ## the documentation as a site that opens without a network
 
 deb: ## a Debian package: program, library, headers, Python package, documentation, examples
 	@scripts/require_packages.sh build designer python package
-	$(call BUILD,release,-DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
+	$(call BUILD,release,-DBUMPFOIL_BUILD_DESIGNER=ON -DBUMPFOIL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
 	echo
 	cpack --config build/release/CPackConfig.cmake -B build/release > /dev/null
 	rm -rf build/release/_CPack_Packages
@@ -83,6 +85,11 @@ test: ## install what is missing, build with assertions armed, run every test
 	@scripts/require_packages.sh build plot designer python docs test
 	$(call BUILD,release-audit)
 	ctest --preset release-audit --parallel $(JOBS)
+
+test-long: ## the tests that take minutes and are left out of `make test`
+	@scripts/require_packages.sh build plot designer python docs test
+	$(call BUILD,release-audit)
+	ctest --preset long --parallel $(JOBS)
 
 test-sanitized: ## the tests of the code again, under the address and undefined-behaviour sanitizers
 	@scripts/require_packages.sh build plot test

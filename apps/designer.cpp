@@ -26,7 +26,8 @@ void run_designer(const DesignerOptions& options, const Session& session) {
     throw Error(
         ErrorKind::file,
         {{"bumpfoil designer", 0, "", "", "this program was built without the designer",
-          "install Emscripten, Node.js and npm (Debian: emscripten nodejs npm), then configure and build again"}});
+          "`make designer` builds it in; without the Makefile: install Emscripten, Node.js and npm (Debian: emscripten "
+          "nodejs npm), then configure with -DBUMPFOIL_BUILD_DESIGNER=ON and build again"}});
   }
   write_file(options.path, std::string(designer_page()), options.force ? Existing::replace : Existing::refuse);
   if (!session.quiet) print_output("wrote " + printable(options.path.string(), longest_path) + "\n");
