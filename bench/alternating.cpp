@@ -79,7 +79,7 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.f
   for (std::size_t b = 0; b < bearing.pads.front().foil.supports.size(); ++b) {
     const auto moved = [&](int place) {
       if (place < 0) return -1;
-      if (place == bearing.dofs.top_u) return seen_at(bearing.pads.front().foil.supports[b] - 1);
+      if (place == bearing.dofs().top_u) return seen_at(bearing.pads.front().foil.supports[b] - 1);
       return seen_at(2 * columns_ + static_cast<Eigen::Index>(b) * size + place);
     };
     for (const ContactPair& pair : bearing.problem.pairs) {
@@ -94,7 +94,7 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.f
 /// Sorts the unknowns, too. Behind the top foil come the blocks of the bump foil as they are; what means nothing in
 /// them is neither kept nor hidden, and stays zero.
 Matrix PressedFoils::whole_matrix(const FilmBearing& bearing) {
-  const BumpDofs& dofs = bearing.dofs;
+  const BumpDofs& dofs = bearing.dofs();
   const Matrix foil = bearing.problem.K.dense();
   const Eigen::Index first = 2 * columns_;
   size_ = first + foil.rows();
