@@ -326,7 +326,7 @@ class Documentation(unittest.TestCase):
             command = [PROGRAM, "strip", ROOT / "examples/strip.toml", "-o", folder, "--quiet", "--solver", "events"]
             subprocess.run([*command, "--set", "strip.top_foil=true"], check=True)
             with xarray.open_dataset(folder / "result.nc") as result:
-                self.assertEqual({str(name) for name in result.variables}, documented - named("not there") | named("besides"))
+                self.assertEqual({str(name) for name in result.variables}, documented - named("missing") | named("additional"))
                 self.assertEqual(result.attrs["bumpfoil_command"], "strip")
                 self.assertEqual(dict(result.sizes) | {"event": 0}, {"cycle": 2, "increment": 41, "bump": 10, "foot": 20, "event": 0})
                 self.assertEqual(result.normal_force_bump_sleeve.dims, ("cycle", "increment", "foot"))
