@@ -61,15 +61,14 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
     radius = bearing.radius;
     clearance = bearing.radial_clearance;
   }
-  keys.once_or_twice(
-      {.name = "radius",
-       .title = "Radius",
-       .text = "R of the circle on which the foils lie; sleeve and journal are taken to have it too; a strip alone "
-               "needs neither it nor a clearance",
-       .example = "19.05 mm",
-       .dimension = length,
-       .spared_by = "strip"},
-      {"diameter", required, "Diameter", "instead of the radius", "38.1 mm", length}, radius);
+  keys.once_or_twice({.name = "radius",
+                      .title = "Radius",
+                      .text = "R of the circle on which the foils lie, also used for sleeve and journal; a strip alone "
+                              "needs neither radius nor clearance",
+                      .example = "19.05 mm",
+                      .dimension = length,
+                      .spared_by = "strip"},
+                     {"diameter", required, "Diameter", "instead of the radius", "38.1 mm", length}, radius);
   bearing.radius = radius.value_or(std::numeric_limits<double>::infinity());
   keys.value({"axial_length", required, "Axial length", "along the axis, L", "38.1 mm", length}, &bearing.axial_length);
   keys.value({.name = "radial_clearance",
@@ -80,10 +79,9 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
               .spared_by = radius ? "" : "strip"},
              &clearance);
   bearing.radial_clearance = clearance.value_or(0.0);
-  keys.value({"weld_angle", defaulted, "Weld angle", "where the foils are welded, from the X axis towards Y", "180 deg",
-              angle},
+  keys.value({"weld_angle", defaulted, "Weld angle", "angle of the weld, from the X axis towards Y", "180 deg", angle},
              &bearing.weld_angle);
-  keys.choice({"wrap", defaulted, "Sense of winding", "sense of the foils from the weld on; or \"counterclockwise\""},
+  keys.choice({"wrap", defaulted, "Foil direction", "foil direction, from the weld; or \"counterclockwise\""},
               bearing.wrap);
   describe_profile(
       keys,
@@ -91,26 +89,27 @@ void describe(CaseVisitor& keys, Bearing& bearing) {
        "the radius of the sleeve differs by amplitude cos(harmonic angle - phase), and the foils follow it; "
        "several add up"},
       {"sleeve_profile", optional, "Profile of the sleeve",
-       "what its radius is more than nominal, at equal angles from X on towards Y",
-       "[\"3 um\", \"0 um\", \"-3 um\", \"0 um\"]", length},
+       "radial deviation from nominal, at equal angles from X towards Y", "[\"3 um\", \"0 um\", \"-3 um\", \"0 um\"]",
+       length},
       {"sleeve_profile_file", optional, "File of the profile of the sleeve",
-       "instead: a CSV file beside this one; column deviation_um, and angle_deg to be checked", "\"sleeve.csv\""},
+       "or a CSV file beside this one; column deviation_um, and angle_deg, which is checked", "\"sleeve.csv\""},
       bearing.sleeve);
-  describe_profile(keys,
-                   {"journal_waviness", optional, "Waviness of the journal",
-                    "the radius of the journal, which does not turn, differs by amplitude cos(harmonic angle - phase)"},
-                   {"journal_profile", optional, "Profile of the journal",
-                    "what its radius is more than nominal, at equal angles from X on towards Y",
-                    "[\"1 um\", \"0 um\", \"-1 um\", \"0 um\"]", length},
-                   {"journal_profile_file", optional, "File of the profile of the journal",
-                    "instead, as for the sleeve", "\"journal.csv\""},
-                   bearing.journal);
-  keys.value({"taper", defaulted, "Taper",
-              "what the radius of the sleeve is more at the free end of the foils than at the weld", "0 um", length},
+  describe_profile(
+      keys,
+      {"journal_waviness", optional, "Waviness of the journal",
+       "the radius of the journal, which does not rotate, differs by amplitude cos(harmonic angle - phase)"},
+      {"journal_profile", optional, "Profile of the journal",
+       "radial deviation from nominal, at equal angles from X towards Y", "[\"1 um\", \"0 um\", \"-1 um\", \"0 um\"]",
+       length},
+      {"journal_profile_file", optional, "File of the profile of the journal", "instead, as for the sleeve",
+       "\"journal.csv\""},
+      bearing.journal);
+  keys.value({"taper", defaulted, "Taper", "increase of the sleeve radius from the weld to the free end of the foils",
+              "0 um", length},
              &bearing.taper);
   keys.value(
       {"pad_gap", optional, "Gap between pads",
-       "free angle after each pad that has no arc of its own; else arcs are as long as their bumps", "5 deg", angle},
+       "free angle after each pad without its own arc; by default arcs are as long as their bumps", "5 deg", angle},
       &bearing.pad_gap);
 }
 
@@ -124,8 +123,8 @@ void describe(CaseVisitor& keys, TrussOverrides& truss) {
 }
 
 void describe(CaseVisitor& keys, BumpSection& section) {
-  keys.value({"from", required, "From bump", "its first one; bumps count from 1 at the weld", "1"}, &section.from);
-  keys.value({"to", required, "To bump", "its last one", "5"}, &section.to);
+  keys.value({"from", required, "From bump", "first bump; bumps count from 1 at the weld", "1"}, &section.from);
+  keys.value({"to", required, "To bump", "last bump", "5"}, &section.to);
   keys.value({"pitch", optional, "Pitch", "", "4.572 mm", length}, &section.pitch);
   keys.value({"length", optional, "Length of a bump", "", "3.4 mm", length}, &section.length);
   keys.value({"height", optional, "Height of a bump", "", "0.5 mm", length}, &section.height);
@@ -133,26 +132,24 @@ void describe(CaseVisitor& keys, BumpSection& section) {
 }
 
 void describe(CaseVisitor& keys, Shim& shim) {
-  keys.value({"from", required, "From bump", "the first one on it; bumps count from 1 at the weld", "10"}, &shim.from);
-  keys.value({"to", required, "To bump", "the last one on it", "12"}, &shim.to);
+  keys.value({"from", required, "From bump", "first bump on it; bumps count from 1 at the weld", "10"}, &shim.from);
+  keys.value({"to", required, "To bump", "last bump on it", "12"}, &shim.to);
   keys.value({"thickness", required, "Thickness", "", "20 um", length}, &shim.thickness);
 }
 
 void describe(CaseVisitor& keys, BumpFoil& foil) {
-  keys.choice(
-      {.name = "model",
-       .presence = defaulted,
-       .title = "Model",
-       .text = "springs between crests and feet; \"frame\": arcs and beams; \"former\": model of 2007. Where no model "
-               "is given and no truss can stand for the foil, a frame does, with a warning",
-       .left_open = foil.model == BumpFoilModel::truss},
-      foil.model);
-  keys.choice(
-      {"geometry", defaulted, "Displacements", "displacements are small; frame only: \"nonlinear\" follows large ones"},
-      foil.geometry);
+  keys.choice({.name = "model",
+               .presence = defaulted,
+               .title = "Model",
+               .text = "springs between crests and feet; \"frame\": arcs and flats as beams; \"former\": Le Lez (2007) "
+                       "model. Without a model, a foil that cannot be a truss is modelled as a frame, with a warning",
+               .left_open = foil.model == BumpFoilModel::truss},
+              foil.model);
+  keys.choice({"geometry", defaulted, "Displacements", "small displacements; frame only: \"nonlinear\" for large ones"},
+              foil.geometry);
   keys.value({"bumps", required, "Bumps"}, &foil.bumps);
   keys.value({"pitch", required, "Pitch",
-              "crest to crest along the foil; as length, height and thickness one value, a list of one per bump, or "
+              "crest to crest along the foil; like length, height and thickness one value, a list of one per bump, or "
               "{ start = \"4 mm\", end = \"5 mm\", law = \"linear\" } from bump 1 to the last (or \"geometric\")",
               "4.572 mm", length},
              &foil.pitch);
@@ -160,25 +157,25 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
               "3.556 mm", length},
              &foil.length);
   keys.value({"height", required, "Height of a bump", "", "0.508 mm", length}, &foil.height);
-  keys.choice({"height_reference", defaulted, "Height is",
-               "over the sleeve with the foil's thickness; \"midsurface\": rise of the mid-surface"},
+  keys.choice({"height_reference", defaulted, "Height measured",
+               "over the sleeve, foil thickness included; \"midsurface\": rise of the mid-surface"},
               foil.height_reference);
   keys.value({"thickness", required, "Thickness", "", "0.102 mm", length}, &foil.thickness);
   keys.value({"youngs_modulus", required, "Young’s modulus", "", "214 GPa", pressure}, &foil.youngs_modulus);
   keys.value({"poisson_ratio", required, "Poisson’s ratio"}, &foil.poisson_ratio);
-  keys.value({"yield_stress", optional, "Yield stress", "above it the bending stress of the foil gives a warning",
+  keys.value({"yield_stress", optional, "Yield stress", "a bending stress of the foil above it gives a warning",
               "1.1 GPa", pressure},
              &foil.yield_stress);
   list_of_tables(
-      keys, {"section", optional, "Section", "bumps from one to another have these dimensions in place of those above"},
+      keys, {"section", optional, "Section", "bumps from one to another have these dimensions instead of those above"},
       foil.sections, [](CaseVisitor& inner, BumpSection& section) { describe(inner, section); });
-  list_of_tables(keys, {"shim", optional, "Shim", "a sheet under some bumps, which lifts them"}, foil.shims,
+  list_of_tables(keys, {"shim", optional, "Shim", "a sheet under some bumps that raises them"}, foil.shims,
                  [](CaseVisitor& inner, Shim& shim) { describe(inner, shim); });
-  keys.value({"height_errors", optional, "Height errors", "one per bump from the weld on, positive is taller",
+  keys.value({"height_errors", optional, "Height errors", "one per bump from the weld, positive is taller",
               "[\"5 um\", \"-3 um\", ...]", length},
              &foil.height_errors);
   keys.file({"height_errors_file", optional, "File of height errors",
-             "instead: a CSV file beside this one; columns bump, and height_error_um or height_mm", "\"heights.csv\""},
+             "or a CSV file beside this one; columns bump and height_error_um or height_mm", "\"heights.csv\""},
             "height_errors", [&foil](const std::string& path) {
               if (foil.bumps < 1 || foil.bumps > most_bumps) return;  // reported as such
               const auto count = static_cast<std::size_t>(foil.bumps);
@@ -196,7 +193,7 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
               if (known) foil.height_errors = std::move(errors);
             });
   keys.value({"stiffness_follows_height", defaulted, "Stiffness follows height",
-              "frame only: true gives a bump of another height a stiffness of its own, too"},
+              "frame only; true: the stiffness of a bump follows its height error"},
              &foil.stiffness_follows_height);
   keys.value({"sleeve_gaps", optional, "Sleeve gaps", "one per bump, initial gap between its foot and the sleeve",
               "[\"0 um\", \"2 um\", ...]", length},
@@ -204,8 +201,8 @@ void describe(CaseVisitor& keys, BumpFoil& foil) {
   keys.choice(
       {"weld_at", defaulted, "Weld at", "clamped before bump 1 in the middle of a flat; frame only: \"arc_start\""},
       foil.weld_at);
-  keys.table({"truss", optional, "Given constants of the truss",
-              "any of them, in place of those identified from the shape of the foil"},
+  keys.table({"truss", optional, "Prescribed truss constants",
+              "any of them, instead of those identified from the shape of the foil"},
              foil.truss != TrussOverrides{}, [&foil](CaseVisitor& inner) { describe(inner, foil.truss); });
 }
 
@@ -230,19 +227,19 @@ void own_foil(CaseVisitor& keys, const Key& key, const Foil& common, std::option
 }
 
 void describe(CaseVisitor& keys, const Case& input, Pad& pad) {
-  keys.value(
-      {"weld_angle", optional, "Weld angle",
-       "from the X axis towards Y; else pads begin at equal angles, the first at bearing.weld_angle", "180 deg", angle},
-      &pad.weld_angle);
+  keys.value({"weld_angle", optional, "Weld angle",
+              "from the X axis towards Y; by default pads start at equal angles, the first at bearing.weld_angle",
+              "180 deg", angle},
+             &pad.weld_angle);
   keys.choice({"weld_edge", defaulted, "Welded at",
-               "the edge that comes first in the sense of bearing.wrap; or \"trailing\": the foils run against it"},
+               "the first edge in the direction of bearing.wrap; or \"trailing\": the foils run against it"},
               pad.weld_edge);
   keys.value(
       {"arc", optional, "Arc", "from the weld to the free end; pitches are stretched to fill it", "110 deg", angle},
       &pad.arc);
   keys.value(
-      {"lobe", defaulted, "Lobe",
-       "by which its circle is displaced away from its middle: the gap there is smaller by as much", "0 um", length},
+      {"lobe", defaulted, "Pad offset (preload)",
+       "mechanical preload: offset of its circle, which reduces the gap in its middle by as much", "0 um", length},
       &pad.lobe);
   own_foil(keys, {"bump_foil", inherited, "Bump foil of the pad", "any keys of [bump_foil] that differ"},
            input.bump_foil, pad.bump_foil);
@@ -251,32 +248,31 @@ void describe(CaseVisitor& keys, const Case& input, Pad& pad) {
 }
 
 void describe(CaseVisitor& keys, Friction& friction) {
-  keys.once_or_each(
-      {"coefficient", required, "Both coefficients", "at both of its interfaces; 0 for none"},
-      {{{"top_bump", required, "Top foil on bumps", "or one for each: with the top foil"}, &friction.top_bump},
-       {{"bump_sleeve", required, "Bumps on sleeve", "and with the sleeve"}, &friction.bump_sleeve}});
+  keys.once_or_each({"coefficient", required, "Both coefficients", "at both interfaces; 0 for none"},
+                    {{{"top_bump", required, "Top foil on bumps", "or one for each interface: with the top foil"},
+                      &friction.top_bump},
+                     {{"bump_sleeve", required, "Bumps on sleeve", "and with the sleeve"}, &friction.bump_sleeve}});
 }
 
 void describe(CaseVisitor& keys, SolverSettings& solver) {
-  keys.choice(
-      {"name", defaulted, "Name",
-       "exact contact and friction; \"events\" follows the path from one change of contact to the next, and is the "
-       "default of montecarlo for cycles of small displacements; \"uzawa\" is the method of the 2019 paper, with "
-       "the penalties below",
-       "\"newton\""},
-      solver.name);
+  keys.choice({"name", defaulted, "Name",
+               "exact contact and friction; \"events\" follows the path from one contact change to the next, and is "
+               "the default of montecarlo for cycles with small displacements; \"uzawa\" is the method of the 2019 "
+               "paper, with the penalties below",
+               "\"newton\""},
+              solver.name);
   UzawaParameters& uzawa = solver.uzawa;
   keys.value({"eps_alm", optional, "Penalty, normal contacts",
-              "penalty of the normal contacts; else from the stiffness", "100 MN/m", stiffness},
+              "penalty of the normal contacts; default: from the stiffness", "100 MN/m", stiffness},
              &uzawa.eps_alm);
-  keys.value({"eps_f", optional, "Penalty, sticking contacts", "penalty of sticking contacts; else from the stiffness",
-              "10 GN/m", stiffness},
+  keys.value({"eps_f", optional, "Penalty, sticking contacts",
+              "penalty of sticking contacts; default: from the stiffness", "10 GN/m", stiffness},
              &uzawa.eps_f);
-  keys.value({"eps_r", optional, "Penalty, journal", "penalty of the journal's contact; else from the stiffness",
+  keys.value({"eps_r", optional, "Penalty, journal", "penalty of the journal's contact; default: from the stiffness",
               "1 TN/m", stiffness},
              &uzawa.eps_r);
   keys.value({"tau_f", optional, "Slip of half friction",
-              "slip over which the friction force turns round; else from the stiffness", "0.1 nm", length},
+              "slip over which the friction force reverses; default: from the stiffness", "0.1 nm", length},
              &uzawa.tau_f);
 }
 
@@ -288,36 +284,36 @@ void describe(CaseVisitor& keys, CycleSettings& cycle) {
   keys.directions({"directions", defaulted, "Directions", "of the cycles; also angles, \"37.5 deg\"",
                    "[\"+X\", \"-X\", \"+Y\", \"-Y\"]", angle},
                   cycle.directions);
-  keys.one_of({"amplitude", required, "Amplitude", "how far the journal goes", "79.5 um", length},
-              {"load", required, "Load", "how far the load on the journal goes, instead; it is free to move sideways",
-               "100 N", force},
-              cycle.amplitude);
+  keys.one_of(
+      {"amplitude", required, "Amplitude", "displacement of the journal", "79.5 um", length},
+      {"load", required, "Load", "load on the journal, instead; the journal is free to move sideways", "100 N", force},
+      cycle.amplitude);
   keys.either({"preload", optional, "Preload",
-               "cycles go up and down from this load (or position, [\"0 um\", \"-40 um\"]), by so much each way",
+               "cycles run about this load (or position, [\"0 um\", \"-40 um\"]), by the amplitude each way",
                "[\"0 N\", \"-50 N\"]"},
               cycle.amplitude.control, cycle.preload);
-  keys.value({"swing", defaulted, "Swing", "true: through the centre as far to the other side, and back"},
-             &cycle.swing);
-  keys.value({"cycles", defaulted, "Cycles",
-              "at most so many one after the other, until the loop has settled; results hold the last"},
+  keys.value(
+      {"swing", defaulted, "Fully reversed", "true: fully reversed, through the centre to the other side and back"},
+      &cycle.swing);
+  keys.value({"cycles", defaulted, "Cycles", "at most this many, until the loop has settled; results hold the last"},
              &cycle.cycles);
   keys.value({"steps", defaulted, "Increments per branch", "equal increments from the start to full amplitude"},
              &cycle.steps);
-  keys.value({"clearance_forces", defaulted, "Clearances at",
-              "forces at which a push test would take the journal for touching", "[\"5 N\", \"10 N\"]", force},
+  keys.value({"clearance_forces", defaulted, "Clearances at", "forces at which a push test would report contact",
+              "[\"5 N\", \"10 N\"]", force},
              &cycle.clearance_forces);
 }
 
 void describe(CaseVisitor& keys, StripSettings& strip) {
-  keys.value({"bumps", defaulted, "Bumps", "the first ones of the foil", "10", {}, "bump_foil.bumps"}, &strip.bumps);
+  keys.value({"bumps", defaulted, "Bumps", "the first bumps of the foil", "10", {}, "bump_foil.bumps"}, &strip.bumps);
   keys.choice({"weld", defaulted, "Weld", "both foils clamped before bump 1; \"none\": free at both ends"}, strip.weld);
   keys.value({"top_foil", defaulted, "Top foil", "false: the plate presses on the crests"}, &strip.top_foil);
   keys.one_of({"displacement", required, "Displacement", "displacement of the plate", "20 um", length},
               {"load", required, "Load", "load on the plate, instead", "100 N", force}, strip.amplitude);
   keys.either({"preload", optional, "Preload",
-               "cycles go up and down from here, by so much each way; also a displacement, \"10 um\"", "\"50 N\""},
+               "cycles run about it, by the amplitude each way; also a displacement, \"10 um\"", "\"50 N\""},
               strip.amplitude.control, strip.preload);
-  keys.value({"cycles", defaulted, "Cycles", "one after the other, with the friction of the last"}, &strip.cycles);
+  keys.value({"cycles", defaulted, "Cycles", "one after the other, with friction carried over"}, &strip.cycles);
   keys.value({"steps", defaulted, "Increments per branch",
               "equal increments from the start of a cycle to full displacement or load"},
              &strip.steps);
@@ -328,7 +324,7 @@ void describe(CaseVisitor& keys, PathSettings& path) {
       {"file", optional, "File of the path",
        "a file beside this one with the columns x_m,y_m (positions) or force_x_N,force_y_N (loads)", "\"path.csv\""},
       "points", [&path](const std::string& name) { path.points = read_path(name); });
-  const bool has_points = keys.places({"points", optional, "Points", "the same as a list; or no points, and an orbit",
+  const bool has_points = keys.places({"points", optional, "Points", "the same as a list; or an orbit, without points",
                                        "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
                                       path.points);
   // Points that could not be read are no orbit whose keys are missing.
@@ -345,8 +341,9 @@ void describe(CaseVisitor& keys, PathSettings& path) {
            path.semi_axes);
   keys.value({"tilt", defaulted, "Tilt", "of the first axis, from X towards Y", "0 deg", angle}, &path.tilt);
   keys.choice({"sense", defaulted, "Sense", "or \"clockwise\""}, path.sense);
-  keys.value({"orbits", defaulted, "Orbits", "one after the other, with the friction of the last"}, &path.orbits);
-  keys.value({"steps", defaulted, "Increments per orbit", "and on the straight way to its first point"}, &path.steps);
+  keys.value({"orbits", defaulted, "Orbits", "one after the other, with friction carried over"}, &path.orbits);
+  keys.value({"steps", defaulted, "Increments per orbit", "also on the straight approach to its first point"},
+             &path.steps);
 }
 
 void describe(CaseVisitor& keys, VibrationSettings& vibration) {
@@ -360,15 +357,15 @@ void describe(CaseVisitor& keys, VibrationSettings& vibration) {
                    "of the vibrations: one, or two at right angles", "[\"+X\", \"+Y\"]", angle},
                   vibration.directions);
   keys.value({"amplitudes", required, "Amplitudes",
-              "how far the journal goes to each side, and not at all sideways; the radius of an orbit",
+              "displacement of the journal to each side, without sideways motion; the radius of an orbit",
               "[\"1 um\", \"2 um\", \"5 um\"]", length},
              &vibration.amplitudes);
   keys.value({"frequencies", required, "Frequencies",
-              "that damping coefficients are given at; the loops do not depend on them. Also \"12000 rpm\"",
+              "at which damping coefficients are computed; the loops do not depend on them. Also \"12000 rpm\"",
               "[\"200 Hz\"]", frequency},
              &vibration.frequencies);
   keys.value({"steps", defaulted, "Increments per amplitude",
-              "equal increments of the way to a load, and from the middle to a turning point"},
+              "equal increments up to a load, and from the middle to a turning point"},
              &vibration.steps);
 }
 
@@ -400,10 +397,9 @@ void describe(CaseVisitor& keys, Distribution& distribution, const Deviation& de
   };
   keys.value(instead("lower", "Lower bound", "truncated_normal and uniform", deviation.lower), &distribution.lower);
   keys.value(instead("upper", "Upper bound", "truncated_normal and uniform", deviation.upper), &distribution.upper);
-  keys.value(
-      instead("values", "Measured values", "table: any of these, each as likely as the others", deviation.values),
-      &distribution.values);
-  keys.file({"file", optional, "File of measured values", "instead: a file beside this one with the column deviation",
+  keys.value(instead("values", "Measured values", "table: one of these, all equally likely", deviation.values),
+             &distribution.values);
+  keys.file({"file", optional, "File of measured values", "or a file beside this one with the column deviation",
              "\"measured.csv\""},
             "values", [&distribution](const std::string& path) { distribution.values = read_deviations(path); });
 }
@@ -417,25 +413,26 @@ void describe(CaseVisitor& keys, HeightScatter& heights) {
 }
 
 void describe(CaseVisitor& keys, WavinessScatter& waves) {
-  keys.value({"harmonic", required, "Waves", "around the circumference; their phase is random", "3"}, &waves.harmonic);
+  keys.value({"harmonic", required, "Waves", "around the circumference; with a random phase", "3"}, &waves.harmonic);
   keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);
 }
 
 void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
-  keys.choice({"command", defaulted, "Command", "what is run of each bearing; or \"equilibrium\": the running bearing"},
+  keys.choice({"command", defaulted, "Command",
+               "command that is run for each bearing; or \"equilibrium\": the running bearing"},
               ensemble.command);
-  keys.value({"samples", defaulted, "Samples", "bearings that are drawn"}, &ensemble.samples);
+  keys.value({"samples", defaulted, "Samples", "number of bearings"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
              &ensemble.seed);
   keys.value({"limits", defaulted, "Limits",
-              "of running bearings: lift-off speeds and load capacities, too, where the film is film.h_lift_off thin"},
+              "for running bearings: also lift-off speeds and load capacities, at a film thickness of film.h_lift_off"},
              &ensemble.limits);
   const auto scatter = [&keys](std::string_view name, std::string_view title, auto& members,
                                const Deviation& deviation) {
-    optional_table(keys, {name, optional, title, "the same for all of a bearing"}, members,
+    optional_table(keys, {name, optional, title, "the same for the whole bearing"}, members,
                    [&deviation](CaseVisitor& inner, auto& distribution) { describe(inner, distribution, deviation); });
   };
-  optional_table(keys, {"bump_height", optional, "Scatter of bump heights", "each bump has a deviation of its own"},
+  optional_table(keys, {"bump_height", optional, "Scatter of bump heights", "each bump has its own deviation"},
                  ensemble.bump_height, [](CaseVisitor& inner, HeightScatter& heights) { describe(inner, heights); });
   scatter("bump_foil_thickness", "Scatter of the thickness of the bump foil", ensemble.bump_foil_thickness,
           of_thickness);
@@ -444,7 +441,7 @@ void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
   scatter("friction_top_bump", "Scatter of friction, top foil on bumps", ensemble.friction_top_bump, of_friction);
   scatter("friction_bump_sleeve", "Scatter of friction, bumps on sleeve", ensemble.friction_bump_sleeve, of_friction);
   scatter("radial_clearance", "Scatter of the radial clearance", ensemble.radial_clearance, of_thickness);
-  optional_table(keys, {"sleeve_waviness", optional, "Random waviness of the sleeve", "waves whose phase is random"},
+  optional_table(keys, {"sleeve_waviness", optional, "Random waviness of the sleeve", "waves with a random phase"},
                  ensemble.sleeve_waviness, [](CaseVisitor& inner, WavinessScatter& waves) { describe(inner, waves); });
 }
 
@@ -468,16 +465,18 @@ void describe(CaseVisitor& keys, Case& input) {
   // The former model has none.
   const Presence top_foil = input.bump_foil.model == BumpFoilModel::former ? optional : required;
   table(keys, {"top_foil", top_foil, "Top foil"}, input.top_foil);
-  list_of_tables(keys,
-                 {"pad", optional, "Pad", "a part of the sleeve with foils of its own, welded and free by themselves"},
-                 input.pads, [&input](CaseVisitor& inner, Pad& pad) { describe(inner, input, pad); });
+  list_of_tables(
+      keys,
+      {"pad", optional, "Pad", "a part of the sleeve with its own foils, welded at one edge and free at the other"},
+      input.pads, [&input](CaseVisitor& inner, Pad& pad) { describe(inner, input, pad); });
   table(keys, {"friction", required, "Coefficients of friction", "Coulomb friction of the bump foil; 0 for none"},
         input.friction);
   table(keys, {"solver", defaulted, "Solver"}, input.solver);
   table(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"}, input.cycle);
   table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
         input.strip);
-  table(keys, {"path", optional, "Path", "a path of the journal from the centre, for the command path"}, input.path);
+  table(keys, {"path", optional, "Path", "a prescribed path of the journal from the centre, for the command path"},
+        input.path);
   table(keys,
         {"vibration", optional, "Vibration",
          "the journal vibrates about static loads, for the command vibration: each load in each direction with each "
@@ -485,7 +484,7 @@ void describe(CaseVisitor& keys, Case& input) {
         input.vibration);
   table(keys, {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium and film"},
         input.gas);
-  table(keys, {"film", defaulted, "Film", "mesh of the film, and what counts as too thin"}, input.film);
+  table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film);
   table(keys,
         {"equilibrium", optional, "Equilibrium",
          "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Comments begin here, and lines end before.
+/// Column where comments start, and the maximum length of a line.
 constexpr std::size_t comment_column = 32;
 constexpr std::size_t widest_line = 120;
 
@@ -28,7 +28,7 @@ std::string comment_on(const ListedKey& listed, const Preset& preset) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// A line with a comment that is broken between words, each part behind `prefix`.
+/// A line with a comment, which is wrapped between words; every line starts with `prefix`.
 std::string commented(std::string_view prefix, const std::string& code, std::string_view comment) {
   std::string out = fmt::format("{}{}", prefix, code);
   std::size_t column = std::max(code.size() + 2, comment_column);
@@ -44,13 +44,13 @@ std::string commented(std::string_view prefix, const std::string& code, std::str
 }
 
 constexpr std::string_view template_head =
-    R"(# Case file of Bumpfoil. Quantities are texts with a unit ("31.8 um", "214 GPa", "150 MN/m", "30 deg") or plain numbers
-# in SI (m, Pa, N/m, rad). Lines that begin with # are comments; keys that are commented out show their default or an
-# example.
+    R"(# Case file of Bumpfoil. Quantities are strings with a unit ("31.8 um", "214 GPa", "150 MN/m", "30 deg") or plain
+# numbers in SI (m, Pa, N/m, rad). Lines that start with # are comments; keys that are commented out show their default
+# or an example.
 
 )";
 
-/// What a key holds where the case file does not give it.
+/// Value of a key that the case file does not give.
 std::string default_of(const ListedKey& reference, const ListedKey& unset) {
   const Key& key = reference.key;
   if (reference.instead) return "–";
@@ -63,14 +63,14 @@ std::string default_of(const ListedKey& reference, const ListedKey& unset) {
 constexpr std::string_view reference_head =
     R"(# Keys of the case file
 
-A case file is TOML. Quantities are texts with a unit, such as `"31.8 um"`, or plain numbers in SI (m, N, N/m, Pa, rad).
-A list of quantities may be a range of equally spaced ones, both ends included: `speeds = { from = "10000 rpm", to =
-"60000 rpm", points = 11 }`, or `step = "5000 rpm"` in place of `points`.
-`bumpfoil init` writes a commented file to start from, `bumpfoil check` says what is wrong with one, and `--set table.key=value`
-changes a key for one run. This page is what `bumpfoil init --keys` prints.
+A case file is TOML. Quantities are strings with a unit, such as `"31.8 um"`, or plain numbers in SI (m, N, N/m, Pa, rad).
+A list of quantities may be an equally spaced range, both ends included: `speeds = { from = "10000 rpm", to =
+"60000 rpm", points = 11 }`, or `step = "5000 rpm"` instead of `points`.
+`bumpfoil init` writes a commented file to start from, `bumpfoil check` validates a file, and `--set table.key=value`
+changes a key for one run. This page is the output of `bumpfoil init --keys`.
 )";
 
-/// What is known of units.
+/// The list of known units.
 std::string units_text() {
   std::vector<std::string> units, prefixes;
   for (const KnownUnit& unit : known_units()) {
@@ -108,7 +108,7 @@ std::string case_template(std::string_view name) {
       out += '\n' + commented(live_table ? "" : "# ", table_header(listed.path), listed.key.text);
       continue;
     }
-    // In a table that is commented out, what contradicts the rest of it stays so when the table is taken in.
+    // In a table that is commented out, alternatives that contradict the rest stay commented out twice.
     const bool out_of_table = live_table ? !listed.live : listed.instead;
     out += commented(live_table ? "" : "# ",
                      fmt::format("{}{} = {}", out_of_table ? "# " : "", listed.key.name,

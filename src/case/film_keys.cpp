@@ -5,14 +5,12 @@ namespace bumpfoil {
 void describe(CaseVisitor& keys, GasSettings& gas) {
   using enum Presence;
   using enum Dimension;
-  keys.choice({"preset", defaulted, "Gas", "whose viscosity it has; or \"helium\", \"nitrogen\", \"steam\""},
-              gas.preset);
-  keys.value({"temperature", defaulted, "Temperature", "of the film, everywhere the same", "293 K", temperature},
-             &gas.temperature);
+  keys.choice({"preset", defaulted, "Gas", "sets the viscosity; or \"helium\", \"nitrogen\", \"steam\""}, gas.preset);
+  keys.value({"temperature", defaulted, "Temperature", "of the film, uniform", "293 K", temperature}, &gas.temperature);
   keys.value({.name = "viscosity",
               .presence = optional,
               .title = "Viscosity",
-              .text = "in place of that of the preset at the temperature",
+              .text = "instead of that of the preset at the temperature",
               .example = "18.5 uPa s",
               .dimension = viscosity,
               .instead = true},
@@ -20,9 +18,9 @@ void describe(CaseVisitor& keys, GasSettings& gas) {
   keys.value({"ambient_pressure", defaulted, "Ambient pressure", "at all edges of the film and behind the foils",
               "101325 Pa", pressure},
              &gas.ambient_pressure);
-  keys.value({"mean_free_path", defaulted, "Mean free path",
-              "at ambient pressure; 0: the gas does not slip at the walls", "0 nm", length},
-             &gas.mean_free_path);
+  keys.value(
+      {"mean_free_path", defaulted, "Mean free path", "at ambient pressure; 0: no slip at the walls", "0 nm", length},
+      &gas.mean_free_path);
 }
 
 void describe(CaseVisitor& keys, FilmSettings& film) {
@@ -33,20 +31,20 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
       &film.columns_per_pitch);
   keys.value({"rows", defaulted, "Rows", "of the mesh, on half the width"}, &film.rows);
   keys.value(
-      {"h_floor", defaulted, "Touchdown below", "where the film is thinner, the journal touches", "0.1 um", length},
+      {"h_floor", defaulted, "Contact threshold", "a thinner film counts as contact (touchdown)", "0.1 um", length},
       &film.h_floor);
-  keys.value({"h_lift_off", optional, "Lift-off above",
-              "least thickness of the film of a journal that has lifted off, such as three times the roughness", "2 um",
-              length},
-             &film.h_lift_off);
-  keys.choice({"wall", defaulted, "Wall",
-               "in place of the foils, for the command film; or \"springs\", or \"rigid_across\": springs under a wall "
-               "that does not bend across the width"},
+  keys.value(
+      {"h_lift_off", optional, "Lift-off above",
+       "minimum film thickness of a journal that has lifted off, such as three times the roughness", "2 um", length},
+      &film.h_lift_off);
+  keys.choice({"wall", defaulted, "Bearing surface",
+               "bearing surface instead of the foils, for the command film; or \"springs\": an elastic foundation, or "
+               "\"rigid_across\": an axially uniform one"},
               film.wall);
-  keys.value({"wall_stiffness", optional, "Stiffness of the wall", "of springs: pressure over displacement", "5 GPa/m",
-              bed_stiffness},
+  keys.value({"wall_stiffness", optional, "Foundation modulus", "of the elastic foundation: pressure over displacement",
+              "5 GPa/m", bed_stiffness},
              &film.wall_stiffness);
-  keys.value({"closed", defaulted, "Closed wall", "true: the wall has no slot at the weld"}, &film.closed);
+  keys.value({"closed", defaulted, "Closed surface", "true: no slot at the weld"}, &film.closed);
 }
 
 void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
@@ -69,18 +67,17 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
     equilibrium.path = FilmPath::position_ray;
   }
   keys.choice({"path", defaulted, "Path",
-               "how states are come to: load after load; \"position_ray\", default with positions; \"speed_ramp\"; "
-               "\"cold_start\": each by itself"},
+               "how states are reached: load after load; \"position_ray\", default with positions; \"speed_ramp\"; "
+               "\"cold_start\": each from ambient pressure"},
               equilibrium.path);
   keys.choice({"paths", defaulted, "Paths",
-               "how many: \"two\" compares the states with those of a second path and reports where they differ; "
-               "\"one\" does not; \"all\" keeps the states of every path. Sweeps and ensembles take one"},
+               "number of paths: \"two\" compares the states with those of a second path and reports where they "
+               "differ; \"one\" does not; \"all\" keeps the states of every path. Sweeps and ensembles use one"},
               equilibrium.paths);
   keys.value({"steps", defaulted, "Steps", "equal increments of the ramp to the first state of a path"},
              &equilibrium.steps);
   keys.value({"frequencies", optional, "Frequencies",
-              "of small motions about the states, that stiffness and damping are given for; left out: that of the "
-              "rotation",
+              "of small motions about the states, for stiffness and damping; default: that of the rotation",
               "[\"375 Hz\", \"750 Hz\"]", frequency},
              &equilibrium.frequencies);
 }

@@ -11,17 +11,17 @@ constexpr double pi = std::numbers::pi;
 
 constexpr std::string_view rubio_head =
     R"(# Foil bearing of Rubio & San Andres, J. Eng. Gas Turbines Power 128 (2006) 653-660: size, foils and modulus.
-# What is not taken from there is said in its line to be assumed.
+# Other values are marked as assumed.
 #
 )";
 
 constexpr std::string_view larsen_head =
     R"(# Strip of foils between plates of Larsen, Varela & Santos, Tribology International 74 (2014) 46-56, for the command
-# strip: foils, modulus and width. What is not taken from there is said in its line to be assumed.
+# strip: foils, modulus and width. Other values are marked as assumed.
 #
 )";
 
-/// [Rubio2006], and what it takes to run it.
+/// [Rubio2006], completed with assumed values.
 Preset rubio() {
   Preset preset{.name = "gen1-rubio",
                 .head = rubio_head,
@@ -50,12 +50,12 @@ Preset rubio() {
   return preset;
 }
 
-/// [Larsen2014], and what it takes to press it.
+/// [Larsen2014], completed with assumed values.
 Preset larsen() {
   Preset preset{.name = "larsen-strip",
                 .head = larsen_head,
                 .input = reference_case(),
-                .remarks = {{"bump_foil.model", "of these bumps no truss can be identified, its k2 is negative"},
+                .remarks = {{"bump_foil.model", "no truss can be identified for these bumps, its k2 would be negative"},
                             {"bump_foil.bumps", "assumed"},
                             {"bump_foil.poisson_ratio", assumed},
                             {"bump_foil.weld_at", assumed},
@@ -86,13 +86,13 @@ Preset larsen() {
 }
 
 constexpr std::string_view three_pads_head =
-    R"(# Illustration of a third-generation foil bearing: three pads, each with a top foil and a bump foil of its own, welded
-# at one edge and free at the other, and displaced towards the journal. Nobody has published this bearing: its sizes are
-# those of the first-generation reference bearing, and what makes it one of three pads is assumed, as its lines say.
+    R"(# Illustration of a third-generation foil bearing: three pads, each with its own top foil and bump foil, welded at one
+# edge and free at the other, and offset towards the journal. This is not a published bearing: its sizes are those of the
+# first-generation reference bearing, and what makes it a bearing of three pads is assumed, as marked.
 #
 )";
 
-/// Not of any paper: the reference bearing cut into three.
+/// Not from a paper: the reference bearing cut into three.
 Preset three_pads() {
   Preset preset{.name = "gen3-three-pad",
                 .head = three_pads_head,
@@ -100,7 +100,7 @@ Preset three_pads() {
                 .remarks = {{"bearing.radius", as_reference},
                             {"bearing.axial_length", as_reference},
                             {"bearing.radial_clearance", as_reference},
-                            {"bearing.weld_angle", "assumed; pad 1 begins here"},
+                            {"bearing.weld_angle", "assumed; pad 1 starts here"},
                             {"bearing.wrap", assumed},
                             {"bearing.pad_gap", assumed},
                             {"bump_foil.bumps", "assumed; of each pad"},
@@ -134,7 +134,7 @@ Preset three_pads() {
 }
 
 constexpr std::string_view running_head =
-    R"(# The bearing of Arghir & Benchekroun 2019 running in air, pressed towards +X by its rotor, for the command equilibrium.
+    R"(# The bearing of Arghir & Benchekroun 2019 running in air, loaded towards +X by its rotor, for the command equilibrium.
 # The paper has no film: speed and loads are assumed.
 #
 )";
@@ -145,7 +145,7 @@ Preset running() {
                 .head = running_head,
                 .input = reference_case(),
                 .remarks = {{"bearing.weld_angle", "the loads point away from the weld"},
-                            {"equilibrium.speeds", "here against the sense of winding"}}};
+                            {"equilibrium.speeds", "here against the foil direction"}}};
   Case& input = preset.input;
   input.title = "First-generation bearing, running in air";
   input.cycle = {};
