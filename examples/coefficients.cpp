@@ -1,4 +1,4 @@
-// Coefficients of the foils for a rotor code, and what one does with them: the response of a rigid rotor to unbalance.
+// Coefficients of the foils for a rotor code, and their use: the unbalance response of a rigid rotor.
 // Of the foils at rest, about 50 N downwards: in a running bearing they are in series with the gas film.
 #include <fmt/format.h>
 #include <Eigen/LU>
@@ -13,7 +13,7 @@ int main() {
   vibration.loads = {{0.0, -50.0}};
   vibration.motion = bumpfoil::Motion::orbit;
   vibration.amplitudes = {1e-6};
-  vibration.frequencies = {200.0 * std::numbers::pi};  // where damping is asked for
+  vibration.frequencies = {200.0 * std::numbers::pi};  // where damping is evaluated
   vibration.steps = 25;
   const bumpfoil::VibrationResult result = bumpfoil::run_vibration(bearing);
   if (!result.converged()) return 3;

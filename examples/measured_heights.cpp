@@ -1,4 +1,4 @@
-// A bearing with bump heights as they were measured, beside the one that was drawn. To be run in this folder.
+// A bearing with measured bump heights, compared with the nominal one. Run it in this folder.
 #include <fmt/format.h>
 #include <bumpfoil/case/case_reader.hpp>
 #include <bumpfoil/experiments/cycle/cycle.hpp>

@@ -1,5 +1,5 @@
 // One bearing, four models of its bump foil: the truss, the frame with small and with large displacements, and the
-// model of 2007.
+// Le Lez (2007) model.
 #include <fmt/format.h>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
 #include <utility>

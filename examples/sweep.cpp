@@ -1,4 +1,4 @@
-// What friction does: push tests with coefficients from 0 to 0.5. `bumpfoil sweep` does the same on all cores.
+// The effect of friction: push tests with coefficients from 0 to 0.5. `bumpfoil sweep` does the same on all cores.
 #include <fmt/format.h>
 #include <bumpfoil/experiments/cycle/cycle.hpp>
 

@@ -1,5 +1,5 @@
-// A hundred bearings whose bumps scatter in height by 10 um: how much force and clearance scatter with them.
-// `bumpfoil montecarlo` does the same on all cores, for a million of them, too.
+// A hundred bearings whose bump heights scatter by 10 um: scatter of force and clearance. `bumpfoil montecarlo` does the
+// same on all cores, also for a million of them.
 #include <fmt/format.h>
 #include <bumpfoil/ensemble/sample.hpp>
 #include <bumpfoil/ensemble/statistics.hpp>
