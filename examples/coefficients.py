@@ -1,4 +1,4 @@
-"""Coefficients of the foils for a rotor code, and what one does with them: the response of a rigid rotor to unbalance.
+"""Coefficients of the foils for a rotor code, and their use: the unbalance response of a rigid rotor.
 
 Of the foils at rest, about 50 N downwards: in a running bearing they are in series with the gas film."""
 

@@ -1,4 +1,4 @@
-"""A load of 400 N is put on the journal downwards and taken away again. The journal is free to move sideways."""
+"""A downward load of 400 N is applied to the journal and removed. The journal is free to move sideways."""
 
 import bumpfoil
 import matplotlib.pyplot as plt

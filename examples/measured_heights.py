@@ -1,4 +1,4 @@
-"""A bearing with bump heights as they were measured, beside the one that was drawn."""
+"""A bearing with measured bump heights, compared with the nominal one."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
-"""One bearing, four models of its bump foil: the truss, the frame with small and with large displacements, and the model
-of 2007."""
+"""One bearing, four models of its bump foil: the truss, the frame with small and with large displacements, and the Le Lez
+(2007) model."""
 
 import bumpfoil
 import matplotlib.pyplot as plt

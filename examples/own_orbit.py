@@ -1,4 +1,4 @@
-"""An orbit of one's own, here a figure of eight about a place below the centre: forces, and what friction takes."""
+"""Your own orbit, here a figure of eight about a point below the centre: forces, and friction loss."""
 
 import bumpfoil
 import matplotlib.pyplot as plt

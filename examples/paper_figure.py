@@ -1,4 +1,4 @@
-"""The figures of the source paper: computed anew by the program, and drawn as a journal prints them."""
+"""The figures of the source paper, recomputed and drawn as a journal prints them."""
 
 import subprocess
 import sys

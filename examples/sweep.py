@@ -1,4 +1,4 @@
-"""What friction does: push tests with coefficients from 0 to 0.5, on all cores."""
+"""The effect of friction: push tests with coefficients from 0 to 0.5, on all cores."""
 
 import bumpfoil
 import matplotlib.pyplot as plt

@@ -1,5 +1,5 @@
-// A hundred bearings whose bump heights scatter by 10 um: scatter of force and clearance. `bumpfoil montecarlo` does the
-// same on all cores, also for a million of them.
+// A hundred bearings whose bump heights scatter by 10 um: scatter of force and clearance. `bumpfoil montecarlo` does
+// the same on all cores, also for a million of them.
 #include <fmt/format.h>
 #include <bumpfoil/ensemble/sample.hpp>
 #include <bumpfoil/ensemble/statistics.hpp>

@@ -1,4 +1,4 @@
-"""A hundred bearings whose bumps scatter in height by 10 um: how much force and clearance scatter with them."""
+"""A hundred bearings whose bump heights scatter by 10 um: scatter of force and clearance."""
 
 import bumpfoil
 import matplotlib.pyplot as plt
