@@ -26,7 +26,7 @@ namespace bumpfoil {
 
 namespace {
 
-/// What the parser says of a command line, in the words of other messages.
+/// A parser message, reworded like our other messages.
 std::string in_our_words(std::string_view message) {
   constexpr std::string_view required = " is required";
   constexpr std::string_view one = ": 1 required ";
@@ -39,10 +39,10 @@ std::string in_our_words(std::string_view message) {
   const std::size_t at = message.find(one);
   if (at == std::string_view::npos || !message.ends_with(missing)) return std::string(message);
   message.remove_suffix(missing.size());
-  return fmt::format("{} lacks its value, {}", message.substr(0, at), message.substr(at + one.size()));
+  return fmt::format("{} is missing its value, {}", message.substr(0, at), message.substr(at + one.size()));
 }
 
-/// Prints the help that was asked for, or what is wrong with the command line.
+/// Prints the requested help, or the error in the command line.
 ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   std::ostringstream output;
   std::ostringstream errors;
@@ -52,7 +52,7 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& error) {
   }
   const std::string message = in_our_words(error.what());
   const auto commands = program.get_subcommands();
-  print_message(fmt::format("bumpfoil: {}{} 'bumpfoil {}--help' says more", message, message.ends_with('?') ? "" : ";",
+  print_message(fmt::format("bumpfoil: {}{} see 'bumpfoil {}--help'", message, message.ends_with('?') ? "" : ";",
                             commands.empty() ? "" : commands.front()->get_name() + ' '));
   return ExitCode::wrong_input;
 }
@@ -80,8 +80,8 @@ std::vector<const CLI::Option*> options_of(const CLI::App& program, const CLI::A
   return options;
 }
 
-/// Which options may be meant by a word that is none: the letter in its other case, names that begin so, or the
-/// nearest one.
+/// Options that may be meant by an unknown word: the letter in the other case, names that start like it, or the nearest
+/// one.
 std::vector<std::string> options_like(const std::string& word, const std::vector<const CLI::Option*>& options) {
   const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   if (letters.empty()) return {};
@@ -102,42 +102,42 @@ std::vector<std::string> options_like(const std::string& word, const std::vector
   return longer.empty() ? nearest_of(word, names) : longer;
 }
 
-/// Says which words of the command line mean nothing: no command, no option, one too many.
+/// Reports unknown words of the command line: no command, no option, one too many.
 /// @return whether there are any
 bool tell_unknown_words(const CLI::App& program) {
   const std::vector<std::string> words = program.remaining();
   if (words.empty()) return false;
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-' && word != "--"; };
-  // What follows one that is not known may be its value.
+  // A word after an unknown option may be its value.
   if (const auto found = std::find_if(words.begin(), words.end(), is_option); found != words.end()) {
     const auto commands = program.get_subcommands();
     const CLI::App& command = commands.empty() ? program : *commands.front();
     const std::string option = found->substr(0, found->find('='));
-    print_message(fmt::format("bumpfoil: '{}' is no option{}; {}'bumpfoil {}--help' lists them", printable(option),
+    print_message(fmt::format("bumpfoil: unknown option '{}'{}; {}'bumpfoil {}--help' lists them", printable(option),
                               commands.empty() ? "" : fmt::format(" of '{}'", command.get_name()),
                               suggestion(options_like(option, options_of(program, command))),
                               commands.empty() ? "" : command.get_name() + ' '));
   } else if (program.get_subcommands().empty()) {
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-    print_message(fmt::format("bumpfoil: '{}' is no command; {}'bumpfoil --help' lists them", printable(words.front()),
-                              suggestion(nearest_of(words.front(), names))));
+    print_message(fmt::format("bumpfoil: unknown command '{}'; {}'bumpfoil --help' lists them",
+                              printable(words.front()), suggestion(nearest_of(words.front(), names))));
   } else {
     const std::string& command = program.get_subcommands().front()->get_name();
     if (words.front().starts_with('=')) {
       print_message(
-          fmt::format("bumpfoil: '{}' stands alone; write --set KEY=VALUE without spaces round the sign, in "
-                      "quotes if the value has any",
+          fmt::format("bumpfoil: '{}' is incomplete; write --set KEY=VALUE without spaces around the =, in quotes if "
+                      "the value has any",
                       printable(words.front())));
       return true;
     }
-    print_message(fmt::format("bumpfoil: '{}' is one word more than '{}' takes; 'bumpfoil {} --help' lists them",
+    print_message(fmt::format("bumpfoil: unexpected argument '{}' of '{}'; see 'bumpfoil {} --help'",
                               printable(words.front()), command, command));
   }
   return true;
 }
 
-/// Whether a word changes a key of a table: --set takes as many as follow one another, and no names of files.
+/// Whether a word sets a key of a table: --set takes all that follow, but no file names.
 bool is_override(std::string_view word) {
   const std::string_view key = word.substr(0, word.find('='));
   return key.size() < word.size() && key.find('.') != std::string_view::npos &&
@@ -149,7 +149,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
     if (words.size() > 2) {
-      throw Error(ErrorKind::input, {{"", 0, "help", words[2], "is one word too many",
+      throw Error(ErrorKind::input, {{"", 0, "help", words[2], "is an unexpected argument",
                                       "ask about one command: bumpfoil help " + words[1]}});
     }
     words.erase(words.begin());
@@ -158,7 +158,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
   for (const std::string& word : words) {
     // The parser would take it for -o utput.
     if (word != "-output" && !word.starts_with("-output=")) continue;
-    throw Error(ErrorKind::input, {{"", 0, "-output", "", "is no option", "did you mean -o or --output?"}});
+    throw Error(ErrorKind::input, {{"", 0, "-output", "", "unknown option", "did you mean -o or --output?"}});
   }
   for (std::size_t i = 2; i < words.size(); ++i) {
     if (words[i - 2] == "--set" && is_override(words[i - 1]) && is_override(words[i])) {
@@ -187,7 +187,7 @@ std::string command_line(int argc, char** argv) {
   return out;
 }
 
-/// The only command that several ranks have work for.
+/// The only command that supports several ranks.
 constexpr const char* command_for_ranks = "montecarlo";
 
 ExitCode run(int argc, char** argv, const Ranks& ranks) {
@@ -197,7 +197,7 @@ ExitCode run(int argc, char** argv, const Ranks& ranks) {
   program.parse_complete_callback([&] {
     if (ranks.size() == 1 || program.got_subcommand(command_for_ranks)) return;
     throw Error(ErrorKind::input, {{"", 0, "mpirun -n", std::to_string(ranks.size()),
-                                    fmt::format("only '{}' has work for several ranks", command_for_ranks),
+                                    fmt::format("only '{}' supports several ranks", command_for_ranks),
                                     "start this command without mpirun"}});
   });
   try {
@@ -205,11 +205,11 @@ ExitCode run(int argc, char** argv, const Ranks& ranks) {
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     program.parse(std::move(words));
   } catch (const CLI::CallForHelp& call) {
-    // Without a command it would be the help of the program.
+    // Without a command it would print the help of the program.
     if (program.get_subcommands().empty() && tell_unknown_words(program)) return ExitCode::wrong_input;
     return answer(program, call);
   } catch (const CLI::ParseError& error) {
-    // Before what is missing: a slip in its name may be why.
+    // Before missing arguments: a typing error may be the cause.
     const bool is_answer = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
     if (!is_answer && tell_unknown_words(program)) return ExitCode::wrong_input;
     return answer(program, error);
@@ -217,7 +217,7 @@ ExitCode run(int argc, char** argv, const Ranks& ranks) {
   return session.exit_code;
 }
 
-/// Ends the program after a failure, without the exit handler of HDF5: it crashes where the memory did not suffice.
+/// Ends the program after a failure, without the exit handler of HDF5, which crashes after running out of memory.
 [[noreturn]] void leave(ExitCode code) {
   std::fflush(nullptr);
   std::_Exit(static_cast<int>(code));
@@ -229,7 +229,7 @@ ExitCode run(int argc, char** argv, const Ranks& ranks) {
 int main(int argc, char** argv) {
   using namespace bumpfoil;
   hold_closed_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes fails the write, which is told
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit makes the write fail, which is reported
   try {
     const Ranks ranks;
     if (ranks.rank() > 0) {
@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
     print_message(error.what());
     leave(error.kind() == ErrorKind::file ? ExitCode::file_error : ExitCode::wrong_input);
   } catch (const std::bad_alloc&) {
-    print_message("bumpfoil: the memory does not suffice for this case");
+    print_message("bumpfoil: not enough memory for this case");
     leave(ExitCode::wrong_input);
   } catch (const std::exception& error) {
     print_message(std::string("bumpfoil: ") + error.what());

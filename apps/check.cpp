@@ -31,13 +31,14 @@ std::string verdicts(const std::vector<CheckedCommand>& commands) {
 
 void add_check_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = program.add_subcommand("check", "Read and validate a case; print it as understood, in SI");
+  CLI::App* command = program.add_subcommand("check", "Validate a case; print it as interpreted, in SI");
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   add_overrides(*command, options->overrides);
   command->footer(
-      "Example:\n  bumpfoil check case.toml\nWhat is printed is a case file itself. Its last lines, comments, say "
-      "which of the commands that it has a table for can run it, and why others cannot. Where none can, that is an "
-      "error.");
+      "Example:\n"
+      "  bumpfoil check case.toml\n"
+      "The output is itself a case file. Its last lines, comments, list which of the commands that it has a table for "
+      "can run it, and why others cannot. If none can, that is an error.");
   command->callback([options, &session] {
     const CheckedCase checked = check_case(read_case_text(options->case_path), options->case_path, options->overrides);
     if (!session.quiet) print_some("warning: ", checked.input.remarks);

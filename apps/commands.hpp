@@ -17,18 +17,18 @@ enum class ExitCode {
   interrupted = 130,  ///< partial results are written and flagged
 };
 
-/// What a command is given and gives back.
+/// Input and output of a command.
 struct Session {
   const Ranks& ranks;        ///< this is the first one
-  std::string command_line;  ///< as a shell would take it again
+  std::string command_line;  ///< quoted for a shell
   bool quiet{};
   ExitCode exit_code{ExitCode::done};
 };
 
-/// All that the program takes: commands, options, help. The program parses by it, its manual is made from it.
+/// All commands, options and help texts. Both the parser and the manual are built from it.
 void describe_program(CLI::App& program, Session& session);
 
-// Each adds its command with options and help to the program; the command runs when it was parsed.
+// Each adds its command with options and help to the program; the command runs once it is parsed.
 void add_init_command(CLI::App& program, Session& session);
 void add_check_command(CLI::App& program, Session& session);
 void add_properties_command(CLI::App& program, Session& session);
@@ -38,13 +38,13 @@ void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 void add_designer_command(CLI::App& program, Session& session);
 
-/// That a value is one of some words.
+/// Checks that a value is one of these words.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Adds the option --set, which changes keys of the case file.
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
 
-/// Adds the option --solver, short for one of them, behind --set.
+/// Adds the option --solver, short for a --set, after those given.
 void add_solver(CLI::App& command, std::vector<std::string>& overrides);
 
 }  // namespace bumpfoil

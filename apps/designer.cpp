@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 
-/// The page that web/ makes, with the solver in it; empty if the program was built without Node.js or Emscripten.
+/// The page built in web/, which contains the solver; empty if the program was built without Node.js or Emscripten.
 std::string_view designer_page();
 
 namespace {
@@ -37,15 +37,14 @@ void run_designer(const DesignerOptions& options, const Session& session) {
 
 void add_designer_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<DesignerOptions>();
-  CLI::App* command =
-      program.add_subcommand("designer", "Make the program as one HTML file: change the bearing and see it answer");
-  command->add_option("-o,--output", options->path, "File to write; designer.html without it")->type_name("FILE");
+  CLI::App* command = program.add_subcommand("designer", "Write the designer: one interactive HTML page");
+  command->add_option("-o,--output", options->path, "File to write; default designer.html")->type_name("FILE");
   command->add_flag("--force", options->force, "Replace the file if it exists");
   command->footer(
       "Example:\n"
       "  bumpfoil designer\n"
-      "Open the file in a browser of 2022 or later. It needs no network and nothing beside it, and computes in the "
-      "browser what `bumpfoil cycle` computes.");
+      "Open the file in a browser of 2022 or later. It needs no network and no other file, and computes the same "
+      "results as the program, in the browser.");
   command->callback([options, &session] { run_designer(*options, session); });
 }
 

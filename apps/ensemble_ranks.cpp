@@ -24,12 +24,12 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-/// A rank writes at least that often: as long as its rows may be on their way.
+/// A rank sends at least that often: the longest time that its rows may be in transit.
 constexpr auto letter_interval = 200ms;
-/// Between two looks for letters.
+/// Interval between two checks for messages.
 constexpr auto polling_interval = 20ms;
 
-// Letters are numbers as they lie in memory: all ranks are machines of one kind.
+// Messages are numbers in their memory layout: all ranks are machines of one kind.
 std::string text_of(const std::vector<double>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
 }
@@ -44,7 +44,7 @@ std::string order_for(const Case& input, std::optional<unsigned> threads) {
   return fmt::format("{}\n{}", threads.value_or(0), ensemble_identity(input));
 }
 
-/// The samples that were given to a rank, and the rows of those that it has run.
+/// The samples assigned to a rank, and the rows of those it has run.
 class HandedSamples : public RunQueue {
  public:
   std::optional<std::size_t> next() override {
@@ -79,7 +79,7 @@ class HandedSamples : public RunQueue {
     rows_.insert(rows_.end(), row.begin(), row.end());
   }
 
-  /// Each behind its number.
+  /// Each preceded by its number.
   std::vector<double> take_rows() {
     const std::lock_guard lock(mutex_);
     return std::exchange(rows_, {});
@@ -93,13 +93,13 @@ class HandedSamples : public RunQueue {
   bool closed_{};
 };
 
-/// Speaks to the first rank: asks for samples, and brings it rows.
+/// Talks to the first rank: requests samples and sends rows.
 class Helper {
  public:
   Helper(const Ranks& ranks, HandedSamples& samples, unsigned threads, std::size_t width)
       : ranks_(ranks), samples_(samples), width_(width), ahead_(2 * std::size_t{threads}), least_(ahead_) {}
 
-  /// @return false if that is enough
+  /// @return false if no more samples are needed
   bool tick() {
     if (const std::optional<Letter> letter = ranks_.receive()) {
       if (letter->subject == Subject::enough) return false;
@@ -117,7 +117,7 @@ class Helper {
     std::vector<double> letter{0.0};
     const std::vector<double> rows = samples_.take_rows();
     letter.insert(letter.end(), rows.begin(), rows.end());
-    // Twice what is run between two letters: threads must not wait for the answer.
+    // Twice what is run between two messages: threads must not wait for the reply.
     const double run = static_cast<double>(rows.size()) / static_cast<double>(width_ + 1);
     const double speed = run / std::chrono::duration<double>(now - last_letter_).count();
     ahead_ = std::max(least_,
@@ -131,7 +131,7 @@ class Helper {
   const Ranks& ranks_;
   HandedSamples& samples_;
   std::size_t width_;
-  std::size_t ahead_, least_;  ///< samples to have in store
+  std::size_t ahead_, least_;  ///< samples to keep in stock
   bool asked_{};
   Clock::time_point last_letter_{Clock::now()};
 };
@@ -144,7 +144,7 @@ void help_with(const Ranks& ranks, const std::string& order) {
   const Case input = case_of_identity(identity);
   if (ensemble_identity(input) != identity) {
     throw Error(ErrorKind::input, {{"", 0, "", "", "is not the same program on the same kind of machine as rank 0",
-                                    "give all ranks the same: parts of an ensemble could not be told apart"}});
+                                    "run the same program on all ranks: otherwise parts of an ensemble would differ"}});
   }
   const EnsembleLayout layout = make_ensemble_layout(input);
   const unsigned workers = threads > 0 ? threads : available_threads();
@@ -210,11 +210,11 @@ void EnsembleHelpers::share(SampleFlow& flow) {
 }
 
 void help(const Ranks& ranks) {
-  const InterruptionGuard guard;  // signals come to all ranks: the first one says what follows
+  const InterruptionGuard guard;  // signals reach all ranks: the first one decides
   for (;;) {
     const Letter letter = wait_for_letter(ranks);
     if (letter.subject == Subject::end) return;
-    if (letter.subject != Subject::order) continue;  // an answer to what this rank asked before it failed
+    if (letter.subject != Subject::order) continue;  // a reply to a request from before this rank failed
     try {
       help_with(ranks, letter.text);
     } catch (const std::exception& error) {

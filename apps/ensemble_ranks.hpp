@@ -10,22 +10,22 @@
 
 namespace bumpfoil {
 
-// An ensemble on several ranks. The first rank reads the case, hands out samples and writes; the others do nothing but
-// run samples of it. Each asks for as many as keep its threads busy for a while, and brings along the rows of those it
-// has run: whoever is faster gets more.
+// An ensemble on several ranks. The first rank reads the case, distributes samples and writes; the others only run
+// samples. Each requests as many as keep its threads busy for a while, and sends the rows of those it has run: faster
+// ranks get more.
 
 /// The first rank's side.
 class EnsembleHelpers {
  public:
-  /// Orders all other ranks to help.
-  /// @param threads  of each; where it is not given each takes as many as it may
+  /// Asks all other ranks to help.
+  /// @param threads per rank; if not given, each uses as many as it may
   EnsembleHelpers(const Ranks& ranks, const Case& input, std::optional<unsigned> threads);
-  /// Ends their help, whatever they are doing.
+  /// Ends their help at once.
   ~EnsembleHelpers();
   EnsembleHelpers(const EnsembleHelpers&) = delete;
   EnsembleHelpers& operator=(const EnsembleHelpers&) = delete;
 
-  /// Takes the rows that have come, and gives samples to those who ask.
+  /// Takes the rows received, and assigns samples to ranks that request them.
   /// @throws Error (input) if one cannot help: it must be the same program on the same kind of machine
   void share(SampleFlow& flow);
 
@@ -39,10 +39,10 @@ class EnsembleHelpers {
   std::vector<std::size_t> samples_;
 };
 
-/// The other ranks' side: helps until the first rank has nothing more for it.
+/// The other ranks' side: helps until the first rank has no more work.
 void help(const Ranks& ranks);
 
-/// Lets the other ranks go in the end, however that comes; for the first one.
+/// Releases the other ranks at the end, however it comes; for the first one.
 class Dismissal {
  public:
   explicit Dismissal(const Ranks& ranks) : ranks_(ranks) {}

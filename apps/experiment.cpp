@@ -34,19 +34,19 @@ Case sampled_case(const std::string& sample, const Case& input, EnsembleCommand 
   const std::size_t colon = sample.rfind(':');
   std::size_t number = 0;
   if (colon == std::string::npos || !CLI::detail::lexical_cast(sample.substr(colon + 1), number)) {
-    throw Error(ErrorKind::input, {{"", 0, "--sample", sample, "does not end with the number of a sample",
-                                    "write it behind the file: results/ensemble.nc:17"}});
+    throw Error(ErrorKind::input, {{"", 0, "--sample", sample, "does not end with a sample number",
+                                    "write it after the file: results/ensemble.nc:17"}});
   }
   return read_sampled_case(sample.substr(0, colon), number, input, command);
 }
 
 ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options, const Session& session) {
-  // Read once: what is written beside the results is what they came from.
+  // Read once: the case written with the results is the one that they came from.
   const std::string case_text = read_case_text(options.case_path);
   Case input = parse_case(case_text, options.case_path,
                           {.overrides = options.overrides, .commands = {std::string(experiment.name)}});
   if (!options.sample.empty()) input = sampled_case(options.sample, input, *experiment.sampled);
-  const InterruptionGuard guard;  // from before there is anything to clean up
+  const InterruptionGuard guard;  // before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
 
   Outcome outcome;
@@ -68,7 +68,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
                              fmt::join(experiment.files, ", ")));
     for (const std::string& warning : outcome.warnings) print_message("warning: " + warning);
   }
-  const std::string partial = fmt::format("the results in {} are partial, and flagged so", place);
+  const std::string partial = fmt::format("the results in {} are partial and flagged as such", place);
   for (const std::string& failure : outcome.failures) {
     print_message(fmt::format("bumpfoil: {}; {}", failure, partial));
   }
@@ -114,16 +114,17 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentInfo& e
       ->type_name("DIR")
       ->required();
   if (experiment.sampled) {
-    command->add_option("--sample", options->sample, "Of an ensemble, the bearing of this number; CASE is its case")
+    command
+        ->add_option("--sample", options->sample, "Rerun this sample of an ensemble; CASE is the case of the ensemble")
         ->type_name("ENSEMBLE.NC:NUMBER");
   }
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
   for (const Switch& one : experiment.switches) add_switch(*command, one, options->switches);
-  command->add_flag("--force", options->force, "Replace results that the folder holds");
+  command->add_flag("--force", options->force, "Replace existing results in the folder");
   command->footer("Examples:\n" + std::string(experiment.examples) +
-                  "Ctrl-C, or a limit of a batch system, ends the run; what there is by then is written and flagged as "
-                  "partial. A second Ctrl-C ends it at once.");
+                  "Ctrl-C, or the time limit of a batch system, ends the run; partial results are written and flagged. "
+                  "A second Ctrl-C ends it at once.");
   command->callback([options, &experiment, &session] { session.exit_code = run(experiment, *options, session); });
 }
 

@@ -32,8 +32,8 @@ void add_init_command(CLI::App& program, Session& session) {
   command->add_option("--preset", options->preset, "Bearing to start from")
       ->check(one_of(preset_names()))
       ->capture_default_str();
-  command->add_option("-o,--output", options->path, "File to write; standard output without it")->type_name("FILE");
-  command->add_flag("--keys", options->keys, "A reference of all keys in place of a case file, in Markdown");
+  command->add_option("-o,--output", options->path, "File to write; default: standard output")->type_name("FILE");
+  command->add_flag("--keys", options->keys, "Write a reference of all keys instead of a case file, in Markdown");
   command->add_flag("--force", options->force, "Replace the file if it exists");
   command->footer("Example:\n  bumpfoil init -o case.toml");
   command->callback([options, &session] { run_init(*options, session); });

@@ -20,9 +20,9 @@ std::atomic<bool> signal_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void note_signal(int signal) {
-  // Other signals may come twice without anybody's impatience: to a group and to its member, or second after second.
+  // Other signals may come twice without a second request: to a group and to its member, or every second.
   if (signal == SIGINT && signal_seen) {
-    constexpr std::string_view message = "\nbumpfoil: interrupted twice: what was not written yet is lost\n";
+    constexpr std::string_view message = "\nbumpfoil: interrupted twice: results not yet written are lost\n";
     [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, message.data(), message.size());
     ::_exit(static_cast<int>(ExitCode::interrupted));
   }

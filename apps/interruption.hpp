@@ -2,8 +2,8 @@
 
 namespace bumpfoil {
 
-/// While it lives, Ctrl-C and the signals by which systems end programs (SIGTERM, SIGHUP, and SIGXCPU of a limit of
-/// time) are noted instead of ending the program; a second Ctrl-C ends it. What was ignored stays ignored, such as
+/// During its lifetime, Ctrl-C and the signals by which systems end programs (SIGTERM, SIGHUP, and SIGXCPU at a time
+/// limit) are recorded instead of ending the program; a second Ctrl-C ends it. Ignored signals stay ignored, such as
 /// SIGHUP under nohup.
 class InterruptionGuard {
  public:

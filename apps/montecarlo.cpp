@@ -69,14 +69,14 @@ CLI::Validator positive_number() {
           "positive"};
 }
 
-/// How evenly the work was shared.
+/// How evenly the work was distributed.
 std::string shares_text(std::vector<std::size_t> shares, std::size_t samples) {
   shares.front() = samples - std::min(samples, std::accumulate(shares.begin(), shares.end(), std::size_t{0}));
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   return fmt::format("\n{} ranks ran {} to {} samples each\n", shares.size(), *least, *most);
 }
 
-/// The case with what options say in place of keys. What is wrong with that is told of the option that was typed.
+/// The case with options applied as keys. Errors in them are reported for the option that was typed.
 Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& options) {
   struct Shorthand {
     std::string option, key, value;
@@ -105,13 +105,13 @@ Case parse_ensemble_case(const std::string& case_text, const MonteCarloOptions& 
 ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session) {
   const std::string case_text = read_case_text(options.case_path);
   const Case input = parse_ensemble_case(case_text, options);
-  const InterruptionGuard guard;  // from before there is anything to clean up
+  const InterruptionGuard guard;  // before there is anything to clean up
   const std::filesystem::path checkpoint = std::filesystem::path(options.folder) / checkpoint_name;
   const bool resumes = options.resume && EnsembleLog::identity_of(checkpoint).has_value();
   const Existing existing = options.force || resumes ? Existing::replace : Existing::refuse;
   ResultFolder folder(options.folder, existing, ensemble_file_names());
   if (!options.force && !options.resume) {
-    require_no_checkpoint(checkpoint, "go on with it by --resume, begin anew by --force, or give another folder");
+    require_no_checkpoint(checkpoint, "continue it with --resume, restart with --force, or use another folder");
   }
 
   const EnsembleLayout layout = make_ensemble_layout(input);
@@ -161,7 +161,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
                               input.montecarlo->samples));
   }
   if (status != RunStatus::complete) {
-    print_message(fmt::format("bumpfoil: the results in {} are partial, and flagged so", place));
+    print_message(fmt::format("bumpfoil: the results in {} are partial and flagged as such", place));
   }
   return exit_code_of(status);
 }
@@ -171,47 +171,46 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
 void add_montecarlo_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MonteCarloOptions>();
   CLI::App* command = program.add_subcommand(
-      "montecarlo", "Run the cycles, or states, of many bearings that differ within the tolerances of [montecarlo]");
+      "montecarlo", "Run the cycles, or states, of many random bearings within the tolerances of [montecarlo]");
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command->add_option("-o,--output", options->folder, "Folder for summary.json and ensemble.nc")
       ->type_name("DIR")
       ->required();
-  command->add_option("--samples", options->samples, "The same as --set montecarlo.samples=N")->type_name("N");
-  command->add_option("--seed", options->seed, "The same as --set montecarlo.seed=S")->type_name("S");
+  command->add_option("--samples", options->samples, "Same as --set montecarlo.samples=N")->type_name("N");
+  command->add_option("--seed", options->seed, "Same as --set montecarlo.seed=S")->type_name("S");
   command->add_flag(
       "--limits", options->film_limits,
-      "Lift-off speeds and load capacities of running bearings, too: the same as --set montecarlo.limits=true");
-  command->add_option("--threads", options->threads, "Samples that are run at a time; results do not depend on it")
+      "Also lift-off speeds and load capacities of running bearings; same as --set montecarlo.limits=true");
+  command->add_option("--threads", options->threads, "Number of samples run in parallel; results do not depend on it")
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
   command
       ->add_option("--target-error", options->target_error,
-                   "Stop when the standard error of the mean of the maximum force (of running bearings: of the least "
-                   "film thickness) is below this part of it everywhere; asked after every 1000 samples")
+                   "Stop when the standard error of the mean of the maximum force (for running bearings: of the "
+                   "minimum film thickness) is below this fraction of it everywhere; checked after every 1000 samples")
       ->check(positive_number())
       ->type_name("E");
   command
       ->add_option(
           "--limit", options->limits,
-          "What a bearing is to keep in every direction or state, \"clearance_5N > 20 um\"; may be given again")
+          "Limit that a bearing must meet in every direction or state, \"clearance_5N > 20 um\"; may be repeated")
       ->type_name("LIMIT")
       ->allow_extra_args(false)
       ->take_all();
   CLI::Option* resume = command->add_flag(
-      "--resume", options->resume, "Go on where a run was killed or interrupted, or with more samples than it had");
-  command->add_flag("--force", options->force, "Replace results that the folder holds")->excludes(resume);
+      "--resume", options->resume, "Continue a run that was killed or interrupted, or extend it to more samples");
+  command->add_flag("--force", options->force, "Replace existing results in the folder")->excludes(resume);
   command->footer(
       "Examples:\n"
       "  bumpfoil montecarlo examples/tolerances.toml -o tolerances\n"
       "  bumpfoil montecarlo examples/tolerances.toml -o more --samples 10000 --seed 2\n"
       "  bumpfoil cycle examples/tolerances.toml --sample tolerances/ensemble.nc:17 -o seventeen\n"
       "  bumpfoil montecarlo examples/running_tolerances.toml -o running --limit 'h_min > 3 um'\n"
-      "A sample depends on its number and the seed alone: not on threads, nor on how many there are. One that fails is "
-      "kept, with its status. Ctrl-C ends the run; the samples that are done by then are written, and --resume goes "
-      "on. "
-      "Samples are kept in ensemble.checkpoint as they come, for that alone.");
+      "A sample depends only on its number and the seed, not on threads or the number of samples. A sample that fails "
+      "is kept, with its status. Ctrl-C ends the run; finished samples are written, and --resume continues. Samples "
+      "are saved in ensemble.checkpoint as they finish, for --resume only.");
   command->callback([options, &session] { session.exit_code = run_montecarlo(*options, session); });
 }
 

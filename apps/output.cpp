@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Messages alike that are printed one by one.
+/// Number of similar messages that are printed.
 constexpr std::size_t most_messages = 5;
 
 bool print(std::FILE* stream, const std::string& text) {
@@ -27,7 +27,7 @@ bool print(std::FILE* stream, const std::string& text) {
 
 void hold_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest number that is free is taken. For reading, so that what is printed still fails.
+    // Takes the lowest free descriptor. Opened for reading, so that printing still fails.
     if (::fcntl(stream, F_GETFD) == -1) static_cast<void>(::open("/dev/null", O_RDONLY));
   }
 }
@@ -43,7 +43,7 @@ void print_message(std::string_view line) noexcept {
   try {
     print(stderr, printable_lines(line) + '\n');
   } catch (const std::exception&) {
-    // Not even the memory for a copy: nobody is left to tell.
+    // Not even memory for a copy: nothing can be reported.
   }
 }
 

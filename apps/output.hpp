@@ -6,20 +6,20 @@
 
 namespace bumpfoil {
 
-// The only way from the program to standard output and standard error, but for the progress bar. Whatever texts of
-// others hold, nothing steers the terminal: all of it is made printable_lines.
+// The only way from the program to standard output and standard error, except for the progress bar. Untrusted text
+// cannot control the terminal: everything passes through printable_lines.
 
-/// Keeps files that are opened from taking the place of standard streams that were closed on entry, where they would
-/// receive what is printed. To be called first.
+/// Prevents opened files from replacing standard streams that were closed on entry, and so from receiving the output.
+/// Call this first.
 void hold_closed_streams();
 
-/// Prints on standard output. @throws Error (file) if it cannot take it, a full disk for one.
+/// Prints on standard output. @throws Error (file) if writing fails, for example on a full disk.
 void print_output(std::string_view text);
 
-/// Prints a line on standard error. Where that is closed or full the line is lost: the exit code still tells.
+/// Prints a line on standard error. If that is closed or full the line is lost; the exit code remains.
 void print_message(std::string_view line) noexcept;
 
-/// Prints the first of the lines as messages, each behind `prefix`, and how many there are beside.
+/// Prints the first of the lines as messages, each after `prefix`, and the number of the others.
 void print_some(std::string_view prefix, const std::vector<std::string>& lines);
 
 }  // namespace bumpfoil

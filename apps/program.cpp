@@ -20,8 +20,8 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
     const auto longer =
         std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.starts_with(value); });
     const auto nearest = longer != words.end() && !value.empty() ? std::optional(*longer) : nearest_name(value, words);
-    return nearest ? fmt::format("'{}' is not known; did you mean '{}'?", value, *nearest)
-                   : fmt::format("'{}' is none of {}", value, fmt::join(words, ", "));
+    return nearest ? fmt::format("unknown value '{}'; did you mean '{}'?", value, *nearest)
+                   : fmt::format("'{}' is not one of {}", value, fmt::join(words, ", "));
   };
   return {refuse, fmt::format("{{{}}}", fmt::join(words, ","))};
 }
@@ -45,7 +45,7 @@ void add_solver(CLI::App& command, std::vector<std::string>& overrides) {
 
 namespace {
 
-/// An option without a value would be taken for one that was not given.
+/// An option with an empty value would count as not given.
 void refuse_empty_values(CLI::App& command) {
   const CLI::Validator given([](const std::string& value) { return value.empty() ? "is empty" : ""; }, "");
   for (CLI::Option* option : command.get_options()) {
@@ -57,9 +57,9 @@ void refuse_empty_values(CLI::App& command) {
 
 void describe_program(CLI::App& program, Session& session) {
   program.name("bumpfoil");
-  program.description("Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.");
+  program.description("Mechanics of bump-type gas foil bearings: contact, friction, hysteresis and gas film.");
   program.set_version_flag("-V,--version", fmt::format("bumpfoil {} ({})", version(), commit()), "Show the version");
-  program.add_flag("--quiet", session.quiet, "Print nothing but errors");
+  program.add_flag("--quiet", session.quiet, "Print errors only");
   program.require_subcommand(1);
   program.fallthrough();
   program.footer(
@@ -67,8 +67,8 @@ void describe_program(CLI::App& program, Session& session) {
       "  bumpfoil init -o case.toml\n"
       "  bumpfoil cycle case.toml -o results\n"
       "  bumpfoil report results\n"
-      "'bumpfoil help COMMAND' tells what a command takes. A CASE of - is the standard input.\n"
-      "Exit codes: 0 done, 2 wrong input, 3 numerical failure, 4 files cannot be read or written, 130 interrupted.");
+      "'bumpfoil help COMMAND' lists the options of a command. A CASE of - is the standard input.\n"
+      "Exit codes: 0 done, 2 wrong input, 3 numerical failure, 4 file cannot be read or written, 130 interrupted.");
   add_init_command(program, session);
   add_check_command(program, session);
   add_properties_command(program, session);

@@ -5,20 +5,19 @@
 
 namespace bumpfoil {
 
-/// Shows how far a run is: a line on standard error that changes, on a terminal only and after a
-/// second only. A job of several ranks has no terminal, and its log gets a line now and then: after a second, two, four
-/// and so on, at last once a minute.
+/// Shows the progress of a run: a changing line on standard error, only on a terminal and only after a second. A job of
+/// several ranks has no terminal; its log gets a line after a second, two, four and so on, finally once a minute.
 class ProgressBar {
  public:
   /// @param wanted   false keeps it silent
-  /// @param begun    part that was done before
+  /// @param begun fraction done before
   /// @param for_log  lines for a log
   explicit ProgressBar(bool wanted, double begun = 0.0, bool for_log = false);
   ~ProgressBar();  ///< removes the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// @param fraction done, 0..1   @param rate  how fast it goes, in words
+  /// @param fraction done, 0..1 @param rate rate, as text
   void show(double fraction, std::string_view rate = {});
 
  private:

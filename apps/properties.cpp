@@ -26,7 +26,7 @@ struct PropertiesOptions {
   bool json{};
 };
 
-/// Where a pad lies, and how much its pitches are stretched to fill its arc.
+/// Position of a pad, and how much its pitches are stretched to fill its arc.
 std::string place_of(const Case& input, const PlacedPad& pad, std::size_t number) {
   const Bearing& bearing = pad.alone.bearing;
   const double end = polar_angles(bearing, Vector::Constant(1, foil_angle(pad.alone)))[0];
@@ -36,7 +36,7 @@ std::string place_of(const Case& input, const PlacedPad& pad, std::size_t number
   const double stretch = pitch(pad.alone.bump_foil) / pitch(bump_foil_of(input, number));
   return fmt::format("Pad {}: weld at {:.5g} deg, {} to its free end at {:.5g} deg{}\n\n", number + 1,
                      degrees(bearing.weld_angle), bearing.wrap == Wrap::clockwise ? "clockwise" : "counterclockwise",
-                     degrees(end), stretch == 1.0 ? "" : fmt::format("; pitches {:.5g} times those given", stretch));
+                     degrees(end), stretch == 1.0 ? "" : fmt::format("; pitches stretched by {:.5g}", stretch));
 }
 
 std::string text_of(const Case& input) {

@@ -5,12 +5,12 @@
 
 namespace bumpfoil {
 
-/// What a letter from rank to rank is about.
+/// Subject of a message between ranks.
 enum class Subject {
   order,    ///< to help with an ensemble
   samples,  ///< to run
   rows,     ///< of samples that were run
-  refusal,  ///< why no help is to be expected
+  refusal,  ///< why this rank cannot help
   enough,   ///< of this ensemble
   end,      ///< of all
 };
@@ -21,11 +21,11 @@ struct Letter {
   std::string text;
 };
 
-/// The processes that mpirun, or another launcher of MPI, started together, this one among them; one where there is no
-/// launcher. All calls must come from the thread that made it.
+/// The processes that mpirun, or another MPI launcher, started together, including this one; just one without a
+/// launcher. All calls must come from the thread that created it.
 class Ranks {
  public:
-  /// @throws Error (input) where there are several, and the program was built without MPI
+  /// @throws Error (input) if there are several, but the program was built without MPI
   Ranks();
   /// Waits for the others.
   ~Ranks();
@@ -37,7 +37,7 @@ class Ranks {
 
   void send(int rank, Subject subject, const std::string& text = {}) const;
 
-  /// A letter that has come, if there is one.
+  /// A received message, if there is one.
   [[nodiscard]] std::optional<Letter> receive() const;
 
  private:

@@ -1,4 +1,4 @@
-// The program without MPI: it is alone. ranks_mpi.cpp takes the place of this file where MPI was found.
+// The program without MPI: a single process. ranks_mpi.cpp replaces this file where MPI was found.
 
 #include <array>
 #include <cstdlib>
@@ -18,7 +18,7 @@ Ranks::Ranks() {
   }
 }
 
-Ranks::~Ranks() {}  // there is nobody to wait for
+Ranks::~Ranks() {}  // no other rank to wait for
 
 void Ranks::send(int /*rank*/, Subject /*subject*/, const std::string& /*text*/) const {}
 

@@ -16,7 +16,7 @@
 
 namespace bumpfoil {
 
-/// The page that web/ makes; empty if the program was built without Node.js.
+/// The page built in web/; empty if the program was built without Node.js.
 std::string_view report_page();
 
 namespace {
@@ -38,13 +38,13 @@ MeasuredFile measured_file(const std::string& text) {
   return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
-/// The page must not take the place of what it is made from, by whatever name.
+/// The page must not overwrite its own inputs, under any name.
 void check_output(const std::filesystem::path& path, const ReportOptions& options,
                   const std::vector<MeasuredFile>& measured) {
   std::error_code code;
   for (const MeasuredFile& file : measured) {
     if (!std::filesystem::equivalent(path, file.path, code)) continue;
-    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is the file of measured loops that the report is of",
+    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is the file of measured loops that this report reads",
                                    "give the page another name, such as report.html"}});
   }
   for (const std::filesystem::path& folder : options.folders) {
@@ -52,7 +52,7 @@ void check_output(const std::filesystem::path& path, const ReportOptions& option
          {"summary.json", "result.nc", "cycle.csv", "strip.csv", "path.csv", "equilibrium.csv", "film.csv", "sweep.nc",
           "sweep.csv", "ensemble.nc", checkpoint_name, "vibration.csv", "coefficients.csv", "coefficients.toml"}) {
       if (!std::filesystem::equivalent(path, folder / name, code)) continue;
-      throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that the report is of",
+      throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is one of the results that this report reads",
                                      "give the page another name, such as report.html"}});
     }
   }
@@ -60,7 +60,7 @@ void check_output(const std::filesystem::path& path, const ReportOptions& option
 
 void run_report(const ReportOptions& options, const Session& session) {
   if (report_page().empty()) {
-    throw Error(ErrorKind::file, {{"bumpfoil report", 0, "", "", "this program was built without the page of reports",
+    throw Error(ErrorKind::file, {{"bumpfoil report", 0, "", "", "this program was built without the report page",
                                    "install Node.js and npm (Debian: nodejs npm), then configure and build again"}});
   }
   const std::filesystem::path path = options.path.empty() ? options.folders.front() / "report.html" : options.path;
@@ -84,36 +84,33 @@ void run_report(const ReportOptions& options, const Session& session) {
 
 void add_report_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = program.add_subcommand("report", "Make one HTML file to look at from the results of runs");
-  command->add_option("DIR", options->folders, "Folders of results; several are compared in the same charts")
-      ->required();
+  CLI::App* command = program.add_subcommand("report", "Write a report of runs: one HTML page");
+  command->add_option("DIR", options->folders, "Result folders; several are compared in the same charts")->required();
   CLI::Option* measured =
       command
-          ->add_option(
-              "--measured", options->measured,
-              "CSV file of measured loops to draw and list beside the computed ones, with columns displacement_um, "
-              "force_N (or \"Load (kN)\" and the like); where results have several directions also a column "
-              "direction, or FILE:+X. Of several cycles the last is used")
+          ->add_option("--measured", options->measured,
+                       "CSV file of measured loops to compare with the computed ones, with columns displacement_um, "
+                       "force_N (or \"Load (kN)\" and the like); for several directions also a column direction, or "
+                       "FILE:+X. Of several cycles the last is used")
           ->type_name("FILE")
           ->allow_extra_args(false);
   command
-      ->add_option("--columns", options->columns,
-                   "Names of the columns in measured files, with a unit behind them where the file has none; also "
-                   "direction=, of a strip cycle=")
+      ->add_option(
+          "--columns", options->columns,
+          "Column names in measured files, with a unit if the file has none; also direction=, for a strip cycle=")
       ->type_name("displacement=NAME,force=NAME")
       ->needs(measured);
-  command->add_option("-o,--output", options->path, "File to write; report.html in the first folder without it")
+  command->add_option("-o,--output", options->path, "File to write; default report.html in the first folder")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "Replace the file if it exists");
-  command->add_flag("--unchecked", options->unchecked,
-                    "Read damaged results, too: leave out the comparison of checksums");
+  command->add_flag("--unchecked", options->unchecked, "Also read damaged results: skip the checksums");
   command->footer(
       "Examples:\n"
       "  bumpfoil report results\n"
       "  bumpfoil report truss frame -o comparison.html\n"
       "  bumpfoil report results --measured loop.csv\n"
       "  bumpfoil report results --measured rig.csv:+X --columns displacement=\"s [mm]\",force=\"Channel 3 [N]\"\n"
-      "The file needs no network and nothing beside it: open it in a browser, print it, mail it.");
+      "The page is self-contained and needs no network: open it in a browser, print it, mail it.");
   command->callback([options, &session] { run_report(*options, session); });
 }
 

@@ -40,14 +40,14 @@ struct ReproduceOptions {
   bool force{};
 };
 
-/// Number of the figure that a study is, if it is one.
+/// Figure number of a study, if it is one of the paper.
 std::optional<int> figure_number(std::string_view study) {
   constexpr std::string_view prefix = "figure";
   if (!study.starts_with(prefix)) return std::nullopt;
   return std::stoi(std::string(study.substr(prefix.size())));
 }
 
-/// Studies asked for, each once, in the order of study_names(); the figures if none was asked for.
+/// Requested studies, each once, in the order of study_names(); by default the figures.
 std::vector<Study> wanted_studies(const ReproduceOptions& options) {
   const auto among = [](const auto& list, const auto& one) {
     return std::find(list.begin(), list.end(), one) != list.end();
@@ -63,8 +63,8 @@ std::vector<Study> wanted_studies(const ReproduceOptions& options) {
   return studies;
 }
 
-/// A study with the folders that it writes to: its own, and inside that one for each run. They are made, or refused,
-/// before anything is computed.
+/// A study with its output folders: its own, and one for each run inside it. They are created, or refused, before
+/// anything is computed.
 class StudyWriter {
  public:
   StudyWriter(Study study, const std::filesystem::path& path, Existing existing)
@@ -122,11 +122,11 @@ class StudyWriter {
     folder_.stage("study.json", study_json(study_, results_, tables));
     folder_.publish();
     outcome_ = outcome_of(study_, results_);
-    results_.clear();  // all studies at once take hundreds of megabytes
+    results_.clear();  // all studies together take hundreds of megabytes
     return plotted;
   }
 
-  /// Of what was written.
+  /// Of the written files.
   [[nodiscard]] const StudyOutcome& outcome() const { return outcome_; }
 
  private:
@@ -141,7 +141,7 @@ class StudyWriter {
   Study study_;
   std::vector<Case> cases_;
   ResultFolder folder_;
-  std::list<ResultFolder> run_folders_;  ///< inside folder_, and so to be removed before it where they stay empty
+  std::list<ResultFolder> run_folders_;  ///< inside folder_, so removed before it if they stay empty
   std::vector<StudyRunResult> results_;
   StudyOutcome outcome_;
   double increments_{};
@@ -173,7 +173,7 @@ std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Ses
 }
 
 ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) {
-  const InterruptionGuard guard;  // from before there is anything to clean up
+  const InterruptionGuard guard;  // before there is anything to clean up
   std::list<StudyWriter> writers;
   for (Study& study : wanted_studies(options)) {
     const std::filesystem::path path = std::filesystem::path(options.folder) / study.name;
@@ -186,27 +186,27 @@ ExitCode run_reproduce(const ReproduceOptions& options, const Session& session) 
   const bool converged = std::all_of(outcomes.begin(), outcomes.end(), [](const auto& one) { return one.converged; });
   if (!session.quiet) {
     print_output(study_outcomes_table(outcomes));
-    print_output(
-        fmt::format("\nresults in {}: of each study picture.svg, study.json and tables (CSV), and a folder for "
-                    "each run\n",
-                    printable(options.folder, longest_path)));
+    print_output(fmt::format(
+        "\nresults in {}: for each study picture.svg, study.json, tables (CSV), and a folder for each run\n",
+        printable(options.folder, longest_path)));
     if (plotted == PlotStatus::no_gnuplot) {
       print_message(
-          "bumpfoil: there are no pictures, because gnuplot is not installed (Debian: gnuplot-nox); with it, "
-          "\"gnuplot picture.gp\" in the folder of a study draws its picture");
+          "bumpfoil: no plots, because gnuplot is not installed (Debian: gnuplot-nox); once it is, \"gnuplot "
+          "picture.gp\" in the folder of a study draws its plot");
     }
   }
   if (plotted == PlotStatus::failed) {
-    print_message("bumpfoil: gnuplot failed; \"gnuplot picture.gp\" in a folder without picture.svg says why");
+    print_message("bumpfoil: gnuplot failed; run \"gnuplot picture.gp\" in a folder without picture.svg to see why");
   }
   for (const StudyOutcome& outcome : outcomes) {
     for (const std::string& failure : outcome.failures) {
-      print_message(fmt::format("bumpfoil: {}; what is partial is flagged so", failure));
+      print_message(fmt::format("bumpfoil: {}; partial results are flagged", failure));
     }
   }
   if (interrupted) {
-    print_message(fmt::format("bumpfoil: interrupted: {} of {} studies are whole, nothing was written of the others",
-                              outcomes.size(), writers.size()));
+    print_message(
+        fmt::format("bumpfoil: interrupted: {} of {} studies are complete, nothing was written for the others",
+                    outcomes.size(), writers.size()));
     return ExitCode::interrupted;
   }
   if (!converged) return ExitCode::numerical_failure;
@@ -225,19 +225,17 @@ std::vector<std::string> figure_numbers() {
 
 void add_reproduce_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<ReproduceOptions>();
-  CLI::App* command = program.add_subcommand(
-      "reproduce", "Run the studies behind the figures of the 2019 paper, and further ones, and draw them");
-  command->add_option("-o,--output", options->folder, "Folder for a folder of each study")
-      ->type_name("DIR")
-      ->required();
-  command->add_option("--figure", options->figures, "Only this figure of the paper; may be given again")
+  CLI::App* command =
+      program.add_subcommand("reproduce", "Run and plot the studies behind the figures of the 2019 paper, and others");
+  command->add_option("-o,--output", options->folder, "Folder for the study folders")->type_name("DIR")->required();
+  command->add_option("--figure", options->figures, "Only this figure of the paper; may be repeated")
       ->allow_extra_args(false)
       ->check(one_of(figure_numbers()));
-  command->add_option("--study", options->studies, "Only this study; may be given again")
+  command->add_option("--study", options->studies, "Only this study; may be repeated")
       ->allow_extra_args(false)
       ->check(one_of(study_names()));
-  command->add_flag("--all", options->all, "All figures and all further studies");
-  command->add_flag("--force", options->force, "Replace results that the folders hold");
+  command->add_flag("--all", options->all, "All figures and all other studies");
+  command->add_flag("--force", options->force, "Replace existing results in the folders");
   std::string footer = "Studies:\n";
   for (const std::string& name : study_names()) footer += fmt::format("  {:<16} {}\n", name, make_study(name).title);
   command->footer(footer +
@@ -245,7 +243,7 @@ void add_reproduce_command(CLI::App& program, Session& session) {
                   "  bumpfoil reproduce -o paper\n"
                   "  bumpfoil reproduce -o paper --figure 10 --figure 11\n"
                   "  bumpfoil reproduce -o paper --study friction\n"
-                  "Pictures are drawn by gnuplot, if it is installed. Ctrl-C ends the run; finished studies are kept.");
+                  "Plots are drawn with gnuplot, if it is installed. Ctrl-C ends the run; finished studies are kept.");
   command->callback([options, &session] { session.exit_code = run_reproduce(*options, session); });
 }
 

@@ -40,14 +40,14 @@ SweptCommand command_called(std::string_view name) {
 }
 
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {
-  // Read once: what is written beside the results is what they came from.
+  // Read once: the case written with the results is the one that they came from.
   const std::string case_text = read_case_text(options.case_path);
   const Sweep sweep = parse_sweep(case_text, options.case_path,
                                   {.command = command_called(options.command),
                                    .over = options.over,
                                    .overrides = options.overrides,
                                    .limits = options.limits});
-  const InterruptionGuard guard;  // from before there is anything to clean up
+  const InterruptionGuard guard;  // before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse,
                       sweep_file_names(sweep.command));
 
@@ -72,7 +72,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
     print_output(sweep_table(sweep, points));
     print_output(fmt::format("\n{} points; results in {} ({})\n", points.size(), place,
                              fmt::join(sweep_file_names(sweep.command), ", ")));
-    if (!sweep.with_loops) print_message("warning: sweep.nc is without the loops, which are too many");
+    if (!sweep.with_loops) print_message("warning: sweep.nc does not contain the loops: there are too many");
     print_some("warning: ", warning_lines(sweep, points));
   }
   print_some("bumpfoil: ", failure_lines(sweep, points));
@@ -83,7 +83,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
     print_message(fmt::format("bumpfoil: interrupted: {} of {} points are missing", missing, points.size()));
   }
   if (status != RunStatus::complete) {
-    print_message(fmt::format("bumpfoil: the results in {} are partial, and flagged so", place));
+    print_message(fmt::format("bumpfoil: the results in {} are partial and flagged as such", place));
   }
   return exit_code_of(status);
 }
@@ -97,44 +97,43 @@ void add_sweep_command(CLI::App& program, Session& session) {
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command
       ->add_option("--over", options->over,
-                   "Key and values: friction.coefficient=0:0.5:0.05 (TO included), or a list, "
-                   "cycle.amplitude=[60 um, 80 um]; of equilibrium.speeds each point has one; given again, every "
-                   "combination is run")
+                   "Key and values: friction.coefficient=0:0.5:0.05 (TO included), or a list, cycle.amplitude=[60 um, "
+                   "80 um]; one speed per point for equilibrium.speeds; if repeated, every combination is run")
       ->type_name("KEY=FROM:TO:STEP")
       ->allow_extra_args(false)
       ->take_all()
       ->required();
   command
       ->add_option("-o,--output", options->folder,
-                   "Folder for summary.json, sweep.csv and sweep.nc, of equilibrium coefficients.csv, too")
+                   "Folder for summary.json, sweep.csv and sweep.nc, for equilibrium also coefficients.csv")
       ->type_name("DIR")
       ->required();
-  command->add_option("--command", options->command, "What is run at every point")
+  command->add_option("--command", options->command, "Command that is run at every point")
       ->check(one_of({enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()}))
       ->capture_default_str();
-  command->add_flag("--limits", options->limits,
-                    "Of equilibrium: lift-off speeds and load capacities, too, where the film is film.h_lift_off thin");
-  command->add_option("--threads", options->threads, "Points that are run at a time; results do not depend on it")
+  command->add_flag(
+      "--limits", options->limits,
+      "For equilibrium: also lift-off speeds and load capacities, at a film thickness of film.h_lift_off");
+  command->add_option("--threads", options->threads, "Number of points run in parallel; results do not depend on it")
       ->check(CLI::Range(1U, 1024U).description("1 to 1024"))
       ->type_name("N");
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
-  command->add_flag("--force", options->force, "Replace results that the folder holds");
+  command->add_flag("--force", options->force, "Replace existing results in the folder");
   command->footer(fmt::format(
       "Examples:\n"
       "  bumpfoil sweep case.toml --over friction.coefficient=0:0.5:0.05 -o friction\n"
-      "  bumpfoil sweep case.toml --over 'cycle.amplitude=60 um:90 um:10 um' --over 'friction.coefficient=[0.05, "
-      "0.1]' -o grid\n"
+      "  bumpfoil sweep case.toml --over 'cycle.amplitude=60 um:90 um:10 um' --over 'friction.coefficient=[0.05, 0.1]' "
+      "-o grid\n"
       "  bumpfoil sweep case.toml --over 'bump_foil.bumps=[20, 26, 32]' --set cycle.steps=50 -o bumps\n"
       "  bumpfoil sweep examples/strip.toml --command strip --over 'strip.displacement=5 um:25 um:5 um' -o strips\n"
       "  bumpfoil sweep examples/vibration.toml --command vibration --over friction.coefficient=0.05:0.2:0.05 -o K\n"
       "  bumpfoil sweep examples/running.toml --command equilibrium --over 'bearing.radial_clearance=[25 um, 30 um]' "
-      "-o "
-      "clearance\n"
+      "-o clearance\n"
       "  bumpfoil sweep examples/running.toml --command equilibrium --over 'equilibrium.speeds=20000 rpm:60000 "
       "rpm:10000 rpm' -o speeds\n"
-      "A grid has at most {} points. All cases are checked before the first is run. A point that fails is kept, with "
-      "its status. Ctrl-C ends the run; what there is by then is written and flagged as partial.",
+      "A grid has at most {} points. All cases are checked before the first one runs. A point that fails is kept, with "
+      "its status. Ctrl-C ends the run; partial results are written and flagged.",
       most_sweep_points));
   command->callback([options, &session] { session.exit_code = run_sweep(*options, session); });
 }

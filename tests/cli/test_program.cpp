@@ -106,7 +106,7 @@ TEST_F(Program, CompressesAStrip) {
   EXPECT_EQ(summary().at("status"), "failed");
   EXPECT_EQ(beyond.errors.find("bumpfoil: cycle 1, increment 1 of 8, "), 0U) << beyond.errors;
   EXPECT_NE(beyond.errors.find(": the load is not met before the bumps are pressed flat; the results in " + results_ +
-                               " are partial, and flagged so\n"),
+                               " are partial and flagged as such\n"),
             std::string::npos);
   const json failed = summary().at("cycles").at(0);
   EXPECT_EQ(failed.at("status"), "load_out_of_reach");
@@ -269,7 +269,7 @@ TEST_F(Program, PropertiesSayWherePadsLie) {
   const Outcome text = run(std::vector<std::string>{"properties", case_path_} + turned);
   ASSERT_EQ(text.exit_code, 0) << text.errors;
   // A third of the circumference each, 10 deg of it free; 8 pitches of 4.572 mm are 110.0079 deg of 19.05 mm.
-  for (const char* line : {"Pad 1: weld at 180 deg, clockwise to its free end at 70 deg; pitches 0.99993 times",
+  for (const char* line : {"Pad 1: weld at 180 deg, clockwise to its free end at 70 deg; pitches stretched by 0.99993",
                            "Pad 2: weld at -50 deg, counterclockwise to its free end at 60 deg;",
                            "Pad 3: weld at -60 deg, clockwise to its free end at -170 deg;"}) {
     EXPECT_NE(text.output.find(line), std::string::npos) << text.output;

@@ -176,7 +176,7 @@ TEST_F(RunInShell, AReportDoesNotReplaceWhatItIsMadeFrom) {
   const json before = consistent_summary("base");
   for (const std::string output : {"base/result.nc", "link/summary.json", "base/cycle.csv"}) {
     EXPECT_EQ(run("$bumpfoil report base -o " + output + " --force"), 4);
-    EXPECT_NE(log().find("is one of the results that the report is of"), std::string::npos) << log();
+    EXPECT_NE(log().find("is one of the results that this report reads"), std::string::npos) << log();
   }
   EXPECT_EQ(consistent_summary("base"), before);
 }

@@ -86,7 +86,7 @@ TEST_F(Ranks, MakeNoDifference) {
 TEST_F(Ranks, AreToldOnceWhatIsWrong) {
   const Outcome other = run(cycle_, mpirun(3));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_EQ(count(other.errors, "only 'montecarlo' has work for several ranks"), 1) << other.errors;
+  EXPECT_EQ(count(other.errors, "only 'montecarlo' supports several ranks"), 1) << other.errors;
   EXPECT_FALSE(wrote_results());
   const Outcome nothing_scatters = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"}, mpirun(2));
   EXPECT_EQ(nothing_scatters.exit_code, 2);

@@ -95,7 +95,7 @@ TEST_F(SweepProgram, KeepsPointsThatFail) {
   EXPECT_EQ(sweep.exit_code, 3) << sweep.errors;
   EXPECT_NE(sweep.errors.find("bumpfoil: strip.load=1 MN: cycle 1, increment 1 of 8, "), std::string::npos)
       << sweep.errors;
-  EXPECT_NE(sweep.errors.find("are partial, and flagged so"), std::string::npos);
+  EXPECT_NE(sweep.errors.find("are partial and flagged as such"), std::string::npos);
   const json swept = summary();
   EXPECT_EQ(swept.at("status"), "failed");
   EXPECT_EQ(swept.at("points").at(0).at("status"), "complete");

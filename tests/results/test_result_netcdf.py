@@ -258,7 +258,7 @@ class Partial(unittest.TestCase):
                 sentence = result.attrs["status_message"]
             self.assertIn(f"increment {failed} of ", sentence)
             self.assertTrue(sentence.endswith(cycle["reason"]))
-            self.assertIn(f"bumpfoil: {sentence}; the results in {folder} are partial, and flagged so", done.stderr)
+            self.assertIn(f"bumpfoil: {sentence}; the results in {folder} are partial and flagged as such", done.stderr)
 
 
 def documented_variables(text):
