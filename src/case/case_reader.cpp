@@ -56,8 +56,8 @@ void take_frame(Case& input, const Fault& fault) {
     if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
   }
   input.remarks.push_back(
-      fmt::format("the bump foil is modelled as a frame, since no truss can stand for it ({} {}); write "
-                  "bump_foil.model = \"frame\" to choose that, or give the constants of a truss in [bump_foil.truss]",
+      fmt::format("the bump foil is modelled as a frame, since it cannot be a truss ({} {}); set bump_foil.model = "
+                  "\"frame\" to confirm, or give the constants of a truss in [bump_foil.truss]",
                   fault.key, fault.what));
 }
 
@@ -74,8 +74,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   reader.finish();
   // A case without directions and amplitude would pass for one without the table.
   if (document.contains("cycle") && input.cycle.directions.empty() && input.cycle.amplitude.value == 0.0) {
-    log.later_fault(
-        {"", 0, "cycle.directions", "", "there is no direction to push in", "give a list such as [\"+X\"]"});
+    log.later_fault({"", 0, "cycle.directions", "", "no direction specified", "give a list such as [\"+X\"]"});
     log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});
   }
   if (input.bearing.is_flat() && document.contains("strip") && needs_bearing(request)) {
@@ -104,8 +103,8 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
                 fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));
     } else {
       log.fault(
-          "pad", "is not known to this command, which takes one foil all around",
-          fmt::format("run cycle, path, vibration or equilibrium, which know pads, or remove [[pad]] and add [{}]",
+          "pad", "is not supported by this command, which needs one foil all around",
+          fmt::format("run cycle, path, vibration or equilibrium, which support pads, or remove [[pad]] and add [{}]",
                       table));
     }
   }

@@ -97,7 +97,7 @@ std::string case_template(std::string_view name) {
   const auto preset =
       std::find_if(presets().begin(), presets().end(), [&](const Preset& one) { return one.name == name; });
   if (preset == presets().end()) {
-    throw Error(ErrorKind::input, {{"", 0, "preset", std::string(name), "is not known",
+    throw Error(ErrorKind::input, {{"", 0, "preset", std::string(name), "unknown preset",
                                     fmt::format("use one of {}", fmt::join(preset_names(), ", "))}});
   }
   std::string out = std::string(preset->head) + std::string(template_head);

@@ -117,8 +117,8 @@ std::optional<double> CsvNumbers::read(std::string_view cell) {
 
 std::string CsvNumbers::what(std::string_view quantity, const CsvDialect& dialect) const {
   if (mixed_)
-    return fmt::format("has a decimal {}",
-                       sign_ == '.' ? "comma where lines before have points" : "point where lines before have commas");
+    return fmt::format("has a decimal {}", sign_ == '.' ? "comma where earlier lines have points"
+                                                        : "point where earlier lines have commas");
   return fmt::format("has no finite number for the {} (columns are separated by {})", quantity, dialect.name);
 }
 
@@ -145,7 +145,7 @@ std::string column_advice(const std::vector<std::string>& columns, const std::ve
       const auto unit = behind_quantity(column, name.substr(0, name.rfind('_')));
       if (!unit) continue;
       return unit->empty() ? fmt::format("say its unit: {}", name)
-                           : fmt::format("\"{}\" is no unit for {}: write {}", *unit, name_of(dimension), name);
+                           : fmt::format("\"{}\" is not a unit for {}: write {}", *unit, name_of(dimension), name);
     }
   }
   for (const std::string& column : columns) {

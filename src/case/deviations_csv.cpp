@@ -25,15 +25,16 @@ std::vector<double> read_deviations(const std::string& path) {
       faults.push_back({path, line, "line", std::string(content), std::move(what), std::move(advice)});
     };
     if (line == 1) {
-      if (content != header) fault("is no header of deviations", fmt::format("write {}", header));
+      if (content != header) fault("is not a header of deviations", fmt::format("write {}", header));
     } else if (!content.empty()) {
       const auto number = parse<double>(content);
-      if (!number || !std::isfinite(*number)) return fault("is no finite number", "give it in SI, without a unit");
+      if (!number || !std::isfinite(*number)) return fault("is not a finite number", "give it in SI, without a unit");
       deviations.push_back(*number);
     }
   });
   if (faults.empty() && deviations.empty()) {
-    faults.push_back({path, 0, "", "", "holds no deviation", fmt::format("write {}, and one in each line", header)});
+    faults.push_back(
+        {path, 0, "", "", "contains no deviations", fmt::format("write {}, and one in each line", header)});
   }
   if (faults.empty() && std::ssize(deviations) > most_points) {
     faults.push_back({path, 0, "", "", fmt::format("holds {} deviations", deviations.size()),

@@ -184,28 +184,27 @@ class HeightErrorsReader {
     if (beyond.empty()) {
       const auto line = *std::find_if(lines_.begin(), lines_.end(), [](std::size_t one) { return one > 0; });
       return rows_.fault(line, texts_.at(line), "and all others are less than 0.1 um from the nominal height",
-                         confusion() + " Errors that are so small may stand in bump_foil.height_errors");
+                         confusion() + " Errors this small can be given in bump_foil.height_errors");
     }
     const std::size_t first = *std::min_element(beyond.begin(), beyond.end(), earlier);
     rows_.fault(
         lines_[first], texts_.at(lines_[first]),
         fmt::format("{} further from the nominal height than a bump rises, {:.6g} m",
                     beyond.size() == 1 ? "lies" : fmt::format("and {} more lie", beyond.size() - 1), rises_[first]),
-        2 * beyond.size() < errors.size() ? "mend it: most others are as bumps are" : confusion());
+        2 * beyond.size() < errors.size() ? "correct it: most others are plausible" : confusion());
   }
 
   /// Whose line it is, from 0.
   std::optional<std::size_t> bump_of(std::size_t line, std::string_view text, const std::vector<std::string>& cells) {
     if (!bump_index_) {
       if (next_ < given_.size()) return next_++;
-      rows_.fault(line, text, fmt::format("is one line more than there are bumps, {}", given_.size()),
+      rows_.fault(line, text, fmt::format("is one line more than the number of bumps, {}", given_.size()),
                   "remove it, or raise bump_foil.bumps");
       return std::nullopt;
     }
     const auto bump = parse<int>(cells[*bump_index_]);
     if (!bump || *bump < 1 || *bump > static_cast<int>(given_.size())) {
-      rows_.fault(line, text, "does not have the number of a bump",
-                  fmt::format("count bumps from 1 to {}", given_.size()));
+      rows_.fault(line, text, "is not a bump number", fmt::format("count bumps from 1 to {}", given_.size()));
       return std::nullopt;
     }
     const auto index = static_cast<std::size_t>(*bump - 1);

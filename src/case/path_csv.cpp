@@ -34,7 +34,7 @@ PathPoints read_path(const std::string& path) {
     };
     if (line == 1) {
       const std::optional<Control> control = control_of(content);
-      if (!control) return fault("is no header of a path", headers);
+      if (!control) return fault("is not a header of a path", headers);
       points.control = *control;
       return;
     }
@@ -49,7 +49,7 @@ PathPoints read_path(const std::string& path) {
     points.values.emplace_back(*x, *y);
   });
   if (faults.empty() && points.values.empty()) {
-    faults.push_back({path, 0, "", "", "holds no place", fmt::format("{}, and a line for each place", headers)});
+    faults.push_back({path, 0, "", "", "contains no points", fmt::format("{}, and a line for each place", headers)});
   }
   if (faults.empty() && std::ssize(points.values) > most_points) {
     faults.push_back({path, 0, "", "", fmt::format("holds {} places", points.values.size()),

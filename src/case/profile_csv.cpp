@@ -45,7 +45,7 @@ class ProfileReader {
   /// @throws Error (input) if there was a fault.
   std::vector<double> finish() {
     if (!rows_.faulty() && deviations_.empty()) {
-      rows_.fault("holds no deviation", "write angle_deg,deviation_um and a line for each of equal angles");
+      rows_.fault("contains no deviations", "write angle_deg,deviation_um and a line for each of equal angles");
     }
     if (!rows_.faulty() && angle_) judge_angles();
     rows_.throw_if_faulty();
@@ -85,10 +85,10 @@ class ProfileReader {
       const double due = static_cast<double>(i) * step;
       const Angle& angle = angles_[i];
       if (std::abs(angle.degrees - due) <= angle_rounding * step) continue;
-      return rows_.fault(angle.line, angle.text,
-                         fmt::format("stands where {:.6g} degrees are due: {} lines are {:.6g} degrees apart", due,
-                                     angles_.size(), step),
-                         "give equal angles from 0 on, and 360 not again");
+      return rows_.fault(
+          angle.line, angle.text,
+          fmt::format("should be {:.6g} degrees: {} lines are {:.6g} degrees apart", due, angles_.size(), step),
+          "give equal angles starting at 0, without 360");
     }
   }
 

@@ -99,7 +99,7 @@ void ReadingLog::throw_if_faulty() {
   std::stable_sort(faults_.begin(), faults_.end(),
                    [&place](const Fault& a, const Fault& b) { return place(a) < place(b); });
   if (unlisted_ > 0) {
-    faults_.push_back({file_, 0, "", "", fmt::format("and {} more faults", unlisted_), "mend the first ones"});
+    faults_.push_back({file_, 0, "", "", fmt::format("and {} more errors", unlisted_), "fix the first ones"});
   }
   throw Error(input_fault_ ? ErrorKind::input : ErrorKind::file, std::move(faults_));
 }

@@ -90,7 +90,7 @@ class SweptKeyParser {
   SweptKey parse() {
     const std::size_t equals = argument_.find('=');
     if (equals == std::string_view::npos || trimmed(argument_.substr(0, equals)).empty()) {
-      refuse("does not say what to sweep over which values",
+      refuse("does not give a key and its values",
              "write KEY=FROM:TO:STEP or KEY=[a, b], for example friction.coefficient=0:0.5:0.05");
     }
     key_ = trimmed(argument_.substr(0, equals));
@@ -113,7 +113,7 @@ class SweptKeyParser {
   }
 
   [[nodiscard]] std::vector<std::string> parse_list() const {
-    if (!values_.ends_with(']')) refuse("is a list without an end", "close it with ]");
+    if (!values_.ends_with(']')) refuse("is a list that is not closed", "close it with ]");
     std::vector<std::string> values;
     std::string_view rest = values_.substr(1, values_.size() - 2);
     require_few(static_cast<double>(std::count(rest.begin(), rest.end(), ',')) + 1.0);
@@ -147,7 +147,7 @@ class SweptKeyParser {
     const std::string& unit = parts[0].unit;
     if (parts[1].unit != unit || parts[2].unit != unit) {
       refuse(fmt::format("has the units \"{}\", \"{}\" and \"{}\"", unit, parts[1].unit, parts[2].unit),
-             "write the same unit behind each of the three numbers, such as 60 um:90 um:10 um");
+             "write the same unit after each of the three numbers, such as 60 um:90 um:10 um");
     }
     std::vector<std::string> values = parse_numbers(parts);
     if (!unit.empty()) {
@@ -191,7 +191,7 @@ class SweptKeyParser {
     double number = 0.0;
     const auto [end, status] = read_number(text, number);
     if (status != std::errc{} || !std::isfinite(number)) {
-      refuse(fmt::format("has \"{}\" where a number is due", printable(text)),
+      refuse(fmt::format("has \"{}\", expected a number", printable(text)),
              "write numbers, with a unit where the key has one, such as 0.1 or 60 um");
     }
     return text.substr(0, static_cast<std::size_t>(end - text.data()));

@@ -52,7 +52,7 @@ void read_file(ReadingLog& log, const std::string& path, const toml::node& node,
   if (!node.is_string()) return;
   if (name.empty()) return log.fault(path, "is empty", "give the name of a file, or leave it out");
   if (!contradicted.empty()) {
-    return log.fault(path, fmt::format("contradicts {}, which is given too", contradicted), "give one of the two");
+    return log.fault(path, fmt::format("conflicts with {}, which is also given", contradicted), "give one of the two");
   }
   try {
     read((std::filesystem::path(log.file()).parent_path() / name).string());
@@ -112,7 +112,7 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   const std::string last = path + (counted ? ".points" : ".step");
   if (!counted && std::abs(spaces - std::round(spaces)) <= step_rounding) spaces = std::round(spaces);
   if (!(spaces >= 0.0)) {  // nor is what is not finite
-    return log_.fault(last, counted ? "is no possible number of values" : "does not lead to the last value",
+    return log_.fault(last, counted ? "is not a valid number of values" : "does not lead to the last value",
                       counted ? "give a whole number from 2 on" : "give a step from the first value to the last");
   }
   if (spaces >= most_bumps) {
@@ -123,7 +123,7 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
     return log_.fault(last, "does not lead to the last value", "give a step that fits, or points in its place");
   }
   if ((spaces == 0.0) != (span == 0.0)) {
-    return log_.fault(last, span == 0.0 ? "makes the same value several times" : "is one alone, and the ends differ",
+    return log_.fault(last, span == 0.0 ? "repeats the same value" : "is 1, but the ends differ",
                       span == 0.0 ? "give one point, or ends that differ" : "give 2 or more");
   }
   values.assign(static_cast<std::size_t>(spaces) + 1, *to);
@@ -196,7 +196,7 @@ void TableReader::word(const Key& key, std::span<const std::string_view> words, 
     return;
   }
   const auto nearest = nearest_name(text->get(), {words.begin(), words.end()});
-  log_.fault(path, "is not known here", nearest ? fmt::format("did you mean \"{}\"?", *nearest) : choices);
+  log_.fault(path, "unknown value", nearest ? fmt::format("did you mean \"{}\"?", *nearest) : choices);
 }
 
 void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<Key, double*>> each) {
@@ -206,7 +206,7 @@ void TableReader::once_or_each(const Key& once, std::initializer_list<std::pair<
   std::optional<double> common;
   value(optional_key(once), &common);
   if (has(once) && any) {
-    log_.fault(path_of(once.name), fmt::format("contradicts {}, which are given too", fmt::join(names, " or ")),
+    log_.fault(path_of(once.name), fmt::format("conflicts with {}, which are also given", fmt::join(names, " or ")),
                "give either it or all of the others");
   } else if (!has(once) && !any) {
     log_.fault(path_of(once.name), "is missing",
@@ -227,7 +227,7 @@ bool TableReader::second_counts(const Key& first, const Key& second) {
   // On the command line, one stands in for the other.
   if (is_override(node) != overridden) return overridden;
   log_.met(path_of(first.name), node);
-  log_.fault(path_of(first.name), fmt::format("contradicts {}, which is given too", second.name),
+  log_.fault(path_of(first.name), fmt::format("conflicts with {}, which is also given", second.name),
              "give one of the two");
   return true;
 }
@@ -347,8 +347,7 @@ void TableReader::finish() {
       continue;
     }
     log_.met(path, node);
-    const std::string_view what =
-        node.is_table() || node.is_array_of_tables() ? "is no known table" : "is no known key";
+    const std::string_view what = node.is_table() || node.is_array_of_tables() ? "unknown table" : "unknown key";
     log_.fault(path, std::string(what), advice_on_unknown(name, node));
   }
 }

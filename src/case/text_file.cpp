@@ -44,7 +44,7 @@ std::string read_text_file(const std::string& path) {
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   if (const std::size_t null = text.find('\0'); null != std::string::npos) {
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(null), '\n');
-    throw fault(static_cast<std::size_t>(lines) + 1, "is no text: it has a null byte", "save it as UTF-8 text");
+    throw fault(static_cast<std::size_t>(lines) + 1, "is not a text file: it has a null byte", "save it as UTF-8 text");
   }
   return text;
 }

@@ -67,7 +67,7 @@ constexpr std::array syntax_advice{
     SyntaxAdvice{"parsing array", "separate entries by commas and close the list with ]"},
     SyntaxAdvice{"parsing string", "close the text with the quote that opened it"},
     SyntaxAdvice{"expected a comment or whitespace",
-                 "write one value per line, with a decimal point and quotes round units: radius = \"19.05 mm\""},
+                 "write one value per line, with a decimal point and quotes around units: radius = \"19.05 mm\""},
     SyntaxAdvice{"expected '='", "write key = value"},
     SyntaxAdvice{"end-of-file", "the line is not complete: write key = value"},
 };
@@ -76,7 +76,7 @@ std::string advice_on(std::string_view description) {
   for (const SyntaxAdvice& entry : syntax_advice) {
     if (description.find(entry.fragment) != std::string_view::npos) return std::string(entry.advice);
   }
-  return "write key = value, one per line, with quotes round texts and units: radius = \"19.05 mm\"";
+  return "write key = value, one per line, with quotes around texts and units: radius = \"19.05 mm\"";
 }
 
 Fault override_fault(std::string_view argument, std::string what, std::string advice) {
@@ -136,7 +136,7 @@ toml::table& table_of(toml::table& outer, const KeyPart& part, const std::string
   const std::size_t count = list == nullptr ? (child == nullptr ? 0 : 1) : list->size();
   if (part.number > count || (part.number == 0 && count > 1)) {
     throw Error(ErrorKind::input,
-                {override_fault(argument, fmt::format("\"{}\" is none of the {} there are", part.text, count),
+                {override_fault(argument, fmt::format("\"{}\" does not exist: there are {}", part.text, count),
                                 fmt::format("count from \"{}[1]\"", part.name))});
   }
   return *list->get(part.number == 0 ? 0 : part.number - 1)->as_table();
@@ -177,7 +177,7 @@ void apply_override(toml::table& root, const std::string& argument) {
   const std::size_t equals = argument.find('=');
   const std::vector<KeyPart> parts = split_key(std::string_view(argument).substr(0, equals));
   if (equals == std::string::npos || parts.empty()) {
-    throw Error(ErrorKind::input, {override_fault(argument, "is no assignment to a key of the case file",
+    throw Error(ErrorKind::input, {override_fault(argument, "does not assign a key of the case file",
                                                   "write table.key=value, for example friction.coefficient=0.2")});
   }
   toml::table value = parse_override_value(argument.substr(0, equals), argument.substr(equals + 1));
@@ -199,7 +199,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   } catch (const toml::parse_error& error) {
     constexpr std::size_t longest_description = 300;
     throw Error(ErrorKind::input, {{name, error.source().begin.line, "", "",
-                                    "is no TOML: " + printable(error.description(), longest_description),
+                                    "is not TOML: " + printable(error.description(), longest_description),
                                     advice_on(error.description())}});
   }
 }

@@ -108,7 +108,7 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
   if (status == std::errc::result_out_of_range) {
     return QuantityFault{"has a number that double precision cannot hold", advice};
   }
-  if (status != std::errc{}) return QuantityFault{"does not begin with a number", advice};
+  if (status != std::errc{}) return QuantityFault{"does not start with a number", advice};
   if (!std::isfinite(number)) return QuantityFault{"is not finite", advice};
 
   const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
@@ -118,26 +118,26 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
   const bool inverse = due == Dimension::frequency && unit_text.starts_with("1/");
   if (unit_text.front() == ',' || has_stray_digits(unit_text.substr(inverse ? 1 : 0))) {
     return QuantityFault{
-        fmt::format("has digits where a unit is due, in \"{}\"", unit_text),
+        fmt::format("has digits instead of a unit, in \"{}\"", unit_text),
         "write one number with a decimal point, without separators, and one unit with whole exponents"};
   }
   const std::optional<UnitMeaning> unit = read_unit(unit_text);
-  if (!unit) return QuantityFault{fmt::format("has a unit that is not known, \"{}\"", unit_text), advice};
+  if (!unit) return QuantityFault{fmt::format("has an unknown unit, \"{}\"", unit_text), advice};
   if (!measures(*unit, due)) {
     for (const DimensionText& other : dimensions) {
       if (measures(*unit, other.dimension)) {
-        return QuantityFault{fmt::format("is {} where {} is due", other.name, name_of(due)), advice};
+        return QuantityFault{fmt::format("is {}, expected {}", other.name, name_of(due)), advice};
       }
     }
-    return QuantityFault{fmt::format("has the unit \"{}\" where {} is due", unit_text, name_of(due)), advice};
+    return QuantityFault{fmt::format("has the unit \"{}\", expected {}", unit_text, name_of(due)), advice};
   }
   if (!unit->scale)
     return QuantityFault{fmt::format("has a unit that is not a plain multiple, \"{}\"", unit_text), advice};
   double value = scaled(number, *unit->scale);
   if (due == Dimension::frequency && !counts_radians(*unit)) {
     if (!is_hertz(unit_text)) {
-      return QuantityFault{fmt::format("has the unit \"{}\", which may count turns or radians", unit_text),
-                           "write \"Hz\" or \"rpm\" for turns, \"rad/s\" for radians"};
+      return QuantityFault{fmt::format("has the unit \"{}\", which may count revolutions or radians", unit_text),
+                           "write \"Hz\" or \"rpm\" for revolutions, \"rad/s\" for radians"};
     }
     value *= 2.0 * std::numbers::pi;
   }

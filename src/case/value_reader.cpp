@@ -63,7 +63,7 @@ constexpr Dimension dimension_of(Control control) {
 std::string is_where(const toml::node& node, std::string_view due) {
   // What is no TOML on the command line is a text, which its author need not know.
   if (node.is_string() && is_override(node)) return fmt::format("is not {}", due);
-  return fmt::format("is {} where {} is due", kind_of(node), due);
+  return fmt::format("is {}, expected {}", kind_of(node), due);
 }
 
 void ValueReader::refuse(std::string_view due, std::string advice) const {

@@ -64,9 +64,9 @@ bool judge_sections(Judge& judge, const std::string& key, const std::vector<Sect
     const auto& [from, to] = std::pair{sections[i].from, sections[i].to};
     const std::string own = fmt::format("{}[{}]", key, i + 1);
     right = judge.require(from >= 1 && (bumps < 1 || from <= bumps), own + ".from", std::to_string(from),
-                          "is no bump of the foil", fmt::format("give a number from 1 to {}", std::max(bumps, 1))) &&
+                          "is not a bump of the foil", fmt::format("give a number from 1 to {}", std::max(bumps, 1))) &&
             judge.require(to >= from && (bumps < 1 || to <= bumps), own + ".to", std::to_string(to),
-                          to < from ? "is before the first" : "is no bump of the foil",
+                          to < from ? "is before the first" : "is not a bump of the foil",
                           fmt::format("give a number from {} to {}", from, std::max(bumps, from))) &&
             right;
   }
@@ -79,7 +79,7 @@ bool judge_sections(Judge& judge, const std::string& key, const std::vector<Sect
     const auto [first, second] = std::minmax(order[k - 1], order[k]);
     right = judge.require(sections[order[k - 1]].to < sections[order[k]].from,
                           fmt::format("{}[{}].from", key, second + 1), std::to_string(sections[second].from),
-                          fmt::format("has bumps of {}[{}], too", key, first + 1), "give each bump once at most") &&
+                          fmt::format("shares bumps with {}[{}]", key, first + 1), "give each bump once at most") &&
             right;
   }
   return right && bumps >= 1;
@@ -222,7 +222,7 @@ JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius
   JudgedBumpFoil judged;
   judged.bumps =
       judge.require(foil.bumps >= 1 && foil.bumps <= most_bumps, "bump_foil.bumps", std::to_string(foil.bumps),
-                    "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
+                    "is not a valid number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
   const int bumps = judged.bumps ? foil.bumps : 0;
   Usable usable{};
   for (std::size_t i = 0; i < dimensions.size(); ++i)

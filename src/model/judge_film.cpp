@@ -27,7 +27,7 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
   const auto [least, most] = temperature_range(gas.preset);
   judge.require(gas.viscosity || (gas.temperature >= least && gas.temperature <= most), "gas.temperature",
                 quantity(gas.temperature, "K"),
-                fmt::format("the viscosity of {} is not known there", name_of(gas.preset)),
+                fmt::format("the viscosity of {} is not available there", name_of(gas.preset)),
                 fmt::format("give a temperature from {} to {} K, or gas.viscosity", least, most));
   if (gas.viscosity) judge.within("gas.viscosity", *gas.viscosity, viscosity_range);
   judge.within("gas.ambient_pressure", gas.ambient_pressure, ambient_range);
@@ -43,7 +43,7 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
       "puts no column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
   const bool rows_right =
       judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
-                    "is no possible number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
+                    "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
   if (runs && columns_right && rows_right) {
     const double bytes = static_cast<double>(bumps) * film.rows * film.rows *
                          (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
@@ -55,14 +55,15 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
     }
   }
   if (film.wall != FilmWall::rigid) {
-    judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "", "is missing, and the wall yields",
+    judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "",
+                  "is missing, but the elastic foundation needs it",
                   "give a stiffness such as \"5 GPa/m\", or wall = \"rigid\"");
   }
   if (film.wall_stiffness) judge.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
   judge.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
   if (film.h_lift_off && judge.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
     judge.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
-                  fmt::format("is no more than film.h_floor, {:.6g} m, where the journal touches", film.h_floor),
+                  fmt::format("is not above film.h_floor, {:.6g} m, the contact threshold", film.h_floor),
                   "give a larger h_lift_off or a smaller h_floor");
   }
 }
@@ -95,7 +96,7 @@ void judge_mesh_of(Judge& judge, const BumpFoil& foil) {
 
 void judge_equilibrium(Judge& judge, const Case& input) {
   const EquilibriumSettings& equilibrium = *input.equilibrium;
-  judge.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "there is no speed to run at",
+  judge.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "no speed specified",
                 "give a list such as [\"45000 rpm\"]");
   for (std::size_t i = 0; i < equilibrium.speeds.size(); ++i) {
     const double speed = equilibrium.speeds[i];
@@ -108,20 +109,20 @@ void judge_equilibrium(Judge& judge, const Case& input) {
   }
   const bool by_load = !equilibrium.loads.empty();
   judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "",
-                    "there is no load to carry", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
+                    "no load specified", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
   judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
-                "contradicts equilibrium.loads, which is given too", "give one of the two");
+                "conflicts with equilibrium.loads, which is also given", "give one of the two");
   judge.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp, "equilibrium.path",
-                std::string(name_of(equilibrium.path)), "needs loads, and there are positions",
+                std::string(name_of(equilibrium.path)), "needs loads, but there are positions",
                 "write path = \"position_ray\", \"speed_ramp\" or \"cold_start\"");
   judge_vectors(judge, "equilibrium.loads", equilibrium.loads, load_range.most, "N");
   judge_vectors(judge, "equilibrium.positions", equilibrium.positions, thin * input.bearing.radius, "m");
   for (std::size_t i = 0; i < equilibrium.loads.size(); ++i) {
     judge.require(!equilibrium.loads[i].isZero(0.0), fmt::format("equilibrium.loads[{}]", i + 1), "0 N",
-                  "is no load, and the path to it has no direction", "give a load that is not zero, however small");
+                  "is zero, so the path to it has no direction", "give a load that is not zero, however small");
   }
   judge.require(equilibrium.steps >= 1 && equilibrium.steps <= most_steps, "equilibrium.steps",
-                std::to_string(equilibrium.steps), "is no possible number of increments",
+                std::to_string(equilibrium.steps), "is not a valid number of increments",
                 fmt::format("give a whole number from 1 to {}", most_steps));
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
     judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
@@ -130,7 +131,7 @@ void judge_equilibrium(Judge& judge, const Case& input) {
                     std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
                     "set model = \"truss\" or \"frame\"");
   judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
-                    std::string(name_of(input.bump_foil.geometry)), "a film runs on foils of small displacements only",
+                    std::string(name_of(input.bump_foil.geometry)), "a film supports foils of small displacements only",
                     "set geometry = \"linear\"");
   judge_mesh_of(judge, input.bump_foil);
   judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
@@ -144,14 +145,14 @@ void judge_film_settings(Judge& judge, const Case& input, bool bumps) {
   judge_film(judge, input.film, bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
   for (const char* const command : {"equilibrium", "film"}) {
     judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
-                      "has a journal that is not round, under which no film is steady once it turns",
+                      "has an out-of-round journal, under which a film is never steady",
                       "remove journal_waviness and journal_profile");
   }
   judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
-                    "is missing: how thin may the film be?",
+                    "is missing: the minimum film thickness at lift-off",
                     "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
   judge.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
-                    "there is no load", "give a list such as [[\"50 N\", \"0 N\"]]");
+                    "no load specified", "give a list such as [[\"50 N\", \"0 N\"]]");
   if (input.equilibrium) judge_equilibrium(judge, input);
 }
 

@@ -29,7 +29,7 @@ bool judge_parts(Judge& judge, const std::string& table, const Distribution& dis
   bool right = true;
   for (const auto& [name, given, needed] : parts) {
     const std::string what =
-        fmt::format("{} a distribution that is {}", given ? "means nothing to" : "is missing in", name_of(kind));
+        fmt::format("{} a distribution that is {}", given ? "is not used by" : "is missing in", name_of(kind));
     right = judge.require(given == needed, table + "." + name, "", what,
                           given ? "remove it, or give another distribution" : "give it") &&
             right;
@@ -66,14 +66,14 @@ void judge_distribution(Judge& judge, const std::string& table, const Distributi
   const double share = from > 0.0 ? normal_probability(-from) - normal_probability(-to)
                                   : normal_probability(to) - normal_probability(from);
   judge.require(share >= least_share, table + ".lower", quantity(lower, unit),
-                "leaves nothing of the normal distribution between the bounds", "give bounds nearer to zero");
+                "leaves almost nothing of the normal distribution between the bounds", "give bounds nearer to zero");
 }
 
 }  // namespace
 
 void judge_waves(Judge& judge, const std::string& table, int harmonic, double amplitude, double radius) {
   judge.require(harmonic >= 1 && harmonic <= most_waves, table + ".harmonic", std::to_string(harmonic),
-                "is no possible number of waves around the circumference",
+                "is not a valid number of waves around the circumference",
                 fmt::format("give a whole number from 1 to {}", most_waves));
   if (!judge.within(table + ".amplitude", amplitude, length_range) || radius <= 0.0) return;
   judge.require(amplitude <= thin * radius, table + ".amplitude", quantity(amplitude, "m"),
@@ -83,7 +83,7 @@ void judge_waves(Judge& judge, const std::string& table, int harmonic, double am
 
 void judge_montecarlo(Judge& judge, const MonteCarloSettings& ensemble, double radius) {
   judge.require(ensemble.samples >= 1 && ensemble.samples <= most_samples, "montecarlo.samples",
-                std::to_string(ensemble.samples), "is no possible number of samples",
+                std::to_string(ensemble.samples), "is not a valid number of samples",
                 fmt::format("give a whole number from 1 to {}", most_samples));
   judge.require(ensemble.seed >= 0, "montecarlo.seed", std::to_string(ensemble.seed), "must not be negative",
                 "give any whole number from 0 on");
@@ -103,7 +103,7 @@ void judge_montecarlo(Judge& judge, const MonteCarloSettings& ensemble, double r
   if (const auto& waves = ensemble.sleeve_waviness) {
     judge_waves(judge, "montecarlo.sleeve_waviness", waves->harmonic, waves->amplitude, radius);
   }
-  judge.require_for("montecarlo", any, "montecarlo", "", "nothing scatters: all bearings would be alike",
+  judge.require_for("montecarlo", any, "montecarlo", "", "nothing scatters: all bearings would be identical",
                     "give one at least, such as bump_height = { distribution = \"normal\", std = \"10 um\" }");
 }
 

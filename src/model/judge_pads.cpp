@@ -38,8 +38,8 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
 
 /// What knows one foil all around only.
 void judge_use(Judge& judge, const Case& input) {
-  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "",
-                "knows one foil all around, no pads", "set model = \"truss\" or \"frame\", or remove [[pad]]");
+  judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "", "does not support pads",
+                "set model = \"truss\" or \"frame\", or remove [[pad]]");
   judge.require_for("strip", !input.strip, "strip", "", "lies flat, cut from one foil, and the bearing has pads",
                     "remove [[pad]], and give the foils of one in [bump_foil] and [top_foil]");
 }
@@ -49,14 +49,14 @@ void judge_use(Judge& judge, const Case& input) {
 bool judge_pads(Judge& judge, const Case& input, double radius) {
   const auto& gap = input.bearing.pad_gap;
   if (input.pads.empty()) {
-    judge.require(!gap, "bearing.pad_gap", "", "lies between pads, and there are none", "remove it, or add [[pad]]");
+    judge.require(!gap, "bearing.pad_gap", "", "applies between pads, but there are none", "remove it, or add [[pad]]");
     return false;
   }
   judge_use(judge, input);
   const double share = turn / static_cast<double>(input.pads.size());
   bool placed = !gap || (judge.finite("bearing.pad_gap", *gap, "rad") &&
                          judge.require(*gap >= 0.0 && *gap < share, "bearing.pad_gap", degrees(*gap),
-                                       fmt::format("leaves nothing of the share of a pad, {}", degrees(share)),
+                                       fmt::format("leaves no arc of the share of a pad, {}", degrees(share)),
                                        "give a smaller gap, which is not negative"));
   for (std::size_t k = 0; k < input.pads.size(); ++k) {
     const Pad& pad = input.pads[k];

@@ -30,7 +30,7 @@ void judge_directions(Judge& judge, const VibrationSettings& vibration) {
   const double across = unit_vector(directions[0]).dot(unit_vector(directions[1]));
   judge.require(directions.size() == 2 && std::abs(across) <= round_off, "vibration.directions",
                 fmt::format("{} directions", directions.size()), "are not two at right angles",
-                "give one, or two such as [\"+X\", \"+Y\"]: these tell all coefficients");
+                "give one, or two such as [\"+X\", \"+Y\"]: these give all coefficients");
 }
 
 void judge_size(Judge& judge, const VibrationSettings& vibration) {
@@ -54,7 +54,7 @@ void judge_vibration(Judge& judge, const VibrationSettings& vibration, double li
     const double load = vibration.loads[i].norm();
     const std::string key = fmt::format("vibration.loads[{}]", i + 1);
     const bool any = judge.require(load != 0.0, key, "(0 N, 0 N)",
-                                   "is no load: the place of the journal would not be determined", "give a load");
+                                   "is zero: the journal position would be undetermined", "give a load");
     if (any) judge.within(key, load, load_range);
   }
   judge_directions(judge, vibration);
@@ -71,7 +71,7 @@ void judge_vibration(Judge& judge, const VibrationSettings& vibration, double li
     judge.within(fmt::format("vibration.frequencies[{}]", i + 1), vibration.frequencies[i], frequency_range);
   }
   if (judge.require(vibration.steps >= 1 && vibration.steps <= most_steps, "vibration.steps",
-                    std::to_string(vibration.steps), "is no possible number of increments",
+                    std::to_string(vibration.steps), "is not a valid number of increments",
                     fmt::format("give a whole number from 1 to {}", most_steps))) {
     judge_size(judge, vibration);
   }

@@ -124,8 +124,7 @@ void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   std::sort(again.begin(), again.end());  // as they stand in the case, not by their angles
   for (const auto& [second, first] : again) {
     judge.require(false, fmt::format("cycle.directions[{}]", second + 1), quantity(directions[second], "rad"),
-                  fmt::format("is the direction of cycle.directions[{}] again", first + 1),
-                  "give every direction once");
+                  fmt::format("repeats cycle.directions[{}]", first + 1), "give every direction once");
   }
 }
 
@@ -146,7 +145,7 @@ void judge_course(Judge& judge, const CycleSettings& cycle, double limit) {
       return;
     }
     judge.require(!is_load || value.norm() >= load_range.least, "cycle.preload", shown,
-                  "is no load: the place of the journal would not be determined",
+                  "is zero: the journal position would be undetermined",
                   "give a load, or leave it out for cycles from the centre");
     judge.require(is_load || !by_load, "cycle.preload", shown,
                   "is a displacement where the cycles are controlled by load",
@@ -173,7 +172,7 @@ double flattening(const Bearing& bearing, double rise) {
 void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   const CycleSettings& cycle = input.cycle;
   if (cycle.directions.empty() && cycle.amplitude.value == 0.0) return;
-  judge.require(!cycle.directions.empty(), "cycle.directions", "", "there is no direction to push in",
+  judge.require(!cycle.directions.empty(), "cycle.directions", "", "no direction specified",
                 "give a list such as [\"+X\", \"90 deg\"]");
   for (std::size_t i = 0; i < cycle.directions.size(); ++i) {
     judge.angle(fmt::format("cycle.directions[{}]", i + 1), cycle.directions[i]);
@@ -182,9 +181,9 @@ void judge_cycle(Judge& judge, const Case& input, bool bumps, double rise) {
   judge_course(judge, cycle, flattening(input.bearing, rise));
   const bool steps =
       judge.require(cycle.steps >= 1 && cycle.steps <= most_steps, "cycle.steps", std::to_string(cycle.steps),
-                    "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+                    "is not a valid number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
   judge.require(cycle.cycles >= 1 && cycle.cycles <= most_steps, "cycle.cycles", std::to_string(cycle.cycles),
-                "is no possible number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
+                "is not a valid number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
   for (std::size_t i = 0; i < cycle.clearance_forces.size(); ++i) {
     judge.within(fmt::format("cycle.clearance_forces[{}]", i + 1), cycle.clearance_forces[i], load_range);
   }
@@ -208,7 +207,7 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
   const std::string amplitude_key = by_load ? "strip.load" : "strip.displacement";
   const bool bumps =
       judge.require(strip.bumps >= 1 && strip.bumps <= most_bumps, "strip.bumps", std::to_string(strip.bumps),
-                    "is no possible number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
+                    "is not a valid number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
   if (bumps) judge_strip_of(judge, foil, strip.bumps);
   judge_target(judge, amplitude_key, strip.amplitude, rise);
   if (strip.preload) {
@@ -230,10 +229,10 @@ void judge_strip(Judge& judge, const StripSettings& strip, const BumpFoil& foil,
   }
   const bool cycles =
       judge.require(strip.cycles >= 1 && strip.cycles <= most_steps, "strip.cycles", std::to_string(strip.cycles),
-                    "is no possible number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
+                    "is not a valid number of cycles", fmt::format("give a whole number from 1 to {}", most_steps));
   const bool steps =
       judge.require(strip.steps >= 1 && strip.steps <= most_steps, "strip.steps", std::to_string(strip.steps),
-                    "is no possible number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
+                    "is not a valid number of increments", fmt::format("give a whole number from 1 to {}", most_steps));
   if (!bumps || !cycles || !steps) return;
   const std::int64_t branches = strip.preload ? 4 : 2;
   judge_memory(judge, "strip", "strip.steps", strip.steps, branches * strip.steps * strip.cycles, strip.bumps);
@@ -257,7 +256,7 @@ void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit)
   if (!path.is_orbit()) {
     judge.require(path.centre.value.isZero(0.0) && path.semi_axes.value.isZero(0.0),
                   path.centre.value.isZero(0.0) ? "path.semi_axes" : "path.centre", "",
-                  "belongs to an orbit, and the path goes through points", "remove it, or the points");
+                  "belongs to an orbit, but the path goes through points", "remove it, or the points");
   } else {
     const Eigen::Vector2d& axes = path.semi_axes.value;
     judge.require(path.semi_axes.control == path.centre.control, "path.semi_axes", "",
@@ -270,9 +269,9 @@ void judge_path(Judge& judge, const PathSettings& path, int bumps, double limit)
     judge.angle("path.tilt", path.tilt);
     const bool counts =
         judge.require(path.orbits >= 1 && path.orbits <= most_steps, "path.orbits", std::to_string(path.orbits),
-                      "is no possible number of orbits", fmt::format("give a whole number from 1 to {}", most_steps)) &&
+                      "is not a valid number of orbits", fmt::format("give a whole number from 1 to {}", most_steps)) &&
         judge.require(path.steps >= 3 && path.steps <= most_steps, "path.steps", std::to_string(path.steps),
-                      "is no possible number of increments",
+                      "is not a valid number of increments",
                       fmt::format("give a whole number from 3 to {}", most_steps));
     if (!counts) return;
     increments = std::int64_t{path.steps} * (path.orbits + 1);
@@ -287,19 +286,18 @@ void judge_combination(Judge& judge, const Case& input) {
                 "the former model has no increments of contact to solve", "leave it out");
   judge.require_for("strip", !input.strip || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                     std::string(name_of(input.bump_foil.model)),
-                    "knows no strip: without gaps and history its loops would have no area",
+                    "does not support strips: without gaps and history its loops would have no area",
                     "set model = \"truss\" or \"frame\"");
   judge.require_for("vibration", !input.vibration || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
                     std::string(name_of(input.bump_foil.model)),
                     "has no history: its loops have no area, and it cannot vibrate about a load",
                     "set model = \"truss\" or \"frame\"");
   judge.require(input.bearing.is_round() || input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
-                std::string(name_of(input.bump_foil.model)),
-                "has feet that follow any sleeve, and knows a round journal",
+                std::string(name_of(input.bump_foil.model)), "supports round sleeves and journals only",
                 "set model = \"truss\" or \"frame\", or remove waves, profiles and taper of [bearing]");
   judge.require_for("montecarlo", !input.montecarlo || input.bump_foil.model != BumpFoilModel::former,
                     "bump_foil.model", std::string(name_of(input.bump_foil.model)),
-                    "is no model for ensembles: its loops have no area", "set model = \"truss\" or \"frame\"");
+                    "is not available for ensembles: its loops have no area", "set model = \"truss\" or \"frame\"");
   judge.require_for("montecarlo",
                     !input.montecarlo || input.montecarlo->command != EnsembleCommand::equilibrium || input.equilibrium,
                     "montecarlo.command", std::string(name_of(EnsembleCommand::equilibrium)),

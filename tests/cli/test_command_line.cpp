@@ -124,7 +124,7 @@ TEST_F(Program, BlamesTheShorthandNotTheKeyBehindIt) {
   const auto montecarlo = [&](const std::vector<std::string>& options) {
     return std::vector<std::string>{"montecarlo", case_path_, "-o", results_} + options;
   };
-  expect_says(montecarlo({"--samples", "0"}), "--samples = 0: is no possible number of samples");
+  expect_says(montecarlo({"--samples", "0"}), "--samples = 0: is not a valid number of samples");
   expect_says(montecarlo({"--samples", "abc"}), "--samples = abc: is not a whole number");
   expect_says(montecarlo({"--seed", "-1"}), "--seed = -1: must not be negative");
   expect_says(montecarlo({"--target-error", "0"}), "--target-error: must be a positive number, not '0'");

@@ -138,7 +138,7 @@ TEST_F(Program, FollowsAPath) {
   folder_.write("path.csv", "x,y\n0,0\n");
   const Outcome wrong = run(file + std::vector<std::string>{"--force"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.errors.find("path.csv:1: line = x,y: is no header of a path"), std::string::npos) << wrong.errors;
+  EXPECT_NE(wrong.errors.find("path.csv:1: line = x,y: is not a header of a path"), std::string::npos) << wrong.errors;
 }
 
 TEST_F(Program, InitListsTheKeys) {
@@ -191,7 +191,7 @@ TEST_F(Program, TakesAFrameForATrussThatNobodyAskedFor) {
   EXPECT_EQ(run(cycle_ + steep + std::vector<std::string>{"--set", "bump_foil.model=truss"}).exit_code, 2);
   const Outcome framed = run(cycle_ + steep);
   EXPECT_EQ(framed.exit_code, 0) << framed.errors;
-  const std::string said = "the bump foil is modelled as a frame, since no truss can stand for it";
+  const std::string said = "the bump foil is modelled as a frame, since it cannot be a truss";
   EXPECT_NE(framed.errors.find("warning: " + said), std::string::npos) << framed.errors;
   EXPECT_EQ(summary().at("case").at("bump_foil").at("model"), "frame");
   EXPECT_NE(summary().at("cycles").at(0).at("warnings").at(0).get<std::string>().find(said), std::string::npos);

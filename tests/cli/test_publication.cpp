@@ -138,7 +138,7 @@ TEST_F(RunInShell, ASecondInterruptionEndsItAtOnceAndTheNextRunCleansUp) {
                 "while ! [ -e twice/.bumpfoil/claim ]; do sleep 0.01; done; sleep 0.5\n"
                 "kill -INT $!; sleep 0.02; kill -INT $!; wait $!"),
             130);
-  EXPECT_NE(log().find("interrupted twice: what was not written yet is lost"), std::string::npos) << log();
+  EXPECT_NE(log().find("interrupted twice: results not yet written are lost"), std::string::npos) << log();
   EXPECT_EQ(run(cycle + "-o twice"), 0) << log();
   EXPECT_EQ(listing("twice"), set);
 }

@@ -67,7 +67,7 @@ test('faults are told in the words of the program', () => {
       ['bump_foil.bumps', 'bumps'],
     ],
   );
-  assert.match(faults[0].what, /is a force where a length is due/);
+  assert.match(faults[0].what, /is a force, expected a length/);
 });
 
 test('files beside the case are told to be none', () => {

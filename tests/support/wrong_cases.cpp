@@ -51,33 +51,33 @@ void add_keys_and_types(std::vector<WrongCase>& table) {
   add(edit("nothing like it", "title =", "colour =", {"colour", "known here: title, bearing, bump_foil"}));
   add(edit("key outside its table", "title =", "viscosity =", {"viscosity", "did you mean \"gas.viscosity\"?"}));
   add(edit("unknown table", "[solver]", "[lubricant]\nname = \"air\"\n[solver]",
-           {"lubricant", "is no known table", "known here"}));
+           {"lubricant", "unknown table", "known here"}));
   add(edit("misspelt table", "[solver]", "[sovler]", {"sovler", "did you mean \"solver\"?"}));
   add(edit("table where a value is due", "title = \"Whole\"", "[title]\nx = 1",
-           {"title: is a table where a text is due"}));
+           {"title: is a table, expected a text"}));
   add(edit("value where a table is due", "[solver]\nname = \"newton\"", "[solver.name]\nx = 1",
-           {"solver.name: is a table where a word in quotes is due"}));
-  add(edit("list of tables", "[friction]", "[[friction]]", {"friction: is a list where a table is due"}, 1));
+           {"solver.name: is a table, expected a word in quotes"}));
+  add(edit("list of tables", "[friction]", "[[friction]]", {"friction: is a list, expected a table"}, 1));
   add(edit("number as text", "bumps = 26", "bumps = \"26\"", {"bump_foil.bumps = 26: is a text", "whole number"}));
   add(edit("broken number of bumps", "bumps = 26", "bumps = 26.5", {"bump_foil.bumps = 26.5", "whole number"}));
-  add(edit("whole steps as float", "steps = 100", "steps = 100.0", {"cycle.steps = 100", "whole number is due"}));
+  add(edit("whole steps as float", "steps = 100", "steps = 100.0", {"cycle.steps = 100", "expected a whole number"}));
   add(edit("bumps beyond int", "bumps = 26", "bumps = 3000000000", {"bump_foil.bumps = 3000000000: is out of range"}));
   add(edit("bumps below int", "bumps = 26", "bumps = -3000000000", {"is out of range; give a larger number"}));
   add(edit("steps beyond int", "steps = 100", "steps = 2147483648", {"cycle.steps = 2147483648: is out of range"}));
   add(edit("no name of a file", "sleeve_gaps = []", "height_errors_file = \"\"",
            {"bump_foil.height_errors_file: is empty", "leave it out"}));
   add(edit("ratio as text", "poisson_ratio = 0.29", "poisson_ratio = \"0.29\"",
-           {"bump_foil.poisson_ratio = 0.29: is a text where a number is due", "without quotes"}));
+           {"bump_foil.poisson_ratio = 0.29: is a text, expected a number", "without quotes"}));
   add(edit("length as true", "radius = \"19.05 mm\"", "radius = true",
-           {"bearing.radius = true", "where a length is due", "\"31.8 um\""}));
+           {"bearing.radius = true", "expected a length", "\"31.8 um\""}));
   add(edit("length as list", "radius = \"19.05 mm\"", "radius = [0.019]", {"bearing.radius: is a list"}));
   add(edit("length as date", "radius = \"19.05 mm\"", "radius = 2019-07-01",
            {"bearing.radius = 2019-07-01: is a date"}));
-  add(edit("title as number", "title = \"Whole\"", "title = 3", {"title = 3: is a whole number where a text is due"}));
+  add(edit("title as number", "title = \"Whole\"", "title = 3", {"title = 3: is a whole number, expected a text"}));
   add(edit("list as value", "directions = [\"+X\", \"37.5 deg\"]", "directions = \"+X\"",
-           {"cycle.directions = +X: is a text where a list is due", "[\"+X\"]"}));
+           {"cycle.directions = +X: is a text, expected a list", "[\"+X\"]"}));
   add(edit("unknown word", "model = \"truss\"", "model = \"tress\"",
-           {"bump_foil.model = tress: is not known here", "did you mean \"truss\"?"}));
+           {"bump_foil.model = tress: unknown value", "did you mean \"truss\"?"}));
   add(edit("unlike any word", "wrap = \"clockwise\"", "wrap = \"left\"",
            {"bearing.wrap = left", "\"clockwise\", \"counterclockwise\""}));
   add(edit("word as number", "name = \"newton\"", "name = 1", {"solver.name = 1: is a whole number where a word"}));
@@ -112,22 +112,21 @@ void add_missing(std::vector<WrongCase>& table) {
 void add_units(std::vector<WrongCase>& table) {
   const auto add = [&table](WrongCase wrong) { table.push_back(std::move(wrong)); };
   add(edit("force for a length", "\"19.05 mm\"", "\"19.05 N\"",
-           {"bearing.radius = 19.05 N: is a force where a length is due", "\"31.8 um\""}));
-  add(edit("length for a pressure", "\"214 GPa\"", "\"214 mm\"",
-           {"is a length where a pressure is due", "\"214 GPa\""}));
+           {"bearing.radius = 19.05 N: is a force, expected a length", "\"31.8 um\""}));
+  add(edit("length for a pressure", "\"214 GPa\"", "\"214 mm\"", {"is a length, expected a pressure", "\"214 GPa\""}));
   add(edit("length for a stiffness", "\"150 MN/m\"", "\"150 mm\"",
-           {"bump_foil.truss.k1 = 150 mm", "a stiffness is due"}));
-  add(edit("length for an angle", "\"15.83 deg\"", "\"15.83 mm\"", {"bump_foil.truss.theta_d", "an angle is due"}));
-  add(edit("area for a length", "\"4.572 mm\"", "\"4.572 mm2\"", {"has the unit \"mm2\" where a length is due"}));
-  add(edit("unknown unit", "\"4.572 mm\"", "\"4.572 parsnips\"", {"not known, \"parsnips\"", "\"31.8 um\""}));
-  add(edit("capital letters of a unit", "\"214 GPa\"", "\"214 GPA\"", {"not known, \"GPA\""}));
-  add(edit("broken exponent", "\"4.572 mm\"", "\"4.572 mm^3.5\"", {"digits where a unit is due", "mm^3.5"}));
-  add(edit("exponent that hides a half", "\"4.572 mm\"", "\"4.572 mm^1.5\"", {"digits where a unit is due"}));
+           {"bump_foil.truss.k1 = 150 mm", "expected a stiffness"}));
+  add(edit("length for an angle", "\"15.83 deg\"", "\"15.83 mm\"", {"bump_foil.truss.theta_d", "expected an angle"}));
+  add(edit("area for a length", "\"4.572 mm\"", "\"4.572 mm2\"", {"has the unit \"mm2\", expected a length"}));
+  add(edit("unknown unit", "\"4.572 mm\"", "\"4.572 parsnips\"", {"unknown unit, \"parsnips\"", "\"31.8 um\""}));
+  add(edit("capital letters of a unit", "\"214 GPa\"", "\"214 GPA\"", {"unknown unit, \"GPA\""}));
+  add(edit("broken exponent", "\"4.572 mm\"", "\"4.572 mm^3.5\"", {"digits instead of a unit", "mm^3.5"}));
+  add(edit("exponent that hides a half", "\"4.572 mm\"", "\"4.572 mm^1.5\"", {"digits instead of a unit"}));
   add(edit("no unit", "\"4.572 mm\"", "\"4.572\"", {"bump_foil.pitch = 4.572: has no unit", "number in m"}));
-  add(edit("no number", "\"4.572 mm\"", "\"mm\"", {"does not begin with a number"}));
+  add(edit("no number", "\"4.572 mm\"", "\"mm\"", {"does not start with a number"}));
   add(edit("empty text", "\"4.572 mm\"", "\"\"", {"bump_foil.pitch: is empty"}));
-  add(edit("decimal comma in a text", "\"4.572 mm\"", "\"4,572 mm\"", {"digits where a unit is due", "decimal point"}));
-  add(edit("thousands", "\"4.572 mm\"", "\"4 572 um\"", {"digits where a unit is due", "without separators"}));
+  add(edit("decimal comma in a text", "\"4.572 mm\"", "\"4,572 mm\"", {"digits instead of a unit", "decimal point"}));
+  add(edit("thousands", "\"4.572 mm\"", "\"4 572 um\"", {"digits instead of a unit", "without separators"}));
   add(edit("shifted unit", "\"4.572 mm\"", "\"4.572 m from 3\"", {"bump_foil.pitch"}));
   add(edit("huge unit", "\"4.572 mm\"", "\"1 m^99999999999999999999\"", {"bump_foil.pitch", "is not a quantity"}));
   table.back().fragments = {"bump_foil.pitch = 1 m^99999999999999999999"};
@@ -138,7 +137,7 @@ void add_units(std::vector<WrongCase>& table) {
   add(edit("degrees of the rods as a number", "\"15.83 deg\"", "15.83",
            {"bump_foil.truss.theta_d = 15.83: must lie between", "write \"15.83 deg\" if degrees are meant"}));
   add(edit("two signs", "\"19.05 mm\"", "\"+-19.05 mm\"",
-           {"bearing.radius = +-19.05 mm: does not begin with a number"}));
+           {"bearing.radius = +-19.05 mm: does not start with a number"}));
   add(edit("nan", "\"19.05 mm\"", "nan", {"bearing.radius = nan: is not finite"}));
   add(edit("infinite", "\"19.05 mm\"", "-inf", {"bearing.radius = -inf: is not finite"}));
   add(edit("nan in a text", "\"19.05 mm\"", "\"nan mm\"", {"bearing.radius = nan mm: is not finite"}));
@@ -154,7 +153,7 @@ void add_physics(std::vector<WrongCase>& table) {
   add(edit("Poisson's ratio above a half", "poisson_ratio = 0.29", "poisson_ratio = 0.6",
            {"bump_foil.poisson_ratio = 0.6: is unphysical", "0 to 0.5"}));
   add(edit("negative ratio", "poisson_ratio = 0.29", "poisson_ratio = -0.29", {"must not be negative"}));
-  add(edit("no bumps at all", "bumps = 26", "bumps = 0", {"bump_foil.bumps = 0: is no possible number"}, 1));
+  add(edit("no bumps at all", "bumps = 26", "bumps = 0", {"bump_foil.bumps = 0: is not a valid number"}, 1));
   add(edit("foil overlaps itself", "bumps = 26", "bumps = 28",
            {"bump_foil.bumps = 28: the foil would overlap itself", "at most 26 bumps"}));
   add(edit("bumps overlap", "length = \"3.556 mm\"", "length = \"4.6 mm\"",
@@ -190,35 +189,35 @@ void add_physics(std::vector<WrongCase>& table) {
   large.replace(large.find(small), small.size(), "model = \"frame\"\ngeometry = \"nonlinear\"");
   add(edit("penalty of zero", "eps_alm = \"100 MN/m\"", "eps_alm = 0", {"solver.eps_alm = 0: must be positive"}));
   add(edit("no direction", "directions = [\"+X\", \"37.5 deg\"]", "directions = []",
-           {"cycle.directions: there is no direction"}));
+           {"cycle.directions: no direction specified"}));
   add(edit("a direction twice", "\"37.5 deg\"", "\"37.5 deg\", \"360 deg\"",
-           {"cycle.directions[3] = 360 deg: is the direction of cycle.directions[1] again", "every direction once"}));
+           {"cycle.directions[3] = 360 deg: repeats cycle.directions[1]", "every direction once"}));
   add(edit("amplitude of zero", "\"79.5 um\"", "0.0", {"cycle.amplitude = 0: must be positive"}));
   add(edit("amplitude in mm", "\"79.5 um\"", "\"79.5 mm\"", {"cycle.amplitude = 79.5 mm: would press the bumps flat"}));
   add(edit("no steps", "steps = 100", "steps = 0", {"cycle.steps = 0", "1 to 1000000"}));
   add(edit("more steps than memory", "steps = 100", "steps = 1000000",
            {"cycle.steps = 1000000", "would not fit in memory"}));
   add(edit("both frictions", "coefficient = 0.1", "coefficient = 0.1\ntop_bump = 0.2",
-           {"friction.coefficient = 0.1: contradicts top_bump"}));
+           {"friction.coefficient = 0.1: conflicts with top_bump"}));
   add(edit("radius and diameter", "radius = \"19.05 mm\"", "radius = \"19.05 mm\"\ndiameter = \"38.1 mm\"",
-           {"bearing.radius = 19.05 mm: contradicts diameter"}));
+           {"bearing.radius = 19.05 mm: conflicts with diameter"}));
   add(edit("height errors twice", "height_errors = []",
            "height_errors = [" + repeated("0, ", 26) + "]\nheight_errors_file = \"heights.csv\"",
-           {"bump_foil.height_errors_file = heights.csv: contradicts height_errors"}));
+           {"bump_foil.height_errors_file = heights.csv: conflicts with height_errors"}));
   table.back().line += 1;
 }
 
 void add_syntax(std::vector<WrongCase>& table) {
   const auto add = [&table](WrongCase wrong) { table.push_back(std::move(wrong)); };
   add(edit("quantity without quotes", "radius = \"19.05 mm\"", "radius = 19.05 mm",
-           {"is no TOML", "saw 'm'", "radius = \"19.05 mm\""}));
+           {"is not TOML", "saw 'm'", "radius = \"19.05 mm\""}));
   add(edit("decimal comma", "poisson_ratio = 0.29", "poisson_ratio = 0,29",
-           {"is no TOML", "saw ','", "decimal point"}));
+           {"is not TOML", "saw ','", "decimal point"}));
   add(edit("key twice", "bumps = 26", "bumps = 26\nbumps = 27", {"cannot redefine existing integer 'bumps'", "once"}));
   table.back().line += 1;
   add(edit("table twice", "[friction]", "[bearing]\n[friction]", {"cannot redefine existing table 'bearing'"}));
   add(edit("no value", "bumps = 26", "bumps =", {"expected value", "after the equals sign"}));
-  add(edit("no equals sign", "bumps = 26", "bumps 26", {"is no TOML", "key = value"}));
+  add(edit("no equals sign", "bumps = 26", "bumps 26", {"is not TOML", "key = value"}));
   add(edit("open quote", "title = \"Whole\"", "title = \"Whole", {"parsing string", "close the text"}));
   add(edit("open bracket", "[friction]", "[friction", {"table header", "[name]"}));
   add(text("open list", "a = [1, 2", 1, 1, {"parsing array", "close the list"}));
@@ -228,28 +227,28 @@ void add_syntax(std::vector<WrongCase>& table) {
 
 void add_hostile(std::vector<WrongCase>& table) {
   const auto add = [&table](WrongCase wrong) { table.push_back(std::move(wrong)); };
-  add(text("null byte", std::string("title = \"x\"\n\0", 13), 1, 2, {"is no text", "UTF-8"}));
+  add(text("null byte", std::string("title = \"x\"\n\0", 13), 1, 2, {"is not a text file", "UTF-8"}));
   add(text("binary",
            std::string("\x7f"
                        "ELF\x02\x01\x01\0\0\0",
                        10),
-           1, 1, {"is no text"}));
+           1, 1, {"is not a text file"}));
   add(text("UTF-16",
            std::string("\xff\xfe"
                        "a\0=\0",
                        6),
-           1, 1, {"is no text", "UTF-8"}));
+           1, 1, {"is not a text file", "UTF-8"}));
   add(text("invalid UTF-8", "title = \"\xff\"\n", 1, 1, {"utf-8", "save the file as UTF-8"}));
   add(text("control character", "title = \"x\x1b[2J\"\n", 1, 1, {"control characters", "remove what cannot be seen"}));
   add(edit("escaped control characters", "wrap = \"clockwise\"", R"(wrap = "\u001b[2J\u0007\u009b")",
-           {R"(bearing.wrap = \x1b[2J\x07\xc2\x9b: is not known)"}));
+           {R"(bearing.wrap = \x1b[2J\x07\xc2\x9b: unknown value)"}));
   add(edit("key with control characters", "wrap = ", R"("wr\nap\u001b" = )", {R"(bearing.wr\x0aap\x1b = clockwise)"}));
   add(edit("unit with control characters", "\"19.05 mm\"", R"("19.05 mm\u0000N")",
            {R"(19.05 mm\x00N: is not a quantity)"}));
   add(edit("endless text", "\"19.05 mm\"", "\"19.05 " + repeated("m", 1'000'000) + "\"",
            {"is not a quantity", "(1000006 characters)"}));
   add(edit("endless parentheses", "\"19.05 mm\"", "\"19.05 " + repeated("(", 100'000) + "\"", {"is not a quantity"}));
-  add(edit("endless key", "wrap =", repeated("w", 1'000'000) + " =", {"(1000008 characters)", "is no known key"}));
+  add(edit("endless key", "wrap =", repeated("w", 1'000'000) + " =", {"(1000008 characters)", "unknown key"}));
   add(edit("a million entries", "height_errors = []", "height_errors = [" + repeated("0,", 1'000'000) + "]",
            {"bump_foil.height_errors: has 1000000 entries", "at most 100000"}));
   add(edit("a million texts", "directions = [\"+X\", \"37.5 deg\"]",
@@ -260,7 +259,7 @@ void add_hostile(std::vector<WrongCase>& table) {
              for (int i = 0; i < 500'000; ++i) keys += "k" + std::to_string(i) + "=1\n";
              return keys;
            }(),
-           51, 0, {"and 499954 more faults"}));
+           51, 0, {"and 499954 more errors"}));
   add(text("deep arrays", "a = " + repeated("[", 1'000'000), 1, 1, {"nested", "no such nesting"}));
   add(text("deep inline tables", "a = " + repeated("{a = ", 1'000'000), 1, 1, {"nested", "no such nesting"}));
   add(text("deep keys", "\na" + repeated(".a", 1'000'000) + " = 1", 1, 2, {"more than 16 parts"}));

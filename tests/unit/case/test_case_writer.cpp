@@ -177,11 +177,11 @@ TEST(CaseKeyNames, AreThoseThatChangesGoBy) {
   EXPECT_FALSE(has("bump_foil.truss"));
   EXPECT_FALSE(has("bump_foil.shim.thickness"));  // of which shim?
   const auto reaches = [](const std::string& name) {
-    // Whatever is wrong with the value: of a key that is not there the message says that it is not known.
+    // Whatever is wrong with the value: for a key that does not exist the message says unknown key.
     try {
       static_cast<void>(parse_case(case_template("gen1"), "case.toml", {.overrides = {name + "=?"}, .commands = {}}));
     } catch (const Error& error) {
-      return std::string(error.what()).find("no known key") == std::string::npos;
+      return std::string(error.what()).find("unknown key") == std::string::npos;
     }
     return true;
   };
@@ -203,7 +203,7 @@ TEST(CaseTemplate, ShowsWhatThePresetHoldsAndWhatItAssumes) {
   };
   holds("thickness = \"0.254 mm\"\n");
   holds("youngs_modulus = \"207 GPa\"      # assumed; default: bump_foil.youngs_modulus");
-  holds("model = \"frame\"                 # of these bumps no truss");
+  holds("model = \"frame\"                 # no truss can be identified");
   holds("poisson_ratio = 0.3             # assumed\n");
   holds("displacement = \"20 um\"          # assumed; displacement of the plate");
   holds("# [cycle]");

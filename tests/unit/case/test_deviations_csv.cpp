@@ -29,11 +29,12 @@ TEST_F(DeviationsCsv, HoldsANumberInEachLine) {
 
 TEST_F(DeviationsCsv, TellsEveryFaultWithItsLine) {
   const std::string faults = refusal("deviations\n1e-6\n5 um\ninf\n");
-  for (const char* line : {"measured.csv:1: line = deviations: is no header",
-                           "measured.csv:3: line = 5 um: is no finite", "measured.csv:4: line = inf: is no finite"}) {
+  for (const char* line :
+       {"measured.csv:1: line = deviations: is not a header", "measured.csv:3: line = 5 um: is not a finite",
+        "measured.csv:4: line = inf: is not a finite"}) {
     EXPECT_NE(faults.find(line), std::string::npos) << faults;
   }
-  EXPECT_NE(refusal("deviation\n").find("holds no deviation"), std::string::npos);
+  EXPECT_NE(refusal("deviation\n").find("contains no deviations"), std::string::npos);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST_F(HeightErrorsCsv, AreReadAsPeopleHaveThem) {
 
 TEST_F(HeightErrorsCsv, KeepToOneDecimalSign) {
   expect_refused("bump;height_error_um\n1;1.5\n2;1,5\n3;0\n4;0\n",
-                 "h.csv:3: line = 2;1,5: has a decimal comma where lines before have points");
+                 "h.csv:3: line = 2;1,5: has a decimal comma where earlier lines have points");
   expect_refused("height_error_um\n1,5\n2.5\n3\n4\n", "h.csv:3: line = 2.5: has a decimal point");
   expect_refused("bump;height_error_um\n1;1.234,5\n2;1\n3;0\n4;0\n", "has no finite number for the height");
 }
@@ -89,12 +89,13 @@ TEST_F(HeightErrorsCsv, TellDecimalCommasBetweenCommasOnce) {
 TEST_F(HeightErrorsCsv, SuggestTheColumnThatWasMeant) {
   expect_refused("bump,hieght_error_um\n1,1\n", "did you mean \"height_error_um\"?");
   expect_refused("bump,height\n1,1\n", "say its unit: height_um");
-  expect_refused("bump,height_error_N\n1,1\n", "\"N\" is no unit for a length: write height_error_um");
+  expect_refused("bump,height_error_N\n1,1\n", "\"N\" is not a unit for a length: write height_error_um");
 }
 
 TEST_F(HeightErrorsCsv, AreJudgedInTheirOwnLines) {
-  expect_refused("bump,height_error_um\n1,1\n2,2\n4,-450\n3,4\n",
-                 "h.csv:4: line = 4,-450: lies further from the nominal height than a bump rises, 0.0004 m; mend it");
+  expect_refused(
+      "bump,height_error_um\n1,1\n2,2\n4,-450\n3,4\n",
+      "h.csv:4: line = 4,-450: lies further from the nominal height than a bump rises, 0.0004 m; correct it");
   expect_refused("bump,height_um\n1,0.51\n2,0.5\n3,0.49\n4,0.5\n",
                  "h.csv:2: line = 1,0.51: and 3 more lie further from the nominal height than a bump rises, 0.0004 m; "
                  "millimetres in a column of micrometres?");
@@ -103,8 +104,7 @@ TEST_F(HeightErrorsCsv, AreJudgedInTheirOwnLines) {
                  "and all others are less than 0.1 um from the nominal height; metres in a column of micrometres?");
   expect_refused("bump,height_error_mm\n1,1e-5\n2,0\n3,-2e-6\n4,0\n", "metres in a column of millimetres?");
   expect_refused("height_error_um\n0.012\n0.05\n-0.02\n0\n", "millimetres in a column of micrometres?");
-  expect_refused("height_error_nm\n12\n50\n-20\n0\n",
-                 "micrometres in a column of nanometres? Errors that are so small");
+  expect_refused("height_error_nm\n12\n50\n-20\n0\n", "micrometres in a column of nanometres? Errors this small");
   EXPECT_EQ(read("height_error_um\n0\n0\n0\n0\n"), std::vector<double>(4, 0.0));
   EXPECT_NEAR(read("height_error_nm\n120\n0\n0\n0\n")[0], 120e-9, 1e-20);
 }

@@ -41,8 +41,8 @@ TEST_F(PathCsv, TellsEveryFaultWithItsLine) {
         "path.csv:5: line = 1,2,3: does not have two columns"}) {
     EXPECT_NE(faults.find(line), std::string::npos) << faults;
   }
-  EXPECT_NE(refusal("x,y\n0,0\n").find("path.csv:1: line = x,y: is no header of a path"), std::string::npos);
-  EXPECT_NE(refusal("x_m,y_m\n").find("holds no place"), std::string::npos);
+  EXPECT_NE(refusal("x,y\n0,0\n").find("path.csv:1: line = x,y: is not a header of a path"), std::string::npos);
+  EXPECT_NE(refusal("x_m,y_m\n").find("contains no points"), std::string::npos);
 }
 
 /// A path whose points are wrong is no orbit that lacks its keys: its faults stand alone.

@@ -44,14 +44,14 @@ TEST_F(ProfileFile, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(lines.find("profile.csv:2: line = 1: has 1 column,"), std::string::npos) << lines;
   EXPECT_NE(lines.find("profile.csv:3: line = x,0: has no finite number for the deviation"), std::string::npos)
       << lines;
-  EXPECT_NE(refusal("deviation_um\n").find("holds no deviation"), std::string::npos);
-  EXPECT_NE(refusal("").find("holds no deviation"), std::string::npos);
+  EXPECT_NE(refusal("deviation_um\n").find("contains no deviations"), std::string::npos);
+  EXPECT_NE(refusal("").find("contains no deviations"), std::string::npos);
 }
 
 TEST_F(ProfileFile, WantsEqualAnglesOfOneTurn) {
   // Closed at 360 degrees.
   const std::string closed = refusal("angle_deg,deviation_um\n0,1\n90,1\n180,1\n270,1\n360,1\n");
-  EXPECT_NE(closed.find("profile.csv:3: line = 90,1: stands where 72 degrees are due: 5 lines are 72 degrees apart"),
+  EXPECT_NE(closed.find("profile.csv:3: line = 90,1: should be 72 degrees: 5 lines are 72 degrees apart"),
             std::string::npos)
       << closed;
   EXPECT_NE(refusal("angle_deg,deviation_um\n90,1\n180,1\n270,1\n0,1\n").find("profile.csv:2"), std::string::npos);

@@ -70,7 +70,7 @@ TEST(SweptKey, ListHoldsWhatWasWritten) {
   EXPECT_TRUE(has(fault_of("a.b=[]"), "empty entry"));
   EXPECT_TRUE(has(fault_of("a.b=[1,]"), "empty entry"));
   EXPECT_TRUE(has(fault_of("a.b=[1, 2"), "close it with ]"));
-  EXPECT_TRUE(has(fault_of("a.b=[truss, frame]"), "has \"truss\" where a number is due"));
+  EXPECT_TRUE(has(fault_of("a.b=[truss, frame]"), "has \"truss\", expected a number"));
 }
 
 TEST(SweptKey, SaysWhatElseIsWrong) {
@@ -81,14 +81,14 @@ TEST(SweptKey, SaysWhatElseIsWrong) {
   EXPECT_TRUE(has(fault_of("a.b=0:1"), "neither a range nor a list"));
   EXPECT_TRUE(has(fault_of("a.b=0:1:2:3"), "neither a range nor a list"));
   EXPECT_TRUE(has(fault_of("a.b=0:0,5:0,1"), "has a decimal comma; write decimal points"));
-  EXPECT_TRUE(has(fault_of("a.b="), "where a number is due"));
-  EXPECT_TRUE(has(fault_of("a.b=0:nan:1"), "has \"nan\" where a number is due"));
+  EXPECT_TRUE(has(fault_of("a.b="), "expected a number"));
+  EXPECT_TRUE(has(fault_of("a.b=0:nan:1"), "has \"nan\", expected a number"));
   EXPECT_TRUE(has(fault_of("a.b=0:1:0"), "has no step"));
   EXPECT_TRUE(has(fault_of("a.b=0:1:-0.1"), "steps away from its end; give the step 0.1"));
   EXPECT_TRUE(has(fault_of("a.b=0:1:1e-9"), "a sweep takes at most 10000"));
   EXPECT_TRUE(has(fault_of("a.b=0:1e30:1"), "spans more than 15 digits"));
   EXPECT_TRUE(has(fault_of("a.b=0.1234567890123456:1:1"), "more than 15 digits"));
-  EXPECT_TRUE(has(fault_of("a.b=1e999:1:1"), "where a number is due"));
+  EXPECT_TRUE(has(fault_of("a.b=1e999:1:1"), "expected a number"));
   EXPECT_TRUE(has(fault_of("a.b=[" + std::string(10'000, ',') + "]"), "has 10001 values"));
 }
 

@@ -58,13 +58,13 @@ TEST(ParseQuantity, ReadsTurnsAndRadians) {
   EXPECT_DOUBLE_EQ(value_of("300 rad/s", Dimension::frequency), 300.0);
   EXPECT_DOUBLE_EQ(value_of("360 deg/s", Dimension::frequency), turn);
   for (const char* text : {"200 1/s", "200 s-1", "200 s^-1", "200 1/min"}) {
-    EXPECT_NE(fault_of(text, Dimension::frequency).find("which may count turns or radians"), std::string::npos) << text;
+    EXPECT_NE(fault_of(text, Dimension::frequency).find("which may count revolutions or radians"), std::string::npos)
+        << text;
   }
-  EXPECT_NE(fault_of("30 deg", Dimension::frequency).find("is an angle where a frequency is due"), std::string::npos);
-  EXPECT_NE(fault_of("200 Hz", Dimension::length).find("is a frequency where a length is due"), std::string::npos);
+  EXPECT_NE(fault_of("30 deg", Dimension::frequency).find("is an angle, expected a frequency"), std::string::npos);
+  EXPECT_NE(fault_of("200 Hz", Dimension::length).find("is a frequency, expected a length"), std::string::npos);
   EXPECT_NE(fault_of("200 Hz", Dimension::angle), "");
-  EXPECT_NE(fault_of("3 s", Dimension::frequency).find("has the unit \"s\" where a frequency is due"),
-            std::string::npos);
+  EXPECT_NE(fault_of("3 s", Dimension::frequency).find("has the unit \"s\", expected a frequency"), std::string::npos);
 }
 
 TEST(ParseQuantity, ReadsWhatGasesAreToldBy) {
@@ -85,27 +85,27 @@ TEST(ParseQuantity, ReadsOtherSystemsOfUnits) {
 
 TEST(ParseQuantity, NamesTheDimensionThatWasMet) {
   EXPECT_EQ(fault_of("19.05 N", Dimension::length),
-            "is a force where a length is due; write a length with its unit, for example \"31.8 um\"");
-  EXPECT_NE(fault_of("30 deg", Dimension::length).find("is an angle where a length is due"), std::string::npos);
-  EXPECT_NE(fault_of("3 mm", Dimension::angle).find("is a length where an angle is due"), std::string::npos);
-  EXPECT_NE(fault_of("3 s", Dimension::pressure).find("has the unit \"s\" where a pressure is due"), std::string::npos);
+            "is a force, expected a length; write a length with its unit, for example \"31.8 um\"");
+  EXPECT_NE(fault_of("30 deg", Dimension::length).find("is an angle, expected a length"), std::string::npos);
+  EXPECT_NE(fault_of("3 mm", Dimension::angle).find("is a length, expected an angle"), std::string::npos);
+  EXPECT_NE(fault_of("3 s", Dimension::pressure).find("has the unit \"s\", expected a pressure"), std::string::npos);
   EXPECT_NE(fault_of("3 mm2", Dimension::length).find("has the unit \"mm2\""), std::string::npos);
 }
 
 TEST(ParseQuantity, WantsAUnitThatItKnows) {
   EXPECT_NE(fault_of("0.019", Dimension::length).find("has no unit"), std::string::npos);
   EXPECT_NE(fault_of("0.019", Dimension::length).find("number in m without quotes"), std::string::npos);
-  EXPECT_NE(fault_of("+-2 um", Dimension::length).find("does not begin with a number"), std::string::npos);
-  EXPECT_NE(fault_of("3 parsnips", Dimension::length).find("not known, \"parsnips\""), std::string::npos);
-  EXPECT_NE(fault_of("214 GPA", Dimension::pressure).find("not known, \"GPA\""), std::string::npos);
+  EXPECT_NE(fault_of("+-2 um", Dimension::length).find("does not start with a number"), std::string::npos);
+  EXPECT_NE(fault_of("3 parsnips", Dimension::length).find("unknown unit, \"parsnips\""), std::string::npos);
+  EXPECT_NE(fault_of("214 GPA", Dimension::pressure).find("unknown unit, \"GPA\""), std::string::npos);
 }
 
 TEST(ParseQuantity, TakesNoNumberInsideTheUnit) {
-  EXPECT_NE(fault_of("1 000 mm", Dimension::length).find("digits where a unit is due"), std::string::npos);
-  EXPECT_NE(fault_of("1 mm^1.5", Dimension::length).find("digits where a unit is due"), std::string::npos);
-  EXPECT_NE(fault_of("1 (10 mm)", Dimension::length).find("digits where a unit is due"), std::string::npos);
+  EXPECT_NE(fault_of("1 000 mm", Dimension::length).find("digits instead of a unit"), std::string::npos);
+  EXPECT_NE(fault_of("1 mm^1.5", Dimension::length).find("digits instead of a unit"), std::string::npos);
+  EXPECT_NE(fault_of("1 (10 mm)", Dimension::length).find("digits instead of a unit"), std::string::npos);
   EXPECT_NE(fault_of("31,8 um", Dimension::length).find("decimal point"), std::string::npos);
-  EXPECT_NE(fault_of("mm^3.5", Dimension::length).find("does not begin with a number"), std::string::npos);
+  EXPECT_NE(fault_of("mm^3.5", Dimension::length).find("does not start with a number"), std::string::npos);
 }
 
 TEST(ParseQuantity, TakesPlainMultiplesOnly) {

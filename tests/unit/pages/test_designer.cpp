@@ -288,7 +288,7 @@ TEST(DesignerAnswer, TellsEveryFaultWithItsKey) {
   EXPECT_EQ(fault("bearing.radius")["line"], 2);
   EXPECT_EQ(fault("bearing.raduis")["advice"], "did you mean \"radius\"?");
   EXPECT_EQ(fault("bump_foil")["what"], "this table is missing");
-  EXPECT_EQ(fault("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: is no known key"), 0U);
+  EXPECT_EQ(fault("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: unknown key"), 0U);
   EXPECT_EQ(ask({{"what", "parsnips"}})["faults"][0]["what"], "is no request");
   // Files cannot be read in a browser; texts that are no UTF-8 are mended.
   EXPECT_EQ(ask({{"what", "cycles"}, {"text", "x = ["}})["faults"][0]["line"], 1);
