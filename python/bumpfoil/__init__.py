@@ -1,4 +1,4 @@
-"""Mechanics of bump-type gas foil bearings: contact, friction and hysteresis of the foils.
+"""Mechanics of bump-type gas foil bearings: contact, friction, hysteresis and gas film.
 
 >>> import bumpfoil
 >>> result = bumpfoil.run_cycle("case.toml", friction={"coefficient": 0.2})

@@ -1,4 +1,4 @@
-"""Cases: a bearing, and what is to be computed of it."""
+"""Cases: a bearing and the runs to compute."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ def _key(name: str) -> str:
 
 
 def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
-    """``table.key=value`` of everything in nested tables; what is None is left as it is."""
+    """``table.key=value`` of everything in nested tables; None leaves a key unchanged."""
     for name, value in tables.items():
         key = path + (name if not path else _key(name))
-        # Laws and ranges stand in place of a value.
+        # Laws and ranges replace a value.
         ends = ({"start", "end"}, {"from", "to"})
         if isinstance(value, Mapping) and not any(pair <= value.keys() for pair in ends):
             yield from _pairs(value, key + ".")
@@ -55,9 +55,9 @@ def _pairs(tables: Mapping[str, Any], path: str = "") -> Iterator[str]:
 
 
 class Case:
-    """A bearing and what is to be computed of it, as a case file says it: checked, and never changed.
+    """A bearing and the runs to compute, as in a case file: validated and immutable.
 
-    Numbers are in SI; strings carry their unit, ``"31.8 um"``; quantities of pint are converted. Arrays are lists. The
+    Numbers are in SI; strings carry their unit, ``"31.8 um"``; pint quantities are converted. Arrays are lists. The
     keys are those of docs/case_file.md.
 
     Parameters
@@ -70,7 +70,7 @@ class Case:
     Raises
     ------
     CaseError
-        With the message of ``bumpfoil check``: every fault, its place, the value met, what to change.
+        With the message of ``bumpfoil check``: every error, its place, the value found, what to change.
     FileError
         A file cannot be read.
 
@@ -100,7 +100,7 @@ class Case:
         self._toml: str = self._source.toml()
 
     def replace(self, changes: Mapping[str, Any] | None = None, /, **tables: Any) -> Case:
-        """The same with other values.
+        """A copy with other values.
 
         Parameters
         ----------
@@ -113,8 +113,8 @@ class Case:
 
     @property
     def toml(self) -> str:
-        """The case as understood, as a case file in SI with defaults filled in; what ``bumpfoil check`` prints before
-        it says which commands can run the case."""
+        """The case as interpreted, as a case file in SI with defaults filled in: the output of ``bumpfoil check``
+        without its last lines on commands."""
         return self._toml
 
     def to_dict(self) -> dict[str, Any]:
@@ -123,7 +123,7 @@ class Case:
         return tables
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the case as understood.
+        """Writes the case as interpreted.
 
         Parameters
         ----------
@@ -153,7 +153,7 @@ class Case:
 
 
 def as_case(source: Any, tables: Mapping[str, Any]) -> Case:
-    """What the functions of this package take for a case."""
+    """A case from whatever the functions of this package accept."""
     return source if isinstance(source, Case) and not tables else Case(source, **tables)
 
 

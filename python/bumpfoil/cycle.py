@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Cycle:
     """A cycle of the journal in one direction, one of a strip, or a path.
 
-    Everything goes by the names of result.nc, docs/results.md: as attributes, ``cycle.loop_energy``, or in the
+    Names are those of result.nc, docs/results.md: as attributes, ``cycle.loop_energy``, or in the
     dictionaries below. SI; directions in degrees. Arrays are read-only.
 
     Attributes
@@ -26,14 +26,14 @@ class Cycle:
     quantities : dict
         Of the whole cycle: ``max_force`` (N), ``loop_energy`` (J), ``loss_factor``, ``status`` (a word), ...; loads at
         full displacement, ``bump_loads`` (N, one per bump), of several pads ``pad_forces_x`` (N, one per pad), of a path
-        ``max_pad_forces``, ... NaN or None is what is not known.
+        ``max_pad_forces``, ... Missing values are NaN or None.
     series : dict of ndarray, (increments,)
         ``displacement`` (m), ``force_direct`` (N), ``dissipated_energy`` (J), ...
     fields : dict of ndarray, (increments, bumps, feet or pads)
         ``crest_v`` (m), ``normal_force_top_bump`` (N), ``state_bump_sleeve`` (0 open, 1 stick, 2 slip_forward,
-        3 slip_backward), ... Of a run, views of its result without a copy. Rows are the increments that were solved.
+        3 slip_backward), ... In a run, views of its result without a copy. Rows are the solved increments.
     events : dict of ndarray, (events,)
-        Changes of state of contacts; of the solver ``events`` alone.
+        Changes of contact states; only with the solver ``events``.
     """
 
     def __init__(
@@ -58,14 +58,14 @@ class Cycle:
             for place in self._places():
                 if name in place:
                     return place[name]
-        raise AttributeError(f"a cycle has no {name!r}; dir(cycle) lists what it has")
+        raise AttributeError(f"a cycle has no {name!r}; dir(cycle) lists those it has")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(name for place in self._places() for name in place)]
 
     @property
     def name(self) -> str:
-        """What tells it from the others of its result, such as "+X", "37.5 deg", "cycle 2", "path"."""
+        """Its name among the cycles of a result, such as "+X", "37.5 deg", "cycle 2", "path"."""
         if "direction" in self.quantities:
             degrees = self.quantities["direction"]
             return {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}.get(degrees, f"{degrees:g} deg")
@@ -77,7 +77,7 @@ class Cycle:
 
     @property
     def bump_pad(self) -> NDArray[Any]:
-        """The pad of each bump, (bumps,): 1 for the first, and of a single foil."""
+        """The pad of each bump, (bumps,): 1 for the first, and for a single foil."""
         return self._pads.get("bump_pad", np.ones(self.fields["crest_v"].shape[1], dtype=int))
 
     @property
@@ -86,26 +86,26 @@ class Cycle:
         return self._pads.get("foot_pad", np.ones(self.fields["foot_u"].shape[1], dtype=int))
 
     def plot_contacts(self, interface: str = "bump_sleeve", *, ax: Axes | None = None) -> Axes:
-        """Draws which contacts are open, stick or slip, increment by increment.
+        """Plots which contacts are open, stick or slip, increment by increment.
 
         Parameters
         ----------
         interface : str
             ``journal_top``, ``top_bump`` or ``bump_sleeve``.
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.contacts(self, interface, ax)
 
     def plot_foils(self, increment: int | None = None, *, ax: Axes | None = None) -> Axes:
-        """Draws the radial displacements of top foil and crests at an increment.
+        """Plots the radial displacements of top foil and crests at an increment.
 
         Parameters
         ----------
         increment : int, optional
-            That of the largest displacement without.
+            Default: that of the largest displacement.
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.foils(self, increment, ax)
 

@@ -1,4 +1,4 @@
-"""What goes wrong, with the messages of the program."""
+"""Errors and warnings, with the messages of the program."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ class Error(Exception):
     Attributes
     ----------
     faults : list of str
-        Everything that is wrong, one line each: where, the value met, what to change.
+        Every error, one line each: place, value found, what to change.
     """
 
     def __init__(self, message: str, faults: list[str] | None = None) -> None:
@@ -18,7 +18,7 @@ class Error(Exception):
 
 
 class CaseError(Error, ValueError):
-    """The case, or another input, is wrong."""
+    """The case, or another input, is invalid."""
 
 
 class FileError(Error, OSError):
@@ -26,4 +26,4 @@ class FileError(Error, OSError):
 
 
 class RunWarning(UserWarning):
-    """A run that ended before its time, or whose results are to be taken with care; the message says why."""
+    """A run that ended early, or whose results need care; the message says why."""

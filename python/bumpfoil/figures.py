@@ -1,9 +1,9 @@
-"""Figures fit for a journal: one or two columns wide, to be saved as PDF and SVG.
+"""Publication figures: one or two columns wide, saved as PDF and SVG.
 
 >>> from bumpfoil import figures
 >>> figures.save(figures.loops(bumpfoil.run_cycle("case.toml"), width="double"), "loops")
 
-Each function gives a matplotlib figure of its final size, in which everything can still be changed.
+Each function returns a matplotlib figure in its final size, in which everything can still be changed.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ _MEAN = {"linestyle": "none", "markersize": 5, "markeredgecolor": "white", "mark
 
 @styled
 def loops(result: Result, *, width: str = "single") -> Figure:
-    """Direct force over displacement: of all cycles in one panel, or, in two columns, of each in its own.
+    """Direct force against displacement: all cycles in one panel, or, in two columns, each in its own.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def loops(result: Result, *, width: str = "single") -> Figure:
 
 @styled
 def bump_loads(result: Result, *, width: str = "single") -> Figure:
-    """Loads of the bumps at full displacement, a panel for each cycle, all to one scale.
+    """Bump loads at full displacement, a panel for each cycle, all on the same scale.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def foils(cycle: Cycle, increments: Sequence[int] | None = None, *, width: str =
     cycle : Cycle
         Of ``cycle`` or ``path``.
     increments : sequence of int, optional
-        A panel for each; without, the start, the middle and the end of the way to the largest displacement.
+        A panel for each; by default the start, middle and end of the path to the largest displacement.
     width : {"single", "double"}
         90 or 190 mm.
     """
@@ -158,7 +158,7 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
 def ensemble(result: Result, *, width: str = "double") -> Figure:
     """Distributions of maximum force, loaded stiffness, loss factor and estimated clearance, by direction, and their means.
 
-    Of running bearings: of least film thickness, eccentricity, power loss and highest stress, by state.
+    For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state.
 
     Parameters
     ----------
@@ -260,8 +260,8 @@ def _running_coefficients(result: Result, width: str, contacts: str) -> Figure:
 def coefficients(result: Result, *, width: str = "double", contacts: str = "stuck") -> Figure:
     """Stiffness and damping for rotor dynamics.
 
-    Of vibrations direct stiffness, cross stiffness, loss stiffness and loss factor over their amplitude; of running bearings
-    direct and cross stiffness and damping over frequency, speed or load, whichever varies.
+    For vibrations direct stiffness, cross stiffness, loss stiffness and loss factor against amplitude; for running
+    bearings direct and cross stiffness and damping against frequency, speed or load, whichever varies.
 
     Parameters
     ----------
@@ -270,7 +270,7 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
     width : {"single", "double"}
         90 or 190 mm.
     contacts : {"stuck", "slipping"}
-        Of a running bearing: motions too small to make a contact slip, or such that let slipping contacts slip on.
+        For a running bearing: full stick, or sliding contacts that keep sliding.
     """
     demand(result, "coefficients")
     if contacts not in ("stuck", "slipping"):
@@ -278,7 +278,7 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
     if result.command == "equilibrium":
         return _running_coefficients(result, width, contacts)
     table = result.to_dataframe("coefficients")
-    # Stiffness and frequency times damping are those of every frequency: friction knows no rates.
+    # Stiffness and frequency times damping are the same at every frequency: friction is rate-independent.
     table = table.drop_duplicates(["load_x_N", "load_y_N", "amplitude_m"])
     turn = 1e-6 * table.frequency_rad_per_s
     panels = [

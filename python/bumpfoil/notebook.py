@@ -1,4 +1,4 @@
-"""What notebooks show of cases, results, cycles and states: short tables."""
+"""Short tables of cases, results, cycles and states in notebooks."""
 
 from __future__ import annotations
 

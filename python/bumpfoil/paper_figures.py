@@ -39,7 +39,7 @@ def paper(folder: str | os.PathLike[str], *, width: str = "double") -> Figure:
     Raises
     ------
     FileError
-        There is no study of a figure in the folder.
+        The folder does not contain a study of a figure.
     ValueError
         The figure does not fit in one column.
     """
@@ -57,7 +57,7 @@ def _of_a_study(folder: Path) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError, KeyError) as error:
-        raise FileError(f"{folder}: holds no figure of `bumpfoil reproduce`: {error}") from None
+        raise FileError(f"{folder}: contains no figure of `bumpfoil reproduce`: {error}") from None
 
 
 def _table(folder: Path, name: str) -> pandas.DataFrame:

@@ -15,7 +15,7 @@ _MOST_TICKS = 8
 
 
 def pads_of(variables: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
-    """Of several pads that of each bump and foot, 1 for the first, from the variables of a result.nc."""
+    """The pad of each bump and foot, 1 for the first, from the variables of a result.nc with several pads."""
     pads = {name: np.asarray(variables[name][...], dtype=int) for name in ("bump_pad", "foot_pad") if name in variables}
     for numbers in pads.values():
         numbers.flags.writeable = False
@@ -46,7 +46,7 @@ class Places:
         return np.insert(self.at, self._starts, np.nan), np.insert(numbers, self._starts, np.nan)
 
     def mark(self, ax: Axes) -> None:
-        """Names the axis: of several pads with ticks such as 2.3, the third bump of pad 2, and lines between them."""
+        """Labels the axis: with several pads ticks such as 2.3, the third bump of pad 2, and lines between them."""
         if not self._starts:
             ax.set_xlabel(f"{self._kind}, counted from the weld")
             return

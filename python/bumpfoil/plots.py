@@ -1,4 +1,4 @@
-"""Pictures of results, drawn by matplotlib: colours that the colour-blind tell apart, lines that grey print does."""
+"""Plots of results with matplotlib: colours safe for colour-blind readers, lines that survive greyscale print."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _STATE_COLOURS = ("#FFFFFF", "#BBBBBB", "#D55E00", "#0072B2")
 
 
 def _style(number: int, *, marked: bool = False) -> dict[str, Any]:
-    """Of a line: where colours come again, they come with another dash and mark."""
+    """Line style: repeated colours get another dash and marker."""
     style: dict[str, Any] = dict(_STYLES[(number + number // len(_STYLES)) % len(_STYLES)])
     style["color"] = _STYLES[number % len(_STYLES)]["color"]
     if not marked:
@@ -59,7 +59,7 @@ def _legend(ax: Axes, entries: int) -> None:
 
 
 def demand(result: Result, picture: str) -> None:
-    """Refuses results that have not what is to be drawn."""
+    """Refuses results without the data to plot."""
     there = {
         "loops": bool(result.cycles),
         "bump loads": any("bump_loads" in cycle.quantities for cycle in result.cycles),
@@ -73,12 +73,12 @@ def demand(result: Result, picture: str) -> None:
 
 
 def known(cycle: Cycle, field: str) -> bool:
-    """Whether a cycle has a field, and not only place for it as a strip read from a file has."""
+    """Whether a cycle has a field, not only space for it, like a strip read from a file."""
     return field in cycle.fields and not np.isnan(cycle.fields[field].astype(float)).all()
 
 
 def demand_fields(cycle: Cycle, names: Sequence[str]) -> None:
-    """Refuses cycles that have not the fields that are to be drawn."""
+    """Refuses cycles without the fields to plot."""
     absent = [name for name in names if not known(cycle, name)]
     if absent:
         kind = absent[0].split("_")[0]
@@ -181,12 +181,12 @@ def _place(coordinate: xarray.DataArray, number: float) -> str:
 
 
 def place_of(data: xarray.Dataset) -> str:
-    """The dimension of an ensemble beside its samples: directions of cycles, or states of running bearings."""
+    """The second dimension of an ensemble besides its samples: directions of cycles, or states of running bearings."""
     return "state" if "state" in data.dims else "direction"
 
 
 def places_of(result: Result, data: xarray.Dataset) -> list[str]:
-    """What legends call these places, in their order."""
+    """Legend labels of these places, in order."""
     if place_of(data) == "direction":
         return [direction_name(float(degrees)) for degrees in data.direction]
     return [name.replace("-", "−") for name in result.summary["statistics"]]

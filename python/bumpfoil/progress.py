@@ -1,4 +1,4 @@
-"""How far a run is, shown where somebody looks."""
+"""Progress of a run."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ class shown:
     Parameters
     ----------
     progress : bool or callable, optional
-        Whether to show a line; without it on a terminal and in a notebook. Or what is to be called with the fraction
-        that is done, 0 to 1; returning False ends the run, whose result is partial then.
+        Whether to show a line; by default on a terminal and in a notebook. Or a function of the completed fraction, 0
+        to 1; if it returns False the run stops, and its result is partial.
     """
 
     def __init__(self, progress: Progress) -> None:

@@ -1,4 +1,4 @@
-"""Results: what a command gave, in memory and in files."""
+"""Results of a command, in memory and in files."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ netcdf = threading.RLock()
 _PAGE = Path(__file__).with_name("report.html")
 
 class Result:
-    """What a command gave: its cycles, where it has some, and the files that the program writes of it.
+    """Result of a command: its cycles, if it has any, and its files.
 
     Attributes
     ----------
     command : str
         ``cycle``, ``strip``, ``path``, ``vibration``, ...
     cycles : list of Cycle
-        In the order of the case; of ``cycle``, ``strip`` and ``path`` alone.
+        In the order of the case; only for ``cycle``, ``strip`` and ``path``.
     files : dict of bytes
-        The files of the result by their names: what :meth:`save` writes.
+        The files of the result by name, as :meth:`save` writes them.
     """
 
     def __init__(self, command: str, cycles: list[Cycle], run: _native.Run | None = None, files: dict[str, bytes] | None = None) -> None:
@@ -83,14 +83,14 @@ class Result:
         return Case(self.summary["case"])
 
     def save(self, folder: str | os.PathLike[str], *, force: bool = False) -> None:
-        """Writes the files of the result, together or not at all.
+        """Writes the files of the result, all or none.
 
         Parameters
         ----------
         folder : path
-            Made where it does not exist.
+            Created if it does not exist.
         force : bool
-            Whether to replace results that it holds, which are refused otherwise.
+            Whether to replace existing results; refused otherwise.
 
         Raises
         ------
@@ -118,7 +118,7 @@ class Result:
             command, listed = summary["command"], dict(summary["files"])
             whole = _native.is_sealed(files["summary.json"], summary["xxh3_128"])
         except (ValueError, KeyError, TypeError):
-            raise FileError(f"{os.fspath(folder)}/summary.json: is no summary of a result of this version") from None
+            raise FileError(f"{os.fspath(folder)}/summary.json: is not a summary of a result of this version") from None
         if not whole:
             raise FileError(f"{os.fspath(folder)}/summary.json: is damaged")
         for name, entry in listed.items():
@@ -138,9 +138,9 @@ class Result:
     def data(self) -> dict[str, NDArray[Any]]:
         """The variables of result.nc (of a sweep sweep.nc, of an ensemble ensemble.nc) by their names, docs/results.md.
 
-        Read-only arrays in SI over the dimensions that the page says; made once, and the same ones whenever they are asked for.
-        NaN is what is absent; flags, such as ``status``, are numbers. :meth:`to_xarray` has their words, units and coordinates,
-        too. Fields of cycles are views of the run itself in ``cycles[i].fields``."""
+        Read-only arrays in SI over the dimensions documented there, created once and shared. Missing values are NaN;
+        flags, such as ``status``, are numbers. :meth:`to_xarray` also has their meanings, units and coordinates. Fields of
+        cycles are views of the run itself in ``cycles[i].fields``."""
         import netCDF4
 
         with netcdf, netCDF4.Dataset("data.nc", memory=self._data_file) as file:
@@ -156,17 +156,17 @@ class Result:
             return dataset.load()
 
     def to_dataframe(self, table: str | None = None) -> pandas.DataFrame:
-        """A CSV file of the result as a table, to the last bit; of an ensemble its samples.
+        """A CSV file of the result as a table, to the last bit; for an ensemble its samples.
 
         Parameters
         ----------
         table : str, optional
-            Name of the file without its end; that of the command without it.
+            Name of the file without extension; by default that of the command.
 
         Returns
         -------
         DataFrame
-            Units are at the ends of the names of columns. Of an ensemble a row for each sample and direction, or state.
+            Column names end with their unit. For an ensemble a row per sample and direction, or state.
 
         Raises
         ------
@@ -186,63 +186,63 @@ class Result:
         path : path
             Of the file.
         force : bool
-            Whether to replace a file that exists, which is refused otherwise.
+            Whether to replace an existing file; refused otherwise.
         """
         write_report({self.command: self}, path, force=force)
 
     def plot_loops(self, *, ax: Axes | None = None) -> Axes:
-        """Draws the direct force (N) over the displacement (µm), cycle by cycle.
+        """Plots the direct force (N) against the displacement (µm), cycle by cycle.
 
         Parameters
         ----------
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.loops(self, ax)
 
     def plot_bump_loads(self, *, ax: Axes | None = None) -> Axes:
-        """Draws the loads of the bumps at full displacement (N), cycle by cycle.
+        """Plots the bump loads at full displacement (N), cycle by cycle.
 
         Parameters
         ----------
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.bump_loads(self, ax)
 
     def plot_coefficients(self, *, ax: Axes | None = None) -> Axes:
-        """Draws direct stiffnesses (MN/m): of vibrations over their amplitude; of running bearings, for motions that make no
-        contact slip, over frequency, speed or load, whichever varies.
+        """Plots direct stiffnesses (MN/m): of vibrations against amplitude; of running bearings, for full stick,
+        against frequency, speed or load, whichever varies.
 
         Parameters
         ----------
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.coefficients(self, ax)
 
     def plot_ensemble(self, quantity: str | None = None, *, ax: Axes | None = None) -> Axes:
-        """Draws the distribution of a quantity of an ensemble, by direction, or by state of running bearings.
+        """Plots the distribution of a quantity of an ensemble, by direction, or by state of running bearings.
 
         Parameters
         ----------
         quantity : str, optional
-            A variable of ensemble.nc over samples and directions or states, such as ``loss_factor``; without, the maximum
-            force or the least film thickness.
+            A variable of ensemble.nc over samples and directions or states, such as ``loss_factor``; by default the
+            maximum force or the minimum film thickness.
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.ensemble(self, quantity, ax)
 
     def plot_sweep(self, quantity: str = "max_force", *, ax: Axes | None = None) -> Axes:
-        """Draws a quantity of a sweep over its first key, a line for each combination of what else varies.
+        """Plots a quantity of a sweep against its first key, a line for each combination of the other keys.
 
         Parameters
         ----------
         quantity : str
             A variable of sweep.nc over its keys, such as ``loss_factor``.
         ax : matplotlib axes, optional
-            To draw on; new ones without.
+            Axes to draw on; by default new ones.
         """
         return plots.sweep(self, quantity, ax)
 
@@ -255,7 +255,7 @@ class Result:
 
 
 def warn_of(status: str, lines: list[str]) -> None:
-    """Warns of what a run has to say, at the line outside of this package that called it."""
+    """Issues the warnings of a run, at the calling line outside this package."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == os.path.dirname(__file__):
         level, frame = level + 1, frame.f_back
@@ -272,20 +272,20 @@ def _read(folder: str | os.PathLike[str], name: str) -> bytes:
 
 
 def write_report(results: Mapping[str, Result], path: str | os.PathLike[str], *, force: bool = False) -> None:
-    """Writes the page of ``bumpfoil report`` of several results, compared in the same charts.
+    """Writes a report that compares several results in the same charts, as ``bumpfoil report`` does.
 
     Parameters
     ----------
     results : mapping
-        Results by what they are to be called.
+        Results by their names in the report.
     path : path
         Of the file.
     force : bool
-        Whether to replace a file that exists, which is refused otherwise.
+        Whether to replace an existing file; refused otherwise.
     """
     page = _PAGE.read_text(encoding="utf-8") if _PAGE.exists() else ""
     if not page:
-        raise FileError("this package was built without the page of reports: Node.js and npm were not found")
+        raise FileError("this package was built without the report page: Node.js and npm were not found")
     with tempfile.TemporaryDirectory(prefix="bumpfoil-") as temporary:
         folders = []
         for name, result in results.items():
@@ -344,7 +344,7 @@ def _read_cycle(
 
 
 def _plain(values: Any) -> NDArray[Any]:
-    """Without a mask: NaN for what is absent."""
+    """Without a mask: missing values are NaN."""
     if isinstance(values, np.ma.MaskedArray) and values.mask.any():
         numbers: Any = values.astype(float)
         values = numbers.filled(np.nan)

@@ -23,20 +23,20 @@ Parameters
 case : Case, path, str or mapping
     What :class:`Case` takes.
 {1}progress : bool or callable, optional
-    Whether to show how far the run is: without it on a terminal and in a notebook, after a second. Or what is to be
-    called with the fraction that is done, 0 to 1; returning False ends the run, whose result is partial then.
+    Whether to show the progress; by default on a terminal and in a notebook, after a second. Or a function of the
+    completed fraction, 0 to 1; if it returns False the run stops, and its result is partial.
 **tables : mapping
-    Keys of the case that are changed: ``friction={{"coefficient": 0.2}}``.
+    Keys of the case to change: ``friction={{"coefficient": 0.2}}``.
 
 Returns
 -------
 Result
-    A numerical failure is no exception but a status of the result, and a RunWarning.
+    A numerical failure raises no exception: it is a status of the result, and a RunWarning.
 
 Raises
 ------
 CaseError
-    The case is wrong, or has not the table that says what is to be run.
+    The case is invalid, or lacks the table of the command.
 KeyboardInterrupt
     Ctrl-C was pressed.
 """
@@ -45,7 +45,7 @@ _Running = TypeVar("_Running", bound=Callable[..., Result])
 
 
 def _documented(parameters: str = "") -> Callable[[_Running], _Running]:
-    """Puts what all runs take and give behind the first words of one, with its own `parameters` among them."""
+    """Appends the common parameters and results to the summary of a run, with its own `parameters` among them."""
 
     def document(function: _Running) -> _Running:
         words, own = inspect.cleandoc(function.__doc__ or ""), inspect.cleandoc(parameters)
@@ -65,14 +65,14 @@ def _run(
 
 
 def check(case: Any = None, /, **tables: Any) -> Case:
-    """Reads and checks a case.
+    """Reads and validates a case.
 
     Parameters
     ----------
     case : Case, path, str or mapping, optional
         What :class:`Case` takes.
     **tables : mapping
-        Keys of the case that are changed: ``friction={"coefficient": 0.2}``.
+        Keys of the case to change: ``friction={"coefficient": 0.2}``.
 
     Returns
     -------
@@ -81,7 +81,7 @@ def check(case: Any = None, /, **tables: Any) -> Case:
     Raises
     ------
     CaseError
-        With every fault, its place, the value met, what to change.
+        With every error, its place, the value found, what to change.
     """
     checked = as_case(case, tables)
     checked._source.check()
@@ -89,24 +89,24 @@ def check(case: Any = None, /, **tables: Any) -> Case:
 
 
 def properties(case: Any, /, **tables: Any) -> dict[str, Any]:
-    """Truss constants, single-bump stiffnesses, softest and stiffest modes: what ``bumpfoil properties --json`` prints.
+    """Truss constants, single-bump stiffnesses, softest and stiffest modes, as ``bumpfoil properties``.
 
     Parameters
     ----------
     case : Case, path, str or mapping
         What :class:`Case` takes.
     **tables : mapping
-        Keys of the case that are changed: ``friction={"coefficient": 0.2}``.
+        Keys of the case to change: ``friction={"coefficient": 0.2}``.
 
     Returns
     -------
     dict
-        Units are at the ends of the keys; None is what is not known.
+        Keys end with their unit; missing values are None.
 
     Raises
     ------
     CaseError
-        The case is wrong.
+        The case is invalid.
     """
     found: dict[str, Any] = json.loads(as_case(case, tables)._source.properties())
     return found
@@ -120,23 +120,23 @@ def run_cycle(case: Any, /, *, progress: Progress = None, **tables: Any) -> Resu
 
 @_documented()
 def run_strip(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
-    """Compresses a flat strip of the foils between two plates, as [strip] says."""
+    """Compresses a flat strip of the foils between two plates, as specified in [strip]."""
     return _run("strip", case, progress, tables)
 
 
 @_documented(
     """
     positions : array_like, (points, 2), optional
-        The path in place of that of [path]: where the journal goes, m, or lengths of pint. The first increment is the assembly
+        The path instead of that of [path]: journal positions, m, or pint lengths. The first increment is the assembly
         at the centre of the bearing.
     loads : array_like, (points, 2), optional
-        The path as loads that the journal carries, N, or forces of pint; in place of positions.
+        The path as loads on the journal, N, or pint forces; instead of positions.
     """
 )
 def run_path(
     case: Any, /, positions: Any = None, loads: Any = None, *, progress: Progress = None, **tables: Any
 ) -> Result:
-    """Takes the journal along the path of [path], or along one of NumPy."""
+    """Moves the journal along a prescribed path: that of [path], or a NumPy array."""
     if positions is not None and loads is not None:
         raise CaseError("run_path: both positions and loads are given; give one of them")
     for name, unit, values in (("positions", "m", positions), ("loads", "N", loads)):
@@ -151,23 +151,23 @@ def run_path(
 
 @_documented()
 def run_vibration(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
-    """Lets the journal vibrate about static loads, as [vibration] says: stiffness, damping and loss factor."""
+    """Vibrates the journal about static loads, as specified in [vibration]: stiffness, damping and loss factor."""
     return _run("vibration", case, progress, tables)
 
 
 @_documented(
     """
     all_paths : bool
-        Whether every state is come to by every path that leads there: ``summary["spreads"]`` tells how far they lie apart.
+        Whether to compute every state by every path that leads there: ``summary["spreads"]`` reports the spread.
     limits : bool
-        Whether lift-off speeds and load capacities are found, too, where the film is film.h_lift_off thin:
+        Whether to also compute lift-off speeds and load capacities, at a film thickness of film.h_lift_off:
         ``summary["limits"]``.
     """
 )
 def run_equilibrium(
     case: Any, /, *, all_paths: bool = False, limits: bool = False, progress: Progress = None, **tables: Any
 ) -> Result:
-    """Finds where the journal of a running bearing is, with gas film, foils and friction, as [equilibrium] says."""
+    """Computes equilibria of the running bearing, with gas film, foils and friction, as specified in [equilibrium]."""
     switches = [name for name, on in (("paths", all_paths), ("limits", limits)) if on]
     return _run("equilibrium", case, progress, tables, switches)
 
@@ -175,14 +175,16 @@ def run_equilibrium(
 @_documented(
     """
     over : mapping
-        Values by their dotted keys: ``{"friction.coefficient": numpy.linspace(0, 0.5, 11)}``, quantities of pint, or a range as
-        the program takes it, ``"60 um:90 um:10 um"`` (its end included). Of ``equilibrium.speeds`` each point has one.
+        Values by their dotted keys: ``{"friction.coefficient": numpy.linspace(0, 0.5, 11)}``, pint quantities, or a
+        range as for the program, ``"60 um:90 um:10 um"`` (end included). With ``equilibrium.speeds`` each point has
+        one speed.
     command : str
         ``cycle``, ``strip``, ``vibration`` or ``equilibrium``.
     threads : int, optional
-        On which points are run; all cores without.
+        To run points on; by default all cores.
     limits : bool
-        Of ``equilibrium``: whether lift-off speeds and load capacities are found, too, where the film is film.h_lift_off thin.
+        For ``equilibrium``: whether to also compute lift-off speeds and load capacities, at a film thickness of
+        film.h_lift_off.
     """
 )
 def run_sweep(
@@ -198,9 +200,9 @@ def run_sweep(
 ) -> Result:
     """Runs a command for every combination of the values of some keys, on all cores.
 
-    What is kept of every point are its quantities and loops, see :meth:`Result.to_xarray`."""
+    Every point keeps its quantities and loops, see :meth:`Result.to_xarray`."""
     if command not in _native.swept_commands():
-        raise ValueError(f"{command!r} is not swept; give one of {', '.join(_native.swept_commands())}")
+        raise ValueError(f"{command!r} cannot be swept; use one of {', '.join(_native.swept_commands())}")
     swept = [f"{key}={values if isinstance(values, str) else toml_value(values)}" for key, values in over.items()]
     source = as_case(case, tables)._source
     with shown(progress) as called:
@@ -211,20 +213,20 @@ def run_sweep(
 @_documented(
     """
     folder : path, optional
-        Where samples are kept as they come, and the result is written; without it the result is in memory alone.
+        Folder where finished samples and the result are written; without it the result is in memory only.
     samples, seed : int, optional
-        Number of bearings and seed of the random numbers, in place of those of the case. Samples depend on their number and the
-        seed alone.
+        Number of bearings and seed of the random numbers, instead of those of the case. A sample depends only on its
+        number and the seed.
     threads : int, optional
-        On which samples are run; all cores without.
+        To run samples on; by default all cores.
     target_error : float, optional
-        Ends the run when the standard error of the mean of the maximum force is below that part of it.
+        Ends the run when the standard error of the mean of the maximum force is below this fraction of it.
     limits : sequence of str
-        What a bearing is to keep, with units: ``"clearance_5N > 20 um"``.
+        Limits that a bearing must meet, with units: ``"clearance_5N > 20 um"``.
     resume : bool
-        Whether to go on where a run in the folder was interrupted.
+        Whether to continue an interrupted run in the folder.
     force : bool
-        Whether to begin anew in a folder that holds results.
+        Whether to restart in a folder that contains results.
     """
 )
 def run_montecarlo(
@@ -242,10 +244,10 @@ def run_montecarlo(
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Runs the cycles of many bearings that differ within the tolerances of [montecarlo], or their states on the film
+    """Runs the cycles of many random bearings within the tolerances of [montecarlo], or their states on the film
     (``montecarlo={"command": "equilibrium", ...}``).
 
-    What is kept of every sample are its quantities, see :meth:`Result.to_xarray`, :meth:`Result.to_dataframe` and
+    Every sample keeps its quantities, see :meth:`Result.to_xarray`, :meth:`Result.to_dataframe` and
     ``summary["statistics"]``."""
     if folder is None:
         with tempfile.TemporaryDirectory(prefix="bumpfoil-") as temporary:
@@ -260,7 +262,7 @@ def run_montecarlo(
     try:
         with shown(progress) as called:
             ensemble.run(called)
-    finally:  # what there is by then, also after Ctrl-C
+    finally:  # partial results, also after Ctrl-C
         with netcdf:
             status, failures = ensemble.publish()
     warn_of(status, failures)

@@ -1,4 +1,4 @@
-"""Foils taken from state to state, for those who couple them to a film or a rotor of their own."""
+"""Foils advanced from state to state, to couple them to your own film or rotor model."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from .units import si_numbers
 
 
 class State:
-    """A state of the foils: never changed, to be kept and gone back to.
+    """A state of the foils: immutable, can be stored and restored.
 
     Attributes
     ----------
     status : str
-        ``converged``, or why the increment failed; nothing but the position is known then.
+        ``converged``, or why the increment failed; then only the position is known.
     position : ndarray, (2,)
         Of the journal, m.
     force : ndarray, (2,)
-        That holds the journal, N.
+        Applied force on the journal, N.
     elastic_energy, dissipated_energy, work : float
-        Energy in the foils, J; lost by friction and done by the journal since the assembly, the dissipation of that
-        included.
+        Elastic energy of the foils, J; energy dissipated by friction, and work of the journal, since the assembly,
+        including its dissipation.
     """
 
     def __init__(self, native: _native.ReachedState) -> None:
@@ -42,7 +42,7 @@ class State:
 
     @property
     def converged(self) -> bool:
-        """Whether this is a state, and not the end of an increment that failed."""
+        """Whether this is a state, not the end of a failed increment."""
         return self.status == "converged"
 
     @cached_property
@@ -69,7 +69,7 @@ class State:
 
 
 def _in_si(**given: Any) -> list[NDArray[Any] | None]:
-    """What is given by name, as numbers in m and N."""
+    """Named arguments as numbers in m and N."""
     return [None if values is None else _vector(name, values) for name, values in given.items()]
 
 
@@ -82,32 +82,32 @@ def _vector(name: str, values: Any) -> NDArray[Any]:
 
 
 class Stepper:
-    """The foils of a bearing with their solver, and the state that they are in.
+    """The foils of a bearing with their solver and current state.
 
     Parameters
     ----------
     case : Case, path, str or mapping
         What :class:`Case` takes.
     position : array_like, (2,)
-        Of the journal at the assembly, m, or lengths of pint: one step from the unstressed foils.
+        Of the journal at the assembly, m, or pint lengths: one step from the unstressed foils.
     top_load : array_like, (bumps,), optional
         Forces on the top foil over each crest at the assembly, N, positive outward.
     **tables : mapping
-        Keys of the case that are changed.
+        Keys of the case to change.
 
     Attributes
     ----------
     state : State
-        That the foils are in: set it to go back to one that was kept.
+        Current state: set it to restore a stored one.
 
-    Several steppers share foils, see :meth:`copy`; each may be used by a thread of its own.
+    Several steppers share foils, see :meth:`copy`; each may be used in its own thread.
 
     Examples
     --------
     >>> stepper = Stepper("case.toml", position=(0, -40e-6))
     >>> before = stepper.state
     >>> stepper.advance(position=(1e-6, -40e-6)).force
-    >>> stepper.state = before  # as if it had not been
+    >>> stepper.state = before  # undo
     """
 
     def __init__(self, case: Any, /, position: Any = (0.0, 0.0), top_load: Any = None, **tables: Any) -> None:
@@ -115,27 +115,27 @@ class Stepper:
         self.state = self._told(State(self._native.assemble(*_in_si(position=position, top_load=top_load))))
 
     def advance(self, *, position: Any = None, load: Any = None, top_load: Any = None) -> State:
-        """One increment, straight from the state that the foils are in.
+        """One increment, straight from the current state.
 
         Parameters
         ----------
         position : array_like, (2,), optional
             Of the journal at its end, m.
         load : array_like, (2,), optional
-            That the journal carries at its end, N, free to move in the plane; in place of a position.
+            Applied to the journal at its end, N, free to move in the plane; instead of a position.
         top_load : array_like, (bumps,), optional
-            Forces on the top foil over each crest at its end, N, positive outward, of a film for one; without them, those
-            before.
+            Forces on the top foil over each crest at its end, N, positive outward, for example of a film; by default
+            unchanged.
 
         Returns
         -------
         State
-            The new one, which `state` is then. If the increment failed, which a RunWarning tells, `state` stays.
+            The new state, which becomes `state`. If the increment fails, with a RunWarning, `state` does not change.
 
         Raises
         ------
         CaseError
-            Both a position and a load are given, a load of zero, or another number of top loads than of bumps.
+            Both a position and a load are given, the load is zero, or the number of top loads is not that of bumps.
         """
         state = self._told(State(self._native.advance(self.state._native, *_in_si(position=position, load=load, top_load=top_load))))
         if state.converged:
@@ -143,13 +143,13 @@ class Stepper:
         return state
 
     def tangents(self) -> tuple[NDArray[Any] | None, NDArray[Any] | None]:
-        """Stiffness dF/d(x, y) of the state, N/m, (2, 2): of further motion, and with all closed contacts stuck.
+        """Tangent stiffness dF/d(x, y) of the state, N/m, (2, 2): with sliding contacts, and for full stick.
 
-        None where the closed contacts leave the foils loose."""
+        None where the closed contacts leave a mechanism."""
         return self._native.tangents(self.state._native)
 
     def copy(self) -> Stepper:
-        """Another one in the same state, which goes its own way."""
+        """An independent stepper in the same state."""
         other = Stepper.__new__(Stepper)
         other._native = _native.BearingStepper(self._native)
         other.state = self.state

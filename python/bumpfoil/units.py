@@ -1,4 +1,4 @@
-"""Quantities of pint: converted where they come in, to texts that the reader of cases knows or to plain numbers."""
+"""Pint quantities: converted on input, to strings that the case reader accepts or to plain numbers."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ _SI = ("m", "rad", "N", "N/m", "Pa", "rad/s", "K", "Pa*s", "Pa/m")
 
 
 def is_quantity(value: Any) -> bool:
-    """Whether a value is one of pint, which need not be there."""
+    """Whether a value is a pint quantity; pint need not be installed."""
     return hasattr(value, "magnitude") and hasattr(value, "to_base_units")
 
 
 def case_value(quantity: Any) -> Any:
-    """A quantity, or an array of them, as case files have it: texts with SI units, numbers of what has no unit."""
+    """A quantity, or an array of them, as in case files: strings with SI units, or plain numbers if dimensionless."""
     base = quantity.to_base_units()
     counts_radians = "radian" in str(base.units)  # for pint they are nothing, so that hertz were rad/s
     if base.dimensionless and not counts_radians:
@@ -42,7 +42,7 @@ def si_numbers(values: Any, unit: str, name: str) -> NDArray[Any]:
     try:
         return np.asarray(found, dtype=float)
     except (TypeError, ValueError) as error:
-        raise CaseError(f"{name}: is no array of numbers: {error}; give numbers in {unit} or quantities of pint") from None
+        raise CaseError(f"{name}: is not an array of numbers: {error}; give numbers in {unit} or quantities of pint") from None
 
 
 def _si_values(values: Any, unit: str, name: str) -> Any:

@@ -17,7 +17,7 @@ std::filesystem::path checkpoint_of(const EnsembleRequest& request) {
 EnsembleLog open_log(const EnsembleRequest& request, bool resumes, const Case& input, std::size_t width) {
   const std::filesystem::path checkpoint = checkpoint_of(request);
   if (!request.force && !request.resumes) {
-    require_no_checkpoint(checkpoint, "go on with it by resume, begin anew by force, or give another folder");
+    require_no_checkpoint(checkpoint, "continue it with resume, restart with force, or use another folder");
   }
   return open_ensemble_log(checkpoint, resumes, input, width);
 }

@@ -186,7 +186,7 @@ def test_paper_shows_its_tables(paper):
     table = np.genfromtxt(paper / "figure11/loads.csv", delimiter=",", names=True, dtype=None, encoding=None)
     rows = table[(table["run"] == "present-friction") & (table["direction_deg"] == 0)]
     np.testing.assert_allclose(ax.lines[0].get_xydata(), np.column_stack([rows["bump"], rows["bump_load_N"]]))
-    with pytest.raises(bumpfoil.FileError, match="holds no figure"):
+    with pytest.raises(bumpfoil.FileError, match="contains no figure"):
         figures.paper(paper)
 
 

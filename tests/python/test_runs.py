@@ -162,7 +162,7 @@ def test_paths_that_are_none():
         (None, points * units.um, "loads = .*is not in N"),
         ([["0 um", "-30 um"]], None, "positions = '0 um': is a text"),
         ([0.0, -30e-6], None, r"positions: has the shape \(2,\)"),
-        ([[0.0], [1.0, 2.0]], None, "positions: is no array of numbers"),
+        ([[0.0], [1.0, 2.0]], None, "positions: is not an array of numbers"),
         (points, points, "both positions and loads"),
     ]:
         with pytest.raises(bumpfoil.CaseError, match=told):
