@@ -165,8 +165,8 @@ test('tables of lists are added, changed and taken out one by one', () =>
       await type(page, 'bearing.sleeve_waviness[2].harmonic', '-2');
       assert.match(await page.locator('[data-key="bearing.sleeve_waviness[2].harmonic"] .fault').textContent(), /give a whole number from 1/);
       assert.equal(await page.locator('.general-faults').textContent(), '');
-      await answered(page, () => waves.getByRole('button', { name: 'Take out: Waviness of the sleeve 2' }).click());
-      await answered(page, () => waves.getByRole('button', { name: 'Take out: Waviness of the sleeve 1' }).click());
+      await answered(page, () => waves.getByRole('button', { name: 'Remove: Waviness of the sleeve 2' }).click());
+      await answered(page, () => waves.getByRole('button', { name: 'Remove: Waviness of the sleeve 1' }).click());
       assert.equal((await textOf(page)).trim(), reference.trim());
       assert.equal(await tile(page, 'max_force_N'), '739.3 N');
       await answered(page, () => page.locator('[data-table="bump_foil.shim"] summary').click().then(() => page.getByRole('button', { name: /^Add: Shim/ }).click()));

@@ -166,7 +166,7 @@ test('data and drawings can be saved', () =>
     });
     const results = rowsOf((await saved(page, 'Results by direction', /CSV/)).bytes.toString());
     near(Number(results.find((row) => row.quantity === 'loop_energy_J')['+Y']), summaryOf('truss').cycles[2].loop_energy_J, 1e-6, 'loop energy');
-    for (const name of ['Loops', 'The foils, laid flat', 'The bearing', 'Contact states along the path']) {
+    for (const name of ['Loops', 'The foils, unwrapped', 'The bearing', 'Contact states along the path']) {
       const drawing = (await saved(page, name, /SVG/)).bytes.toString();
       assert.match(drawing, /^<svg[^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
       assert.doesNotMatch(drawing, /NaN|undefined/);
@@ -237,11 +237,11 @@ test('a partial run is shown as far as it got, and called partial', async () => 
     await assertLoopsInSight(page, 'a partial run');
     assert.match(warnings, /The run was interrupted; its results are partial/);
     assert.match(warnings, /interrupted after increment \d+ of 40000, [\d.]+ .m\./);
-    assert.match(warnings, /−Y: not begun: the run was interrupted before/);
+    assert.match(warnings, /−Y: not started: the run was interrupted/);
     assert.match(await page.locator('.about').textContent(), /· interrupted ·/);
     assert.ok((await page.locator('.unwrapped path').count()) > 5);
     await page.locator('.player select').selectOption('−Y');
-    assert.equal(await page.locator('.player output').textContent(), '−Y: not begun: the run was interrupted before');
+    assert.equal(await page.locator('.player output').textContent(), '−Y: not started: the run was interrupted');
   }, laptop);
 });
 

@@ -25,7 +25,7 @@ before(() => {
 
 const panelOf = (page, name) => page.getByRole('region', { name, exact: true });
 const csvOf = async (page, name) => rowsOf((await saved(page, name, /CSV/)).bytes.toString());
-const directionChooser = (page) => page.getByRole('combobox', { name: 'Direction looked at' });
+const directionChooser = (page) => page.getByRole('combobox', { name: 'Direction shown' });
 
 test('histograms count every bearing, and say mean and percentiles of the direction looked at', () =>
   withReport('many.html', async (page) => {
@@ -165,7 +165,7 @@ test('running bearings are looked at state by state', () =>
     const states = ['45000 rpm, load (20, 0) N', '45000 rpm, load (40, 0) N'];
     assert.deepEqual(Object.keys(statistics), states);
     for (const state of states) {
-      await page.getByRole('combobox', { name: 'State looked at' }).selectOption(state);
+      await page.getByRole('combobox', { name: 'State shown' }).selectOption(state);
       const subject = await panelOf(page, 'Least film thickness').locator('.subject').textContent();
       assert.ok(subject.includes(` · ${state} · `), subject);
       near(quantity(subject.match(/mean (\S+ \S+) ±/)[1], 'm'), statistics[state].h_min_m.mean, 1e-3, 'mean');

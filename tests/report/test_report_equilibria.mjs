@@ -27,12 +27,12 @@ before(() => {
 const csvOf = (name) => rowsOf(readFileSync(join(folder, name, 'equilibrium.csv'), 'utf8'));
 const panelOf = (page, name) => page.getByRole('region', { name, exact: true });
 const shownIn = async (page, name) => rowsOf((await saved(page, name, /CSV/)).bytes.toString().replaceAll(/"\(([^"]*)\)[^"]*"/g, 'vector'));
-const chooser = (page, name) => page.getByRole('combobox', { name: `${name} looked at` });
+const chooser = (page, name) => page.getByRole('combobox', { name: `${name} shown` });
 const rpm = (row) => Math.round((Number(row.speed_rad_per_s) * 30) / Math.PI);
 
 test('curves over speed and load are those of equilibrium.csv', () =>
   withReport('grid.html', async (page) => {
-    for (const [panel, text, key] of [['Least film thickness', 'Least film thickness', 'h_min'], ['Where the journal is', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Kxx', 'kxx']]) {
+    for (const [panel, text, key] of [['Least film thickness', 'Least film thickness', 'h_min'], ['Journal position', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Kxx', 'kxx']]) {
       await page.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(text);
       const shown = await shownIn(page, panel);
       assert.equal(shown.length, 6, panel);
@@ -76,11 +76,11 @@ test('film, bumps and journal are those of the state looked at', () =>
       near(Math.max(...sizes), state.highest_bump_load_N, 1e-6, 'highest load');
       assert.equal(sizes.indexOf(Math.max(...sizes)) + 1, state.highest_loaded_bump);
       assert.equal(sizes.filter((size) => size > 0).length, state.loaded_bumps);
-      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`lifted off ${26 - state.loaded_bumps} of 26, off ${state.lifted_bumps_at_entry} in a row`));
-      const journal = (await panelOf(page, 'The bearing at work').locator('.subject').textContent()).match(/journal at \((\S+ \S+), (\S+ \S+)\)/);
+      assert.match(await panelOf(page, 'Bump loads').locator('.subject').textContent(), new RegExp(`detached from ${26 - state.loaded_bumps} of 26 bumps, ${state.lifted_bumps_at_entry} of them at the inlet`));
+      const journal = (await panelOf(page, 'Bearing in operation').locator('.subject').textContent()).match(/journal at \((\S+ \S+), (\S+ \S+)\)/);
       near(quantity(journal[1], 'm'), state.x_m, 1e-2, 'x');
       near(quantity(journal[2], 'm'), state.y_m, 1e-2, 'y');
-      const drawn = await panelOf(page, 'The bearing at work').locator('svg.round').innerHTML();
+      const drawn = await panelOf(page, 'Bearing in operation').locator('svg.round').innerHTML();
       assert.notEqual(drawn, before);
       before = drawn;
       // The force that holds the journal points to where the load presses it: to +X.
@@ -96,7 +96,7 @@ test('stiffness and damping over frequency are those of coefficients.csv', () =>
     await section.getByRole('combobox', { name: 'Frequencies: Load to +X' }).selectOption('(20, 0) N');
     for (const [panel, letter, unit] of [['Frequency-dependent stiffness', 'k', 'N_per_m'], ['Frequency-dependent damping', 'c', 'N_s_per_m']]) {
       for (const stuck of ['', '_stuck']) {
-        await section.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(`${letter === 'k' ? 'Stiffness K' : 'Damping c'}${stuck === '' ? '' : ', all stuck'}`);
+        await section.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(`${letter === 'k' ? 'Stiffness K' : 'Damping c'}${stuck === '' ? '' : ', full stick'}`);
         const shown = await shownIn(page, panel);
         assert.equal(shown.length, 3);
         shown.forEach((row, i) => ['xx', 'xy', 'yx', 'yy'].forEach((axes) => near(Number(row[`${letter}${axes}${stuck}_${unit}`]), Number(rows[i][`${letter}${axes}${stuck}_${unit}`]), 1e-5, `${panel} ${axes}`)));
@@ -179,7 +179,7 @@ test('a film between walls has no foils to show', () =>
     const [state] = summaryOf('rigid').states;
     const film = await shownIn(page, 'Film thickness');
     near(Math.min(...film.map((row) => Number(row.film_thickness_m))), state.h_min_m, 1e-6, 'least thickness');
-    for (const name of ['Bump loads', 'The bearing at work']) assert.equal(await panelOf(page, name).count(), 0);
+    for (const name of ['Bump loads', 'Bearing in operation']) assert.equal(await panelOf(page, name).count(), 0);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
   }));
 
@@ -190,8 +190,8 @@ test('what was not found is told', () =>
     assert.match(told, /The run failed; its results are partial/);
     assert.match(told, /5000/);
     await chooser(page, 'Load to +X').selectOption('(5, 0) kN');
-    for (const name of ['Pressure over the unwrapped foil', 'Bump loads', 'The bearing at work', 'Film around the journal']) {
-      assert.match(await panelOf(page, name).locator('.subject').textContent(), /not known: no state was found/);
+    for (const name of ['Pressure over the unwrapped foil', 'Bump loads', 'Bearing in operation', 'Film around the journal']) {
+      assert.match(await panelOf(page, name).locator('.subject').textContent(), /no state found/);
     }
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
   }));
@@ -205,7 +205,7 @@ test('a click on a curve looks at its state, and pictures are complete', () =>
     await chooser(page, 'Speed').selectOption('45000 rpm');
     await page.mouse.click(there.x + there.width / 2, there.y + there.height / 2);
     assert.equal(await chooser(page, 'Speed').inputValue(), '30000 rpm');
-    for (const name of ['Pressure over the unwrapped foil', 'Film around the journal', 'The bearing at work']) {
+    for (const name of ['Pressure over the unwrapped foil', 'Film around the journal', 'Bearing in operation']) {
       const words = (await saved(page, name, /SVG/)).bytes.toString().replace(/<[^>]*>/g, ' ');
       for (const text of [name, '30000 rpm', 'grid']) assert.ok(words.includes(text), `${name} does not say ${text}`);
       assert.doesNotMatch(words, /NaN|undefined/);

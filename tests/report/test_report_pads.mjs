@@ -157,7 +157,7 @@ test('paths, vibrations and sweeps of pads are shown', () =>
     const most = Math.max(...expected);
     const told = async (title) => (await page.getByRole('group', { name: `Table: ${title}`, exact: true }).locator('td').allTextContents()).map(Number);
     const drawn = rowsOf((await saved(page, 'Forces of the pads', 'CSV')).bytes.toString());
-    const highest = await told('Highest force of each pad');
+    const highest = await told('Maximum force of each pad');
     assert.equal(highest.length, pads.length);
     pads.forEach((pad, i) => {
       assert.ok(Math.abs(highest[i] - expected[i]) < 1e-3 * most, `pad ${pad}: ${highest[i]}, not ${expected[i]}`);
@@ -165,7 +165,7 @@ test('paths, vibrations and sweeps of pads are shown', () =>
       assert.ok(Math.abs(along - expected[i]) < 1e-6 * most, `pad ${pad} along the path: ${along}, not ${expected[i]}`);
     });
     const ofVibrations = summaryOf('vibration').vibrations.flatMap((one) => one.max_pad_forces_N);
-    const shown = await told('Highest force of each pad, by vibration');
+    const shown = await told('Maximum force of each pad, by vibration');
     assert.equal(shown.length, ofVibrations.length);
     shown.forEach((force, i) => assert.ok(Math.abs(force - ofVibrations[i]) < 1e-3 * Math.max(...ofVibrations), `${force}, not ${ofVibrations[i]}`));
   }));
@@ -174,7 +174,7 @@ test('films of pads lie one after the other, each from its weld', () =>
   withReport('running.html', async (page) => {
     const panelOf = (name) => page.getByRole('region', { name, exact: true });
     const shownIn = async (name) => rowsOf((await saved(page, name, 'CSV')).bytes.toString());
-    await page.getByRole('combobox', { name: 'Load to +X looked at' }).selectOption('(50, 0) N');
+    await page.getByRole('combobox', { name: 'Load to +X shown' }).selectOption('(50, 0) N');
     const state = summaryOf('equilibrium').states[1];
     const film = await shownIn('Film thickness and sag of the top foil');
     assert.equal(film.length, 3 * 33);
@@ -194,7 +194,7 @@ test('films of pads lie one after the other, each from its weld', () =>
     const welds = (await piecesOf(panelOf('Film around the journal').locator('path[stroke-width="3.4"]').nth(1)))[0];
     const angle = (Math.atan2(240 - welds[0][1], welds[0][0] - 240) * 180) / Math.PI;
     assert.ok(Math.abs(Math.cos(((angle - (-60 + 240 - 8)) * Math.PI) / 180) - 1) < 1e-5, `weld of pad 2 at ${angle}`);
-    for (const pad of pads) assert.equal(await panelOf('The bearing at work').locator('.part-name', { hasText: `pad ${pad}` }).count(), 1);
+    for (const pad of pads) assert.equal(await panelOf('Bearing in operation').locator('.part-name', { hasText: `pad ${pad}` }).count(), 1);
     assert.match(await panelOf('Bump loads').locator('.subject').textContent(), new RegExp(` N on bump ${((state.highest_loaded_bump - 1) % 8) + 1} of pad ${Math.ceil(state.highest_loaded_bump / 8)}; `));
     // What each pad takes.
     await page.getByRole('combobox', { name: 'Quantity: Pressure and force' }).selectOption('Forces of the pads');

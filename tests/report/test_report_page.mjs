@@ -54,13 +54,13 @@ test('saved pictures say what they are of', () =>
   withReport('two.html', async (page) => {
     await page.getByRole('group', { name: 'Direction: main results' }).getByRole('button', { name: '−Y' }).click();
     const expected = [
-      ['Loops, −Y', 'loops-force_direct-demo-slippery--Y.svg', ['Loops, −Y', 'Direct force over displacement', 'demo, slippery', 'loading', 'unloading', 'demo (reference)', 'slippery']],
+      ['Loops, −Y', 'loops-force_direct-demo-slippery--Y.svg', ['Loops, −Y', 'Direct force vs. displacement', 'demo, slippery', 'loading', 'unloading', 'demo (reference)', 'slippery']],
       ['Bump loads, +Y', 'loads-top_bump-demo-slippery-+Y.svg', ['Bump loads, +Y', 'Top foil on bumps', 'bar: at full displacement', 'slippery']],
       ['Contact states along the path', 'contact-states-demo--Y.svg', ['Contact states along the path', 'demo · −Y', 'open', 'stick, or closed without friction', 'slip backward', 'Feet on sleeve']],
       ['Energies, −X', 'energies-demo-slippery--X.svg', ['Energies, −X', 'dissipated by friction', 'slippery']],
       ['Largest bending stress, −X', 'stress-demo-slippery--X.svg', ['Largest bending stress, −X', 'top foil at the weld']],
       ['The bearing', 'bearing-demo--Y-100.svg', ['The bearing', 'demo', '−Y', 'full displacement', 'height of bumps ×', 'normal force', 'slip forward', 'stick', 'weld']],
-      ['The foils, laid flat', 'foils-demo--Y-100.svg', ['The foils, laid flat', 'demo', '−Y', 'friction on the bump foil', 'slip backward', 'top foil']],
+      ['The foils, unwrapped', 'foils-demo--Y-100.svg', ['The foils, unwrapped', 'demo', '−Y', 'friction on the bump foil', 'slip backward', 'top foil']],
     ];
     for (const [panel, name, texts] of expected) {
       const picture = await saved(page, panel, /SVG/);
@@ -216,7 +216,7 @@ test('the drawings name their parts and say how much they exaggerate', () =>
         return [...round.querySelectorAll('text')].every((text) => Math.abs(shown * Number(text.getAttribute('font-size')) - 11) < 0.3);
       });
     }
-    const subject = page.getByRole('region', { name: 'The foils, laid flat' }).locator('.subject');
+    const subject = page.getByRole('region', { name: 'The foils, unwrapped' }).locator('.subject');
     const factors = async () => /height of bumps ×([\d.]+), displacements and gaps ×([\d.]+), slip ×([\d.]+)/.exec(await subject.textContent()).slice(1).map(Number);
     const [height, displacement] = await factors();
     assert.ok(height > 1);

@@ -30,7 +30,7 @@ test('the way in the plane, forces, tangents and energies are those of path.csv'
     const forces = await shown('Forces');
     for (const name of ['force_x', 'force_y']) same(forces, rows(), name, `${name}_N`);
     const chooser = page.getByRole('combobox', { name: 'Quantity: Tangent stiffness' });
-    for (const [text, end] of [['Further motion', ''], ['All stuck', '_stuck']]) {
+    for (const [text, end] of [['Sliding contacts', ''], ['Full stick', '_stuck']]) {
       await chooser.selectOption(text);
       const tangents = await shown('Tangent stiffness');
       // Of loose foils they are absent.
@@ -42,7 +42,7 @@ test('the way in the plane, forces, tangents and energies are those of path.csv'
 test('the plane has the same scale both ways, and a click looks at a point in all charts', () =>
   withReport('orbit.html', async (page) => {
     const mark = page.getByRole('region', { name: 'In the plane' }).locator('.cursor.point');
-    const list = page.getByRole('combobox', { name: 'Increment looked at' });
+    const list = page.getByRole('combobox', { name: 'Increment shown' });
     // A quarter of the orbit apart: 10 um across, 5 um upwards.
     const placeAt = async (increment) => {
       await list.selectOption(String(increment));

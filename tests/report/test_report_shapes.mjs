@@ -7,7 +7,7 @@ import { before, test } from 'node:test';
 import { assertFits, axeFindings, caseFile, folder, plotsIn, report, rowsOf, run, saved, withReport } from './support.mjs';
 
 const examples = dirname(caseFile);
-const panelName = 'Sleeve and journal, not round';
+const panelName = 'Sleeve and journal, out of round';
 const few = ['--set', 'cycle.steps=4', '--set', 'cycle.directions=["+X"]'];
 
 before(() => {
@@ -101,7 +101,7 @@ test('where the sheet is thicker the line of the foil is wider, in both views', 
       const lines = await page.locator(`${view} path.bump-foil`).evaluateAll((all) => all.map((one) => ({ width: Number(one.getAttribute('stroke-width')), ...(({ x, width }) => ({ from: x, to: x + width }))(one.getBBox()) })));
       assert.deepEqual(lines.map((one) => one.width), [0.127, 0.102].map((thickness) => Number((width * (thickness / mean) ** 3).toFixed(2))));
       const panel = page.locator('.panel', { has: page.locator(view) });
-      assert.match(await panel.locator('.subject').textContent(), /Bump foil 102 µm to 127 µm thick, the width of its line goes with the cube\.$/);
+      assert.match(await panel.locator('.subject').textContent(), /Bump foil 102 µm to 127 µm thick, line width scales with the cube\.$/);
       if (view === '.round') continue;
       // The change is between the numbers of bumps 5 and 6.
       const number = (bump) => page.locator('.unwrapped text', { hasText: new RegExp(`^${bump}$`) }).first().evaluate((one) => Number(one.getAttribute('x')));

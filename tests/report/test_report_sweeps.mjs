@@ -46,9 +46,9 @@ function sortedRowsIn(name) {
     .map(({ row }) => row);
 }
 
-const over = 'Quantity over key';
+const over = 'Result vs. parameter';
 const quantityChooser = (page) => page.getByRole('combobox', { name: `Quantity: ${over}` });
-const chooser = (page, name) => page.getByRole('combobox', { name: `${name} looked at` });
+const chooser = (page, name) => page.getByRole('combobox', { name: `${name} shown` });
 
 test('the chart shows the quantity chosen over the key, a line for each value of the other', () =>
   withReport('grid.html', async (page) => {
@@ -85,7 +85,7 @@ test('a click on a point looks at it, and its loop is the thick one', () =>
     await chooser(page, 'Both coefficients').selectOption('0.3');
     const there = await mark.boundingBox();
     const subject = await loops.locator('.subject').textContent();
-    assert.equal(subject, 'Direct force over displacement · Both coefficients 0.3, +X · thick: Amplitude 70 µm · grid');
+    assert.equal(subject, 'Direct force vs. displacement · Both coefficients 0.3, +X · thick: Amplitude 70 µm · grid');
     await chooser(page, 'Amplitude').selectOption('90 µm');
     await chooser(page, 'Both coefficients').selectOption('0');
     assert.notDeepEqual(await mark.boundingBox(), there);
@@ -173,7 +173,7 @@ test('points that failed leave gaps and are told', async () => {
 
 test('strips and several sweeps have sections of their own', async () => {
   await withReport('strips.html', async (page) => {
-    await page.getByRole('combobox', { name: 'Cycle looked at' }).selectOption('Cycle 2');
+    await page.getByRole('combobox', { name: 'Cycle shown' }).selectOption('Cycle 2');
     const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString()).filter((row) => row.cycle === 'Cycle 2');
     const expected = rowsIn('strips').filter((row) => row.cycle === '2');
     assert.equal(shown.length, 5);
@@ -267,7 +267,7 @@ test('saved pictures say what they are of', () =>
   withReport('grid.html', async (page) => {
     for (const [panel, name, texts] of [
       [over, 'Loaded_stiffness-grid.svg', [over, 'Loaded stiffness over Cycle: Amplitude', 'Both coefficients 0.3', '+X']],
-      ['Loops', 'loops-force_direct-grid.svg', ['Direct force over displacement', 'thick: Amplitude 90 µm', 'Amplitude 60 µm']],
+      ['Loops', 'loops-force_direct-grid.svg', ['Direct force vs. displacement', 'thick: Amplitude 90 µm', 'Amplitude 60 µm']],
     ]) {
       const picture = await saved(page, panel, /SVG/);
       assert.equal(picture.name, name);

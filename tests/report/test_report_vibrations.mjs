@@ -22,7 +22,7 @@ before(() => {
 });
 
 const csvOf = (name, file) => rowsOf(readFileSync(join(folder, name, file), 'utf8'));
-const chooser = (page, name) => page.getByRole('combobox', { name: `${name} looked at` });
+const chooser = (page, name) => page.getByRole('combobox', { name: `${name} shown` });
 const legendOf = (page, panel) => page.getByRole('region', { name: panel, exact: true }).locator('.legend li').allTextContents();
 
 test('stiffness and damping are drawn over the amplitude at the load chosen', () =>
@@ -90,7 +90,7 @@ test('the loops enclose the loop energy, and have a cross force', () =>
     near(energy, Number(same.loop_energy_J), 1e-4, 'energy');
     const loops = page.getByRole('region', { name: 'Loops', exact: true });
     await loops.getByRole('button', { name: 'Cross' }).click();
-    assert.match(await loops.locator('.subject').textContent(), /^Cross force over displacement · \(0, −50\) N, \+Y · thick: Amplitude 5 µm/);
+    assert.match(await loops.locator('.subject').textContent(), /^Cross force vs. displacement · \(0, −50\) N, \+Y · thick: Amplitude 5 µm/);
   }));
 
 test('the tables are those of the files', () =>

@@ -102,7 +102,7 @@ function warnings(texts: string[]): HTMLElement[] {
   if (items.length === 0) return [];
   // The results are to be in sight, too: of more than a few, one line.
   const first = items.length > atOnce ? items.slice(0, 1) : items;
-  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Mind'), el('ul', {}, ...first), ...folded(items.slice(first.length)))];
+  return [el('div', { class: 'warnings', role: 'note' }, el('strong', {}, 'Warnings'), el('ul', {}, ...first), ...folded(items.slice(first.length)))];
 }
 
 /** Opened by a click, and by paper where they are not too many for it. */

@@ -20,5 +20,5 @@ export function foilLines({ geometry, shape }: Scene, place: (point: ShapePoint)
 export function gradingOf(geometry: BearingGeometry): string {
   if (!geometry.isGraded) return '';
   const [least, most] = [Math.min(...geometry.thicknesses), Math.max(...geometry.thicknesses)].map((thickness) => formatQuantity(thickness, 'm', 3));
-  return `bump foil ${least ?? ''} to ${most ?? ''} thick, the width of its line goes with the cube`;
+  return `bump foil ${least ?? ''} to ${most ?? ''} thick, line width scales with the cube`;
 }

@@ -77,7 +77,7 @@ export class BearingPanels {
         subject: () => this.subject(this.roundStretch),
         legend: () => [
           ...arrows.slice(0, 1),
-          { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'force that holds the journal' },
+          { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'applied force' },
           ...marks,
         ],
         file: () => this.file('bearing'),
@@ -88,7 +88,7 @@ export class BearingPanels {
     );
     const unwrapped = new Panel(
       {
-        title: selection.run.kind.flat ? 'The foils' : 'The foils, laid flat',
+        title: selection.run.kind.flat ? 'The foils' : 'The foils, unwrapped',
         subject: () => this.subject(this.layout?.stretch ?? 1),
         legend: () => [...arrows, ...marks],
         controls: [

@@ -73,11 +73,11 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
   let stretch = 1;
   return [
     drawnPanel(states, selection, {
-      title: 'The bearing at work',
+      title: 'Bearing in operation',
       what: 'bearing',
       told: () => {
         const { place } = selection;
-        if (!states.isFound(place)) return 'not known: no state was found';
+        if (!states.isFound(place)) return 'no state found';
         const [x, y] = ['x', 'y'].map((name) => formatQuantity(states.numberAt(name, place), 'm', 3));
         const times = (factor: number): string => `×${Number(factor.toPrecision(2))}`;
         const bearing = current();
@@ -87,7 +87,7 @@ export function runningBearing(states: States, selection: GridSelection): HTMLEl
       },
       legend: () => [
         { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }), fill: current.force })], text: 'force of the sleeve on a foot' },
-        { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'force that holds the journal' },
+        { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.accent })], text: 'applied force' },
         ...marks,
       ],
       csv: () =>
@@ -130,12 +130,12 @@ export function polarPlot(states: States, selection: GridSelection): HTMLElement
     what: 'film-polar',
     told: () =>
       states.isFound(selection.place)
-        ? `pressure in the mid-plane up to ${formatQuantity(Math.max(...pressure()), 'Pa')} beyond ambient; film up to ${formatQuantity(largest(film()), 'm')} thick`
-        : 'not known: no state was found',
+        ? `gauge pressure in the mid-plane up to ${formatQuantity(Math.max(...pressure()), 'Pa')}; film up to ${formatQuantity(largest(film()), 'm')} thick`
+        : 'no state found',
     legend: () => [
-      { width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.friction, 'stroke-width': 2.4 })], text: 'pressure beyond ambient, outwards' },
+      { width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.friction, 'stroke-width': 2.4 })], text: 'gauge pressure, outwards' },
       { width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.accent, 'stroke-width': 2.4, 'stroke-dasharray': '6 3' })], text: 'film thickness, inwards' },
-      { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.text })], text: 'force that holds the journal' },
+      { width: 26, draw: (current) => [svg('path', { d: arrowPath({ x: 1, y: 6 }, { x: 25, y: 6 }, 3), fill: current.text })], text: 'applied force' },
     ],
     csv: () => {
       const [p, h] = [pressure(), film()];

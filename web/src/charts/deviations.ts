@@ -95,8 +95,8 @@ export function deviationChart(bearings: ComparedBearings, all: Result[]): HTMLE
   };
   const scattered = all.some(({ data }) => ['montecarlo', 'sweep'].includes(data.kind));
   const panel = new ChartPanel({
-    title: 'Sleeve and journal, not round',
-    note: `What radii are more than nominal${scattered ? ', as the case has it: single bearings may have other waves' : ''}. Drawings of the bearing show round ones.`,
+    title: 'Sleeve and journal, out of round',
+    note: `Radial deviations from nominal${scattered ? ', as in the case: single bearings may have other waves' : ''}. Drawings of the bearing show round parts.`,
     subject: () => [...lines.map(told), bearings.names].join(' · '),
     legend: () =>
       lines.map(({ text, colour, dash }) => ({
@@ -106,7 +106,7 @@ export function deviationChart(bearings: ComparedBearings, all: Result[]): HTMLE
       })),
     file: () => fileName('deviations', bearings.names),
     csv: () => toCsv(['phi_deg', ...lines.map(({ key }) => `${key}_deviation_m`)], at(lines, 0).values.map((_, i) => [angle(i), ...lines.map(({ values }) => values[i])])),
-    description: () => `Deviation of radii over the angle: ${lines.map(told).join('; ')}`,
+    description: () => `Radial deviation against the angle: ${lines.map(told).join('; ')}`,
     option,
   });
   const show = (): void => {

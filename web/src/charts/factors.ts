@@ -38,7 +38,7 @@ export class FactorPanel {
       title,
       controls: [list],
       note: 'Partial rank correlations: 1 where the quantity always grows with it, −1 where it always falls, 0 where it does not depend on it.',
-      subject: () => `${capital(this.quantity.label)} · ${this.direction} · ${ensemble.label}${this.isKnown ? '' : ' · not known: too few bearings for so much that scatters'}`,
+      subject: () => `${capital(this.quantity.label)} · ${this.direction} · ${ensemble.label}${this.isKnown ? '' : ' · unknown: too few bearings for this many random inputs'}`,
       file: () => fileName('sensitivities', this.quantity.name, ensemble.label, this.direction),
       csv: () => this.csv(),
       description: () => this.description(),

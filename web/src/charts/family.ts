@@ -55,7 +55,7 @@ export class FamilyPanel {
     this.panel = new Panel(
       {
         title: 'Loops',
-        note: 'Click a loop to look at it.',
+        note: 'Click a loop to select it.',
         controls: forces.length > 1 ? [choice('Force shown', forces, this.force, (force) => this.show(force))] : [],
         subject: () => this.subject(),
         legend: () => coordinateLegend(this.along, false),
@@ -99,7 +99,7 @@ export class FamilyPanel {
     const { along, selection } = this;
     const every = Math.ceil(along.texts.length / mostLoops);
     return [
-      `${this.force.title} over displacement`,
+      `${this.force.title} vs. displacement`,
       selection.textAt(selection.place, along),
       `thick: ${named(along, selection.index(along))}`,
       every > 1 ? `one loop in ${every} is drawn` : '',

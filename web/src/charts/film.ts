@@ -31,7 +31,7 @@ function statePanel(states: States, selection: GridSelection, { what, told, ...c
 const degrees = 180 / Math.PI;
 /** Between ticks of angles from a weld, degrees. */
 const tick = 45;
-const unknown = 'not known: no state was found';
+const unknown = 'no state found';
 
 /** From the weld of their pad. */
 function columnsOf(states: States): number[] {
@@ -254,11 +254,11 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
     what: 'bump-loads',
     told: () =>
       states.isFound(selection.place)
-        ? `at most ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; the foil is lifted off ${lifted()} of ${loads().length}, off ${states.numberAt('lifted_bumps_at_entry', selection.place)} in a row where gas enters`
+        ? `at most ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps, ${states.numberAt('lifted_bumps_at_entry', selection.place)} of them at the inlet`
         : unknown,
     legend: () => [
       { width: 12, draw: (current) => [svg('rect', { x: 2, y: 1, width: 8, height: 11, fill: current.accent })], text: 'pressed' },
-      { width: 12, draw: (current) => [svg('circle', { cx: 6, cy: 6, r: 3.2, fill: current.background, stroke: current.muted, 'stroke-width': 1.4 })], text: 'lifted off' },
+      { width: 12, draw: (current) => [svg('circle', { cx: 6, cy: 6, r: 3.2, fill: current.background, stroke: current.muted, 'stroke-width': 1.4 })], text: 'detached' },
     ],
     csv: () => toCsv(['bump', 'load_N'], loads().map((load, i) => [i + 1, load])),
     option: (current) => ({
@@ -284,7 +284,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
         { type: 'bar', name: 'load', itemStyle: { color: current.accent }, data: loads().map((load) => load * scale().factor) },
         {
           type: 'line',
-          name: 'lifted off',
+          name: 'detached',
           silent: true,
           symbol: 'circle',
           symbolSize: 7,

@@ -29,7 +29,7 @@ const legend: LegendEntry[] = [
 const legendOfMarks: LegendEntry = {
   width: 10,
   draw: (current) => [svg('line', { x1: 5, y1: 1, x2: 5, y2: 11, stroke: current.text, 'stroke-width': 1.6 })],
-  text: 'bearings that can be looked at',
+  text: 'bearings that can be inspected',
 };
 
 /** How a quantity is distributed over the bearings of an ensemble, in the direction that is looked at. */
@@ -49,7 +49,7 @@ export class HistogramPanel {
     const looked = ensemble.runs.length > 0;
     this.panel = new ChartPanel({
       title,
-      ...(looked ? { note: 'Click to look at the bearing whose mark is nearest.' } : {}),
+      ...(looked ? { note: 'Click to inspect the bearing with the nearest mark.' } : {}),
       subject: () => `${this.words()} · ${this.direction} · ${ensemble.label}`,
       legend: () => (looked ? [...legend, legendOfMarks] : legend),
       file: () => fileName('distribution', quantity.name, ensemble.label, this.direction),

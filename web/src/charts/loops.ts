@@ -95,7 +95,7 @@ export class LoopPanel {
         title: contents.title,
         note: 'Click a point of a loop to see the foils there.',
         controls: this.forces.length > 1 ? [this.chooser()] : [],
-        subject: () => `${this.force.title} over displacement · ${comparison.names}`,
+        subject: () => `${this.force.title} vs. displacement · ${comparison.names}`,
         legend: () => [branchSample(true), branchSample(false), ...legend()],
         file: () => fileName('loops', this.force.name, comparison.names, ...new Set(this.curves.map((curve) => curve.cycle.name))),
         drawing: () => this.chart.drawing,
@@ -128,7 +128,7 @@ export class LoopPanel {
 
   private description(): string {
     const peaks = this.focus.map(({ label, cycle }) => `${label} ${formatQuantity(cycle.value('force_direct', cycle.turning), 'N')}`);
-    return `${this.contents.title}: ${this.force.title.toLowerCase()} over displacement; at full displacement ${peaks.join(', ')}`;
+    return `${this.contents.title}: ${this.force.title.toLowerCase()} vs. displacement; at full displacement ${peaks.join(', ')}`;
   }
 
   private chooser(): HTMLElement {

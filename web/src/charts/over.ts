@@ -65,7 +65,7 @@ export class OverPanel {
     this.panel = new Panel(
       {
         title,
-        note: 'Click a point to look at it.',
+        note: 'Click a point to select it.',
         controls: measures.length > 1 ? [this.chooser()] : [],
         subject: () => this.subject(),
         legend: () => this.legend(),

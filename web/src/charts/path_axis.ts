@@ -34,7 +34,7 @@ export class PathAxis {
   option(current: Look, width: number, more: object = {}): object {
     const end = this.end * this.scale.factor;
     const values = this.same ? this.ticks(width) : undefined;
-    return axis(current, this.same ? axisTitle('Displacement: push, then pull back', this.scale) : axisTitle('Way pushed and pulled', this.scale), {
+    return axis(current, this.same ? axisTitle('Displacement: push, then pull back', this.scale) : axisTitle('Travel, push and pull', this.scale), {
       min: 0,
       max: end,
       axisLabel: {

@@ -45,7 +45,7 @@ export class PlanePanel {
     this.panel = new Panel(
       {
         title: 'In the plane',
-        note: 'Click a point to look at it.',
+        note: 'Click a point to select it.',
         controls: [
           choice('Vector shown', options, this.vector, (vector) => {
             this.vector = vector;

@@ -43,7 +43,7 @@ export const kinds: Record<string, Kind> = {
   equilibrium: {
     name: 'running bearing',
     title: 'Running bearing',
-    cycles: { title: 'State', column: 'state', name: () => 'at work' },
+    cycles: { title: 'State', column: 'state', name: () => 'in operation' },
     mover: 'journal',
     ground: 'sleeve',
     force: 'Force',

@@ -7,7 +7,7 @@ import { formatQuantity } from './units';
 /** What keeps a cycle from being complete; undefined where nothing does. */
 export function shortfallOf(run: Run, cycle: Cycle): string | undefined {
   const { summary, size, lastIncrement } = cycle;
-  if (!summary) return run.data.summary.status === 'interrupted' ? 'not begun: the run was interrupted before' : 'not begun';
+  if (!summary) return run.data.summary.status === 'interrupted' ? 'not started: the run was interrupted' : 'not started';
   if (summary.converged) return undefined;
   const { status, failed_increment: failed, failed_displacement_m: displacement, reason } = summary;
   if (status === 'interrupted' || (status === undefined && run.data.summary.status === 'interrupted')) {

@@ -29,6 +29,6 @@ export function padQuantitiesOf({ nodes }: RunData): Quantity[] {
     unit: 'N',
     whole: false,
     of_solver: false,
-    meaning: 'size of the force that the pad takes at full displacement',
+    meaning: 'magnitude of the pad force at full displacement',
   }));
 }

@@ -60,7 +60,7 @@ export class EnsembleView {
     this.place.hidden = !scatters;
     this.tools.hidden = !scatters;
     if (!scatters) {
-      this.told.textContent = 'The case says nothing of tolerances: all bearings of it are alike.';
+      this.told.textContent = 'The case has no tolerances: all bearings are identical.';
       return;
     }
     const samples: SamplesAnswer['samples'] = [];

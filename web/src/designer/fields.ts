@@ -216,8 +216,8 @@ function section(group: Group, keys: CaseKey[], place: Place): Section {
   const refresh = (faults: Fault[]): void => {
     const there = !group.optional || design.hasTable(group.path);
     body.hidden = !there;
-    toggle.textContent = there ? 'Take out' : 'Add';
-    toggle.setAttribute('aria-label', `${there ? 'Take out' : 'Add'}: ${head?.title ?? group.path}`);
+    toggle.textContent = there ? 'Remove' : 'Add';
+    toggle.setAttribute('aria-label', `${there ? 'Remove' : 'Add'}: ${head?.title ?? group.path}`);
     if (there) for (const field of fields) field.refresh(faults);
     const faulty = faults.some(({ key }) => inner.some(({ path }) => key === path));
     root.classList.toggle('faulty', faulty);
@@ -241,7 +241,7 @@ function listSection({ path, open }: Group, keys: CaseKey[], place: Place): Sect
   const entry = (number: number): (typeof entries)[number] => {
     const table = `${path}[${number}]`;
     const fields = own.flatMap((key) => fieldOf({ ...key, path: key.path.replace('[1]', `[${number}]`) }, place) ?? []);
-    const takeOut = el('button', { type: 'button', class: 'quiet', 'aria-label': `Take out: ${title} ${number}` }, 'Take out');
+    const takeOut = el('button', { type: 'button', class: 'quiet', 'aria-label': `Remove: ${title} ${number}` }, 'Remove');
     takeOut.addEventListener('click', () => design.remove(table));
     return {
       fields,

@@ -198,7 +198,7 @@ class Page {
     this.general.replaceChildren(...elsewhere.map(({ line, message }) => el('li', {}, line > 0 ? `Line ${line}: ${message}` : message)));
     this.views.classList.toggle('stale', this.faults.length > 0);
     this.state.textContent =
-      this.faults.length > 0 ? `${this.faults.length === 1 ? 'One fault' : `${this.faults.length} faults`} in the case: what is shown is the last that was right.` : '';
+      this.faults.length > 0 ? `${this.faults.length === 1 ? '1 error' : `${this.faults.length} errors`} in the case; showing the last valid results.` : '';
     // Once the browser has painted it.
     requestAnimationFrame(() =>
       setTimeout(() => {

@@ -260,7 +260,7 @@ export class RunningView {
   private draw(now: EquilibriumAnswer | Faults, before: EquilibriumAnswer | undefined, point: Point): void {
     this.place.classList.toggle('stale', isFaulty(now));
     if (isFaulty(now)) {
-      this.tell(`The bearing as it is cannot run${this.views ? ': what is shown is the last that could' : ''}.`, now.faults.map(({ message }) => message));
+      this.tell(`This bearing cannot run${this.views ? '; showing the last valid results' : ''}.`, now.faults.map(({ message }) => message));
       return;
     }
     const { state, run } = now;

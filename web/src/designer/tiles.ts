@@ -34,7 +34,7 @@ export function numberTiles(keys: number[], comparison: Comparison): HTMLElement
             { class: 'tile', 'data-key': quantity.key, title: quantity.meaning },
             el('span', { class: 'what' }, quantity.label),
             el('strong', {}, quantity.unit === '' ? formatNumber(value, 3) : formatQuantity(value, quantity.unit)),
-            el('span', { class: 'change' }, before ? (percent === '0 %' ? 'as before' : `${percent ?? ''} to before`) : ''),
+            el('span', { class: 'change' }, before ? (percent === '0 %' ? 'unchanged' : `${percent ?? ''} vs. baseline`) : ''),
           ),
         ];
       }),

@@ -89,7 +89,7 @@ function csv(runs: Result[]): string {
 /** Where a run comes from, and how it ended. */
 function provenance(run: Result, shortfalls: string[]): HTMLElement {
   const rows: [string, string][] = [
-    ['Made by', run.attribute('source')],
+    ['Created by', run.attribute('source')],
     ['On', run.attribute('date_created')],
     ['Command', run.attribute('command_line')],
     ['Solver', run.data.summary.solver],
@@ -106,7 +106,7 @@ function provenance(run: Result, shortfalls: string[]): HTMLElement {
     el('header', {}, el('h3', {}, run.label)),
     el('dl', {}, ...lines),
     ...text('Case file as written', run.attribute('case_text')),
-    ...text('Case as understood: a case file that gives the same results', run.attribute('case_understood')),
+    ...text('Case as interpreted: a case file that reproduces the results', run.attribute('case_understood')),
   );
 }
 

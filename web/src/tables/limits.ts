@@ -35,7 +35,7 @@ export function limitTable(states: States): HTMLElement[] {
   const panel = new Panel(
     {
       title: 'Lift-off speeds and load capacities',
-      subject: () => `Where the least film thickness crosses film.h_lift_off · ${states.label}`,
+      subject: () => `Where the minimum film thickness crosses film.h_lift_off · ${states.label}`,
       file: () => fileName('limits', states.label),
       csv: () =>
         toCsv(

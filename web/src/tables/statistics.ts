@@ -105,7 +105,7 @@ export function yieldTable(ensemble: Ensemble): HTMLElement[] {
   const panel = new Panel(
     {
       title: 'Yield',
-      subject: () => `Bearings that keep the limits in every ${ensemble.placeWord.toLowerCase()}, with the 95 % interval · ${ensemble.label}`,
+      subject: () => `Bearings that meet the limits in every ${ensemble.placeWord.toLowerCase()}, with the 95 % interval · ${ensemble.label}`,
       file: () => fileName('yield', ensemble.label),
       csv: () => toCsv(['limit', 'passed', 'samples', 'low', 'high'], rows.map(({ text, passed, samples, interval_95: [low, high] }) => [text, passed, samples, low, high])),
     },

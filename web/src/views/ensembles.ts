@@ -24,7 +24,7 @@ import { part, type View } from './view';
 function directionChooser(ensemble: Ensemble, selection: EnsembleSelection): HTMLElement[] {
   const { directions } = ensemble;
   if (directions.length < 2) return [];
-  const list = dropDown(`${ensemble.placeWord} looked at`, directions.map((text, value) => ({ value, text })), (direction) => selection.show({ direction }));
+  const list = dropDown(`${ensemble.placeWord} shown`, directions.map((text, value) => ({ value, text })), (direction) => selection.show({ direction }));
   selection.onChange(() => void (list.selectedIndex = selection.direction));
   return [el('div', { class: 'tools', role: 'group', 'aria-label': 'What is shown' }, el('label', { class: 'control' }, ensemble.placeWord, list))];
 }
@@ -95,7 +95,7 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
   return [
     part(`${id}-distributions`, title('Ensemble'), ...directionChooser(ensemble, looked), ...yieldTable(ensemble), el('div', { class: 'multiples' }, ...histograms)),
     ...bearings(ensemble, looked, `${id}-bearings`, title(first)),
-    part(`${id}-factors`, title('What matters'), el('div', { class: 'multiples' }, ...factors, loadSpread(ensemble, looked))),
+    part(`${id}-factors`, title('Sensitivities'), el('div', { class: 'multiples' }, ...factors, loadSpread(ensemble, looked))),
     part(`${id}-statistics`, title('Statistics'), statisticsTable(ensemble, looked)),
     part(
       `${id}-case`,

@@ -38,11 +38,11 @@ function chartsOf(states: States): { title: string; measures: Measure[] }[] {
   const stiffness = (end: string): [string, string][] => entries.map((axes) => [`k${axes}${end}`, `K${axes}${end.replace('_', ', ')}`]);
   return [
     { title: 'Least film thickness', measures: of('', 'm', [['h_min', 'Least film thickness'], ['h_min_crest', 'Least film thickness over a crest']]) },
-    { title: 'Where the journal is', measures: [...of('', '', [['attitude_angle', 'Attitude angle (°)']]), ...of('', '', [['eccentricity_ratio', 'Eccentricity']]), ...of('Journal centre', 'm', [['x', 'X'], ['y', 'Y']])] },
+    { title: 'Journal position', measures: [...of('', '', [['attitude_angle', 'Attitude angle (°)']]), ...of('', '', [['eccentricity_ratio', 'Eccentricity']]), ...of('Journal centre', 'm', [['x', 'X'], ['y', 'Y']])] },
     { title: 'Losses', measures: [...of('', 'W', [['power', 'Power loss']]), ...of('', 'N m', [['torque', 'Torque']])] },
-    { title: 'Stiffness', measures: [...of('Stiffness K', 'N/m', stiffness('')), ...of('Stiffness K, all stuck', 'N/m', stiffness('_stuck'))] },
-    { title: 'Pressure and force', measures: [...of('Pressure', 'Pa', [['p_max', 'highest'], ['p_min', 'lowest']]), ...of('Force', 'N', [['force_x', 'Force X'], ['force_y', 'Force Y']]), ...(states.pads > 1 ? [{ text: 'Forces of the pads', unit: 'N', parts: padParts(states) }] : [])] },
-    { title: 'Bumps', measures: [...of('', 'N', [['highest_bump_load', 'Highest bump load']]), ...of('', '', [['loaded_bumps', 'Loaded bumps'], ['lifted_bumps_at_entry', 'Lifted bumps where gas enters']])] },
+    { title: 'Stiffness', measures: [...of('Stiffness K', 'N/m', stiffness('')), ...of('Stiffness K, full stick', 'N/m', stiffness('_stuck'))] },
+    { title: 'Pressure and force', measures: [...of('Pressure', 'Pa', [['p_max', 'maximum'], ['p_min', 'minimum']]), ...of('Force', 'N', [['force_x', 'Force X'], ['force_y', 'Force Y']]), ...(states.pads > 1 ? [{ text: 'Forces of the pads', unit: 'N', parts: padParts(states) }] : [])] },
+    { title: 'Bumps', measures: [...of('', 'N', [['highest_bump_load', 'Maximum bump load']]), ...of('', '', [['loaded_bumps', 'Loaded bumps'], ['lifted_bumps_at_entry', 'Detached bumps at the inlet']])] },
   ].filter(({ measures }) => measures.length > 0);
 }
 
@@ -51,7 +51,7 @@ function padParts(states: States): Part[] {
   return states.variable('pad_force_x') ? states.padColumns.map(({ name }, pad) => ({ key: `pad_force_${pad + 1}`, text: name, has: () => true, value: (place) => states.padForceAt(pad, place) })) : [];
 }
 
-const padForce = 'size of the force that the pad takes';
+const padForce = 'magnitude of the pad force';
 
 function columnsOf(states: States): GridColumn[] {
   const pads = padParts(states).map(({ key, text, value }): GridColumn => ({ key: `${key}_N`, name: 'pad_force', label: `force of ${text}`, unit: 'N', whole: false, meaning: padForce, words: [], value }));

@@ -12,13 +12,13 @@ const entries = ['xx', 'xy', 'yx', 'yy'] as const;
 /** Stiffness, then damping, of contacts that slip on and of stuck ones. */
 const kinds = [
   { letter: 'k', symbol: 'K', stuck: '', text: 'Stiffness K' },
-  { letter: 'k', symbol: 'K', stuck: '_stuck', text: 'Stiffness K, all stuck' },
+  { letter: 'k', symbol: 'K', stuck: '_stuck', text: 'Stiffness K, full stick' },
   { letter: 'c', symbol: 'c', stuck: '', text: 'Damping c' },
-  { letter: 'c', symbol: 'c', stuck: '_stuck', text: 'Damping c, all stuck' },
+  { letter: 'c', symbol: 'c', stuck: '_stuck', text: 'Damping c, full stick' },
 ] as const;
 
 /** Other sections have controls of the same labels. */
-const names: ControlNames = { along: 'Frequencies: over', by: 'Frequencies: told apart by', at: (title) => `Frequencies: ${title}` };
+const names: ControlNames = { along: 'Frequencies: over', by: 'Frequencies: lines', at: (title) => `Frequencies: ${title}` };
 
 /** Where small motions of running bearings are looked at. */
 export interface Motions {

@@ -46,7 +46,7 @@ export interface ControlNames {
   at: (title: string) => string;
 }
 
-const usual: ControlNames = { along: 'Over', by: 'Lines', at: (title) => `${title} looked at` };
+const usual: ControlNames = { along: 'Over', by: 'Lines', at: (title) => `${title} shown` };
 
 /** What charts go along, what tells their lines apart, and the point that is looked at. */
 export function gridControls(selection: GridSelection, names: ControlNames = usual): HTMLElement {

@@ -89,7 +89,7 @@ function sectionsOf(runs: Run[], measured: Run[], caseKeys: CaseKeys, alone: boo
     part('results', 'Results', resultTable(comparison, keys)),
     part('case', 'Case and origin', caseSection(casesOf(comparison), caseKeys, {
     shortfalls: (run) => shortfallsOf(run as Run),
-    note: runs.length > 1 ? 'Lines in which the runs differ are marked.' : '',
+    note: runs.length > 1 ? 'Rows in which the runs differ are marked.' : '',
   })),
   ];
   const begun = keys.filter((key) => runs.some((run) => (run.cycle(key)?.size ?? 0) > 0));

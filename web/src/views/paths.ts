@@ -52,8 +52,8 @@ function measuresOf(grid: Grid): { title: string; measures: Measure[] }[] {
     {
       title: 'Tangent stiffness',
       measures: [
-        ...measureOf(grid, 'Further motion', 'N/m', entries.map((axes) => [`k${axes}`, `K${axes}`])),
-        ...measureOf(grid, 'All stuck', 'N/m', entries.map((axes) => [`k${axes}_stuck`, `K${axes}`])),
+        ...measureOf(grid, 'Sliding contacts', 'N/m', entries.map((axes) => [`k${axes}`, `K${axes}`])),
+        ...measureOf(grid, 'Full stick', 'N/m', entries.map((axes) => [`k${axes}_stuck`, `K${axes}`])),
       ],
     },
     {
@@ -65,7 +65,7 @@ function measuresOf(grid: Grid): { title: string; measures: Measure[] }[] {
 
 function columnsOf(grid: Grid): { path: GridColumn[]; orbits: GridColumn[]; pads: GridColumn[] } {
   return {
-    pads: columnOf(grid, 'max_pad_forces', 'highest force'),
+    pads: columnOf(grid, 'max_pad_forces', 'maximum force'),
     path: grid.data.quantities.flatMap(({ name, label }) => columnOf(grid, name, label)),
     orbits: [
       ...columnOf(grid, 'loop_energies', 'energy'),
@@ -101,7 +101,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
         main: ['orbit_energy', 'orbit_force_defect', 'orbit_position_defect', 'max_compression', 'max_stress_top_foil', 'max_stress_bump_foil', 'status'],
       }),
       ...(numbers.texts.length > 0 ? [gridTable({ title: 'Orbits', label, coordinates: [numbers], columns: columns.orbits, main: [] })] : []),
-      ...padCoordinate(grid).map((pad) => gridTable({ title: 'Highest force of each pad', label, coordinates: [pad], columns: columns.pads, main: [] })),
+      ...padCoordinate(grid).map((pad) => gridTable({ title: 'Maximum force of each pad', label, coordinates: [pad], columns: columns.pads, main: [] })),
     ),
     part(
       `${id}-case`,

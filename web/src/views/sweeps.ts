@@ -135,7 +135,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const selection = new GridSelection(coordinates, axes);
   const quantities = quantitiesOf(grid);
   const loops = loopsOf(grid);
-  const over = new OverPanel('Quantity over key', measuresOf(quantities), selection, grid.label);
+  const over = new OverPanel('Result vs. parameter', measuresOf(quantities), selection, grid.label);
   const charts = loops ? [over.root, new FamilyPanel(loops, selection, grid.label).root] : [over.root];
   const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
   return [

@@ -75,8 +75,8 @@ function chartsOf(grid: Grid): { title: string; measures: Measure[] }[] {
     },
     { title: 'Loss factor', measures: [...ofName('loss_factor', 'Loss factor'), ...ofName('harmonic_residual', 'Harmonic residual')] },
     {
-      title: 'Highest forces of the pads',
-      measures: measuresOf('Highest force', 'N', padParts(grid, ['max_pad_forces'], '_N')),
+      title: 'Maximum forces of the pads',
+      measures: measuresOf('Maximum force', 'N', padParts(grid, ['max_pad_forces'], '_N')),
     },
     { title: 'Other quantities', measures: otherMeasuresOf(grid) },
   ].filter(({ measures }) => measures.length > 0);
@@ -134,7 +134,7 @@ function columnsOf(grid: Grid): Record<'vibrations' | 'coefficients' | 'loads' |
       ...entries.flatMap((axes) => of(`k${axes}_stuck`, `K${axes}, stuck`)),
       ...entries.flatMap((axes) => of(`k${axes}_further`, `K${axes}, further`)),
     ],
-    pads: of('max_pad_forces', 'highest force'),
+    pads: of('max_pad_forces', 'maximum force'),
     padsAtLoads: [...of('load_pad_force_x', 'force X'), ...of('load_pad_force_y', 'force Y')],
   };
 }
@@ -186,7 +186,7 @@ export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, n
       }),
       gridTable({ title: 'At the static loads', label, coordinates: [...keys, load], columns: columns.loads, main: [] }),
       ...padCoordinate(grid).flatMap((pad) => [
-        gridTable({ title: 'Highest force of each pad, by vibration', label, coordinates: [...keys, load, motion, amplitude, pad], columns: columns.pads, main: [] }),
+        gridTable({ title: 'Maximum force of each pad, by vibration', label, coordinates: [...keys, load, motion, amplitude, pad], columns: columns.pads, main: [] }),
         gridTable({ title: 'Forces of the pads at the static loads', label, coordinates: [...keys, load, pad], columns: columns.padsAtLoads, main: [] }),
       ]),
     ),
