@@ -88,7 +88,7 @@ void ContactTableau::set_path(const LoadingPath& path) {
   has_rates_ = false;
 }
 
-/// Takes the rates from the linear system. Where the matrix has drifted away from that, it is no more valid.
+/// Takes the rates from the linear system. If the matrix has drifted away from it, it becomes invalid.
 bool ContactTableau::find_rates() {
   exchanges_ = 0;
   if (!modes_->set_modes(mode_)) return false;
@@ -213,7 +213,7 @@ bool ContactTableau::exchange(Eigen::Index i) {
     const double pivot = u[i];
     size = std::abs(pivot);
     if (!(size > 0.0) || !std::isfinite(pivot)) return false;
-    // z_i changes as w_i, which is given now, asks for, and all others follow.
+    // z_i changes as required by w_i, which is now prescribed, and all others follow.
     own = -rate_[i] / (s * s * pivot);
     u[i] += size;
     v[i] -= size;

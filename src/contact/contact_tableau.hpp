@@ -10,9 +10,9 @@
 
 namespace bumpfoil {
 
-/// How the contacts of a problem answer each other, as one dense matrix. A contact that changes its mode costs one
-/// exchange in it, of rank one, and the rates along a path stand in it without a solve: in short foils much less than a
-/// factorisation and a solve.
+/// The mutual compliance of the contacts of a problem, as one dense matrix. A contact that changes its mode costs one
+/// rank-one exchange in it, and the rates along a path are read from it without a solve: for short foils much cheaper
+/// than a factorisation and a solve.
 ///
 /// A contact has a normal coordinate and, with friction, a tangential one: a force (p, t) and a displacement (the gap
 /// g, x[tangential]). In each mode one of the two is given, z, and the other, w, follows from all that are given:
@@ -26,7 +26,7 @@ namespace bumpfoil {
 /// after which w_i is in units of 1 / a and z_i of a: in this form no digits cancel. Several are carried out at once.
 class ContactTableau {
  public:
-  /// Whether finding rates here is less work than solves: in short foils, on a processor with wide vectors.
+  /// Whether rates are cheaper here than with solves: for short foils, on a processor with wide vectors.
   [[nodiscard]] static bool pays(const ContactProblem& problem);
 
   /// @param problem  with linear elastic forces; outlives the tableau

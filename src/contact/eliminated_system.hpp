@@ -147,7 +147,7 @@ struct Stiffness {
   std::vector<Block> lower;  ///< empty where K is symmetric
 };
 
-/// What systems share that eliminate normal forces inside the blocks.
+/// Common part of systems that eliminate normal forces inside the blocks.
 template <int B>
 class EliminatedSystem {
  protected:

@@ -18,7 +18,7 @@ namespace {
 /// Rounds of settling the modes after one event, and where foils that carried nothing are touched.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_at_first_touch = 30;
-/// Rounds right after an event that make_changes() takes as it sees fit, not counted among these.
+/// Rounds right after an event that make_changes() may take in addition to these.
 constexpr int rounds_by_solves = 1;
 constexpr int rounds_by_tableau = 8;
 
@@ -87,7 +87,7 @@ EventFollower::EventFollower(const SharedProblem& problem, std::shared_ptr<ModeS
 
 EventFollower::~EventFollower() = default;
 
-/// One contact that changes its mode may turn round a whole row of others, which turn back once its neighbours have
+/// One contact that changes its mode may reverse a whole row of others, which reverse again once its neighbours have
 /// changed theirs. Drops the changes far from the event, unless there are no others.
 void EventFollower::Workspace::keep_changes_nearby() {
   const auto pairs = static_cast<Eigen::Index>(problem.pairs.size());
@@ -115,8 +115,8 @@ bool EventFollower::Workspace::find_target(SolveCost& cost) {
   return true;
 }
 
-/// Makes all changes; but by the tableau, where each costs about as much as a round, it holds of slips that turn round
-/// only the one that turns most: often others go on slipping once that sticks.
+/// Makes all changes. With the tableau, where a change costs about as much as a round, it sticks only the slip that
+/// reverses most: others often keep sliding once that one sticks.
 void EventFollower::Workspace::make_changes() {
   const ModeChange* turns_most = nullptr;
   for (const ModeChange& change : changes) {
@@ -165,9 +165,8 @@ bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
   return obeys;
 }
 
-/// Whether the foils let go of what pressed on them: from this event on nothing carries a force. What is left of it at
-/// the event counts as none; but a long thin top foil is so soft that it is held by that a nanometre off where it
-/// stands free.
+/// Whether the foils are released: from this event on nothing carries a force. The residual force at the event counts
+/// as none, although it can hold a long thin top foil a nanometre off its free position.
 bool EventFollower::Workspace::lets_go() const {
   return !tableau && piece.target_force <= piece.force_tolerance && mode != piece.begin.mode;
 }
@@ -181,7 +180,7 @@ bool EventFollower::Workspace::complete(ContactState& state, SolveCost& cost) {
   return true;
 }
 
-/// Notes what the jump from `next` to the begin of the piece dissipates.
+/// Records the energy dissipated by the jump from `next` to the start of the piece.
 /// @return false where it gains energy, as no jump does, or where other modes lead on behind it: contacts may have
 /// slipped further than the piece leads
 bool EventFollower::Workspace::jump(EventProgress& report) {
@@ -193,14 +192,14 @@ bool EventFollower::Workspace::jump(EventProgress& report) {
   return energy.given_off >= -negligible;
 }
 
-/// Settles what comes next at the begin of the piece, which is the state that the path has led to.
-/// @return false if that cannot be told; the begin is as it was
+/// Settles the modes of the next piece at its start, which is the state reached on the path.
+/// @return false if they cannot be determined; the start is unchanged
 bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector<ContactEvent>* events,
                                            EventProgress& report) {
   piece.begin_fraction = reached;
   piece.measure_begin(problem);
   if (!settle_modes(report.cost)) return false;
-  // A state that the modes fit is kept unless a better one fits them, too.
+  // A state that fits the modes is kept unless a better one fits them too.
   const bool fits = by_rates || piece.begin_obeys_modes();
   const bool cancels = piece.target_force > most_cancellation * piece.begin_force;
   const bool solved = (!fits || cancels || lets_go()) && solve_begin(report.cost);
@@ -290,7 +289,7 @@ EventProgress EventFollower::follow_to(double fraction, ContactState& state, con
     if (report.arrived) break;
     std::swap(piece.begin, w.next);
     w.inside_piece = false;
-    // Contacts that go on changing at one place would do so for ever.
+    // Contacts that keep changing at one point would do so forever.
     if (w.events_passed == w.options.max_events || events_here > w.problem.contacts()) break;
     w.flip_at_event();
     ++w.events_passed;

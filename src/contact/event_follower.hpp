@@ -11,7 +11,7 @@ namespace bumpfoil {
 /// How far a path was followed.
 struct EventProgress {
   bool arrived{};             ///< false where the modes after an event could not be found
-  double fraction{};          ///< of the whole path that lies behind, 0..1
+  double fraction{};          ///< completed fraction of the path, 0..1
   int events{};               ///< places where a contact changed its mode on the way
   double jump_dissipation{};  ///< see FollowReport
   SolveCost cost;

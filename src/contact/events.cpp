@@ -15,13 +15,13 @@
 namespace bumpfoil {
 namespace {
 
-/// Part of what is asked for that is taken to see which modes follow an event: short enough for no other event to fall
-/// into it, long enough for its slips and forces to stand clear of roundings. Grows by a factor where it does not help.
+/// Fraction of the requested path that is probed for the modes after an event: short enough to contain no other event,
+/// long enough for its slips and forces to exceed round-off. Grows by a factor if it does not help.
 constexpr double first_probe = 1e-4;
 constexpr double probe_growth = 4.0;
 /// Probes of one call before it is given up: many more than any response needs.
 constexpr int most_probes = 1000;
-/// Part of the whole path that counts as a place: what is still bent within it is a jump.
+/// Fraction of the path that counts as a point: a response that is not linear within it is a jump.
 constexpr double shortest_probe = 1e-10;
 /// Forces on a piece are exact to 1e-11 of the largest of them, results are to be to 1e-9: how many times less than the
 /// largest so far forces may be without a second look.
@@ -154,7 +154,7 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
   const double first = first_probe * (fraction - fraction_);
   double probe = first;
   double shortest = shortest_probe;
-  double bent_until = fraction_;  // the last small increment that could not stand ended here
+  double bent_until = fraction_;  // the last rejected small increment ended here
   ContactState probed;
   Vector probed_from;
   bool jumped = false;  // the follower would jump again
@@ -168,7 +168,7 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
     const SolveReport solve = newton_.solve(path_.at(end), state, probed);
     report.cost += solve.cost;
     if (!solve.converged()) {
-      // There is no state so near: what the next one is like is all that can be told of the way to it.
+      // There is no nearer state: only the next state is known, not the way to it.
       if (end >= fraction) return;
       shortest = probe = 2.0 * probe;
       continue;
@@ -186,7 +186,7 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
       if (jumped) continue;
     }
 
-    // The modes do not lead on from here: take the small increment itself, or a smaller one.
+    // No modes continue from here: take the small increment itself, or a smaller one.
     const bool is_place = probe <= shortest;
     if (!stands(state, probed, is_place, report)) {
       if (is_place) {

@@ -71,7 +71,7 @@ void InteriorPoint::for_each_pair(Contact& contact, Visitor&& visit) {
   visit(contact.backward);
 }
 
-/// How badly the previous state fits the loading, m. Fills imbalance_ with what that state leaves of the balance.
+/// Misfit of the previous state with the loading, m. Fills imbalance_ with the residual of equilibrium in that state.
 double InteriorPoint::misfit(const ContactLoading& loading, const ContactState& previous) {
   const double k = start_stiffness * stiffness_;
   imbalance_ = loading.load - system_->multiply(previous.x);
@@ -98,7 +98,7 @@ void InteriorPoint::start(const ContactLoading& loading, const ContactState& pre
     const double bound = c.f * c.closing.force;
     const double friction = previous.friction_force[contact.index];
     const double t = std::clamp(friction, -start_cone * bound, start_cone * bound);
-    // Slips as much longer as the margins are smaller than the normal force: all products begin alike.
+    // Slips are longer in the ratio of normal force to margins: all products start equal.
     const double slip = length / std::clamp(c.f, smallest_friction, 1.0);
     c.forward = {.force = bound + t, .length = slip};
     c.backward = {.force = bound - t, .length = slip};
@@ -116,7 +116,7 @@ bool InteriorPoint::step() {
   if (!factor()) return false;
   find_step(0.0, false);
   read_modes();
-  // The predictor tells how much of the products can be taken away now [Mehrotra1992].
+  // The predictor shows by how much the products can be reduced now [Mehrotra1992].
   const double product = mean_product(0.0);
   const double ratio = std::clamp(mean_product(longest_step(1.0)) / product, 0.0, 1.0);
   find_step(ratio * ratio * ratio * product, true);

@@ -217,7 +217,7 @@ bool NewtonSolver::Workspace::follow_events(const Task& task) {
   return iterate_modes(task);
 }
 
-/// Modes that the iterates of the interior-point method show, tried whenever they have come to rest.
+/// Modes shown by the iterates of the interior-point method, tried whenever they have settled.
 bool NewtonSolver::Workspace::interior_point(const Task& task, const InteriorStart& start) {
   interior.start(task.loading, task.previous, start.spread, start.reach);
   bool tried = true;  // the modes of the last increment, which the interior point begins with

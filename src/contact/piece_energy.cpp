@@ -9,7 +9,7 @@ namespace bumpfoil {
 namespace {
 
 constexpr double negligible_part = 1e-11;
-constexpr double negligible_length = 1e-14;  // m; a tenth of what solvers let a gap or a slip be wrong by
+constexpr double negligible_length = 1e-14;  // m; a tenth of the tolerance of solvers for gaps and slips
 
 }  // namespace
 

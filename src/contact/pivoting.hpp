@@ -38,7 +38,7 @@ bool for_each_difference(const std::vector<ContactMode>& a, const std::vector<Co
   return true;
 }
 
-/// What is judged of one contact once the system was solved for its mode.
+/// Quantities of one contact to check once the system is solved for its mode.
 struct ContactTrial {
   double gap{};       ///< m
   double normal{};    ///< N
@@ -46,7 +46,7 @@ struct ContactTrial {
   double slip{};      ///< m
 };
 
-/// What is judged of a contact in `state`, its slip measured from `previous_x`.
+/// Quantities of a contact in `state` to check, its slip measured from `previous_x`.
 inline ContactTrial trial_of(const CoulombContact& contact, const ContactState& state, const Vector& previous_x) {
   return {.gap = state.gap[contact.index],
           .normal = state.normal_force[contact.index],

@@ -8,7 +8,7 @@
 namespace bumpfoil {
 namespace {
 
-/// max that keeps a NaN, so that a broken state is never judged good.
+/// max that keeps a NaN, so that a broken state never passes.
 void raise(double& largest, double value) {
   if (!(value <= largest)) largest = value;
 }

@@ -11,8 +11,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Contacts are looked at that reach a limit before a part of the way to the target: first this many times the length
-/// of the last piece, and where none does, so many times farther. Sets the pace, not the result.
+/// Only contacts that reach a limit within a fraction of the distance to the target are examined: first this many times
+/// the length of the last piece; if none does, that many times farther. Affects speed, not the result.
 constexpr double first_sight = 2.0;
 constexpr double farther_sight = 8.0;
 constexpr double least_sight = 0.01;
@@ -133,7 +133,7 @@ void StraightPiece::take_target() {
   measure_target();
 }
 
-/// A margin that is `now` at the begin and negative `then`: the contact changes its mode where it is spent.
+/// A margin that is `now` at the start and negative `then`: the contact changes its mode where it reaches zero.
 void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode to) {
   constexpr double above_roundings = 1.0 + 1e-14;
   if (now > above_roundings * end_part * (now - then)) return;  // most lie beyond, and need no division
@@ -145,8 +145,8 @@ void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode t
 }
 
 /// Fills clear_: positive where a contact neither reaches a limit of its mode before a part of the way to the target
-/// nor may have to change its mode at the begin, as those may that carry nothing. A margin that is none at the begin
-/// and less at the target is none between.
+/// nor may have to change its mode at the begin, as those may that carry nothing. A margin that is zero at the start
+/// and negative at the target is negative in between.
 void StraightPiece::screen(double part) {
   with_widest_vectors([this, part](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
     const double* const f = friction_coefficient_.data();
@@ -203,7 +203,7 @@ void StraightPiece::look_ahead(std::vector<ModeChange>& changes) {
   last_length_ = end_part * way_left;
 }
 
-/// What look_ahead() asks of contact c.
+/// What look_ahead() checks for contact c.
 void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
   const double f = friction_coefficient_[c];
   const ContactMode m = target.mode[static_cast<std::size_t>(c)];

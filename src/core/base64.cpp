@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Written in place: pages hold megabytes of it, and appending letter by letter took as long as solving four cycles.
+/// Written in place: pages contain megabytes of it, and appending character by character took as long as solving four
+/// cycles.
 std::string encode(const std::vector<std::uint8_t>& bytes) {
   std::string out((bytes.size() + 2) / 3 * 4, '=');
   auto letter = out.begin();

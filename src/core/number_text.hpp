@@ -8,8 +8,8 @@
 
 namespace bumpfoil {
 
-/// `number` in the unit that is `unit` in SI, for tables: five significant digits, without exponent for what is usual;
-/// a dash if it is not known.
+/// `number` in the unit that is `unit` in SI, for tables: five significant digits, without exponent for usual sizes; a
+/// dash if missing.
 std::string number_text(const std::optional<double>& number, double unit);
 
 /// The unit of a row or a column of such texts: empty where all are dashes.

@@ -46,7 +46,7 @@ Character first_character(std::string_view text) {
     if ((byte & 0xc0U) != 0x80) return invalid;
     code = code << 6U | (byte & 0x3fU);
   }
-  // What a shorter sequence could say must not hide in a longer one.
+  // Overlong sequences are invalid: a shorter one must not hide in a longer one.
   constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
   return code < least[size] ? invalid : Character{code, size};
 }

@@ -13,8 +13,8 @@ constexpr std::array<std::string_view, enum_names<Status>.size()> explanations{
     "the load is not met before the bumps are pressed flat",
     "the position that meets the load was not found",
     "the run was interrupted",
-    "the journal would not stay under its load: the foils push it on where it gives way",
-    "the load does not determine the place of the journal: nothing resists its motion",
+    "the equilibrium of the journal under its load is unstable",
+    "the load does not determine the journal position: nothing resists its motion",
 };
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace bumpfoil {
 namespace {
 
 constexpr int max_halvings = 8;
-/// Part of a step that is taken where no halving lets the residual fall.
+/// Fraction of a step that is taken if no halving reduces the residual.
 constexpr double forced_fraction = 0.25;
-/// Lengths of the steps of follow(), in parts of the way.
+/// Step lengths of follow(), as fractions of the path.
 constexpr double first_step = 0.25;
 constexpr double smallest_step = 1e-4;
 constexpr double step_growth = 1.5;
-/// A solve that takes no more iterations than this lets the next step grow.
+/// After a solve with at most this many iterations the next step grows.
 constexpr int easy_iterations = 8;
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 namespace bumpfoil {
 
-/// run_cycles for the former model: one static solve per journal position, written down like the increments of the
-/// present model. What its records mean where the models differ:
+/// run_cycles for the Le Lez (2007) model: one static solve per journal position, recorded like the increments of the
+/// present model. Meaning of its records where the models differ:
 ///
 /// - `top_displacement` is that of the missing top foil: the crest follows the journal, -(r_i - height_error_i), where
 /// it

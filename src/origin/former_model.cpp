@@ -88,7 +88,7 @@ Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactStat
 
 ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position,
                                   const ContactState& state) {
-  // Friction knows the size of N alone; the difference to N is taken into account as a load on the balance.
+  // Friction depends on |N| only; the difference to N is applied as a load.
   ContactState judged = state;
   judged.normal_force = state.normal_force.cwiseAbs();
   ContactLoading balanced = loading_under(model, position);

@@ -19,11 +19,11 @@ std::string read_binary_file(const std::filesystem::path& path) try {
     return Error(ErrorKind::file, {{path.string(), 0, "", "", std::move(what), std::move(advice)}});
   };
   const auto unreadable = [&] { return fault("cannot be read: " + std::generic_category().message(errno)); };
-  // A pipe without a writer must not hold up the program before it is found to be none of ours.
+  // A pipe without a writer must not block the program before it is rejected.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw unreadable();
-  if (!S_ISREG(status.st_mode)) throw fault("is no ordinary file");
+  if (!S_ISREG(status.st_mode)) throw fault("is not a regular file");
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t size = 0;
   while (size < bytes.size()) {
@@ -36,7 +36,7 @@ std::string read_binary_file(const std::filesystem::path& path) try {
   bytes.resize(size);
   return bytes;
 } catch (const std::bad_alloc&) {
-  throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is larger than the memory that is to be had", ""}});
+  throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is larger than the available memory", ""}});
 }
 
 }  // namespace bumpfoil

@@ -33,7 +33,7 @@ Sample read_sample(const NetcdfImage& image, std::size_t number, const Case& sto
   if (ensemble.bump_height) {
     const auto bumps = static_cast<std::size_t>(total_bumps(stored));
     const StoredVariable& heights = image.variable("bump_height_deviation", {"sample", "bump"});
-    if (image.size_of("bump") != bumps) image.refuse("bump", "has not the size of the foil");
+    if (image.size_of("bump") != bumps) image.refuse("bump", "does not have the size of the foil");
     sample.height_deviations = image.numbers(heights, {number, 0}, {1, bumps});
   }
   for (const ScatteredNumber& scattered : scattered_numbers()) {
@@ -67,9 +67,9 @@ Case read_sampled_case(const fs::path& file, std::size_t number, const Case& inp
       read_stored_result(folder, file.filename().string(), {.advice = "take it from a backup or run again"}).bytes,
       file.string());
   const auto understood = image.texts().find("case_understood");
-  if (understood == image.texts().end()) image.refuse("case_understood", "is missing: this is no ensemble");
+  if (understood == image.texts().end()) image.refuse("case_understood", "is missing: this is not an ensemble");
   Case stored = parse_case(understood->second, file.string());
-  if (!stored.montecarlo) image.refuse("", "is no ensemble");
+  if (!stored.montecarlo) image.refuse("", "is not an ensemble");
   require_same_bearing(stored, input, file.string());
   const std::size_t samples = image.size_of("sample");
   if (number >= samples) {

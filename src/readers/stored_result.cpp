@@ -23,7 +23,7 @@ void require_intact(const fs::path& path, const StoredResult& result, const std:
   if (listed == result.summary.files.end()) return refuse("summary.json does not list it");
   const auto& [size, checksum] = listed->second;
   if (result.bytes.size() != size) {
-    refuse(fmt::format("it has {} bytes, where summary.json lists {}", result.bytes.size(), size));
+    refuse(fmt::format("it has {} bytes, summary.json lists {}", result.bytes.size(), size));
   }
   if (xxh3_128(result.bytes) != checksum) refuse("its checksum is not the one that summary.json lists");
 }
@@ -39,7 +39,7 @@ StoredResult read_stored_result(const fs::path& folder, const std::string& name,
   complete_publication_quietly(folder);
   for (const std::string& file : {name, std::string("summary.json")}) {
     if (fs::exists(published_file(folder, file), code)) continue;
-    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", fmt::format("holds no results: {} is missing", file),
+    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", fmt::format("contains no results: {} is missing", file),
                                    "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes"}});
   }
   const auto read = [&folder](const std::string& file) { return read_binary_file(published_file(folder, file)); };
@@ -54,7 +54,7 @@ StoredResult read_stored_result(const fs::path& folder, const std::string& name,
   result.summary = read_summary(text, summary_path.string());
   if (options.checked) {
     if (!is_sealed(text, result.summary.xxh3_128)) {
-      refuse_damaged(summary_path, "it has not the checksum in it", options.advice);
+      refuse_damaged(summary_path, "it does not have the checksum in it", options.advice);
     }
     require_intact(folder / name, result, options.advice);
   }

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Summaries have five levels. Some of what walks through JSON takes stack for every level.
+/// Summaries have five levels. Some JSON code uses stack for every level.
 constexpr int most_levels = 16;
 
 Experiment experiment_of(std::string_view command) {
@@ -39,7 +39,7 @@ class SummaryChecker {
         return true;
       });
     } catch (const Json::exception&) {
-      refuse("", "cannot be read: it is no JSON");
+      refuse("", "cannot be read: it is not JSON");
     }
   }
 
@@ -50,16 +50,16 @@ class SummaryChecker {
 
   [[nodiscard]] std::string text(const Json& object, const std::string& key) const {
     const Json& value = at(object, key);
-    if (!value.is_string()) refuse(key, "is no text");
+    if (!value.is_string()) refuse(key, "is not a string");
     return value.get<std::string>();
   }
 
   [[nodiscard]] std::map<std::string, ListedFile> files(const Json& summary) const {
     std::map<std::string, ListedFile> files;
     const Json& listed = at(summary, "files");
-    if (!listed.is_object()) refuse("files", "is no table");
+    if (!listed.is_object()) refuse("files", "is not a table");
     for (const auto& [name, file] : listed.items()) {
-      if (!at(file, "bytes").is_number_unsigned()) refuse("files", "has a size that is no whole number");
+      if (!at(file, "bytes").is_number_unsigned()) refuse("files", "has a size that is not an integer");
       files[name] = {file["bytes"].get<std::size_t>(), text(file, "xxh3_128")};
     }
     return files;
@@ -67,7 +67,7 @@ class SummaryChecker {
 
   void check_cycle(const Json& cycle, Experiment experiment) const {
     const std::string place_key(cycle_key(experiment));
-    if (!at(cycle, place_key).is_number()) refuse(place_key, "is no number");
+    if (!at(cycle, place_key).is_number()) refuse(place_key, "is not a number");
     for (const char* key : {"amplitude_m", "steps", "converged", "max_force_N"}) static_cast<void>(at(cycle, key));
     // Versions differ in what else they have; numbers that are not known are null.
     for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
@@ -75,17 +75,17 @@ class SummaryChecker {
       if (cycle.contains(key)) check_value(key, cycle[key], quantity.form);
     }
     for (const char* key : {"clearances", "warnings", "loop_energies_J"}) {
-      if (cycle.contains(key) && !cycle[key].is_array()) refuse(key, "is no list");
+      if (cycle.contains(key) && !cycle[key].is_array()) refuse(key, "is not a list");
     }
-    // Of a cycle that is there they are known.
-    if (cycle["steps"].is_null()) refuse("steps", "is no whole number");
+    // They are known for an existing cycle.
+    if (cycle["steps"].is_null()) refuse("steps", "is not an integer");
     if (cycle["converged"].is_null()) refuse("converged", "is neither true nor false");
   }
 
   /// Statistics by direction, and how many samples keep which limits.
   void check_ensemble(const Json& summary) const {
     for (const char* key : {"samples", "samples_due"}) {
-      if (!at(summary, key).is_number_unsigned()) refuse(key, "is no whole number");
+      if (!at(summary, key).is_number_unsigned()) refuse(key, "is not an integer");
     }
     for (const char* key : {"statistics", "bump_loads", "sensitivities"}) {
       const Json& directions = at(summary, key);
@@ -93,9 +93,9 @@ class SummaryChecker {
           directions.is_object() && std::all_of(directions.begin(), directions.end(), [](const Json& one) {
             return std::all_of(one.begin(), one.end(), [](const Json& part) { return part.is_structured(); });
           });
-      if (!tables) refuse(key, "is no table by direction or state");
+      if (!tables) refuse(key, "is not a table by direction or state");
     }
-    if (!at(summary, "limits").is_array()) refuse("limits", "is no list");
+    if (!at(summary, "limits").is_array()) refuse("limits", "is not a list");
     for (const Json& limit : summary["limits"]) {
       static_cast<void>(text(limit, "limit"));
       check_yield(limit);
@@ -105,12 +105,12 @@ class SummaryChecker {
 
   /// Lift-off speeds and load capacities, between two points each.
   void check_running_limits(const Json& limits) const {
-    if (!limits.is_array()) refuse("limits", "is no list");
+    if (!limits.is_array()) refuse("limits", "is not a list");
     for (const Json& limit : limits) {
       for (const char* key : {"kind", "status"}) static_cast<void>(text(limit, key));
       for (const char* side : {"thick", "thin"}) {
         for (const char* key : {"speed_rad_per_s", "load_x_N", "load_y_N"}) {
-          if (!at(at(limit, side), key).is_number()) refuse(key, "is no number");
+          if (!at(at(limit, side), key).is_number()) refuse(key, "is not a number");
         }
       }
     }
@@ -119,20 +119,20 @@ class SummaryChecker {
  private:
   void check_yield(const Json& yield) const {
     for (const char* key : {"passed", "samples"}) {
-      if (!at(yield, key).is_number_unsigned()) refuse(key, "is no whole number");
+      if (!at(yield, key).is_number_unsigned()) refuse(key, "is not an integer");
     }
     const Json& interval = at(yield, "interval_95");
-    if (!interval.is_array() || interval.size() != 2) refuse("interval_95", "is no interval");
+    if (!interval.is_array() || interval.size() != 2) refuse("interval_95", "is not an interval");
   }
 
   void check_value(const std::string& key, const Json& value, const Form& form) const {
     if (value.is_null()) return;
     switch (form.kind) {
       case Form::real:
-        if (!value.is_number()) refuse(key, "is no number");
+        if (!value.is_number()) refuse(key, "is not a number");
         break;
       case Form::whole:
-        if (!value.is_number_integer()) refuse(key, "is no whole number");
+        if (!value.is_number_integer()) refuse(key, "is not an integer");
         break;
       case Form::truth:
         if (!value.is_boolean()) refuse(key, "is neither true nor false");
@@ -140,7 +140,7 @@ class SummaryChecker {
       case Form::flag:
         if (!value.is_string() ||
             std::find(form.words.begin(), form.words.end(), value.get<std::string>()) == form.words.end()) {
-          refuse(key, fmt::format("is none of {}", fmt::join(form.words, ", ")));
+          refuse(key, fmt::format("is not one of {}", fmt::join(form.words, ", ")));
         }
         break;
     }
@@ -155,7 +155,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   const SummaryChecker checker(name);
   StoredSummary summary{checker.parse(text), {}, {}, {}};
   const Json& json = summary.json;
-  if (!json.is_object() || !json.contains("schema")) checker.refuse("", "is no summary of this program");
+  if (!json.is_object() || !json.contains("schema")) checker.refuse("", "is not a summary of this program");
   const std::string schema = checker.text(json, "schema");
   if (schema != "bumpfoil-summary/2") {
     checker.refuse("schema", fmt::format("is \"{}\", which this version cannot read", printable(schema)));
@@ -165,10 +165,10 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   if (!is_shown(command)) {
     checker.refuse("command", fmt::format("is \"{}\", whose results reports cannot show", printable(command)));
   }
-  if (!checker.at(json, "case").is_object()) checker.refuse("case", "is no table");
+  if (!checker.at(json, "case").is_object()) checker.refuse("case", "is not a table");
   if (has_cycles(command)) {
-    if (!checker.at(json["case"], command).is_object()) checker.refuse("case", "does not say what was run");
-    if (!checker.at(json, "cycles").is_array()) checker.refuse("cycles", "is no list");
+    if (!checker.at(json["case"], command).is_object()) checker.refuse("case", "does not name its command");
+    if (!checker.at(json, "cycles").is_array()) checker.refuse("cycles", "is not a list");
     for (const Json& cycle : json["cycles"]) checker.check_cycle(cycle, experiment_of(command));
   }
   if (has_distributions(command)) checker.check_ensemble(json);
@@ -184,7 +184,8 @@ void match_runs(const StoredSummary& summary, Json& result, const std::string& n
   const SummaryChecker checker(name);
   const auto require = [&](bool same, const std::string& key) {
     if (!same) {
-      checker.refuse(key, fmt::format("is not that of {} beside it: they are of two runs, or damaged", result_name));
+      checker.refuse(key, fmt::format("differs from that of {} in the same folder: they are of two runs, or damaged",
+                                      result_name));
     }
   };
   require(summary.json["command"] == result["kind"], "command");

@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-/// What resists the rotations of crest and mid-flat between them, half a bump, where neither moves.
+/// Rotational stiffness of half a bump between crest and mid-flat, with both held in place.
 struct HalfBump {
   double at_crest{};       ///< moment at the crest per rotation there, N m
   double at_flat{};        ///< moment at mid-flat per rotation there, N m
@@ -37,8 +37,8 @@ HalfBump make_half_bump(const BumpArc& arc, const Section& section) {
           .pull_on_flat = K(0, 2)};
 }
 
-/// Coupling of u between neighbouring crests of a row of equal bumps. Its ends are felt seven times less with each
-/// bump: 1e-7 where there are five on either side.
+/// Coupling of u between neighbouring crests of a row of equal bumps. The effect of the ends decays by a factor of
+/// seven per bump: 1e-7 with five on either side.
 double crest_to_crest(const HalfBump& own) {
   constexpr Eigen::Index row = 5;
   // Rotations in turn of the first mid-flat, the first crest, the next mid-flat, ...; u and v of all of these are held.
@@ -140,11 +140,11 @@ std::vector<Fault> faults_of(const FoilDesign& foils, const std::vector<TrussCon
     const bool uniform = std::equal(foils.bumps.begin() + 1, foils.bumps.end(), foils.bumps.begin());
     Fault fault;
     fault.key = fmt::format("bump_foil.truss.{}", name);
-    fault.what = fmt::format("comes out as {:.4g} N/m for {}: the truss would be unstable", (*worst).*value,
+    fault.what = fmt::format("is identified as {:.4g} N/m for {}: the truss would be unstable", (*worst).*value,
                              uniform ? std::string("this shape of bump")
                                      : fmt::format("bump {} among its neighbours", worst - constants.begin() + 1));
     fault.advice = "give a positive value, or set bump_foil.model = \"frame\"";
-    // The sum makes a bump as stiff as it is: a larger k2 alone would make it stiffer.
+    // The sum determines the stiffness of a bump: a larger k2 alone would make it stiffer.
     const double sum = (*worst).k2 + (*worst).k3;
     if (value == &TrussConstants::k2 && !foils.truss.k3 && sum > 0.0) {
       fault.advice =

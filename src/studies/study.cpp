@@ -39,7 +39,7 @@ class DescriptionReader {
     std::vector<DescriptionReader> readers;
     if (const toml::array* array = array_of(key)) {
       for (const toml::node& node : *array) {
-        if (!node.is_table()) fail(key, "is no table");
+        if (!node.is_table()) fail(key, "is not a table");
         readers.emplace_back(study_, *node.as_table());
       }
     }
@@ -65,7 +65,7 @@ class DescriptionReader {
 
   const toml::array* array_of(std::string_view key) {
     const toml::node* node = find(key);
-    if (node != nullptr && !node->is_array()) fail(key, "is no list");
+    if (node != nullptr && !node->is_array()) fail(key, "is not a list");
     return node == nullptr ? nullptr : node->as_array();
   }
 
@@ -81,7 +81,7 @@ class DescriptionReader {
   std::set<std::string, std::less<>> known_;
 };
 
-/// @throws Error (input) at the first place that is no TOML.
+/// @throws Error (input) at the first place that is not TOML.
 toml::table parse_description(std::string_view text, std::string_view study) {
   try {
     return toml::parse(text);
@@ -124,7 +124,7 @@ void add_sweep(DescriptionReader& sweep, const std::vector<std::string>& common,
 StudyTableKind table_kind(const DescriptionReader& reader, std::string_view name) {
   const auto& names = enum_names<StudyTableKind>;
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) reader.fail("tables", fmt::format("there is no table \"{}\"", name));
+  if (found == names.end()) reader.fail("tables", fmt::format("there is not a table \"{}\"", name));
   return static_cast<StudyTableKind>(found - names.begin());
 }
 
@@ -140,7 +140,7 @@ StudyData data_called(const DescriptionReader& reader, std::string_view name) {
   for (const StudyData& data : study_data_library()) {
     if (data.name == name) return data;
   }
-  reader.fail("data", fmt::format("there is no table \"{}\"", name));
+  reader.fail("data", fmt::format("there is not a table \"{}\"", name));
 }
 
 std::vector<StudyRun> runs_of_others(DescriptionReader& reader) {
@@ -213,7 +213,7 @@ Study parse_study(std::string_view text, std::string_view name) {
   study.script_of = reader.text_or_empty("script_of");
   study.increments = reader.list<int>("increments");
   if (study.runs.empty()) reader.fail("run", "there is no run");
-  if (study.tables.empty()) reader.fail("tables", "there is no table");
+  if (study.tables.empty()) reader.fail("tables", "there is not a table");
   reader.finish();
   return study;
 }

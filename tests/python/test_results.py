@@ -54,7 +54,7 @@ def test_damage_is_told(result, tmp_path):
     with pytest.raises(bumpfoil.FileError, match="summary.json: is damaged"):
         bumpfoil.load(tmp_path)
     (tmp_path / "summary.json").write_text("{}")
-    with pytest.raises(bumpfoil.FileError, match="no summary"):
+    with pytest.raises(bumpfoil.FileError, match="not a summary"):
         bumpfoil.load(tmp_path)
 
 

@@ -7,14 +7,14 @@
 
 namespace bumpfoil {
 
-/// One contact of a problem, with Coulomb's law read off its place in the block.
+/// One contact of a problem, with Coulomb's law, located by its place in the block.
 struct CoulombContact {
   const ContactPair& pair;
   double f;            ///< friction coefficient, 0 where frictionless
   Eigen::Index row;    ///< first unknown of its block
   Eigen::Index index;  ///< in contact arrays
 
-  /// Part of the gap that the unknowns make up, m.
+  /// Part of the gap that depends on the unknowns, m.
   [[nodiscard]] double gap(const Vector& x) const {
     return (pair.plus >= 0 ? x[row + pair.plus] : 0.0) - (pair.minus >= 0 ? x[row + pair.minus] : 0.0);
   }

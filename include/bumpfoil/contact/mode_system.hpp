@@ -28,7 +28,7 @@ class ModeSystem {
   [[nodiscard]] virtual int factorisations() const = 0;
 
   /// Solves for the unknowns and the contact forces under the modes that were set. The result obeys the equations of
-  /// the modes; whether it obeys their inequalities is for the caller to see. Linear: given rates it returns rates.
+  /// the modes; whether it obeys their inequalities is for the caller to check. Linear: given rates it returns rates.
   /// @param loading     initial gaps and loads
   /// @param previous_x  unknowns whose tangential ones are kept by sticking contacts
   /// @param state       receives x, gap and forces; its modes are set to those of the system
@@ -36,9 +36,9 @@ class ModeSystem {
 
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// Answers to unit changes of all that the modes give, one column for each, in the order of contacts: of a contact
-  /// its p if it is open, else its gap; behind it, if it has friction, its t if it is open, x[tangential] if it sticks,
-  /// t beyond that of its normal force if it slips.
+  /// Responses to unit changes of all quantities that the modes prescribe, one column for each, in the order of
+  /// contacts: of a contact its p if it is open, else its gap; behind it, if it has friction, its t if it is open,
+  /// x[tangential] if it sticks, t beyond that of its normal force if it slips.
   /// @param x      receives all unknowns
   /// @param force  receives p and, with friction, t of all contacts, in that order
   virtual void solve_units(RowMajor& x, RowMajor& force) = 0;

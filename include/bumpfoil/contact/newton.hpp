@@ -17,16 +17,17 @@ struct NewtonOptions {
   double force_tolerance{1e-11};
   /// Rounds of changing contacts that contradict their mode before the next method is tried.
   int max_mode_updates{2};
-  /// Events on a path that is followed, and contacts that may contradict the modes of the last increment for it to be
-  /// followed: as many as an interior-point solve costs factorisations.
+  /// Limit of events on the path, and of contacts that contradict the modes of the last increment, for the path to be
+  /// tried: as many as the factorisations of an interior-point solve.
   int max_events{20};
   /// Steps of the interior-point method from each of its starts before the increment is given up. 10 to 30 do nearly
   /// always, whatever the number of contacts.
   int max_interior_steps{60};
-  /// Tangents of an elastic law before the increment is given up: a handful does, but where the foil snaps to another
-  /// place it takes up to a hundred.
+  /// Tangents of an elastic law before the increment is given up: a few suffice, but if the foil snaps to another
+  /// position it takes up to a hundred.
   int max_tangents{300};
-  /// With a law: ContactResiduals of the result, forces normalised, at most this; a tenth of what a state must meet.
+  /// With a law: bound on the ContactResiduals of the result, forces normalised; a tenth of the bound that a state must
+  /// meet.
   double law_tolerance{1e-10};
 };
 
@@ -52,7 +53,7 @@ struct NewtonOptions {
 class NewtonSolver final : public ContactSolver {
  public:
   explicit NewtonSolver(const SharedProblem& problem, const NewtonOptions& options = NewtonOptions());
-  /// @param modes  linear system of the problem; may be shared with others that are not at work meanwhile
+  /// @param modes linear system of the problem; may be shared with others that are idle meanwhile
   NewtonSolver(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
                const NewtonOptions& options = NewtonOptions());
   ~NewtonSolver() override;

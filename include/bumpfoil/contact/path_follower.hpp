@@ -22,7 +22,7 @@ struct LoadingPath {
 
 /// A change of mode of one contact.
 struct ContactEvent {
-  double fraction{};  ///< of the path, 0 at its begin and 1 at its end
+  double fraction{};  ///< of the path, 0 at its start and 1 at its end
   int contact{};
   ContactMode from{};
   ContactMode to{};
@@ -40,12 +40,12 @@ struct ResponsePart {
 
 using PartVisitor = std::function<void(const ResponsePart&)>;
 
-/// How following a path to some place ended.
+/// How following a path ended.
 struct FollowReport {
   Status status{Status::converged};
   SolveCost cost;
   int substeps{};             ///< solves that the path asked for beyond those of the increments that were wanted
-  double jump_dissipation{};  ///< given off, beyond friction, where the response jumped, J; only where events are seen
+  double jump_dissipation{};  ///< released in jumps, beyond friction, J; only where events are resolved
 
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
@@ -72,13 +72,13 @@ class PathFollower {
   [[nodiscard]] virtual SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
                                              ContactState& state) = 0;
 
-  /// Begins a path; `state` is the response to its begin.
+  /// Starts a path; `state` is the response to its start.
   virtual void set_out(const LoadingPath& path, const ContactState& state) = 0;
 
-  /// The path that was set out on last.
+  /// The path that was started last.
   [[nodiscard]] virtual const LoadingPath& path() const = 0;
 
-  /// Goes on to `fraction` of the path, beyond the last. A failure ends the path.
+  /// Continues to `fraction` of the path, beyond the last. A failure ends the path.
   /// @param state   where the last call ended, or the path began; on failure the last part that was found
   /// @param visit   receives the parts of the response; may be empty
   /// @param events  receives the changes of mode where the follower sees them
@@ -98,7 +98,7 @@ std::unique_ptr<PathFollower> make_increment_follower(std::unique_ptr<ContactSol
 /// the response; none in an exact one.
 ///
 /// The elastic forces must be linear, and the problem must have contacts.
-/// @param modes  linear system of the problem; may be shared with others that are not at work meanwhile
+/// @param modes linear system of the problem; may be shared with others that are idle meanwhile
 std::unique_ptr<PathFollower> make_event_stepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes,
                                                  Rates rates = Rates::by_solves);
 

@@ -40,8 +40,8 @@ struct ContactPair {
 struct ElasticLaw {
   std::function<Vector(const Vector& x)> forces;             ///< e(x), N
   std::function<BlockTridiagonal(const Vector& x)> tangent;  ///< their derivative, N/m, of the form of K
-  /// Stands in for the tangent where that gives no solution: positive semidefinite on the displacements. It sets the
-  /// pace, not the result.
+  /// Replaces the tangent where that gives no solution: positive semidefinite on the displacements. It affects
+  /// convergence, not the result.
   std::function<BlockTridiagonal(const Vector& x)> stable_tangent;
 };
 
@@ -58,7 +58,7 @@ struct ContactProblem {
   /// At least one. Contact c of block b has index b * pairs.size() + c in every contact array.
   std::vector<ContactPair> pairs;
   std::optional<ElasticLaw> law{};  ///< absent where elastic forces are linear
-  double force_scale{10.0};         ///< size of the forces that the problem is made for, N: below 1e-12 of it is none
+  double force_scale{10.0};         ///< scale of the forces of the problem, N: below 1e-12 of it counts as zero
 
   [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
 
@@ -70,12 +70,12 @@ struct ContactProblem {
 /// Whether two problems are the same to the last bit. With elastic laws they never are: these cannot be compared.
 bool is_same(const ContactProblem& a, const ContactProblem& b);
 
-/// A contact problem that several solvers look at: made once, never changed, and alive as long as one of them is.
+/// A contact problem shared by several solvers: created once, immutable, and alive as long as one of them is.
 class SharedProblem {
  public:
   /// Shares a copy of `problem`.
   SharedProblem(const ContactProblem& problem) : problem_(std::make_shared<const ContactProblem>(problem)) {}
-  /// Shares what somebody else holds already.
+  /// Shares an existing problem.
   explicit SharedProblem(std::shared_ptr<const ContactProblem> problem) : problem_(std::move(problem)) {}
 
   const ContactProblem& operator*() const { return *problem_; }
@@ -94,8 +94,8 @@ struct ContactLoading {
   static ContactLoading none(const ContactProblem& problem);
 };
 
-/// What is known of the foils at one increment: a plain copyable value, all that a warm start and the friction
-/// history need.
+/// State of the foils at one increment: a plain copyable value with all that a warm start and the friction history
+/// need.
 struct ContactState {
   Vector x;                       ///< unknowns of K
   Vector gap;                     ///< g of each contact, m

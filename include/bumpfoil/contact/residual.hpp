@@ -4,8 +4,8 @@
 
 namespace bumpfoil {
 
-/// How far a state is from solving the contact problem. Judged from displacements and forces alone: it knows no
-/// solver, no modes and no penalty. Forces are divided by max(largest contact force, 1 N).
+/// How far a state is from solving the contact problem. Computed from displacements and forces alone, independently of
+/// solvers, modes and penalties. Forces are divided by max(largest contact force, 1 N).
 struct ContactResiduals {
   double equilibrium{};      ///< largest entry of elastic forces - load - contact forces, normalised
   double penetration{};      ///< largest -g, m
@@ -30,7 +30,7 @@ inline constexpr double displacement_resolution = 1e-12;
 /// @param elastic_force    K x or e(x), N, without any part of the solver: see elastic_response in structure/
 /// @param loading          initial gaps and loads
 /// @param previous_x       unknowns at the last converged increment, which slip is measured from
-/// @param state            displacements and forces to be judged
+/// @param state displacements and forces to check
 ContactResiduals contact_residuals(const ContactProblem& problem, const Vector& elastic_force,
                                    const ContactLoading& loading, const Vector& previous_x, const ContactState& state);
 

@@ -25,7 +25,7 @@ struct SolveReport {
 
 /// What the converged states of a solver meet.
 struct SolverBounds {
-  double force;         ///< ContactResiduals::within; no end where the solver states bounds of its own
+  double force;         ///< ContactResiduals::within; infinite where the solver states its own bounds
   double displacement;  ///< the same, m
   double load;          ///< a prescribed load is met to this part of max(load, 1 N): well above the residual
 };

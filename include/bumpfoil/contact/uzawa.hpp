@@ -8,9 +8,9 @@
 namespace bumpfoil {
 
 /// Settings of the augmented Lagrangian solver. The four parameters have no defaults here: they belong to a problem,
-/// see uzawa_options_for(). What each does to the result is in docs/verification/uzawa.md.
+/// see uzawa_options_for(). docs/verification/uzawa.md shows their effect on the result.
 struct UzawaOptions {
-  double eps_alm{};  ///< penalty of contacts between bodies that carry friction, N/m: sets the pace, not the result
+  double eps_alm{};  ///< penalty of contacts with friction, N/m: affects convergence, not the result
   double eps_f{};    ///< stiffness of a sticking contact, N/m: it slips by the change of its friction force / eps_f
   double eps_r{};    ///< penalty of contacts without tangential unknown (the journal), N/m: penetration p / eps_r
   double tau_f{};    ///< slip at which the friction force has reached half its bound, m
@@ -75,7 +75,7 @@ class UzawaSolver final : public ContactSolver {
   UzawaSolver(const ContactProblem& problem, const UzawaOptions& options);
   ~UzawaSolver() override;
 
-  /// Its states are judged by what is said above, not by ContactResiduals.
+  /// Its states are checked against the bounds above, not by ContactResiduals.
   [[nodiscard]] SolverBounds bounds() const override {
     constexpr double none = std::numeric_limits<double>::infinity();
     return {.force = none, .displacement = none, .load = 1e-5};

@@ -2,7 +2,7 @@
 
 namespace bumpfoil {
 
-/// An angle (rad) in degrees; where roundings hide a whole number of them, that.
+/// An angle (rad) in degrees; a value within round-off of a whole number becomes that number.
 double to_degrees(double angle);
 
 }  // namespace bumpfoil

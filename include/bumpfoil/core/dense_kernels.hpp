@@ -52,7 +52,7 @@ struct VectorOf<8> {
   using Type = double __attribute__((vector_size(64)));
 };
 
-/// Whether wide vectors are worth their while for blocks of B rows.
+/// Whether wide vectors pay for blocks of B rows.
 template <int B>
 inline constexpr bool has_wide_rows = B == Eigen::Dynamic || B >= 8;
 
@@ -63,7 +63,7 @@ constexpr Eigen::Index row_stride(Eigen::Index n) {
   return has_wide_rows<B> ? (B + 7) / 8 * 8 : (B + 1) / 2 * 2;
 }
 
-/// What becomes of the products that a loop of DenseKernels adds up.
+/// What is done with the products that a loop of DenseKernels sums.
 enum class Products {
   subtract,  ///< target -= products
   assign,    ///< target = products

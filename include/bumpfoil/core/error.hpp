@@ -10,24 +10,24 @@
 
 namespace bumpfoil {
 
-/// One thing that is wrong with what the user gave: where it is, what was met, what to change.
+/// One error in the user's input: where it is, the value found, what to change.
 struct Fault {
   std::string file;    ///< empty when the case was built in memory
   std::size_t line{};  ///< 1-based; 0 when unknown
   std::string key;     ///< dotted key of the case file, such as "bump_foil.height"; empty when it has none
-  std::string value;   ///< the value met, as written; empty when the key is missing
+  std::string value;   ///< the value found, as written; empty when the key is missing
   std::string what;    ///< what is wrong
   std::string advice;  ///< what to change
 };
 
-/// Who can mend it: decides the exit code of the program.
+/// Who can fix it: decides the exit code of the program.
 enum class ErrorKind {
   input,  ///< the case or the command line is wrong (exit code 2)
   file,   ///< a file cannot be read or written (exit code 4)
 };
 
-/// The one exception type of the library: bad input, files, a model that cannot be built. It lists every fault at
-/// once. Numerical failures are never thrown; they are reported in results.
+/// The one exception type of the library: bad input, files, a model that cannot be built. It lists every error at once.
+/// Numerical failures are never thrown; they are reported in results.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, std::vector<Fault> faults);
@@ -40,8 +40,8 @@ class Error : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// One line for one fault: `file:line: key = value: what; advice`, leaving out what is unknown. All of it is
-/// `printable` and long values are shortened, so that the line is safe to print whatever the fault quotes.
+/// One line for one error: `file:line: key = value: what; advice`, leaving out what is unknown. All of it is
+/// `printable` and long values are shortened, so that the line is safe to print whatever it quotes.
 std::string format_fault(const Fault& fault);
 
 }  // namespace bumpfoil

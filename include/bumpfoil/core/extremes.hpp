@@ -8,12 +8,12 @@
 
 namespace bumpfoil {
 
-/// The least interval that holds some numbers and zero.
+/// The smallest interval that contains some numbers and zero.
 struct Extremes {
   double least{};
   double most{};
 
-  /// The largest of the numbers without their signs.
+  /// The largest absolute value.
   [[nodiscard]] double size() const { return std::max(most, -least); }
 };
 

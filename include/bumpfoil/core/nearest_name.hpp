@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// The candidate that `name` most likely is a slip of: the one fewest edits away, case apart, if these are few for its
-/// length.
+/// The candidate that `name` is most likely a misspelling of: the one with the fewest edits, ignoring case, if these
+/// are few for its length.
 std::optional<std::string> nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace bumpfoil

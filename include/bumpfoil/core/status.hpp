@@ -17,11 +17,11 @@ enum class Status : std::uint8_t {
   iterations_spent,      ///< `uzawa`: a loop ended before its residual had fallen to its tolerance
   energy_defect,         ///< `events`: a part of the path that had to be taken blindly breaks W = E - E0 + D
   residual_above_bound,  ///< the solver called the state converged, but ContactResiduals exceeds its bounds
-  load_out_of_reach,     ///< the load is not met before the pressing body has gone as far as it may
+  load_out_of_reach,     ///< the load is not met before the journal (or plate) has reached its limit
   load_not_met,          ///< the load was bracketed, but the search ended before it was met
   interrupted,           ///< the run was stopped from outside
-  unstable,              ///< under load control: the tangent of further motion would not hold the body there
-  not_unique,            ///< under load control: that tangent vanishes, so that other places meet the load as well
+  unstable,              ///< under load control: the tangent stiffness with sliding contacts is not positive: unstable
+  not_unique,            ///< under load control: that tangent stiffness vanishes; other positions meet the load too
 };
 
 /// As files spell it.

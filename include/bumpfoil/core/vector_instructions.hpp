@@ -32,7 +32,7 @@
 namespace bumpfoil {
 
 /// Vector instructions chosen at run time, each with all before it. The program runs on any processor of its kind:
-/// wider ones are for inner loops alone. Sums are rounded otherwise with each of them.
+/// wider ones are for inner loops alone. Each rounds sums differently.
 enum class VectorInstructions {
   baseline,  ///< what the program is built for
   avx2,      ///< with fused multiplication and addition

@@ -4,10 +4,10 @@
 
 namespace bumpfoil {
 
-/// What a film does as a whole, over the whole width and without dimension (FilmScales gives the units). By the
-/// trapezoidal rule over nodes; gradients live on the faces between them.
+/// Integrals of a film over the whole width, dimensionless (FilmScales gives the units). Trapezoidal rule over nodes;
+/// gradients are on the faces between them.
 struct FilmIntegrals {
-  double cosine{};       ///< integral of (P - 1) cos(theta): what holds the journal against the film at theta = 0
+  double cosine{};       ///< integral of (P - 1) cos(theta): applied force along theta = 0
   double sine{};         ///< ... of (P - 1) sin(theta)
   double couette{};      ///< ... of 1 / (H + 2 Kn / P)
   double poiseuille{};   ///< ... of H dP/dtheta
@@ -21,7 +21,7 @@ FilmIntegrals film_integrals(const ReynoldsEquation& equation, const FilmState& 
 
 /// Flows of the whole width through the open edges, in volumes at ambient pressure: along +theta at the ends, outward
 /// at both sides together. Each is the imbalance of the volumes at its edge, those at corners counted to the ends: the
-/// four balance to rounding when the film has converged and is steady.
+/// four balance to round-off when the film has converged and is steady.
 struct FilmFlows {
   double start{};  ///< in at theta = 0; none in a closed film
   double end{};    ///< out at the last column
@@ -34,7 +34,7 @@ FilmFlows film_flows(const FilmMesh& mesh, const Matrix& residual);
 /// Smallest film thickness: the thinnest node, and the vertex of the parabola through it and its neighbours.
 struct ThinnestPlace {
   double thickness{};         ///< H of the thinnest node
-  int column{};               ///< where that node is
+  int column{};               ///< theta of that node
   double vertex_thickness{};  ///< H at the vertex; the node itself at an open edge
   double vertex_theta{};      ///< rad
 };

@@ -35,7 +35,7 @@ struct FilmMesh {
   [[nodiscard]] Matrix field(double value) const;
 };
 
-/// A film all round.
+/// A film around the full circumference.
 /// @param columns         three or more
 /// @param half_width      half the axial length over the radius
 FilmMesh make_closed_mesh(int columns, int rows, double half_width);

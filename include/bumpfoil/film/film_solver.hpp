@@ -7,22 +7,22 @@
 
 namespace bumpfoil {
 
-/// What the film runs on: how far the wall gives way to the pressure. H = H_rigid + compliance * yield, where the yield
-/// at a node is
+/// The bearing surface of the film: its deflection under pressure. H = H_rigid + compliance * yield, where the yield at
+/// a node is
 enum class FoundationKind : std::uint8_t {
   rigid,       ///< 0
   pointwise,   ///< P - 1 at the node itself
   axial_mean,  ///< the mean of P - 1 over the column
 };
 
-/// A rigid wall or a bed of springs (Winkler foundation).
+/// A rigid bearing surface or an elastic (Winkler) foundation.
 struct Foundation {
   FoundationKind kind{FoundationKind::rigid};
   double compliance{};  ///< alpha = pa / (c k) with k in Pa/m, >= 0
 };
 
-/// Adds to `thickness` what the foundation yields to the excess of pressure P - 1. Linear: given a step of P it adds
-/// that of H.
+/// Adds the deflection of the foundation under the gauge pressure P - 1 to `thickness`. Linear: given a step of P it
+/// adds that of H.
 void add_yield(const Foundation& foundation, const FilmMesh& mesh, const Matrix& excess, Matrix& thickness);
 
 /// How the search for a film ended.
@@ -31,7 +31,7 @@ enum class FilmStatus : std::uint8_t {
   not_converged,  ///< max_iterations were spent, or the equations became singular
   touchdown,      ///< converged, but somewhere H < FilmSolverOptions::thickness_floor
   no_room,        ///< H <= 0 somewhere at the start
-  fold,           ///< of a path: the branch of states ends, and from its end the film comes to rest nowhere
+  fold,           ///< of a path: the branch of states ends, and the film settles to no other state from there
   not_reached,    ///< of a path: an earlier state was not found
   interrupted,    ///< stopped from outside
 };
@@ -39,12 +39,12 @@ enum class FilmStatus : std::uint8_t {
 struct FilmSolverOptions {
   double step_tolerance{1e-9};   ///< largest change of P and H in a full step of a film that has converged
   double thickness_floor{0.0};   ///< H below which surfaces count as touching
-  double kept_fraction{0.3};     ///< no step takes more than 1 - this of any P or H
+  double kept_fraction{0.3};     ///< no step reduces any P or H by more than 1 - this
   double largest_approach{1.0};  ///< no step changes H by more than this
   int max_iterations{100};
 };
 
-/// Largest part of a step of Newton's method, at most 1, that takes no more from P and H than the options allow.
+/// Largest fraction of a Newton step, at most 1, that reduces P and H by no more than the options allow.
 double longest_step(const FilmSolverOptions& options, const FilmState& film, const FilmState& step);
 
 /// How a solve ended and what it cost.
@@ -53,14 +53,15 @@ struct FilmReport {
   int iterations{};      ///< Newton steps, a factorisation of the film each
   int factorisations{};  ///< of contact systems, where there are contacts
   double residual{};     ///< norm of the residuals at the last step, the film's per area of a cell
-  int jumps{};           ///< of a path: off branches that end, to where the film came to rest in time
+  int jumps{};           ///< of a path: jumps off branches that end, to the state that the film settles to in time
   /// Of a solve with foils that started at a state: the largest change of P, U and position over c that the tangent
   /// there predicts, and the largest difference between the state that was found and the predicted one.
   double predicted_change{}, departure{};
 };
 
-/// Newton's method for the pressure over rigid walls or a Winkler foundation. Steps are cut so that P and H stay
-/// positive, and halved while the residual does not fall, eight times at most. Keeps its storage between solves.
+/// Newton's method for the pressure over a rigid bearing surface or an elastic (Winkler) foundation. Steps are cut so
+/// that P and H stay positive, and halved while the residual does not fall, eight times at most. Keeps its storage
+/// between solves.
 class FilmSolver {
  public:
   FilmSolver(const FilmMesh& mesh, const Foundation& foundation,
@@ -74,8 +75,8 @@ class FilmSolver {
   ///                         status is not_converged or no_room: then it stays as it was
   [[nodiscard]] FilmReport solve(const ReynoldsEquation& equation, const Matrix& rigid_thickness, FilmState& film);
 
-  /// Finds the films on the way from the rigid thickness `from` to `to` in steps of adapted length: where Newton's
-  /// method needs a start nearby. `film` must be the film at `from`; it receives the one at the end, or the last that
+  /// Finds the films from the rigid thickness `from` to `to` in steps of adaptive length, for when Newton's method
+  /// needs a nearby start. `film` must be the film at `from`; it receives the one at the end, or the last that
   /// converged.
   [[nodiscard]] FilmReport follow(const ReynoldsEquation& equation, const Matrix& from, const Matrix& to,
                                   FilmState& film);

@@ -36,7 +36,7 @@ struct FoilFilm {
 FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double bending_stiffness, double pitch,
                         std::vector<int> supports);
 
-/// What is known of a film and the foil under it: a plain value.
+/// State of a film and the foil under it: a plain value.
 struct FoilFilmState {
   FilmState film;
   Vector lift;    ///< U of all columns, outward; part of H
@@ -46,7 +46,7 @@ struct FoilFilmState {
 /// A film at P = 1 on an undeformed foil.
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness);
 
-/// What is left of the equations, without the forces of supports.
+/// Residuals of the equations, without the forces of supports.
 struct FoilFilmResidual {
   Matrix film;           ///< of reynolds_residual
   Vector balance;        ///< of every column; zero at the weld
@@ -56,13 +56,13 @@ struct FoilFilmResidual {
 void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, const FoilFilmState& state,
                         FoilFilmResidual& residual);
 
-/// The same for the foil alone; leaves the film's part as it is.
+/// The same for the foil alone; does not change the part of the film.
 void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual);
 
 /// Newton's method for film and foil, condensed to the columns over supports and the free end: their unknowns are the
-/// pressures of rows 0 to rows - 1, U and M, in this order; block i is support i, the last one the free end. What lies
-/// between two of them is eliminated, column by column, with both held. At the free end, U alone is unknown: the other
-/// unknowns must be given as zero, and their rows mean nothing.
+/// pressures of rows 0 to rows - 1, U and M, in this order; block i is support i, the last one the free end. The
+/// columns between two of them are eliminated one by one, with both held. At the free end, U alone is unknown: the
+/// other unknowns must be given as zero, and their rows mean nothing.
 class FoilFilmSystem {
  public:
   using Block = Matrix;

@@ -9,12 +9,12 @@ struct Gas {
   double mean_free_path{};    ///< lambda_a at ambient pressure, m; 0: no slip at the walls
 };
 
-/// What turns the film of a bearing into numbers without dimension: P = p / pa, H = h / c, zeta = z / R. Forces are in
-/// units of pa R^2, flows in volumes at ambient pressure.
+/// Scales that make the film of a bearing dimensionless: P = p / pa, H = h / c, zeta = z / R. Forces are in units of pa
+/// R^2, flows in volumes at ambient pressure.
 struct FilmScales {
   Gas gas;
   double radius{};     ///< R, m
-  double thickness{};  ///< c, m; any length will do, the clearance is the natural one
+  double thickness{};  ///< c, m; any length works, the clearance is the natural one
 
   /// Lam = 6 mu sigma Omega R^2 / (pa c^2), positive where the surface of the journal moves towards increasing theta.
   /// @param surface_speed  sigma Omega R, m/s

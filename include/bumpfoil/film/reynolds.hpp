@@ -18,7 +18,7 @@ struct ReynoldsEquation {
   Matrix previous_content{};  ///< (P H)_old at all nodes; read only where squeeze_rate > 0
 };
 
-/// What is known of a film: a plain value. P at nodes on the edges is given, at all others unknown; P > 0, H > 0.
+/// State of a film: a plain value. P at nodes on the edges is given, at all others unknown; P > 0, H > 0.
 struct FilmState {
   Matrix pressure;   ///< P at all nodes
   Matrix thickness;  ///< H at all nodes

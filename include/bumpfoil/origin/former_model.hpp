@@ -13,7 +13,7 @@ namespace bumpfoil {
 class ModeSystem;
 class PenaltySystem;
 
-/// The former model of the bearing [LeLez2007], as [Arghir2019] compares itself with it: the truss alone, without top
+/// The Le Lez (2007) model of the bearing [LeLez2007], with which [Arghir2019] compares: the truss alone, without top
 /// foil and without gaps that open. A plain value.
 ///
 /// Contacts of the block of a bump: crest with journal, foot with sleeve. Both hold in both senses: a normal force may
@@ -42,7 +42,7 @@ Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& positi
 /// beyond the journal's reach are not judged for penetration, which the model does not know.
 ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position, const ContactState& state);
 
-/// What one journal position gives.
+/// Result of one journal position.
 struct FormerSolution {
   ContactState state;  ///< normal forces below zero are tensions; `open` are crests that the journal does not reach
   ContactResiduals residuals;  ///< former_residuals
@@ -70,7 +70,7 @@ class FormerSolver {
   [[nodiscard]] FormerSolution solve(const Eigen::Vector2d& position);
 
   /// d(F.n)/ds along the unit vector n for the contact modes of `state`, N/m: the same for loading and unloading.
-  /// @return absent where the contacts leave the foil loose
+  /// @return absent where the contacts leave a mechanism
   [[nodiscard]] std::optional<double> tangent_stiffness(const ContactState& state, const Eigen::Vector2d& direction);
 
  private:
@@ -87,7 +87,7 @@ class FormerSolver {
   std::unique_ptr<PenaltySystem> penalties_;
 };
 
-/// Force that holds the journal against the crests, N.
+/// Applied force on the journal, which balances the crests, N.
 Eigen::Vector2d former_journal_force(const FormerModel& model, const ContactState& state);
 
 }  // namespace bumpfoil

@@ -7,9 +7,9 @@
 
 namespace bumpfoil {
 
-/// The case of a stored sample, to be run again in full. What is done to the bearing may be another than in the
-/// ensemble; the bearing itself may not. Where `command` is that of the ensemble and the case names no solver, the
-/// sample has that of the ensemble.
+/// The case of a stored sample, to be run again in full. The prescribed loading may differ from that of the ensemble;
+/// the bearing itself may not. Where `command` is that of the ensemble and the case names no solver, the sample has
+/// that of the ensemble.
 /// @param file   an ensemble.nc, summary.json beside it   @param input  the case that the ensemble was drawn for
 /// @param command  what is to be run of the sample
 /// @throws Error (file) if it cannot be read, or has not the checksum that summary.json lists; Error (input) if it has

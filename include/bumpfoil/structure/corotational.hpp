@@ -18,7 +18,7 @@ namespace bumpfoil {
 /// @param chord  undeformed, end minus start, m
 ElementVector chord_deformations(const Eigen::Vector2d& chord, const ElementVector& displacements);
 
-/// An element that its ends carry along: its undeformed chord and what resists its deformation against it.
+/// A corotational element: its undeformed chord and the stiffness of its deformation relative to it.
 struct CorotationalElement {
   Eigen::Vector2d chord{0.0, 0.0};                     ///< end minus start, m
   Eigen::Matrix3d stiffness{Eigen::Matrix3d::Zero()};  ///< of stretch and rotations of start and end, N/m, N, N m
@@ -27,12 +27,13 @@ struct CorotationalElement {
 /// @param stiffness  of the undeformed element, order of frame_element_stiffness
 CorotationalElement make_corotational_element(const Eigen::Vector2d& chord, const ElementMatrix& stiffness);
 
-/// What an element that its ends carry along answers to their displacements.
+/// Energy, forces and tangents of a corotational element under displacements of its ends.
 struct CorotationalResponse {
   double energy{};        ///< J
   ElementVector forces;   ///< its gradient, N and N m
   ElementMatrix tangent;  ///< its second derivative, symmetric; at rest frame_element_stiffness
-  /// The tangent less what compression and bending take from it, positive semidefinite: D'KD + max(P, 0) s dphi dphi'.
+  /// The tangent without the softening by compression and bending, positive semidefinite: D'KD + max(P, 0) s dphi
+  /// dphi'.
   ElementMatrix stable_tangent;
 };
 

@@ -26,7 +26,7 @@ struct BumpDofs {
 /// Unknowns of a bump in each model, see make_foil_structure().
 BumpDofs make_bump_dofs(const FoilDesign& foils);
 
-/// Foils whose displacements are large: the elements of the bump foil are carried along, the rest stays linear.
+/// Foils with large displacements: the elements of the bump foil are corotational, the rest stays linear.
 struct LargeDisplacements {
   std::vector<ElementChain> bump_foils;  ///< of each pad
   BlockTridiagonal rest;                 ///< K of the foils without these elements
@@ -69,14 +69,14 @@ struct FoilStructure {
 /// Truss, 6 unknowns per bump: crest u, v; foot (after the crest) u, v; top foil displacement, moment. The former model
 /// has the first four alone. Frame, 11 unknowns per bump: see frame_dofs().
 ///
-/// Unknowns without meaning (the top foil where there is none, all but the foot of the block
-/// before bump 1) are kept, so that all blocks have one size: held by springs that nothing else is coupled to, they
-/// stay zero. Foils that are free at both ends are held by springs of `loose_hold` at every foot and, the top foil, at
-/// every crest: what nothing else decides stays where it was.
+/// Unknowns without meaning (the top foil where there is none, all but the foot of the block before bump 1) are kept,
+/// so that all blocks have one size: held by springs that nothing else is coupled to, they stay zero. Foils that are
+/// free at both ends are held by springs of `loose_hold` at every foot and, the top foil, at every crest: what nothing
+/// else determines stays in place.
 /// @throws Error (input) if the constants of the truss cannot be identified.
 FoilStructure make_foil_structure(const FoilDesign& foils);
 
-/// Puts the foils of one more pad behind those there are: of the same model, and welded as they are.
+/// Appends the foils of one more pad: of the same model, and welded in the same way.
 void append(const FoilStructure& pad, FoilStructure& foils);
 
 /// Block of bump 1, see FoilStructure.
@@ -96,7 +96,7 @@ BlockTridiagonal tangent_stiffness(const FoilStructure& structure, const Vector&
 /// The same with the stable tangents of the elements.
 BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const Vector& x);
 
-/// What displacements of the foils take.
+/// Forces and energy of displaced foils.
 struct ElasticResponse {
   Vector forces;    ///< of the bump foil, K_t u_t on the top foil, zero in the rows of moments, N
   double energy{};  ///< 1/2 u_t' K_t u_t of the top foil and 1/2 u_b' K_b u_b of the bump foil, or under large

@@ -39,7 +39,7 @@ ElementMatrix frame_element_stiffness(const Section& section, const FrameElement
 /// the first and the end of the second.
 ElementMatrix stiffness_in_series(const ElementMatrix& first, const ElementMatrix& second);
 
-/// What the part after a cut does to the part before it, carried to the elastic centre; the same for every cut.
+/// Action of the part after a cut on the part before it, carried to the elastic centre; the same for every cut.
 struct ElementForces {
   double along{};   ///< force along the chord, N
   double across{};  ///< force along the chord turned by +90 deg, N

@@ -38,8 +38,8 @@ BumpCell make_bump_cell(const BumpArc& arc, const Section& section);
 /// make_truss_constants.
 TrussConstants identify_truss_constants(const BumpArc& arc, const Section& section);
 
-/// What keeps foils from being built as a truss: constants that are not given and that come out negative, so that the
-/// truss would be unstable. Empty for foils whose truss can be built.
+/// Reasons why foils cannot be built as a truss: identified constants that are negative, so that the truss would be
+/// unstable. Empty if the truss can be built.
 std::vector<Fault> find_truss_faults(const FoilDesign& foils);
 
 /// Constants of the truss, one set per bump: the given ones, and in place of those that are not given the identified

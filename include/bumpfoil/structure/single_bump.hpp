@@ -16,7 +16,7 @@ namespace bumpfoil {
 ///
 /// [Walowit1975]
 /// @param thrust_ratio mu
-/// @return absent where A <= mu B: bumps as steep as that lock
+/// @return absent where A <= mu B: bumps this steep lock
 std::optional<double> sliding_bump_stiffness(const BumpArc& arc, const Section& section, double thrust_ratio);
 
 /// Limit of the same for shallow bumps without thrust, 6 EI' / l0^3 = E' L e^3 / (2 l0^3), N/m [Walowit1975].
@@ -27,8 +27,8 @@ double shallow_bump_stiffness(const BumpArc& arc, const Section& section);
 ///     K = 2 EI' / (R_b^3 (alpha/2 - sin(2 alpha)/4 - (1 - cos)^2 / alpha))
 double guided_bump_stiffness(const BumpArc& arc, const Section& section);
 
-/// Size of the forces in foils of this kind, N: stiffness of bump 1, taken as shallow, times its rise. What is
-/// a rounding among forces is told from it where nothing is loaded.
+/// Scale of the forces in such foils, N: stiffness of bump 1, taken as shallow, times its rise. Round-off of forces is
+/// judged by it where nothing is loaded.
 double bump_force_scale(const FoilDesign& foils);
 
 }  // namespace bumpfoil

@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// Bending stress at the surfaces of the foils, |M| / W, Pa. What a model does not know is empty or absent: the bump
-/// foil of the truss, the top foil of the former model.
+/// Bending stress at the surfaces of the foils, |M| / W, Pa. Quantities that a model does not have are empty or absent:
+/// the bump foil of the truss, the top foil of the former model.
 struct FoilStress {
   Vector top_crest;                ///< top foil over each crest
   std::optional<double> top_weld;  ///< where the top foil is clamped
@@ -18,7 +18,7 @@ struct FoilStress {
   std::optional<double> bump_weld;
 };
 
-/// What it takes to tell the stress from the unknowns of a foil structure. A plain value.
+/// Data to compute the stress from the unknowns of a foil structure. A plain value.
 struct StressModel {
   BumpDofs dofs;
   int first_bump{};  ///< block of bump 1

@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 
-/// One cycle run of a study: what `bumpfoil cycle` makes of a case file with `--set` options.
+/// One cycle run of a study: `bumpfoil cycle` of a case file with `--set` options.
 struct StudyRun {
   std::string name;                    ///< of its result folder
   std::string label;                   ///< for people
@@ -19,7 +19,7 @@ struct StudyRun {
   std::optional<double> parameter;     ///< value that the study varies, in the unit of Study::parameter_unit
 };
 
-/// What a study takes from the results of its runs; see studies/study_tables.hpp.
+/// Tables of a study, made from the results of its runs; see studies/study_tables.hpp.
 enum class StudyTableKind { loops, quantities, loads, heights, foils, contacts };
 
 /// As they are called in descriptions, and as their files without ".csv".
@@ -43,7 +43,7 @@ struct Study {
   std::vector<StudyTableKind> tables;
   std::vector<StudyData> data;
   std::vector<int> increments;  ///< that the table `foils` shows
-  std::string script_of;        ///< the study whose script draws it, where that is not its own
+  std::string script_of;        ///< the study whose script draws it, if not its own
   std::string plot_script;      ///< for gnuplot; reads the tables and writes the picture
 };
 

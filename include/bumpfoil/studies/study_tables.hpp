@@ -11,7 +11,7 @@
 
 namespace bumpfoil {
 
-/// A run of a study with what came out.
+/// A run of a study and its result.
 struct StudyRunResult {
   Case input;
   CycleResult result;

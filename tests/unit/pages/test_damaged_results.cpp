@@ -288,14 +288,14 @@ TEST(DamagedResult, FilesThatAreNoResult) {
 }
 
 TEST(DamagedSummary, TextsThatAreNone) {
-  EXPECT_EQ(fault_of_summary(nullptr), "/summary.json: is no summary of this program");
-  EXPECT_EQ(fault_of_summary(json::array()), "/summary.json: is no summary of this program");
-  EXPECT_EQ(fault_of_summary(1.0), "/summary.json: is no summary of this program");
-  EXPECT_EQ(fault_of_summary(json::object()), "/summary.json: is no summary of this program");
+  EXPECT_EQ(fault_of_summary(nullptr), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(fault_of_summary(json::array()), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(fault_of_summary(1.0), "/summary.json: is not a summary of this program");
+  EXPECT_EQ(fault_of_summary(json::object()), "/summary.json: is not a summary of this program");
   SmallResult result;
   result.write(SmallFile());
   result.folder().write("summary.json", "{\"schema\": ");
-  EXPECT_EQ(result.fault(), "/summary.json: cannot be read: it is no JSON");
+  EXPECT_EQ(result.fault(), "/summary.json: cannot be read: it is not JSON");
   for (const char bracket : {'[', '{'}) {
     std::string deep(200'000, bracket);
     if (bracket == '{') {
@@ -336,7 +336,7 @@ TEST(DamagedSummary, KeysThatAreMissingOrOfAnotherType) {
   EXPECT_EQ(fault_of_summary(summary),
             "/summary.json: schema: is \"bumpfoil-summary/9\", which this version cannot read");
   summary["schema"] = 1;
-  EXPECT_EQ(fault_of_summary(summary), "/summary.json: schema: is no text");
+  EXPECT_EQ(fault_of_summary(summary), "/summary.json: schema: is not a string");
   summary = small_summary();
   summary["cycles"][0] = nullptr;
   EXPECT_EQ(fault_of_summary(summary), "/summary.json: direction_deg: is missing");

@@ -384,12 +384,12 @@ TEST(Report, NamesEveryFolderThatHoldsNoResult) {
   ASSERT_EQ(faults.size(), 6U);
   EXPECT_EQ(faults[0].file, (empty.path() / "nowhere").string());
   EXPECT_EQ(faults[0].what, "does not exist");
-  EXPECT_EQ(faults[1].what, "holds no results: result.nc is missing");
+  EXPECT_EQ(faults[1].what, "contains no results: result.nc is missing");
   EXPECT_EQ(faults[2].what, "is no folder");
   EXPECT_EQ(faults[3].file, (broken.path() / "result.nc").string());
   EXPECT_NE(faults[3].what.find("is damaged: it has 16 bytes"), std::string::npos);
-  EXPECT_EQ(faults[4].what, "cannot be read: it is no JSON");
-  EXPECT_EQ(faults[5].what, "holds no results: summary.json is missing");
+  EXPECT_EQ(faults[4].what, "cannot be read: it is not JSON");
+  EXPECT_EQ(faults[5].what, "contains no results: summary.json is missing");
 }
 
 TEST(Report, ReadsTheNewSetWhereItsPublicationWasCutShort) {

@@ -78,7 +78,7 @@ TEST_F(ReportOfEnsembles, AReportSaysWhatIsDamaged) {
   EXPECT_NE(fault([](json& summary) { summary["limits"][0].erase("passed"); }).find("passed: is missing"),
             std::string::npos);
   EXPECT_NE(
-      fault([](json& summary) { summary["statistics"] = 1; }).find("statistics: is no table by direction or state"),
+      fault([](json& summary) { summary["statistics"] = 1; }).find("statistics: is not a table by direction or state"),
       std::string::npos);
 }
 

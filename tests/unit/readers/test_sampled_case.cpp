@@ -60,7 +60,7 @@ TEST_F(SampledCase, ASampleOfADamagedFileIsRefused) {
             std::string::npos)
       << refusal(2, input_);
   std::filesystem::remove(netcdf_.parent_path() / "summary.json");
-  EXPECT_NE(refusal(2, input_).find("holds no results: summary.json is missing"), std::string::npos);
+  EXPECT_NE(refusal(2, input_).find("contains no results: summary.json is missing"), std::string::npos);
 }
 
 TEST_F(SampledCase, AnotherBearingIsRefused) {
@@ -70,7 +70,7 @@ TEST_F(SampledCase, AnotherBearingIsRefused) {
   EXPECT_NE(refusal(0, other).find("bearing.radial_clearance = 3.18e-05: is 3e-05 in this case"), std::string::npos)
       << refusal(0, other);
   folder_.write("results/ensemble.nc", "none");
-  EXPECT_NE(refusal(0, input_).find("is damaged: it has 4 bytes, where summary.json lists"), std::string::npos);
+  EXPECT_NE(refusal(0, input_).find("is damaged: it has 4 bytes, summary.json lists"), std::string::npos);
 }
 
 }  // namespace
