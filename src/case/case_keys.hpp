@@ -23,7 +23,7 @@ enum class Presence {
   inherited,  ///< a table that says what differs from another of the same keys, which has the rest
 };
 
-/// What is to be known of a key of the case file, or of a table, beside its value.
+/// Description of a key of the case file, or of a table.
 struct Key {
   std::string_view name;  ///< in its table
   Presence presence{Presence::required};
@@ -32,13 +32,13 @@ struct Key {
   std::string_view example{};            ///< as `init` shows it; none: what the reference case holds
   std::optional<Dimension> dimension{};  ///< of a text with a unit, or a number in SI
   std::string_view otherwise{};          ///< "table.key" whose value it has if it is not given itself
-  bool instead{};                        ///< in place of the key before it: nobody gives both
-  bool left_open{};              ///< the reader may know better than the default, which authors do not write then
-  std::string_view spared_by{};  ///< table beside which a required key may be left out
-  std::string_view stand_in{};   ///< key of its table that may be given in its place
+  bool instead{};                        ///< alternative to the previous key: only one may be given
+  bool left_open{};              ///< the reader may choose a better value than the default, so templates leave it out
+  std::string_view spared_by{};  ///< table that makes a required key optional
+  std::string_view stand_in{};   ///< key of its table that may be given instead
 };
 
-/// Where the value of a key is kept. An absent number and an empty list stand for no value.
+/// Storage of the value of a key. An absent number or an empty list means no value.
 using Value = std::variant<std::string*, bool*, int*, double*, std::optional<double>*, std::vector<double>*, PerBump*>;
 
 /// Visits every key of the case file, in its order, to read or to write.
@@ -51,7 +51,7 @@ class CaseVisitor {
 
   virtual void value(const Key& key, Value value) = 0;
 
-  /// A list of angles, in which "+X", "+Y", "-X" and "-Y" stand for theirs.
+  /// A list of angles; "+X", "+Y", "-X" and "-Y" are accepted.
   virtual void directions(const Key& key, std::vector<double>& angles) = 0;
 
   /// A list of vectors in the X-Y plane, each by its components along X and Y.
@@ -84,7 +84,7 @@ class CaseVisitor {
   /// A displacement or a load, each by a key of its own.
   virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;
 
-  /// A displacement or a load by one key: its unit tells, and a plain number is what `plain` says.
+  /// A displacement or a load by one key: the unit decides, and `plain` for a plain number.
   virtual void either(const Key& key, Control plain, std::optional<Target>& target) = 0;
 
   /// The same with a component along X and one along Y.
@@ -107,7 +107,7 @@ class CaseVisitor {
   virtual void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) = 0;
 };
 
-/// All keys of the case file. Whoever adds one adds it here and to the Case.
+/// All keys of the case file. New keys are added here and to the Case.
 void describe(CaseVisitor& keys, Case& input);
 
 }  // namespace bumpfoil

@@ -18,18 +18,18 @@
 namespace bumpfoil {
 namespace {
 
-/// What stands for a file in messages.
+/// Name of the input in messages.
 std::string name_in_messages(const std::string& path) {
   return path == standard_input ? "standard input" : path;
 }
 
-/// All commands do, but that about a strip between plates.
+/// All commands do, except that for a strip between plates.
 bool needs_bearing(const CaseRequest& request) {
   return std::any_of(request.commands.begin(), request.commands.end(),
                      [](const std::string& command) { return command != "strip"; });
 }
 
-/// What keeps the foils from being built, where they are to be a truss.
+/// Errors that prevent the foils from being built as a truss.
 std::vector<Fault> truss_faults(const Case& input) {
   if (input.bump_foil.model == BumpFoilModel::frame) return {};
   for (const PlacedPad& pad : place_pads(input)) {
@@ -49,7 +49,7 @@ bool chooses_truss(const toml::table& document) {
          });
 }
 
-/// In place of a truss that nobody asked for. @param fault  of the truss
+/// Replaces a truss that was not requested. @param fault of the truss
 void take_frame(Case& input, const Fault& fault) {
   input.bump_foil.model = BumpFoilModel::frame;
   for (Pad& pad : input.pads) {
@@ -96,7 +96,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     // That an ensemble needs [equilibrium] is told of its command.
     const bool told = runs_ensemble && command == "equilibrium";
     if (told || document.contains(table)) continue;
-    // To add what is refused beside pads would lead nowhere.
+    // Adding what pads exclude would not help.
     const bool knows_pads = table != "strip";
     if (knows_pads || input.pads.empty()) {
       log.fault(table, "this table is missing",

@@ -37,7 +37,7 @@ std::string without_micro(std::string_view column) {
   return text;
 }
 
-/// What follows the quantity in the name of a column; absent where it does not begin with the quantity.
+/// Rest of a column name after the quantity; absent if it does not start with the quantity.
 std::optional<std::string> behind_quantity(std::string_view column, std::string_view quantity) {
   const std::string text = without_micro(column);
   const auto is_filling = [](char c) { return brackets_and_spaces.find(c) != std::string_view::npos; };
@@ -103,7 +103,7 @@ bool is_csv_remark(std::string_view line) {
 }
 
 std::optional<double> CsvNumbers::read(std::string_view cell) {
-  std::string text = replaced(cell, "\xe2\x88\x92", "-");  // the minus of typesetters
+  std::string text = replaced(cell, "\xe2\x88\x92", "-");  // the typographic minus
   const std::size_t at = text.find_first_of(".,");
   const char sign = at == std::string::npos ? '\0' : text[at];
   if (sign == ',') text[at] = '.';

@@ -9,7 +9,7 @@
 
 namespace bumpfoil {
 
-/// How the cells of a CSV file are told apart: what programs write differs from country to country.
+/// Dialect of a CSV file: separators and decimal signs differ from country to country.
 struct CsvDialect {
   char separator{','};              ///< null where the header is a single column
   std::string_view name{"commas"};  ///< of the separators, in messages

@@ -10,19 +10,19 @@
 
 namespace bumpfoil {
 
-/// Takes the lines of a CSV file apart, and keeps what is wrong with them.
+/// Splits the lines of a CSV file, and collects their errors.
 class CsvRows {
  public:
   explicit CsvRows(std::string path) : path_(std::move(path)) {}
 
-  /// The names of the columns, in the first line that is no remark, which tells what separates them.
+  /// The column names, in the first line that is not a comment, which also determines the separator.
   std::vector<std::string> read_header(std::string_view text);
 
   [[nodiscard]] bool has_header() const { return columns_ > 0; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] const CsvDialect& dialect() const { return dialect_; }
 
-  /// The cells of a line, one for every column; none where there are more or fewer, which is a fault.
+  /// The cells of a line, one for every column; none if their number is wrong, which is an error.
   std::vector<std::string> read(std::size_t line, std::string_view text);
 
   void fault(std::size_t line, std::string_view text, std::string what, std::string advice);
@@ -36,7 +36,7 @@ class CsvRows {
   void throw_if_faulty();
 
  private:
-  /// Lines of another number of cells than the header, told with the first of them.
+  /// Lines whose number of cells differs from the header, reported with the first of them.
   struct OddLines {
     std::size_t fault{};  ///< its number among the faults
     std::size_t count{};

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view bump_column = "bump";
 constexpr std::string_view name_advice = "name one height_error_um, or height_mm if it holds whole heights";
 
-/// What a column of heights holds.
+/// Content of a column of heights.
 struct HeightColumn {
   std::size_t index{};
   ColumnUnit unit{};
@@ -45,8 +45,8 @@ struct UsualUnit {
 constexpr std::array usual_units{UsualUnit{"um", "micrometres", 1e-6}, UsualUnit{"mm", "millimetres", 1e-3},
                                  UsualUnit{"m", "metres", 1.0}, UsualUnit{"nm", "nanometres", 1e-9}};
 
-/// No foil is made so well that all of its errors are smaller, m: those of some micrometres are of some nanometres
-/// where their unit is a thousand times too small.
+/// No foil is made so well that all of its errors are smaller, m: micrometres appear as nanometres if the unit is a
+/// thousand times too small.
 constexpr double smallest_error = 1e-7;
 
 /// "3, 7 to 12 and 14" of the lines that were not given.
@@ -98,7 +98,7 @@ class HeightErrorsReader {
       rows_.fault("is empty",
                   fmt::format("write bump,height_error_um and one line for each of {} bumps", given_.size()));
     }
-    // A line that could not be read may be the one that is missing.
+    // An unreadable line may be the missing one.
     const auto missing = std::count(lines_.begin(), lines_.end(), std::size_t{0});
     if (!rows_.faulty() && missing > 0) {
       rows_.fault(fmt::format("lacks bump{} {}", missing == 1 ? "" : "s", missing_bumps(lines_)),
@@ -159,7 +159,7 @@ class HeightErrorsReader {
     return column_->absolute || largest == 0.0 || largest >= smallest_error;
   }
 
-  /// The usual unit that the values make sense in, where theirs does not.
+  /// The usual unit in which the values are plausible, if they are not in theirs.
   [[nodiscard]] std::string confusion() const {
     std::string own = column_->unit.name;
     for (const UsualUnit& unit : usual_units) {
@@ -173,7 +173,7 @@ class HeightErrorsReader {
     return fmt::format("is the column in {}?", own);
   }
 
-  /// Values that no bump has, told once with the first line.
+  /// Implausible values, reported once with the first line.
   void judge(const std::vector<double>& errors) {
     if (are_plausible(errors)) return;
     std::vector<std::size_t> beyond;
@@ -194,7 +194,7 @@ class HeightErrorsReader {
         2 * beyond.size() < errors.size() ? "correct it: most others are plausible" : confusion());
   }
 
-  /// Whose line it is, from 0.
+  /// Bump of the line, from 0.
   std::optional<std::size_t> bump_of(std::size_t line, std::string_view text, const std::vector<std::string>& cells) {
     if (!bump_index_) {
       if (next_ < given_.size()) return next_++;

@@ -9,14 +9,14 @@
 
 namespace bumpfoil {
 
-/// A key of the case file, or a table, with what a case holds.
+/// A key of the case file, or a table, with its value in a case.
 struct ListedKey {
   std::string path;  ///< dotted, such as "bump_foil.truss.k1"
   Key key;
   std::string kind;              ///< what it holds, such as "length" or "list of lengths"; empty for a table
   nlohmann::ordered_json value;  ///< in SI, as in JSON; null for a table, and where there is none
   bool held{};                   ///< the case has it: it is written
-  bool live{};                   ///< it would be given by an author of the case, rather than left at its default
+  bool live{};                   ///< an author of the case would give it, rather than leave it at its default
   bool instead{};                ///< in place of another key, which is given
 
   [[nodiscard]] bool is_table() const { return kind.empty(); }

@@ -11,9 +11,9 @@
 namespace bumpfoil {
 namespace {
 
-/// More are no help.
+/// More would not help.
 constexpr std::size_t most_suggested = 5;
-/// Shorter names are a slip or two from any other.
+/// Shorter names are one or two edits from any other.
 constexpr std::size_t shortest_slip = 5;
 
 /// "bump", "foil" and "height" of "bump_foil.height".
@@ -29,7 +29,7 @@ std::vector<std::string> words_of(std::string_view path) {
   return words;
 }
 
-/// What stands behind the last point.
+/// The part after the last dot.
 std::string name_in(const std::string& path) {
   return path.substr(path.rfind('.') + 1);
 }

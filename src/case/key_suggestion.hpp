@@ -16,7 +16,7 @@ std::string first_key_of(const std::string& table);
 /// those of the fewest words.
 std::vector<std::string> keys_with_words(std::string_view name, const std::vector<std::string>& paths);
 
-/// Of these paths those that end with what a name is a slip of, the outermost.
+/// Of these paths those that end with a likely correction of a name, the outermost.
 std::vector<std::string> keys_near(const std::string& name, const std::vector<std::string>& paths);
 
 /// "did you mean "a", "b" or "c"?"

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-/// More faults are counted, not listed.
+/// Further errors are counted, not listed.
 constexpr std::size_t most_faults = 50;
 
 /// What a key holds: "bump_foil.truss" for "bump_foil.truss.k1", "x" for "x[3]"; empty for a key of the root.
@@ -51,7 +51,7 @@ const Origin* ReadingLog::place_of(const std::string& key) const {
 }
 
 void ReadingLog::fault(const std::string& key, std::string what, std::string advice) {
-  if (!faulty_.insert(key).second) return;  // told already, where the value was read for another key
+  if (!faulty_.insert(key).second) return;  // already reported, where the value was read for another key
   const Origin* place = place_of(key);
   const auto exact = origins_.find(key);
   add({place != nullptr ? place->file : file_, place != nullptr ? place->line : 0, key,
@@ -69,7 +69,7 @@ void ReadingLog::later_fault(const Fault& fault) {
   }
   judged_.insert(placed.key);
   const Origin* place = place_of(placed.key);
-  if (place != nullptr && place->implied) place = nullptr;  // the file lacks it, whatever else was overridden
+  if (place != nullptr && place->implied) place = nullptr;  // missing in the file, whatever else was overridden
   placed.file = place != nullptr ? place->file : file_;
   placed.line = place != nullptr ? place->line : 0;
   const auto exact = origins_.find(placed.key);

@@ -13,7 +13,7 @@
 
 namespace bumpfoil {
 
-/// Where a key was met, and what it was given, for messages.
+/// Where a key was found, and its value, for messages.
 struct Origin {
   std::string file;
   std::size_t line{};
@@ -22,19 +22,19 @@ struct Origin {
   bool implied{};                ///< a table that an override made for its key
 };
 
-/// What is known while a case file is read: its faults, and where its keys stand.
+/// State while a case file is read: its errors, and the positions of its keys.
 class ReadingLog {
  public:
   explicit ReadingLog(std::string file) : file_(std::move(file)) {}
 
-  /// Remembers where a key stands and what it was given.
+  /// Records where a key is and its value.
   void met(const std::string& key, const toml::node& node);
 
   /// Remembers of a key that was met that its number may be meant in another unit: what its faults are to say of that,
   /// where {} stands for the number. The text must stay.
   void met_unlikely(const std::string& key, std::string_view hint) { origins_[key].unit_hint = hint; }
 
-  /// A fault of a key, placed where the key, or the table that lacks it, stands. The first one of a key counts.
+  /// An error of a key, at the place of the key or of the table that lacks it. Only the first one of a key counts.
   void fault(const std::string& key, std::string what, std::string advice);
 
   /// The value of `key` was taken from `other`, where its faults are to be reported, once.

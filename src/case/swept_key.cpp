@@ -15,10 +15,10 @@
 namespace bumpfoil {
 namespace {
 
-/// All sums of so many digits are exact in 64 bits.
+/// Sums of numbers with this many digits are exact in 64 bits.
 constexpr int most_digits = 15;
 constexpr std::int64_t digits_limit = 1'000'000'000'000'000;
-/// Part of a step by which a range may miss its end: what is left of thirds and the like.
+/// Fraction of a step by which a range may miss its end, for steps such as thirds.
 constexpr std::int64_t rounding = 1'000'000;
 
 /// digits * 10^exponent
@@ -62,7 +62,7 @@ std::optional<std::int64_t> digits_at(const Decimal& decimal, int exponent) {
   return digits;
 }
 
-/// As short as it gets: 0.1, not 0.10.
+/// Shortest form: 0.1, not 0.10.
 std::string text_of(Decimal decimal) {
   if (decimal.digits == 0) return "0";
   while (decimal.digits % 10 == 0) {
@@ -72,7 +72,7 @@ std::string text_of(Decimal decimal) {
   std::string digits = std::to_string(std::abs(decimal.digits));
   const std::string sign = decimal.digits < 0 ? "-" : "";
   const int size = static_cast<int>(digits.size());
-  // Beyond what people write out, a power of ten.
+  // With a power of ten for very large or small numbers.
   if (decimal.exponent > most_digits || decimal.exponent < -2 * most_digits) {
     return fmt::format("{}{}e{}", sign, digits, decimal.exponent);
   }
@@ -82,7 +82,7 @@ std::string text_of(Decimal decimal) {
   return sign + digits.insert(static_cast<std::size_t>(whole), 1, '.');
 }
 
-/// Reads one option and tells what is wrong with it.
+/// Reads one option and reports its errors.
 class SweptKeyParser {
  public:
   explicit SweptKeyParser(std::string_view argument) : argument_(argument) {}

@@ -31,7 +31,7 @@ Key optional_key(Key key) {
   return key;
 }
 
-/// A key of a table that stands where a value of `key` may.
+/// A key of a table that is given in place of a value of `key`.
 Key key_called(std::string_view name, Presence presence, Key key) {
   key.name = name;
   key.presence = presence;
@@ -67,8 +67,7 @@ std::string TableReader::path_of(std::string_view name) const {
   return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
 }
 
-/// What the key holds and where that stands: under its own path, or under that whose value it takes. Null if there is
-/// nothing.
+/// The value of the key and its path: its own, or that of the key whose value it takes. Null if there is none.
 std::pair<const toml::node*, std::string> TableReader::find(const Key& key) {
   known_.emplace_back(key.name);
   const std::string path = path_of(key.name);
@@ -130,7 +129,7 @@ void TableReader::range(const Key& key, const toml::table& ends, const std::stri
   for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = *from + static_cast<double>(i) * span / spaces;
 }
 
-/// What goes along the foil by a law.
+/// Values that follow a law along the foil.
 void TableReader::graded(const Key& key, const toml::table& ends, const std::string& path, PerBump& dimension) {
   PerBump read(0.0, 0.0, Grading::linear);
   TableReader reader(*this, ends, path);
@@ -326,12 +325,12 @@ void TableReader::table(const Key& key, bool /*given*/, const std::function<void
   reader.finish();
 }
 
-/// What may be meant by a key that is not known here: one like it here, or one of another table.
+/// Suggestions for an unknown key: a similar one here, or one of another table.
 std::string TableReader::advice_on_unknown(const std::string& name, const toml::node& node) const {
   const std::vector<std::string> paths = key_paths();
   std::vector<std::string> keys = keys_with_words(name + key_set_in(node), paths);
   const auto nearest = nearest_name(name, known_);
-  // Outside all tables it rather lacks its table.
+  // Outside all tables its table is more likely missing.
   if (nearest && (keys.empty() || !path_.empty())) return did_you_mean({*nearest});
   if (keys.empty()) keys = keys_near(name, paths);
   return keys.empty() ? fmt::format("known here: {}", fmt::join(known_, ", ")) : did_you_mean(keys);
@@ -342,7 +341,7 @@ void TableReader::finish() {
     const std::string name(key.str());
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     const std::string path = path_of(name);
-    if (log_.full()) {  // counted all the same, but a million unknown keys need no million suggestions
+    if (log_.full()) {  // still counted, but a million unknown keys need no suggestions
       log_.add({});
       continue;
     }

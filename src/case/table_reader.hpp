@@ -10,8 +10,8 @@
 
 namespace bumpfoil {
 
-/// Takes the values of a table, and of those inside it, out of a case file. Whatever is wrong goes into the log; what
-/// was asked for is then left as it was.
+/// Reads the values of a table, and of those inside it, from a case file. Errors go into the log; the requested value
+/// is then unchanged.
 class TableReader final : public CaseVisitor {
  public:
   /// Of the root. Log and document must outlive it.
@@ -32,7 +32,7 @@ class TableReader final : public CaseVisitor {
               const std::function<void(CaseVisitor&, std::size_t)>& describe) override;
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override;
 
-  /// Reports every key that nobody asked for. To be called last.
+  /// Reports every unknown key. Call this last.
   void finish();
 
  private:

@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// Files that users write are smaller than this.
+/// Case files and tables of users are smaller than this.
 inline constexpr std::size_t largest_text_file = 10'000'000;
 
 /// The name that stands for the standard input.

@@ -14,8 +14,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Keys with more parts than this mean nothing here, and tables nested a hundred thousand deep would exhaust the stack
-/// of the parser. (It limits the nesting of arrays and inline tables itself.)
+/// Keys with more parts than this are not in use, and tables nested a hundred thousand deep would exhaust the stack of
+/// the parser. (It limits the nesting of arrays and inline tables itself.)
 constexpr int most_key_parts = 16;
 
 /// Line of a key with too many parts, if there is one. Dots are counted outside strings and comments; numbers have one.
@@ -49,7 +49,7 @@ std::optional<std::size_t> find_deep_key(std::string_view text) {
   return std::nullopt;
 }
 
-/// What to change, by a fragment of the parser's message.
+/// Advice, by a fragment of the parser's message.
 struct SyntaxAdvice {
   std::string_view fragment;
   std::string_view advice;
@@ -149,7 +149,7 @@ std::optional<toml::table> parse_single(const std::string& value) {
     toml::table table = toml::parse(std::string_view("v = " + value), command_line);
     if (table.size() == 1 && value.find('\n') == std::string::npos) return table;
   } catch (const toml::parse_error&) {
-    // Not TOML: the caller takes it as a string.
+    // Not TOML: the caller treats it as a string.
   }
   return std::nullopt;
 }
@@ -183,7 +183,7 @@ void apply_override(toml::table& root, const std::string& argument) {
   toml::table value = parse_override_value(argument.substr(0, equals), argument.substr(equals + 1));
   toml::table* table = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) table = &table_of(*table, parts[i], argument);
-  // Moved, not copied: copies of nodes forget where they stood.
+  // Moved, not copied: copies of nodes lose their position.
   value.get("v")->visit([&](auto& node) { table->insert_or_assign(parts.back().name, std::move(node)); });
 }
 

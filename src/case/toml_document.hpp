@@ -16,8 +16,8 @@ inline bool is_override(const toml::node& node) {
   return node.source().path && *node.source().path == command_line;
 }
 
-/// Parses TOML text. Every node knows where it stands: `node.source()` has line and `name`.
-/// @throws Error (input) at the first place that is no TOML.
+/// Parses TOML text. Every node has its position: `node.source()` has line and `name`.
+/// @throws Error (input) at the first place that is not TOML.
 toml::table parse_toml(std::string_view text, const std::string& name);
 
 /// Replaces or adds values given as "table.key=value", or "table[2].key=value" in the second of several tables. The

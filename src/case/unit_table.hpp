@@ -7,30 +7,30 @@
 
 namespace bumpfoil {
 
-/// Powers of kg, m, s, K and rad, which the units of case files are made of.
+/// Powers of kg, m, s, K and rad, of which the units of case files are composed.
 using UnitPowers = std::array<int, 5>;
 
-/// What a unit measures, and how large it is.
+/// Dimension and size of a unit.
 struct UnitMeaning {
   UnitPowers powers{};
   std::optional<double> scale{};  ///< one of it in SI; none if it is shifted ("degC")
 };
 
-/// A unit that is known.
+/// A known unit.
 struct KnownUnit {
   std::string_view symbols;  ///< set off by blanks; capitals tell them apart
   std::string_view names;  ///< set off by blanks, in small letters: capitals and an "s" behind them make no difference
   UnitMeaning meaning;
 };
 
-/// What may stand before any of them, once.
+/// Prefixes, one per unit.
 struct UnitPrefix {
   std::string_view symbol;
   std::string_view name;
   double value;
 };
 
-/// All that are known: those that people write. A test compares each of them with UDUNITS-2.
+/// All known units: those in common use. A test compares each of them with UDUNITS-2.
 std::span<const KnownUnit> known_units();
 std::span<const UnitPrefix> unit_prefixes();
 

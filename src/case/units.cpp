@@ -60,8 +60,8 @@ bool measures(const UnitMeaning& unit, Dimension dimension) {
   return unit.powers == due;
 }
 
-/// Numbers that are separated ("1 000 mm", "31,8 um") and broken exponents ("mm^1.5") are worth words of their own.
-/// Digits are exponents here: they follow a letter, a sign or another digit.
+/// Numbers that are separated ("1 000 mm", "31,8 um") and broken exponents ("mm^1.5") get their own messages. Digits
+/// are exponents here: they follow a letter, a sign or another digit.
 bool has_stray_digits(std::string_view unit) {
   for (std::size_t i = 0; i < unit.size(); ++i) {
     const bool digit = unit[i] >= '0' && unit[i] <= '9';

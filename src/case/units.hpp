@@ -6,10 +6,10 @@
 
 namespace bumpfoil {
 
-/// What a quantity of a case file measures.
+/// Dimension of a quantity of a case file.
 enum class Dimension { length, angle, force, stiffness, pressure, frequency, temperature, viscosity, bed_stiffness };
 
-/// Why a text is not the quantity that is due.
+/// Why a text is not the expected quantity.
 struct QuantityFault {
   std::string what;
   std::string advice;
@@ -24,7 +24,7 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
 /// SI unit of a dimension, such as "m", "rad" or "N/m".
 std::string_view si_unit(Dimension dimension);
 
-/// A quantity as a user would write it, quoted: to show in messages what is due.
+/// A quantity as a user would write it, quoted: to show in messages what is expected.
 std::string_view example_quantity(Dimension dimension);
 
 /// The dimension with its article, "a length".

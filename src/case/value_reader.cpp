@@ -41,7 +41,7 @@ std::string_view kind_of(const toml::node& node) {
   }
 }
 
-/// What to write for what is no number, such as "0,2".
+/// Advice for a text that is not a number, such as "0,2".
 std::string number_advice(const toml::node& node) {
   std::string text = node.value_or(std::string());
   const std::size_t comma = text.find(',');
@@ -61,7 +61,7 @@ constexpr Dimension dimension_of(Control control) {
 }  // namespace
 
 std::string is_where(const toml::node& node, std::string_view due) {
-  // What is no TOML on the command line is a text, which its author need not know.
+  // A value on the command line that is not TOML is a string, which its author need not know.
   if (node.is_string() && is_override(node)) return fmt::format("is not {}", due);
   return fmt::format("is {}, expected {}", kind_of(node), due);
 }

@@ -17,10 +17,10 @@ namespace bumpfoil {
 /// A word that stands for a number.
 using NamedNumber = std::pair<std::string_view, double>;
 
-/// What is wrong with a node of another type than is due, "a list".
+/// Error of a node whose type is not the expected one, "a list".
 std::string is_where(const toml::node& node, std::string_view due);
 
-/// Reads what a key holds into its value; faults go into the log.
+/// Reads the content of a key into its value; errors go into the log.
 struct ValueReader {
   ReadingLog& log;
   const std::string& path;
@@ -46,7 +46,7 @@ struct ValueReader {
   void read_list(std::vector<double>& values, std::span<const NamedNumber> names) const;
 };
 
-/// What the unit of a text tells; absent of a plain number, or a text that is neither.
+/// The kind that the unit of a text implies; absent for a plain number, or a text that is neither.
 std::optional<Control> control_of(const toml::node& node);
 
 /// A length or a force.

@@ -74,7 +74,7 @@ double deviation_at(const RadiusProfile& profile, double phi) {
   const std::size_t count = profile.deviations.size();
   const double turns = phi / (2.0 * std::numbers::pi);
   const double place = static_cast<double>(count) * (turns - std::floor(turns));
-  const auto before = std::min(static_cast<std::size_t>(place), count - 1);  // a whole turn may come out of roundings
+  const auto before = std::min(static_cast<std::size_t>(place), count - 1);  // round-off may give a whole turn
   const double first = profile.deviations[before];
   return sum + first + (profile.deviations[(before + 1) % count] - first) * (place - static_cast<double>(before));
 }

@@ -16,7 +16,7 @@
 
 namespace bumpfoil {
 
-/// Values past these are slips of units, and could overflow what is computed from them.
+/// Values beyond these are errors of units, and could overflow.
 struct Range {
   double least, most;
   std::string_view unit;
@@ -30,10 +30,10 @@ inline constexpr Range strength_range{1e5, 1e11, "Pa"};
 inline constexpr Range coefficient_range{0.0, 1.0, ""};
 inline constexpr Range poisson_range{0.0, 0.5, ""};
 
-/// Foils thicker than this fraction of the bearing's radius, and clearances beyond it, are no bearing's.
+/// Foils thicker than this fraction of the bearing radius, and larger clearances, are implausible.
 inline constexpr double thin = 0.1;
 
-/// What a run may keep in memory: some 200 bytes per bump and increment.
+/// Memory limit of a run: about 200 bytes per bump and increment.
 inline constexpr std::int64_t most_bump_increments = 20'000'000;
 inline constexpr int most_steps = 1'000'000;
 
@@ -61,7 +61,7 @@ class Judge {
     return false;
   }
 
-  // What is right costs no text: ensembles ask for every bearing.
+  // Valid values cost no text: ensembles check every bearing.
 
   bool finite(const std::string& key, double value, std::string_view unit) {
     return std::isfinite(value) || require(false, key, quantity(value, unit), "is not finite", "give a finite number");
@@ -94,7 +94,7 @@ class Judge {
   std::vector<JudgedFault> faults_;
 };
 
-/// Whether a foil of this thickness, which stands under `key`, goes into a bearing.
+/// Whether a foil of this thickness, given by `key`, fits into a bearing.
 inline bool judge_thinness(Judge& judge, const std::string& key, double thickness, double radius) {
   return judge.require(thickness <= thin * radius, key, quantity(thickness, "m"),
                        "is too thick for a foil in this bearing",

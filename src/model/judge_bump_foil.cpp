@@ -124,7 +124,7 @@ void judge_pitches(Judge& judge, const BumpFoil& foil, const std::vector<BumpSha
                       : std::string("give fewer bumps or smaller pitches"));
 }
 
-/// Arcs that neither overlap nor are thicker than they are round.
+/// Arcs that neither overlap nor are thicker than their radius.
 /// @param key, shaped  what shapes them, and its value, m
 bool judge_shape(Judge& judge, const BumpFoil& foil, std::size_t bump, const BumpShape& shape, bool pitch_known,
                  const std::string& key, double shaped) {
@@ -205,7 +205,7 @@ void judge_shims(Judge& judge, const std::vector<Shim>& shims, int bumps, double
   }
 }
 
-/// Nominal bumps whose unusable dimensions are nothing.
+/// Nominal bumps, with unusable dimensions set to zero.
 std::vector<BumpShape> usable_bumps(const BumpFoil& foil, const Usable& usable) {
   BumpFoil copy = foil;
   for (std::size_t i = 0; i < dimensions.size(); ++i) {

@@ -13,10 +13,10 @@ constexpr Range ambient_range{1e2, 1e8, "Pa"};
 constexpr Range viscosity_range{1e-7, 1e-2, "Pa s"};
 constexpr Range free_path_range{0.0, 1e-4, "m"};
 
-/// Meshes of films beyond these are slips.
+/// Film meshes beyond these are input errors.
 constexpr int most_columns = 100;
 constexpr int most_film_rows = 200;
-/// The equations are to fit in memory. Bytes for each pair of rows: over a crest, where contacts are, and in a column;
+/// The equations must fit in memory. Bytes for each pair of rows: over a crest, where contacts are, and in a column;
 /// fitted to what 26 bumps take on 6 x 50 to 12 x 200, within 15 %.
 constexpr double bytes_at_crest = 285.0;
 constexpr double bytes_of_column = 37.0;

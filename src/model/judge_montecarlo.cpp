@@ -13,7 +13,7 @@ namespace {
 constexpr int most_samples = 1'000'000'000;
 /// Shorter waves than this part of the circumference are roughness.
 constexpr int most_waves = 1000;
-/// Less of a normal distribution between its bounds is a slip.
+/// Bounds that leave less of a normal distribution than this are an input error.
 constexpr double least_share = 1e-12;
 
 /// Whether each number is there where its kind needs it, and only there.

@@ -17,7 +17,7 @@ std::string degrees(double angle) {
   return fmt::format("{:.6g} deg", 360.0 / turn * angle);
 }
 
-/// What the foils of all pads have in common, as one contact problem and one result hold them all.
+/// Properties that the foils of all pads share, as one contact problem and one result hold them all.
 void judge_common(Judge& judge, const std::string& table, const Case& input, const Pad& pad) {
   const auto require_same = [&](bool same, std::string_view key, std::string_view common) {
     judge.require(same, fmt::format("{}.{}", table, key), "", "is not that of the other pads",
@@ -36,7 +36,7 @@ void judge_common(Judge& judge, const std::string& table, const Case& input, con
   }
 }
 
-/// What knows one foil all around only.
+/// Commands and models that support only one foil all around.
 void judge_use(Judge& judge, const Case& input) {
   judge.require(input.bump_foil.model != BumpFoilModel::former, "bump_foil.model", "", "does not support pads",
                 "set model = \"truss\" or \"frame\", or remove [[pad]]");
@@ -82,7 +82,7 @@ bool judge_pads(Judge& judge, const Case& input, double radius) {
 void judge_overlaps(Judge& judge, const Case& input) {
   struct Cover {
     std::size_t pad;
-    double from, arc;  // in the sense of the winding of the bearing
+    double from, arc;  // in the foil direction of the bearing
   };
   const double sense = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   std::vector<Cover> covers;

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-/// Quantile of a p <= 1/2, which roundings spare.
+/// Quantile of p <= 1/2, which keeps its digits.
 double lower_quantile(double p) {
   // Abramowitz & Stegun, 26.2.23: within 4.5e-4 of the root; each step of Halley's method triples the digits.
   const double t = std::sqrt(-2.0 * std::log(p));

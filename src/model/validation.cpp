@@ -23,7 +23,7 @@
 namespace bumpfoil {
 namespace {
 
-/// What a radius differs by.
+/// Deviations of a radius.
 void judge_deviation(Judge& judge, const std::string& key, double deviation, double radius) {
   if (!judge.finite(key, deviation, "m") || radius <= 0.0) return;
   judge.require(std::abs(deviation) <= thin * radius, key, quantity(deviation, "m"), "is too large for this radius",
@@ -107,7 +107,7 @@ void judge_memory(Judge& judge, std::string_view command, const std::string& key
                     "give fewer steps, or fewer directions or cycles");
 }
 
-/// A direction that is there twice, or once more after a full turn, would only repeat its results.
+/// A direction that is given twice, or again after a full turn, would only repeat its results.
 void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -339,10 +339,10 @@ bool any_concerns_all(const std::vector<JudgedFault>& faults) {
   return std::any_of(faults.begin(), faults.end(), [](const JudgedFault& one) { return one.command.empty(); });
 }
 
-/// Faults of a pad by itself that others than the bearing's own are.
+/// Errors of a single pad, other than those of the bearing.
 std::vector<JudgedFault> find_faults_of_pad(Case alone, std::size_t pad, double lobe,
                                             const std::vector<JudgedFault>& known) {
-  // Where the pad has been brought nearer the journal presses its bumps flat earlier.
+  // On a preloaded pad the journal flattens the bumps earlier.
   alone.bearing.radial_clearance -= std::max(lobe, 0.0);
   std::vector<JudgedFault> faults = judge_case(alone);
   std::erase_if(faults, [&known](const JudgedFault& found) {

@@ -8,8 +8,8 @@
 
 namespace bumpfoil {
 
-/// The case as understood, as a case file: SI numbers, defaults filled in, units in comments. Reading it gives the same
-/// case, to the last bit.
+/// The case as interpreted, as a case file: SI numbers, defaults filled in, units in comments. Reading it gives the
+/// same case, to the last bit.
 std::string case_to_toml(const Case& input);
 
 /// The same as a JSON object with the keys of the case file, m, rad, Pa and N/m.
@@ -18,12 +18,12 @@ std::string case_to_json(const Case& input);
 /// Names of the presets that `case_template` knows.
 std::vector<std::string> preset_names();
 
-/// A commented case file to start from, with every key. "gen1" is reference_case(). What a preset assumes though
-/// nobody published it is said in its line.
+/// A commented case file to start from, with every key. "gen1" is reference_case(). Unpublished values are marked as
+/// assumed.
 /// @throws Error (input) if the preset is not known.
 std::string case_template(std::string_view name);
 
-/// All keys of the case file with what they hold, mean and default to, in Markdown: docs/case_file.md.
+/// All keys of the case file with type, meaning and default, in Markdown: docs/case_file.md.
 std::string case_reference();
 
 /// The same by their names alone, as --set takes them: "bump_foil.height". Keys of lists of tables, which go by the

@@ -15,7 +15,7 @@
 
 namespace bumpfoil {
 
-/// Sense in which the foils run from the weld, seen with X to the right and Y up.
+/// Foil direction from the weld, seen with X to the right and Y up.
 enum class Wrap { clockwise, counterclockwise };
 
 /// What `BumpFoil::height` measures.
@@ -35,7 +35,7 @@ struct Waviness {
   bool operator==(const Waviness&) const = default;
 };
 
-/// What a radius at the polar angle phi (from X towards Y) is more than the nominal one.
+/// Radial deviation from nominal at the polar angle phi (from X towards Y).
 ///
 ///     w(phi) = sum of amplitude cos(harmonic phi - phase) + d(phi)
 struct RadiusProfile {
@@ -47,17 +47,16 @@ struct RadiusProfile {
 
 /// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
 struct Bearing {
-  /// R, m: of the foils; sleeve and journal are taken to have it too. Infinite where there is no bearing, but a strip
-  /// between plates alone.
+  /// R, m: of the foils, also used for sleeve and journal. Infinite for a strip between plates without a bearing.
   double radius{std::numeric_limits<double>::infinity()};
   double axial_length{};                ///< L, m
   double radial_clearance{};            ///< C_r, m; zero or negative means interference
   double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
   Wrap wrap{Wrap::clockwise};
   RadiusProfile sleeve{};
-  RadiusProfile journal{};          ///< in the angles of the bearing: the journal does not turn
-  double taper{};                   ///< what the radius of the sleeve is more at the free end than at the weld, m
-  std::optional<double> pad_gap{};  ///< free angle after each pad that has no arc of its own, rad
+  RadiusProfile journal{};          ///< in the angles of the bearing: the journal does not rotate
+  double taper{};                   ///< increase of the sleeve radius from the weld to the free end, m
+  std::optional<double> pad_gap{};  ///< free angle after each pad without its own arc, rad
 
   [[nodiscard]] bool is_flat() const { return radius == std::numeric_limits<double>::infinity(); }
 
@@ -107,13 +106,13 @@ enum class WeldEdge {
   trailing,  ///< and against it
 };
 
-/// A part of the sleeve with foils of its own. What is absent is that of the common tables or follows from all pads,
-/// see place_pads().
+/// A part of the sleeve with its own foils. Absent values come from the common tables or follow from all pads, see
+/// place_pads().
 struct Pad {
   std::optional<double> weld_angle{};  ///< polar angle of the weld, rad
   WeldEdge weld_edge{WeldEdge::leading};
   std::optional<double> arc{};  ///< angle from the weld to the free end, which pitches are stretched to fill, rad
-  double lobe{};                ///< by which the centre of its circle is displaced away from its middle, m
+  double lobe{};                ///< preload: offset of the centre of its circle away from its middle, m
   std::optional<BumpFoil> bump_foil{};
   std::optional<TopFoil> top_foil{};
 
@@ -135,13 +134,13 @@ struct UzawaParameters {
   std::optional<double> eps_alm{};  ///< penalty of the normal contacts, N/m
   std::optional<double> eps_f{};    ///< penalty of sticking contacts, N/m
   std::optional<double> eps_r{};    ///< penalty of the journal contact, N/m
-  std::optional<double> tau_f{};    ///< slip over which the friction force turns round, m
+  std::optional<double> tau_f{};    ///< slip over which the friction force reverses, m
 
   bool operator==(const UzawaParameters&) const = default;
 };
 
 struct SolverSettings {
-  std::optional<SolverName> name{};  ///< where the case names one
+  std::optional<SolverName> name{};  ///< if the case names one
   UzawaParameters uzawa;
 
   bool operator==(const SolverSettings&) const = default;
@@ -150,13 +149,13 @@ struct SolverSettings {
   [[nodiscard]] SolverName chosen() const { return name.value_or(SolverName::newton); }
 };
 
-/// What is prescribed to the body that presses on the foils: the journal of a bearing, the plate of a strip.
+/// Quantity prescribed for the journal of a bearing, or the plate of a strip.
 enum class Control {
-  displacement,  ///< where it is, m
-  load,          ///< the force that holds it, N
+  displacement,  ///< its displacement, m
+  load,          ///< the applied force, N
 };
 
-/// A displacement (m) from where the body stands before anything is done, or a load (N) that it carries.
+/// A displacement (m) of the journal (or plate) from its initial position, or a load (N) on it.
 struct Target {
   Control control{Control::displacement};
   double value{};
@@ -172,15 +171,15 @@ struct PlaneTarget {
   bool operator==(const PlaneTarget&) const = default;
 };
 
-/// Cycles of the journal along each direction, each from the unstressed foils. Pushes go from the centre to full
-/// displacement or load and back. About a preload, and where `swing` says so, they go through their start as far to the
-/// other side, and back.
+/// Cycles of the journal along each direction, each from the unstressed foils. One-sided cycles go from the centre to
+/// full displacement or load and back. About a preload, or with `swing`, they are fully reversed: to the same distance
+/// on the other side, and back.
 struct CycleSettings {
   std::vector<double> directions;  ///< rad, from the X axis towards Y
   Target amplitude;
   std::optional<PlaneTarget> preload{};  ///< that cycles go about
   bool swing{};
-  int cycles{1};                                    ///< at most, one after the other until the loop has settled
+  int cycles{1};                                    ///< at most, until the loop has settled
   int steps{100};                                   ///< equal increments from the start to full displacement or load
   std::vector<double> clearance_forces{5.0, 10.0};  ///< N, see Clearance
 
@@ -195,21 +194,21 @@ enum class StripWeld {
   none,     ///< both are free at both ends
 };
 
-/// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from nothing
-/// to `amplitude` and back; with one, from the preload up by `amplitude`, down by twice as much, and back.
+/// Cycles of a flat strip of the foils between a rigid base and a rigid plate. Without a preload each goes from zero to
+/// `amplitude` and back; with one, from the preload up by `amplitude`, down by twice as much, and back.
 struct StripSettings {
-  int bumps{};  ///< the first ones of the foil
+  int bumps{};  ///< the first bumps of the foil
   StripWeld weld{StripWeld::one_end};
   bool top_foil{true};  ///< there is one between plate and bumps
   Target amplitude;     ///< of the plate, from where it touches nominal foils, towards the base
   std::optional<Target> preload{};
-  int cycles{1};   ///< one after the other, with the friction of the last
+  int cycles{1};   ///< one after the other, with friction carried over
   int steps{100};  ///< equal increments from the start of a cycle to its full amplitude
 
   bool operator==(const StripSettings&) const = default;
 };
 
-/// Places that the journal is taken to one after the other: positions (m) of its centre, or loads (N) on it.
+/// Points of a prescribed path, in order: positions (m) of the journal centre, or loads (N) on it.
 struct PathPoints {
   Control control{Control::displacement};
   std::vector<Eigen::Vector2d> values;
@@ -220,7 +219,7 @@ struct PathPoints {
 /// Sense of an orbit, seen with X to the right and Y up.
 enum class Sense { counterclockwise, clockwise };
 
-/// A path of the journal from the centre of the bearing: through given points, or to an ellipse and round it.
+/// A prescribed path of the journal from the centre of the bearing: through given points, or around an ellipse.
 struct PathSettings {
   PathPoints points;  ///< where there are any, there is no orbit
 
@@ -229,7 +228,7 @@ struct PathSettings {
   double tilt{};          ///< of the first axis, from X towards Y, rad
   Sense sense{Sense::counterclockwise};
   int orbits{5};
-  int steps{200};  ///< equal parameter steps of an orbit, and increments of the straight way to its first point
+  int steps{200};  ///< equal parameter steps of an orbit, and increments of the straight approach to its first point
 
   bool operator==(const PathSettings&) const = default;
 
@@ -250,8 +249,8 @@ struct VibrationSettings {
   Motion motion{Motion::line};
   std::vector<double> directions;   ///< rad, from the X axis towards Y; one, or two at right angles; none for orbits
   std::vector<double> amplitudes;   ///< from the middle to a turning point, m
-  std::vector<double> frequencies;  ///< that the damping is given at, rad/s
-  int steps{100};                   ///< equal increments of the way to a load, and from the middle to a turning point
+  std::vector<double> frequencies;  ///< at which the damping is evaluated, rad/s
+  int steps{100};                   ///< equal increments up to a load, and from the middle to a turning point
 
   bool operator==(const VibrationSettings&) const = default;
 
@@ -271,42 +270,43 @@ struct GasSettings {
   bool operator==(const GasSettings&) const = default;
 };
 
-/// What takes the place of the foils in the command film.
+/// Bearing surface that replaces the foils in the command film.
 enum class FilmWall {
   rigid,
-  springs,       ///< yields at every place to the pressure there (Winkler foundation)
-  rigid_across,  ///< the same, to the mean pressure over the width
+  springs,       ///< elastic (Winkler) foundation: deflects at every point under the pressure there
+  rigid_across,  ///< axially uniform elastic foundation: deflects under the mean pressure over the width
 };
 
-/// Mesh of the film over the foils, and what counts as too thin; walls in place of foils.
+/// Mesh of the film over the foils, limits of its thickness, and bearing surfaces that replace the foils.
 struct FilmSettings {
   int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
   int rows{16};              ///< intervals on half the width
-  double h_floor{0.1e-6};    ///< m; the journal touches where the film is thinner
+  double h_floor{0.1e-6};    ///< m; contact threshold: a thinner film counts as contact
   FilmWall wall{FilmWall::rigid};
-  std::optional<double> wall_stiffness{};  ///< pressure over displacement of a wall that yields, Pa/m
-  bool closed{};                           ///< the wall closes at the weld
-  std::optional<double> h_lift_off{};      ///< m; the journal has lifted off where no film is thinner: no default
+  std::optional<double> wall_stiffness{};  ///< foundation modulus: pressure over displacement, Pa/m
+  bool closed{};                           ///< no slot at the weld
+  std::optional<double> h_lift_off{};      ///< m; minimum film thickness after lift-off: no default
 
   bool operator==(const FilmSettings&) const = default;
 };
 
-/// How a bearing that runs comes to its states: there may be several at one speed and load, and the path decides.
+/// Path along which a running bearing reaches its states: there may be several at one speed and load, and the path
+/// decides.
 enum class FilmPath {
-  load_ramp,     ///< one load after the other, at every speed anew
-  speed_ramp,    ///< one speed after the other, under every load or at every position anew
-  position_ray,  ///< one position after the other, at every speed anew
-  cold_start,    ///< every state by itself
+  load_ramp,     ///< one load after the other, restarted at every speed
+  speed_ramp,    ///< one speed after the other, restarted for every load or position
+  position_ray,  ///< one position after the other, restarted at every speed
+  cold_start,    ///< every state by itself, from ambient pressure
 };
 
-/// By how many paths the command `equilibrium` reaches its states.
+/// Number of paths by which the command `equilibrium` reaches its states.
 enum class ComparedPaths {
   one,  ///< its own alone
-  two,  ///< a second one, too, whose states are compared but not kept
+  two,  ///< also a second one, whose states are compared but not kept
   all,  ///< every path that leads to the states; all states are kept
 };
 
-/// States of a bearing that runs: all speeds with all loads or with all positions.
+/// States of a running bearing: all speeds with all loads or with all positions.
 struct EquilibriumSettings {
   std::vector<double> speeds{};              ///< Omega, rad/s; positive turns X to Y
   std::vector<Eigen::Vector2d> loads{};      ///< on the journal, N; empty with positions
@@ -314,12 +314,13 @@ struct EquilibriumSettings {
   FilmPath path{FilmPath::load_ramp};
   ComparedPaths paths{ComparedPaths::two};  ///< of one run; sweeps and ensembles take one path
   int steps{10};                            ///< equal increments of the ramp to the first state of a path
-  std::vector<double> frequencies{};  ///< of motions that coefficients are given for, rad/s; none: of the rotation
+  std::vector<double> frequencies{};  ///< of motions for which coefficients are computed, rad/s; none: that of the
+                                      ///< rotation
 
   bool operator==(const EquilibriumSettings&) const = default;
 };
 
-/// A case as the program understands it: SI units, defaults filled in.
+/// A case as interpreted: SI units, defaults filled in.
 struct Case {
   std::string title;
   Bearing bearing;
@@ -336,7 +337,7 @@ struct Case {
   FilmSettings film{};
   std::optional<EquilibriumSettings> equilibrium{};
   std::optional<MonteCarloSettings> montecarlo{};
-  /// What its reader chose where the case file leaves the choice, in plain words: warnings of every result.
+  /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
   std::vector<std::string> remarks{};
 
   bool operator==(const Case&) const = default;
@@ -346,8 +347,8 @@ struct Case {
 /// +X, -X, +Y and -Y.
 Case reference_case();
 
-/// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which finds their
-/// quantities several times faster, else `newton`.
+/// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which is several times
+/// faster, else `newton`.
 SolverName ensemble_solver(const Case& input);
 
 /// The case with its foils cut to the bumps of its strip. The case must have one.

@@ -14,7 +14,7 @@ enum class BumpFoilModel {
   former,  ///< truss with feet that never lift and no top foil [LeLez2007]
 };
 
-/// How far displacements change the geometry of the bump foil.
+/// Whether displacements change the geometry of the bump foil.
 enum class Geometry {
   linear,     ///< not at all: small displacements
   nonlinear,  ///< elements move and turn with their ends: large displacements (frame model only)
@@ -69,7 +69,7 @@ struct TopFoilDesign {
   double poisson_ratio{};
 };
 
-/// A pair of foils on a sleeve or on a flat base: all that their elastic structure follows from. Bumps may differ from
+/// A pair of foils on a sleeve or on a flat base: the data that define their elastic structure. Bumps may differ from
 /// each other in anything that a BumpShape holds. A plain value.
 struct FoilDesign {
   BumpFoilModel model{BumpFoilModel::truss};

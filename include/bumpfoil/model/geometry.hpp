@@ -25,8 +25,8 @@ BumpShape nominal_bump(const BumpFoil& foil, std::size_t bump = 0);
 std::vector<BumpShape> nominal_bumps(const BumpFoil& foil);
 
 /// How much higher than that of the tallest nominal bump each crest of a foil stands, m, without the top foil: what its
-/// bump is taller by nominally (never positive), its height error, and the shim under it. The top foil lies where the
-/// tallest nominal bumps carry it, and the clearance is counted from there.
+/// bump is taller by nominally (never positive), its height error, and the shim under it. The tallest nominal bumps
+/// support the top foil, and the clearance is measured to it there.
 Vector crest_offsets(const BumpFoil& foil);
 
 /// w(phi), m.
@@ -49,13 +49,13 @@ Vector foot_angles(const Case& input);
 /// Angle of the ends of the foils from the weld, all pitches over R, rad.
 double foil_angle(const Case& input);
 
-/// How much larger than nominal the radius of the sleeve is at `theta` from the weld along the foil, taper included, m.
+/// Radial deviation of the sleeve from nominal at `theta` from the weld along the foil, taper included, m.
 Vector sleeve_deviations(const Case& input, const Vector& theta);
 
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);
 
-/// Unit vector at polar angle `direction` (rad). Exact along the axes: no 6e-17 where zero is meant.
+/// Unit vector at polar angle `direction` (rad). Exact along the axes: zero, not 6e-17.
 Eigen::Vector2d unit_vector(double direction);
 
 /// Unit vectors n_i = (cos(phi_i), sin(phi_i)) from the axis of the bearing to points at polar angles `phi` (rad).
@@ -66,8 +66,8 @@ Eigen::Matrix2Xd outward_normals(const Vector& phi);
 /// results contradict.
 Vector journal_gaps(double clearance, const Eigen::Matrix2Xd& normals, const Eigen::Vector2d& position);
 
-/// Force that must be applied to the journal to hold it against the loads `journal_loads` (>= 0, N, one per normal) of
-/// the top foil: sum of p_i n_i, N.
+/// Applied force on the journal that balances the loads `journal_loads` (>= 0, N, one per normal) of the top foil: sum
+/// of p_i n_i, N.
 Eigen::Vector2d journal_force(const Eigen::Matrix2Xd& normals, const Vector& journal_loads);
 
 }  // namespace bumpfoil

@@ -8,7 +8,7 @@
 
 namespace bumpfoil {
 
-/// A pad by itself.
+/// A single pad.
 struct PlacedPad {
   Case alone;                        ///< the bearing as if this were all its foils: there are no pads in it
   Eigen::Vector2d centre{0.0, 0.0};  ///< of the circle of the pad, m: the bearing's, displaced away from its middle
@@ -39,7 +39,7 @@ struct PadBump {
   int bump{};
 };
 
-/// Where a bump is that is counted through all pads, from 0.
+/// Pad and bump of a number counted through all pads, from 0.
 PadBump find_bump(const Case& input, int bump);
 
 }  // namespace bumpfoil

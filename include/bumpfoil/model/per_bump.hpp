@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// How a dimension goes from the first bump of a foil to the last.
+/// Law of a dimension from the first bump of a foil to the last.
 enum class Grading {
   linear,     ///< by equal differences
   geometric,  ///< by equal ratios
@@ -41,7 +41,7 @@ PerBump listed(const PerBump& dimension, std::size_t bumps);
 /// The same with `deviation` added at every bump.
 PerBump shifted(const PerBump& dimension, std::size_t bumps, double deviation);
 
-/// Bumps `from` to `to` of a foil, counted from 1, that differ from what is said of all; absent: they do not in this.
+/// Bumps `from` to `to` of a foil, counted from 1, with other dimensions; absent: as for all bumps.
 struct BumpSection {
   int from{};
   int to{};
@@ -53,7 +53,7 @@ struct BumpSection {
   bool operator==(const BumpSection&) const = default;
 };
 
-/// A sheet under bumps `from` to `to`, counted from 1, that lifts them.
+/// A sheet under bumps `from` to `to`, counted from 1, that raises them.
 struct Shim {
   int from{};
   int to{};

@@ -12,12 +12,12 @@ namespace bumpfoil {
 
 struct Case;
 
-/// How something is distributed about its nominal value.
+/// Distribution of a quantity about its nominal value.
 enum class DistributionKind {
   normal,
-  truncated_normal,  ///< a normal one, of which only what lies between two bounds is taken
+  truncated_normal,  ///< normal, truncated between two bounds
   uniform,
-  table,  ///< any of some measured values, each as likely as the others
+  table,  ///< one of a set of measured values, all equally likely
 };
 
 /// Words of the case file.
@@ -25,7 +25,7 @@ template <>
 inline constexpr auto enum_names<DistributionKind> = std::to_array<std::string_view>({"normal", "truncated_normal",
                                                                                       "uniform", "table"});
 
-/// Distribution of a deviation from a nominal value. A plain value; what its kind does not need is absent.
+/// Distribution of a deviation from a nominal value. A plain value; unused members are absent.
 struct Distribution {
   DistributionKind kind{DistributionKind::normal};
   std::optional<double> sigma{};  ///< standard deviation; of a truncated one that of the normal one it is cut from
@@ -46,7 +46,7 @@ struct HeightScatter {
   bool operator==(const HeightScatter&) const = default;
 };
 
-/// Waves of a sleeve, whose phase is anything with the same probability.
+/// Waves of a sleeve, with uniformly random phase.
 struct WavinessScatter {
   int harmonic{};
   double amplitude{};  ///< m
@@ -54,7 +54,7 @@ struct WavinessScatter {
   bool operator==(const WavinessScatter&) const = default;
 };
 
-/// What is run of each bearing of an ensemble.
+/// Command that is run for each bearing of an ensemble.
 enum class EnsembleCommand : std::uint8_t {
   cycle,        ///< a cycle in each direction of [cycle]
   equilibrium,  ///< the running bearing, along the path of [equilibrium] to all its states
@@ -66,12 +66,13 @@ struct MonteCarloSettings {
   EnsembleCommand command{EnsembleCommand::cycle};
   int samples{1000};
   int seed{1};
-  bool limits{};                                      ///< of running bearings: lift-off speeds and load capacities, too
-  std::optional<HeightScatter> bump_height{};         ///< m
-  std::optional<Distribution> bump_foil_thickness{};  ///< m
-  std::optional<Distribution> top_foil_thickness{};   ///< m
-  std::optional<Distribution> bump_length{};          ///< m
-  std::optional<Distribution> friction_top_bump{};    ///< 1
+  bool limits{};                                       ///< for running bearings: also lift-off speeds and load
+                                                       ///< capacities
+  std::optional<HeightScatter> bump_height{};          ///< m
+  std::optional<Distribution> bump_foil_thickness{};   ///< m
+  std::optional<Distribution> top_foil_thickness{};    ///< m
+  std::optional<Distribution> bump_length{};           ///< m
+  std::optional<Distribution> friction_top_bump{};     ///< 1
   std::optional<Distribution> friction_bump_sleeve{};  ///< 1
   std::optional<Distribution> radial_clearance{};      ///< m
   std::optional<WavinessScatter> sleeve_waviness{};
@@ -98,7 +99,7 @@ double normal_probability(double z);
 /// @param p  between 0 and 1, bounds excluded
 double normal_quantile(double p);
 
-/// The deviation below which the part `p` of all lies. Uniform numbers become deviations of this distribution by it.
+/// The `p` quantile: the deviation below which the fraction `p` lies. Turns uniform numbers into deviations.
 /// @param p  between 0 and 1, bounds excluded
 double quantile(const Distribution& distribution, double p);
 

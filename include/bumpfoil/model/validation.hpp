@@ -9,24 +9,24 @@
 
 namespace bumpfoil {
 
-/// Most bumps that a foil may have.
+/// Maximum number of bumps of a foil.
 inline constexpr int most_bumps = 100'000;
 
-/// Most points that a path may be given by.
+/// Maximum number of points of a path.
 inline constexpr int most_points = 1'000'000;
 
-/// A fault of a case, and the command that it keeps from running; empty: all of them.
+/// An error of a case, and the command that it prevents; empty: all of them.
 struct JudgedFault {
   /// "cycle", "strip", "path", "vibration", "equilibrium", "limits" of it, "film" or "montecarlo"
   std::string_view command;
   Fault fault;
 };
 
-/// Everything that is physically wrong with a case (signs, sizes, overlap, lengths of lists, models that do not fit
-/// together), one fault each with its key, the value in SI and what to change. What is wrong with a value by itself, or
-/// with the foils, concerns all commands; what one of them could not do with the rest of the case, that command alone.
-/// Entries of lists are counted from 1, as bumps are: "bump_foil.height_errors[3]". A value that is wrong by itself is
-/// not judged together with others. File and line are left empty: only the reader of a case file knows them.
+/// Every physical error of a case (signs, sizes, overlap, lengths of lists, models that do not fit together), each with
+/// its key, the value in SI and what to change. Errors of a single value, or of the foils, concern all commands; errors
+/// that only one command would meet concern that command. Entries of lists are counted from 1, as bumps are:
+/// "bump_foil.height_errors[3]". An invalid value is not checked together with others. File and line are left empty:
+/// only the reader of a case file has them.
 ///
 /// A case without directions and amplitude has no cycle to run, and one with a strip may have no bearing, neither of
 /// which is a fault.
@@ -38,7 +38,7 @@ std::vector<Fault> find_faults(const Case& input, const std::vector<std::string>
 /// @throws Error (input) listing all of find_faults(input, commands) if there are any.
 void require_valid(const Case& input, const std::vector<std::string>& commands = {});
 
-/// @throws Error (input) as require_valid() does, and if there is no bearing in the case, but a strip alone.
+/// @throws Error (input) as require_valid() does, and if the case has a strip but no bearing.
 void require_bearing(const Case& input, const std::vector<std::string>& commands = {});
 
 }  // namespace bumpfoil
