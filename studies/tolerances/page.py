@@ -168,44 +168,44 @@ def text(of_ensembles):
     stiffness, force = "loaded_stiffness_N_per_m", "max_force_N"
     return reflowed(f"""# Which tolerance to pay for
 
-The paper shows twelve bearings with bump heights that scatter by 10 and 20 µm, and concludes from pictures. Here are
+The paper shows twelve bearings with bump heights that scatter by 10 and 20 µm. Here are
 {data.bearings("heights_10um")} for 10 µm and {data.bearings("heights_20um")} for 20 µm, and the same question for the
-other tolerances of a drawing. Reference bearing, friction 0.1, pushed by 79.5 µm; followed from event to event. Written by
+other tolerances of a drawing. Reference bearing, friction 0.1, pushed by 79.5 µm, solver `events`. Written by
 
     make tolerances
 
-from `studies/tolerances/ensembles.json`, as are all its numbers; whoever wants more bearings gives
-`TOLERANCES="--heights 20000 --others 2000"`. Numbers behind ± are standard errors.
+from `studies/tolerances/ensembles.json`, with all numbers;
+`TOLERANCES="--heights 20000 --others 2000"` runs more bearings. Numbers after ± are standard errors.
 
 ## Does the stiffness fall or rise with the scatter of heights?
 
-It falls. Normal distributions, each bump by itself, +X:
+It falls. Normal distributions, independent bumps, +X:
 
 {heights(data)}
 
 The mean loaded stiffness changes by {data.shift("heights_10um", stiffness)} % at 10 µm and by
 {data.shift("heights_20um", stiffness)} % at 20 µm, while the mean maximum force rises by
 {data.shift("heights_10um", force)} and {data.shift("heights_20um", force)} %. Both have one cause. The tallest bumps
-meet the journal first: the load is taken up earlier, and is spread over a longer way, on which few bumps carry. In the
-end nearly all bumps under the journal carry as they would without scatter, from shifted zeros: the tangent stiffness at
-full push hardly changes ({data.shift("heights_10um", "tangent_stiffness_loading_N_per_m")} and
-{data.shift("heights_20um", "tangent_stiffness_loading_N_per_m")} %). A force that is convex in the height gains on
-average more from tall bumps than it loses from low ones: hence the force that rises a little, and the loop energy that
-rises with it ({data.shift("heights_10um", "loop_energy_J")} and {data.shift("heights_20um", "loop_energy_J")} %).
+touch the journal first: the load is taken up earlier, over a longer displacement on which few bumps carry. In the end
+nearly all bumps under the journal carry as without scatter, only from shifted origins: the tangent stiffness at full
+displacement hardly changes ({data.shift("heights_10um", "tangent_stiffness_loading_N_per_m")} and
+{data.shift("heights_20um", "tangent_stiffness_loading_N_per_m")} %). The force is convex in the height, so
+on average it gains more from tall bumps than it loses from low ones: the force rises slightly, and the loop energy
+with it ({data.shift("heights_10um", "loop_energy_J")} and {data.shift("heights_20um", "loop_energy_J")} %).
 
-The same in all directions, means against the bearing as drawn:
+The same in all directions, means relative to the nominal bearing:
 
 {directions(data)}
 
 ## How wide is the clearance?
 
-What a push test would report, +X, in µm:
+Clearance that a push test would report, +X, in µm:
 
 {clearances(data)}
 
-The clearance goes first: its middle lies below what was drawn, since a test finds the tallest bump near the direction of
-the push, and its width is several times the deviation of a single height. Last column: bearings that press on the
-centred journal with more than 1 N before anybody pushes.
+The clearance is affected first: its median is below nominal, since a push test finds the tallest bump near the direction
+of the push, and its width is several times the deviation of a single height. Last column: bearings that press on the
+centred journal with more than 1 N before the push.
 
 ## Which bumps matter?
 
@@ -213,31 +213,31 @@ Bumps with the largest partial rank correlations between their height and the qu
 
 {bumps(data)}
 
-They are those that the journal is pushed into; bumps 26 and 1 are beside the weld, at −X. The force depends on each of
-some ten bumps and on none of them above all: what is worth measuring is the mean height over the loaded arc. The
-stiffness is higher where the bumps at the ends of that arc are tall, and the clearance smaller where any bump in it is.
+They are those under the journal; bumps 26 and 1 are next to the weld, at −X. The force depends about equally on each of
+about ten bumps: measure the mean height over the loaded arc. The stiffness is higher if the bumps at the ends of that
+arc are tall, and the clearance is smaller if any bump in it is tall.
 
 ## What does each tolerance alone do?
 
 {alone(data)}
 
-Standard deviations over the value as drawn, +X; then the change of the mean stiffness, and the width of the clearance at
-5 N, 95 less 5 %. {data.bearings("bump_length")} bearings for each but the first.
+Standard deviations relative to nominal, +X; then the change of the mean stiffness, and the width of the clearance at
+5 N, 95 % minus 5 %. {data.bearings("bump_length")} bearings for each except the first.
 
-Heights are what to pay for first: at 10 µm they scatter force and stiffness by {data.spread("heights_10um", force)} and
-{data.spread("heights_10um", stiffness)} %, take a part of the stiffness away on average, and widen the clearance to
+Pay for heights first: at 10 µm they scatter force and stiffness by {data.spread("heights_10um", force)} and
+{data.spread("heights_10um", stiffness)} %, reduce the mean stiffness, and widen the clearance to
 {data.width("heights_10um", "clearance_5N_m")} µm; at 5 µm that is {data.spread("heights_5um", force)} %,
 {data.spread("heights_5um", stiffness)} % and {data.width("heights_5um", "clearance_5N_m")} µm. Then the radial
 clearance: held to ± 5 µm it still scatters the force by {data.spread("radial_clearance", force)} %, and the loop energy
 by {data.spread("radial_clearance", "loop_energy_J")} %. The thickness of the bump foil, held to ± 5 µm, scatters force
 and stiffness by {data.spread("bump_foil_thickness", force)} %, and the length of the bumps, held to ± 50 µm, by
-{data.spread("bump_length", force)} %. Friction is no tolerance of a drawing: ± 0.04 about 0.1 scatter the loop energy by
+{data.spread("bump_length", force)} %. Friction is not a tolerance on a drawing: ± 0.04 about 0.1 scatters the loop energy by
 {data.spread("friction_bump_sleeve", "loop_energy_J")} % on the sleeve and by
-{data.spread("friction_top_bump", "loop_energy_J")} % under the top foil. The thickness of the top foil may be what it
-is: ± 5 µm scatter the force by {data.spread("top_foil_thickness", force)} %.
+{data.spread("friction_top_bump", "loop_energy_J")} % under the top foil. The thickness of the top foil does not matter:
+± 5 µm scatters the force by {data.spread("top_foil_thickness", force)} %.
 
-Heights that are correlated over 20 mm along the foil, some four pitches, as of a tool that tilts, scatter the force by
+Heights correlated over 20 mm along the foil, about four pitches, as from a tilted tool, scatter the force by
 {data.spread("heights_10um_correlated", force)} % instead of {data.spread("heights_10um", force)} %, and change the mean
 stiffness by {data.shift("heights_10um_correlated", stiffness)} % instead of {data.shift("heights_10um", stiffness)} %:
-neighbours that are equally tall share the load, and their errors no longer cancel.
+equally tall neighbours share the load, and their errors no longer cancel.
 """).rstrip() + "\n"
