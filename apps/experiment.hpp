@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// What the shell is told of a run that ended so.
+/// Exit code for the status of a run.
 ExitCode exit_code_of(RunStatus status);
 
 /// Adds the command of an experiment to the program.

@@ -130,7 +130,7 @@ class StudyWriter {
   [[nodiscard]] const StudyOutcome& outcome() const { return outcome_; }
 
  private:
-  /// Of all files beside the folders of the runs.
+  /// All files other than the folders of the runs.
   static std::vector<std::string> file_names(const Study& study) {
     std::vector<std::string> names{"picture.gp", "picture.svg", "study.json"};
     for (const StudyTableKind kind : study.tables) names.push_back(std::string(name_of(kind)) + ".csv");

@@ -21,7 +21,7 @@ std::string kind_of(const OptionValue& value) {
   return "none";
 }
 
-/// The branches of "case COMMAND in" that tell its options, and what follows an option or stands by itself.
+/// The branches of "case COMMAND in" that list its options, and the kinds of their values and of its arguments.
 struct Branches {
   std::string options;
   std::string values;

@@ -62,11 +62,11 @@ py::array view(const Number* numbers, const std::vector<py::ssize_t>& shape, con
   return array;
 }
 
-/// Which axes views have beside that of bumps or feet.
+/// Axes of views in addition to that of bumps or feet.
 enum class Rows { all, single };
 
-/// Leaves out what a model does not know, which has no columns. The weld is a single place, but for
-/// several pads: its axis falls away.
+/// Leaves out quantities that a model does not have, which have no columns. The weld is a single place, but for several
+/// pads: its axis falls away.
 template <typename Matrix>
 void add_view(py::dict& fields, const std::string& name, const Matrix& matrix, Rows rows, const py::object& owner) {
   if (matrix.cols() == 0) return;

@@ -15,7 +15,8 @@ namespace bumpfoil {
 /// A case as Python gives it.
 struct CaseSource {
   std::string text;                  ///< of a case file
-  std::string name;                  ///< of the file; empty where Python made the text, whose lines nobody knows
+  std::string name;                  ///< of the file; empty if Python generated the text, whose lines the user does not
+                                     ///< see
   std::vector<std::string> changes;  ///< "table.key=value" each, see CaseRequest
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A load this much smaller than the one that is asked for stands for none.
+/// A load smaller than the requested one by this factor counts as zero.
 constexpr double least_load = 1e-6;
 
 [[noreturn]] void refuse(std::string key, std::string what, std::string advice) {

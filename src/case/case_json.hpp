@@ -12,7 +12,7 @@ nlohmann::ordered_json case_json(const Case& input);
 /// Titles and units of all tables and keys by their paths: {"bearing.radius": {"title": "Radius", "unit": "m"}, ...}.
 nlohmann::ordered_json case_labels();
 
-/// JSON text with an indentation, safe to print: see printable_json. Texts that are no UTF-8 are mended.
+/// JSON text with an indentation, safe to print: see printable_json. Invalid UTF-8 is repaired.
 std::string dump_json(const nlohmann::ordered_json& json, int indent);
 
 }  // namespace bumpfoil

@@ -81,7 +81,7 @@ class CaseVisitor {
   /// A length by itself or by its double, such as a radius or a diameter.
   virtual void once_or_twice(const Key& once, const Key& twice, std::optional<double>& number) = 0;
 
-  /// A displacement or a load, each by a key of its own.
+  /// A displacement or a load, each by its own key.
   virtual void one_of(const Key& displacement, const Key& load, Target& target) = 0;
 
   /// A displacement or a load by one key: the unit decides, and `plain` for a plain number.
@@ -93,7 +93,7 @@ class CaseVisitor {
   /// Any number of such places, all displacements or all loads: a list of lists. @return whether there is one
   virtual bool places(const Key& key, PathPoints& points) = 0;
 
-  /// A file, called by its name beside the case file, in place of the list `other`. `read` may throw Error.
+  /// A file, named relative to the case file, instead of the list `other`. `read` may throw Error.
   /// @return whether there is one
   virtual bool file(const Key& key, std::string_view other,
                     const std::function<void(const std::string& path)>& read) = 0;

@@ -93,7 +93,7 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   }
   for (const std::string& command : commands) {
     const std::string table = command == "film" || command == "limits" ? "equilibrium" : command;
-    // That an ensemble needs [equilibrium] is told of its command.
+    // A missing [equilibrium] is reported for the command of the ensemble.
     const bool told = runs_ensemble && command == "equilibrium";
     if (told || document.contains(table)) continue;
     // Adding what pads exclude would not help.

@@ -15,7 +15,7 @@ struct CsvDialect {
   std::string_view name{"commas"};  ///< of the separators, in messages
 
   /// The cells of a line, trimmed, out of their quotes (RFC 4180), without a # and what follows it behind the last.
-  /// @param columns  how many there are; of a header, which tells, 0
+  /// @param columns their number; 0 for the header, which defines it
   [[nodiscard]] std::vector<std::string> cells(std::string_view line, std::size_t columns = 0) const;
 };
 

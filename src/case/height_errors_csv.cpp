@@ -155,7 +155,7 @@ class HeightErrorsReader {
       if (is_beyond(i, errors[i])) return false;
       largest = std::max(largest, std::abs(errors[i]));
     }
-    // Of whole heights the nominal one tells the unit.
+    // For whole heights the nominal one indicates the unit.
     return column_->absolute || largest == 0.0 || largest >= smallest_error;
   }
 

@@ -13,7 +13,7 @@ struct Preset {
   std::string_view name;
   std::string_view head;  ///< lines of comment that its file begins with: what it is, and where it comes from
   Case input;
-  /// What is to be said of some keys beside what they mean: that nobody published them, or why they are so. By path.
+  /// Remarks on some keys in addition to their meaning: that they are assumed, or why they have this value. By path.
   std::vector<std::pair<std::string_view, std::string_view>> remarks;
 };
 

@@ -23,7 +23,7 @@ std::string key_set_in(const toml::node& node) {
   return fmt::format(".{}{}", table->begin()->first.str(), key_set_in(table->begin()->second));
 }
 
-/// Part of a step by which a range may miss its end: what is left of thirds, and of units.
+/// Fraction of a step by which a range may miss its end: round-off of thirds and of units.
 constexpr double step_rounding = 1e-6;
 
 Key optional_key(Key key) {
@@ -223,7 +223,7 @@ bool TableReader::second_counts(const Key& first, const Key& second) {
   if (!has(first) || !has(second)) return has(second);
   const toml::node& node = *table_.get(first.name);
   const bool overridden = is_override(*table_.get(second.name));
-  // On the command line, one stands in for the other.
+  // On the command line, one replaces the other.
   if (is_override(node) != overridden) return overridden;
   log_.met(path_of(first.name), node);
   log_.fault(path_of(first.name), fmt::format("conflicts with {}, which is also given", second.name),

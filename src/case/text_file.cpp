@@ -33,7 +33,7 @@ std::string read_text_file(const std::string& path) {
   if (!file) throw_unreadable(path, errno);
   std::string text;
   std::array<char, 65536> buffer{};
-  // A pipe or a device has no size to ask for: count what comes.
+  // A pipe or a device has no known size: count the bytes.
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
     text.append(buffer.data(), count);
     if (text.size() > largest_text_file) {

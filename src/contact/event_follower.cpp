@@ -22,8 +22,8 @@ constexpr int most_rounds_at_first_touch = 30;
 constexpr int rounds_by_solves = 1;
 constexpr int rounds_by_tableau = 8;
 
-/// What is left of large forces has their roundings, some 1e-13 of them: how many times larger the forces may be that a
-/// piece leads to than those it begins with. States stay exact to 1e-11 then.
+/// Forces that decrease keep the round-off of the larger ones, about 1e-13 of them: how many times larger the forces at
+/// the end of a piece may be than those at its start. States stay exact to 1e-11 then.
 constexpr double most_cancellation = 100.0;
 
 }  // namespace
@@ -66,7 +66,7 @@ struct EventFollower::Workspace {
   FollowOptions options;
   std::shared_ptr<ModeSystem> modes;
   std::unique_ptr<ContactTableau> tableau;  ///< null where rates are found by solves
-  bool by_rates{};                          ///< the target was found with it, from a begin that obeys the modes
+  bool by_rates{};                          ///< the target was found with it, from a start that obeys the modes
   LoadingPath path;
   ContactLoading here;  ///< at `reached`
   double reached{};     ///< fraction of the path that lies behind
@@ -99,8 +99,8 @@ void EventFollower::Workspace::keep_changes_nearby() {
   if (far != changes.begin()) changes.erase(far, changes.end());
 }
 
-/// Finds where the piece leads in its modes: from a begin that obeys them by rates, from another, which is no part of
-/// the piece, by a solve.
+/// Finds the end of the piece in its modes: by rates from a start that obeys them, by a solve from any other, which is
+/// not part of the piece.
 bool EventFollower::Workspace::find_target(SolveCost& cost) {
   if (tableau) {
     piece.set_modes(mode);
@@ -149,8 +149,8 @@ bool EventFollower::Workspace::settle_modes(SolveCost& cost) {
 }
 
 /// Begins the piece with the exact state of its modes, and leaves the state so far in `next`. They differ where the
-/// response jumps (foils snap), where contacts that lose their last force together did so one rounding apart, where it
-/// was less than counts as a force, and by the roundings of what was interpolated.
+/// response jumps (foils snap), where contacts that lose their last force together did so within round-off, where it
+/// was less than counts as a force, and by the round-off of interpolated values.
 /// @return false where that state contradicts its modes: then it was no jump that these contacts could make, and
 /// nothing has changed
 bool EventFollower::Workspace::solve_begin(SolveCost& cost) {
@@ -171,7 +171,7 @@ bool EventFollower::Workspace::lets_go() const {
   return !tableau && piece.target_force <= piece.force_tolerance && mode != piece.begin.mode;
 }
 
-/// Finds all unknowns of a state that the matrix of contacts has led to, which tells contacts alone.
+/// Finds all unknowns of a state reached with the matrix of contacts, which describes contacts only.
 /// @return false if there are none
 bool EventFollower::Workspace::complete(ContactState& state, SolveCost& cost) {
   path.at(reached, here);
@@ -231,7 +231,7 @@ bool EventFollower::Workspace::begin_piece(const PartVisitor& visit, std::vector
   return true;
 }
 
-/// Guesses the modes of the next piece from the limits of the last one, which ended where `piece` begins by now.
+/// Guesses the modes of the next piece from the limits of the last one, which ended where `piece` now starts.
 void EventFollower::Workspace::flip_at_event() {
   flipped.clear();
   for (const ModeLimit& limit : piece.limits) {

@@ -28,14 +28,13 @@ struct FollowOptions {
 /// linear solve describes everything: where the piece would lead by the end of the path. States on the way are
 /// interpolated, and the result does not depend on where the path is halted.
 ///
-/// After an event the rates decide: a contact at its friction bound goes on slipping where its velocity agrees with its
-/// friction force and sticks otherwise; one that touches without force closes or opens. All contacts that may choose
-/// are settled together, starting from their last modes. Where foils are touched that carried nothing, most contacts
-/// touch without force and may choose: they start closed, since foils that are pressed rest on more places than they
-/// lift from.
+/// After an event the rates decide: a contact at its friction bound keeps sliding if its velocity agrees with its
+/// friction force and sticks otherwise; one that touches without force closes or opens. All contacts that may change
+/// are settled together, starting from their last modes. At first touch of unloaded foils most contacts touch without
+/// force and may change: they start closed, since compressed foils rest on more contacts than they open.
 class EventFollower {
  public:
-  /// @param modes  linear system of the problem; may be shared with other solvers that are not at work meanwhile
+  /// @param modes linear system of the problem; may be shared with other solvers that are idle meanwhile
   EventFollower(const SharedProblem& problem, std::shared_ptr<ModeSystem> modes,
                 const FollowOptions& options = FollowOptions());
   ~EventFollower();
@@ -43,12 +42,12 @@ class EventFollower {
   /// Forgets the paths before: what follows is the same to the last bit as after construction.
   void forget();
 
-  /// Begins a path, or goes on along it with other modes.
-  /// @param mode   modes to begin with: those of the state at `start`, or a better guess
+  /// Starts a path, or continues along it with other modes.
+  /// @param mode initial modes: those of the state at `start`, or a better guess
   /// @param start  fraction of the path that lies behind
   void set_out(const LoadingPath& path, const std::vector<ContactMode>& mode, double start = 0.0);
 
-  /// Goes on along the path. Where it does not arrive, the path must be set out on again, with better modes.
+  /// Continues along the path. If it does not arrive, the path must be restarted with better modes.
   /// @param fraction  of the whole path where to halt; not before the last
   /// @param state     what the last call left, or the start of the path; on return the state at `fraction`, or at the
   ///   last event that was reached

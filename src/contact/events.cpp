@@ -72,7 +72,7 @@ class EventStepper final : public PathFollower {
 EventStepper::EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates)
     : problem_(problem),
       follower_(problem, modes, {.rates = rates}),
-      newton_(problem, modes, {.max_events = 0}),  // it is asked where following has led nowhere
+      newton_(problem, modes, {.max_events = 0}),  // used where following fails
       most_fallen_(rates == Rates::by_tableau ? most_fallen_by_tableau : most_fallen) {
   BUMPFOIL_ASSERT(!problem->law);  // between two events the response would not be linear
 }
@@ -110,8 +110,8 @@ bool EventStepper::stands(const ContactState& state, const ContactState& end, bo
   return true;
 }
 
-/// Makes a state exact that is not within the bounds. Forces on a piece have the tolerances and the roundings of the
-/// largest of them, which may be too much for what is left of these at its end.
+/// Makes a state exact that is not within the bounds. Forces on a piece have the tolerances and the round-off of the
+/// largest of them, which may be too coarse for the small forces at its end.
 void EventStepper::settle(ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events,
                           FollowReport& report) {
   const double left = std::max(1.0, extremes_of(state.normal_force).most);  // N, as in ContactResiduals
@@ -181,7 +181,7 @@ void EventStepper::go_to(double fraction, ContactState& state, const PartVisitor
         probe = first;
         continue;
       }
-      // Where it has jumped and got no further, another small increment must begin behind the jump.
+      // If it jumps and gets no further, another small increment must start after the jump.
       jumped = state.x != probed_from;
       if (jumped) continue;
     }

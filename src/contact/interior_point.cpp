@@ -22,7 +22,7 @@ constexpr double smallest_length = 1e-50;
 /// Friction coefficients below this count as this large where slips are started.
 constexpr double smallest_friction = 1e-15;
 
-/// Mean product, relative to that of the start, below which roundings are all that moves.
+/// Mean product, relative to that of the start, below which only round-off changes.
 constexpr double smallest_product = 1e-30;
 
 /// Both of a pair tend to zero where their relative changes are within this of -1/2.

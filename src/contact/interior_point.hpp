@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// A force and a length of which one is zero in the end, both kept positive on the way there.
+/// A force and a length, both kept positive, one of which tends to zero.
 struct ComplementaryPair {
   double force{1.0};     ///< N
   double length{1.0};    ///< m

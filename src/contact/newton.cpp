@@ -17,9 +17,9 @@
 namespace bumpfoil {
 namespace {
 
-/// Rounds of mode changes after the interior point, while it still moves and once it has come to its end. What is left
-/// then in a long foil are fronts of wrong modes, with forces of 1e-11 of the largest, that travel contact by contact
-/// until they meet one that is loaded: in frames of 10,000 bumps up to some 500.
+/// Rounds of mode changes after the interior point, while it still moves and once it has ended. In a long foil fronts
+/// of wrong modes remain then, with forces of 1e-11 of the largest, that travel contact by contact until they meet one
+/// that is loaded: in frames of 10,000 bumps up to some 500.
 constexpr int rounds_on_the_way = 3;
 constexpr int rounds_at_the_end = 30;
 constexpr int blocks_per_round_at_the_end = 20;
@@ -28,8 +28,8 @@ constexpr int blocks_per_round_at_the_end = 20;
 constexpr int contacts_per_contradiction = 10;
 
 /// Where the interior point starts and how close to the bounds its steps go, see InteriorPoint::start(). Below friction
-/// coefficients of 0.5 the first has always been enough; beyond, steps may go to and fro, and shorter ones from
-/// elsewhere nearly always find through.
+/// coefficients of 0.5 the first has always sufficed; above, steps may oscillate, and shorter ones from another start
+/// nearly always converge.
 struct InteriorStart {
   double spread, reach;
 };
@@ -37,7 +37,7 @@ constexpr InteriorStart interior_starts[] = {{1.0, 0.995}, {0.1, 0.5}, {10.0, 0.
 
 }  // namespace
 
-/// One increment at work.
+/// The solution of one increment.
 struct NewtonSolver::Task {
   const ContactLoading& loading;
   const ContactState& previous;  ///< friction refers to it
@@ -190,7 +190,7 @@ bool NewtonSolver::Workspace::iterate_modes(const Task& task) {
   return false;
 }
 
-/// The same with fewer changes per round, for modes that are right but for roundings and small forces.
+/// The same with fewer changes per round, for modes that are right except for round-off and small forces.
 /// @param most_contradictions  contacts that may contradict their modes before it is given up
 bool NewtonSolver::Workspace::settle_runs(const Task& task, int rounds, std::ptrdiff_t most_contradictions) {
   while (try_modes(task)) {

@@ -12,16 +12,16 @@ struct PieceEnergy {
   double given_off{};  ///< by the elastic bodies and what drives them, J
   double friction{};   ///< what Coulomb friction dissipates where contacts slip throughout, J
 
-  /// Zero to rounding where no contact changes its mode on the way; otherwise it tells how far the response is from
-  /// being straight there or, at one loading, that it jumps, J.
+  /// Zero to round-off if no contact changes its mode on the way; otherwise a measure of the nonlinearity of the
+  /// response there or, at constant loading, of a jump, J.
   [[nodiscard]] double defect() const { return given_off - friction; }
 };
 
 /// Only for linear elastic forces.
 PieceEnergy piece_energy(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
 
-/// Energies up to this size are no more than roundings and tolerances of the two states, J: 1e-11 of the elastic
-/// energy, or what the largest contact force does on 1e-14 m.
+/// Energies up to this size are within round-off and tolerances of the two states, J: 1e-11 of the elastic energy, or
+/// what the largest contact force does on 1e-14 m.
 double negligible_energy(const ContactProblem& problem, const ContactState& begin, const ContactState& end);
 
 }  // namespace bumpfoil

@@ -146,9 +146,9 @@ class PivotingRule {
   std::size_t fewest_{std::numeric_limits<std::size_t>::max()};
 };
 
-/// Changes only the worst contact of each run of neighbours that all ask for the same change. Where a long stretch of
-/// foil is wrong by little, closing (or opening) all of it at once bends the foil sharply at its ends, and wrong modes
-/// travel along the foil contact by contact; its worst contact alone often puts the rest right.
+/// Changes only the worst contact of each run of neighbours that all need the same change. If a long section of foil is
+/// slightly wrong, closing (or opening) all of it at once bends the foil sharply at its ends, and wrong modes travel
+/// along the foil contact by contact; its worst contact alone often puts the rest right.
 class WorstOfRuns {
  public:
   explicit WorstOfRuns(std::size_t contacts_per_block) : runs_(contacts_per_block) {}

@@ -7,8 +7,8 @@
 
 namespace bumpfoil {
 
-/// A contact whose force gives way linearly: between fully open, closed, stuck and slipping. With increments dp, dt of
-/// its forces, dg of its gap and dw of its slip:
+/// A contact with a linear compliance: between fully open, closed, stuck and slipping. With increments dp, dt of its
+/// forces, dg of its gap and dw of its slip:
 ///
 ///     normal_force * dp + gap * dg = right-hand side
 ///     friction_force * dt + coupling * dp + slip * dw = right-hand side        (not for frictionless contacts)

@@ -144,9 +144,9 @@ void StraightPiece::limit(Eigen::Index c, double now, double then, ContactMode t
   limits.push_back({c, to});
 }
 
-/// Fills clear_: positive where a contact neither reaches a limit of its mode before a part of the way to the target
-/// nor may have to change its mode at the begin, as those may that carry nothing. A margin that is zero at the start
-/// and negative at the target is negative in between.
+/// Fills clear_: positive where a contact neither reaches a limit of its mode within a fraction of the distance to the
+/// target nor may have to change its mode at the start, as contacts without force may. A margin that is zero at the
+/// start and negative at the target is negative in between.
 void StraightPiece::screen(double part) {
   with_widest_vectors([this, part](auto /*lanes*/) BUMPFOIL_ALWAYS_INLINE {
     const double* const f = friction_coefficient_.data();
@@ -237,7 +237,7 @@ void StraightPiece::look_at(Eigen::Index c, std::vector<ModeChange>& changes) {
   if (change().to != m) changes.push_back(change());
 }
 
-/// Whether the forces and the gap of a contact are at the begin what its mode asks for.
+/// Whether the forces and the gap of a contact at the start agree with its mode.
 bool StraightPiece::begin_obeys(Eigen::Index c) const {
   const double p = begin.normal_force[c];
   const double t = begin.friction_force[c];

@@ -10,7 +10,7 @@ namespace bumpfoil {
 /// A gap or a slip below this is none, m.
 constexpr double displacement_tolerance = 1e-13;
 
-/// A force below this part of the largest is none; the largest of where a piece begins and where it leads, or
+/// A force below this fraction of the largest is zero; the largest at the start and the end of a piece, or
 /// ContactProblem::least_reference_force().
 constexpr double relative_force_tolerance = 1e-11;
 
@@ -45,10 +45,10 @@ struct StraightPiece {
   /// Fraction of the path at which the piece ends.
   [[nodiscard]] double end_fraction() const;
 
-  /// Part of the way to the target that lies behind at a fraction of the path.
+  /// Completed fraction of the distance to the target at a fraction of the path.
   [[nodiscard]] double part_at(double fraction) const;
 
-  /// The state at a part of the way to the target.
+  /// The state at a fraction of the distance to the target.
   /// @param state  result; its storage is reused
   void at(double part, ContactState& state) const;
 
@@ -71,7 +71,7 @@ struct StraightPiece {
   /// contradict it, and fills `limits` and `end_part` from the others. These mean something where there are no changes.
   void look_ahead(std::vector<ModeChange>& changes);
 
-  /// Whether the forces and gaps of `begin` are such as the modes of the piece ask for.
+  /// Whether the forces and gaps of `begin` agree with the modes of the piece.
   [[nodiscard]] bool begin_obeys_modes() const;
 
   /// The same of those contacts alone whose modes were others so far.

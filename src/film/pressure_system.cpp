@@ -81,7 +81,7 @@ bool PressureSystem::factor() {
   return true;
 }
 
-/// The step of column 0: the chain solved with it held tells what is left of its own equations.
+/// The step of column 0, from the residual of its equations with the chain solved while it is held.
 void PressureSystem::read_border_step(const Matrix& residual) {
   const int n = mesh_.unknown_rows();
   border_step_ = -residual.col(0).head(n) - border_after_ * right_.head(n) - border_before_ * right_.tail(n);

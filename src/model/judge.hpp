@@ -45,15 +45,15 @@ inline std::string quantity(double value, std::string_view unit) {
   return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// Collects the faults of a case.
+/// Collects the errors of a case.
 class Judge {
  public:
-  /// Keeps the fault if `right` is false; returns `right`.
+  /// Keeps the error if `right` is false; returns `right`.
   bool require(bool right, std::string key, std::string value, std::string what, std::string advice) {
     return require_for("", right, std::move(key), std::move(value), std::move(what), std::move(advice));
   }
 
-  /// The same where it keeps one command alone from running.
+  /// The same for an error that prevents only one command.
   bool require_for(std::string_view command, bool right, std::string key, std::string value, std::string what,
                    std::string advice) {
     if (right) return true;

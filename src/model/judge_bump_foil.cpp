@@ -188,7 +188,7 @@ void judge_tallest(Judge& judge, const BumpFoil& foil, const std::vector<BumpSha
     if (bumps[n].rise + errors[n] > bumps[tallest].rise + errors[tallest]) tallest = n;
   }
   BumpShape own = bumps[tallest];
-  if (!(std::abs(errors[tallest]) < own.rise)) return;  // judged already
+  if (!(std::abs(errors[tallest]) < own.rise)) return;  // already checked
   own.rise += errors[tallest];
   judge_shape(judge, foil, tallest, own, pitch_known, fmt::format("bump_foil.height_errors[{}]", tallest + 1),
               errors[tallest]);

@@ -5,7 +5,7 @@
 
 namespace bumpfoil {
 
-/// Judges gas, film and the states of a bearing that runs.
+/// Checks gas, film and the states of a running bearing.
 /// @param bumps  whether the number of bumps is usable
 void judge_film_settings(Judge& judge, const Case& input, bool bumps);
 

@@ -111,7 +111,7 @@ void judge_memory(Judge& judge, std::string_view command, const std::string& key
 void judge_repetition(Judge& judge, const std::vector<double>& directions) {
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    if (!std::isfinite(directions[i])) continue;  // judged already
+    if (!std::isfinite(directions[i])) continue;  // already checked
     around.emplace_back(directions[i] - turn * std::floor(directions[i] / turn + round_off), i);
   }
   std::sort(around.begin(), around.end());

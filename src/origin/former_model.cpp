@@ -22,15 +22,15 @@ constexpr int rounds_after_approach = 6;
 constexpr int max_outer_iterations = 200;
 constexpr int max_newton_steps = 100;
 
-/// How a contact slips that is told apart by the signs of its normal force and of its displacement. The modes of the
-/// linear system know compressions only, t = -+f N: under tension they change places.
+/// Slip mode of a contact from the signs of its normal force and of its displacement. The modes of the linear system
+/// assume compression, t = -+f N: under tension they are exchanged.
 ContactMode mode_of_system(bool forward, double normal_force) {
   return forward == (normal_force > 0.0) ? ContactMode::slip_forward : ContactMode::slip_backward;
 }
 
 /// Penalty of the augmented Lagrangian: the stiffness of the stiffest crest between held feet, N/m. It sets the pace,
 /// not the result. One that is much stiffer than the foil lets the friction bounds follow their normal forces at once,
-/// to and fro without end where friction is strong, and its roundings exceed the smaller forces of soft foils.
+/// oscillating endlessly where friction is strong, and its round-off exceeds the smaller forces of soft foils.
 double make_penalty(const FoilStructure& structure) {
   double stiffest = 0.0;
   for (const Matrix& block : structure.K.diagonal) {

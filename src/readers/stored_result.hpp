@@ -7,7 +7,7 @@
 
 namespace bumpfoil {
 
-/// A file of numbers and the summary beside it, of one set.
+/// A data file and its summary, of one set.
 struct StoredResult {
   StoredSummary summary;
   std::string bytes;  ///< of the file of numbers

@@ -8,7 +8,7 @@
 
 namespace bumpfoil {
 
-/// What summary.json says of a file beside it.
+/// Entry of summary.json for a file in the same folder.
 struct ListedFile {
   std::size_t bytes{};
   std::string xxh3_128;
@@ -27,8 +27,8 @@ struct StoredSummary {
 /// @throws Error (file) naming file and key
 StoredSummary read_summary(std::string_view text, const std::string& name);
 
-/// Verifies that a summary tells of the same run as a result that was read by read_result: command, run id, cycles with
-/// their steps. Puts the cycles into the order of the summary.
+/// Verifies that a summary belongs to the same run as a result read by read_result: command, run id, cycles with their
+/// steps. Puts the cycles into the order of the summary.
 /// @param name  of the summary in messages   @param result_name  of the file beside it @throws Error (file)
 void match_runs(const StoredSummary& summary, nlohmann::ordered_json& result, const std::string& name,
                 std::string_view result_name);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view base_case = "gen1";
 
-/// Takes the values of a table of a description; what is missing or not asked for is an error.
+/// Takes the values of a table of a description; missing or unknown keys are errors.
 class DescriptionReader {
  public:
   DescriptionReader(std::string_view study, const toml::table& table) : study_(study), table_(table) {}

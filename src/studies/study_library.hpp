@@ -19,7 +19,7 @@ const std::vector<StudyText>& study_library();
 /// All tables that are compiled in.
 const std::vector<StudyData>& study_data_library();
 
-/// What every script begins with.
+/// Common start of all scripts.
 std::string_view study_style_script();
 
 }  // namespace bumpfoil

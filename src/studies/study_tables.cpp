@@ -171,7 +171,7 @@ std::vector<std::string> quantity_columns(const Study& study) {
   return columns;
 }
 
-/// Columns after run and direction, and who fills them.
+/// Columns after run and direction, and the functions that fill them.
 std::pair<std::vector<std::string>, RowWriter> layout(StudyTableKind kind, const Study& study) {
   switch (kind) {
     case StudyTableKind::loops:

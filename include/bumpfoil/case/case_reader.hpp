@@ -28,8 +28,8 @@ Case read_case(const std::string& path, const CaseRequest& request = {});
 /// @throws Error (input) if it is not a text file; Error (file) if it cannot be read.
 std::string read_case_text(const std::string& path);
 
-/// The same for the text of a case file. `name` stands for the file in messages; files that the case names are looked
-/// for beside it.
+/// The same for the text of a case file. `name` is the name of the file in messages; files that the case names are
+/// looked up in the same folder.
 Case parse_case(std::string_view text, const std::string& name, const CaseRequest& request = {});
 
 /// Verdict of a command on a case that has its table.

@@ -44,7 +44,7 @@ using PartVisitor = std::function<void(const ResponsePart&)>;
 struct FollowReport {
   Status status{Status::converged};
   SolveCost cost;
-  int substeps{};             ///< solves that the path asked for beyond those of the increments that were wanted
+  int substeps{};             ///< solves in addition to those of the requested increments
   double jump_dissipation{};  ///< released in jumps, beyond friction, J; only where events are resolved
 
   [[nodiscard]] bool converged() const { return status == Status::converged; }
@@ -90,12 +90,11 @@ class PathFollower {
 /// both halves are taken in turn, up to `max_halvings` times over.
 std::unique_ptr<PathFollower> make_increment_follower(std::unique_ptr<ContactSolver> solver, int max_halvings = 8);
 
-/// Goes along straight loading paths from event to event, exactly; where the next modes cannot be told, a small
-/// increment of the exact solver shows them. Where even these do not lead on, the increment stands in the response if
-/// that is straight there, W = E_end - E_begin + D; if not, it is halved until it is, or until it is no more than a
-/// place: there the response jumps, and what it gives off counts as dissipated. Shorter increments that the exact
-/// solver cannot take make the shortest that it can such a place. `substeps` counts the small increments that stand in
-/// the response; none in an exact one.
+/// Goes along straight loading paths from event to event, exactly; if the next modes cannot be determined, a small
+/// increment of the exact solver gives them. If even these do not lead on, the increment becomes part of the response
+/// if that is linear there, W = E_end - E_begin + D; if not, it is halved until it is, or until it is a mere point:
+/// there the response jumps, and the energy released counts as dissipated. The shortest increment that the exact solver
+/// can solve is such a point, too. `substeps` counts the small increments in the response; an exact one has none.
 ///
 /// The elastic forces must be linear, and the problem must have contacts.
 /// @param modes linear system of the problem; may be shared with others that are idle meanwhile

@@ -62,8 +62,8 @@ struct ContactProblem {
 
   [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
 
-  /// The force that tolerances relative to the largest refer to where the largest is less, N: where hardly anything is
-  /// loaded they would be relative to roundings. 1 N as in ContactResiduals, less for problems made for less than 10 N.
+  /// The force that tolerances relative to the largest refer to where the largest is less, N: without loads they would
+  /// be relative to round-off. 1 N as in ContactResiduals, less for problems with a force scale below 10 N.
   [[nodiscard]] double least_reference_force() const { return std::min(1.0, 0.1 * force_scale); }
 };
 

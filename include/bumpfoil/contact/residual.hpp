@@ -21,8 +21,8 @@ struct ContactResiduals {
   }
 };
 
-/// Gaps and slips below this count as closed and as none where forces are judged, m: the roundings of displacements of
-/// the order of 0.1 mm in foils whose condition number reaches 1e9 stay below.
+/// Gaps and slips below this count as zero where forces are checked, m: above the round-off of displacements of about
+/// 0.1 mm in foils whose condition number reaches 1e9.
 inline constexpr double displacement_resolution = 1e-12;
 
 /// Judges a state.

@@ -14,8 +14,8 @@ struct UzawaOptions {
   double eps_f{};    ///< stiffness of a sticking contact, N/m: it slips by the change of its friction force / eps_f
   double eps_r{};    ///< penalty of contacts without tangential unknown (the journal), N/m: penetration p / eps_r
   double tau_f{};    ///< slip at which the friction force has reached half its bound, m
-  /// An open contact may overlap by this much, m, or by what the multipliers' tolerance leaves of a closed one. Where
-  /// nothing is loaded the latter is less than the neighbours' roundings, and contacts would open and close in turn.
+  /// An open contact may overlap by this much, m, or by what the multipliers' tolerance leaves of a closed one. Without
+  /// loads the latter is less than the round-off of the neighbours, and contacts would alternately open and close.
   double gap_tolerance{};
 
   /// With F = max(largest contact force, ContactProblem::least_reference_force()):

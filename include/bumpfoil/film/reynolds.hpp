@@ -62,7 +62,7 @@ void linearise_reynolds(const ReynoldsEquation& equation, const FilmState& film,
 /// Change of the residuals under changes of P or H at all nodes.
 Matrix stencil_product(const FilmMesh& mesh, const FilmStencil& stencil, const Matrix& change);
 
-/// P H at all nodes: what a time step begins with.
+/// P H at all nodes: the start of a time step.
 Matrix film_content(const FilmState& film);
 
 }  // namespace bumpfoil

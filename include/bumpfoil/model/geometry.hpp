@@ -33,7 +33,7 @@ Vector crest_offsets(const BumpFoil& foil);
 double deviation_at(const RadiusProfile& profile, double phi);
 
 /// Foils of the bearing of a case. Every bump has its nominal shape, and height errors act through the gaps alone,
-/// unless `stiffness_follows_height` gives each bump a rise of its own. The case must be valid.
+/// unless `stiffness_follows_height` gives each bump its own rise. The case must be valid.
 FoilDesign make_bearing_design(const Case& input);
 
 /// Foils of the strip of a case, flat and cut to its bumps. The case must be valid and have a strip.

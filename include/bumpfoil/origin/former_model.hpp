@@ -38,8 +38,8 @@ FormerModel make_former_model(const Case& input);
 /// Gaps between journal and undeformed crests, r_i - height_error_i, m, one per bump.
 Vector former_crest_gaps(const FormerModel& model, const Eigen::Vector2d& position);
 
-/// Judges a state at a journal position by contact_residuals for |N|, with the balance judged for N itself. Crests
-/// beyond the journal's reach are not judged for penetration, which the model does not know.
+/// Checks a state at a journal position with contact_residuals for |N|, and equilibrium for N itself. Crests that the
+/// journal does not reach are not checked for penetration, which the model does not have.
 ContactResiduals former_residuals(const FormerModel& model, const Eigen::Vector2d& position, const ContactState& state);
 
 /// Result of one journal position.
@@ -56,11 +56,11 @@ struct FormerSolution {
 ///     v_crest = -(r_i - height_error_i) where that gap is negative, crest free elsewhere;   v_foot = sleeve_gap_i
 ///     |t| <= f |N|,   t = -f |N| sign(u) where u is not zero
 ///
-/// by exact solves for assumed modes and signs of N, changing what contradicts; where that goes on, an augmented
-/// Lagrangian with friction bounds held (Tresca) and updated leads the exact solves, which decide.
+/// by exact solves for assumed modes and signs of N, changing violated ones; if that cycles, an augmented Lagrangian
+/// with friction bounds held (Tresca) and updated leads the exact solves, which decide.
 ///
-/// `residuals` are those of contact_residuals for |N|, with the balance judged for N itself; crests beyond the
-/// journal's reach are not judged for penetration, which the model does not know. A converged solution is
+/// `residuals` are those of contact_residuals for |N|, with equilibrium for N itself; crests that the journal does not
+/// reach are not checked for penetration, which the model does not have. A converged solution is
 /// ContactResiduals::within its default bounds.
 class FormerSolver {
  public:

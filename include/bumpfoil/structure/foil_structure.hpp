@@ -83,11 +83,11 @@ void append(const FoilStructure& pad, FoilStructure& foils);
 int block_of_bump_1(const FoilDesign& foils);
 
 /// Stiffness of the springs that keep loose foils from drifting, N/m: the force of a micrometre is a hundred millionth
-/// of a newton, below every tolerance of contact forces, and still a thousand times the roundings of balanced forces.
+/// of a newton, below every tolerance of contact forces, and still a thousand times the round-off of balanced forces.
 inline constexpr double loose_hold = 1e-2;
 
-/// Left-hand side of the balance, N: K x, or under large displacements the forces of the carried elements beside the
-/// linear rest. Rows of moments hold their compatibility.
+/// Left-hand side of the balance, N: K x, or under large displacements the forces of the corotational elements and of
+/// the linear rest. Rows of moments hold their compatibility.
 Vector internal_forces(const FoilStructure& structure, const Vector& x);
 
 /// Derivative of internal_forces, N/m: K, unless displacements are large.

@@ -17,7 +17,7 @@ struct FrameModel {
   double rotation_scale{};        ///< m, see frame_dofs()
   WeldPosition weld_at{WeldPosition::mid_flat};
   Geometry geometry{Geometry::linear};
-  bool welded{true};  ///< false: free at both ends, the first arc begins where nothing holds it
+  bool welded{true};  ///< false: free at both ends, the start of the first arc is free
 };
 
 /// Frame of a bump foil.

@@ -26,9 +26,9 @@ struct Spring {
   std::vector<Term> terms;
 };
 
-/// Springs of a truss, each bump with constants of its own. With c = cos(theta_d), s = sin(theta_d), crest (u_c, v_c)
-/// of bump n, foot after it (u_f, v_f), foot before it (u_p, v_p; the weld, zero, for n = 1) and crest before it u_q
-/// the elongations are
+/// Springs of a truss, each bump with its own constants. With c = cos(theta_d), s = sin(theta_d), crest (u_c, v_c) of
+/// bump n, foot after it (u_f, v_f), foot before it (u_p, v_p; the weld, zero, for n = 1) and crest before it u_q the
+/// elongations are
 ///
 ///     k1: (u_c - u_p) c - (v_c - v_p) s     k1: (u_f - u_c) c - (v_c - v_f) s
 ///     k2: u_f - u_p     k3: u_c - u_q (n > 1)     k4: u_c (n = 1)
