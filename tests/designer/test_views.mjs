@@ -89,7 +89,7 @@ test('the running bearing is that of the program, beside the design before', () 
     const [before, now, difference] = await shown('h_min_m');
     assert.ok(Math.abs(Number(before) * 1e-6 - state.h_min_m) <= 5e-4 * state.h_min_m);
     assert.ok(Math.abs(Number(now) - Number(before) - Number(difference)) < 0.01, `${now} - ${before} is not ${difference}`);
-    assert.ok((await view.locator('.legend li').allTextContents()).includes('film thickness before'));
+    assert.ok((await view.locator('.legend li').allTextContents()).includes('baseline film thickness'));
     // What fails, and what is refused, is told in the words of the program.
     await answeredIn(page, '.running', async () => {
       await view.getByLabel('Load along X, N').fill('5000');

@@ -197,7 +197,7 @@ export function thicknessChart(states: States, selection: GridSelection, before:
         draw: (current: Look) => [svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: colour(current), 'stroke-width': 2, 'stroke-dasharray': dash === 'solid' ? 'none' : dash.join(' ') })],
         text,
       })),
-      ...(filmBefore().length > 0 ? [{ width: 30, draw: (current: Look) => [svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: current.muted, 'stroke-width': 1.4 })], text: 'film thickness before' }] : []),
+      ...(filmBefore().length > 0 ? [{ width: 30, draw: (current: Look) => [svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: current.muted, 'stroke-width': 1.4 })], text: 'baseline film thickness' }] : []),
       ...(crests().length > 0 ? [{ width: 12, draw: (current: Look) => [svg('line', { x1: 6, y1: 1, x2: 6, y2: 11, stroke: current.muted, 'stroke-width': 1.4 })], text: 'crests' }] : []),
     ],
     csv: () => {
@@ -227,7 +227,7 @@ export function thicknessChart(states: States, selection: GridSelection, before:
             data,
           })),
         ),
-        ...[before()].flatMap((one) => (one ? pointsOf(one, filmBefore()).map((data) => ({ type: 'line', name: 'film thickness before', symbol: 'none', silent: true, z: 1, lineStyle: { color: current.muted, width: 1.4 }, itemStyle: { color: current.muted }, data })) : [])),
+        ...[before()].flatMap((one) => (one ? pointsOf(one, filmBefore()).map((data) => ({ type: 'line', name: 'baseline film thickness', symbol: 'none', silent: true, z: 1, lineStyle: { color: current.muted, width: 1.4 }, itemStyle: { color: current.muted }, data })) : [])),
         {
           type: 'custom',
           name: 'crests',

@@ -124,7 +124,7 @@ class Page {
           { class: 'page-tools', role: 'toolbar', 'aria-label': 'Design' },
           this.undo,
           this.redo,
-          button('Compare from here', 'Take the design as it stands for the one before', () => this.pin()),
+          button('Compare from here', 'Use the current design as the baseline', () => this.pin()),
           button('Open …', 'Open a case file', () => file.click()),
           button('Save case', 'Save the case file', () => download('case.toml', new Blob([this.design.text], { type: 'application/toml' }))),
           button('Save report', 'Save what is shown as the page that `bumpfoil report` writes', () => this.saveReport()),
@@ -211,8 +211,8 @@ class Page {
 
   private show(): void {
     if (!this.now || !this.before) return;
-    const now = runOf(this.now.answer, 'now');
-    const runs = this.before.text === this.now.text ? [now] : [now, runOf(this.before.answer, 'before')];
+    const now = runOf(this.now.answer, 'current');
+    const runs = this.before.text === this.now.text ? [now] : [now, runOf(this.before.answer, 'baseline')];
     const layout = layoutOf(runs);
     if (this.results && layout === this.layout) this.results.show(runs);
     else this.layOut(runs, layout);

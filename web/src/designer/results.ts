@@ -47,7 +47,7 @@ export function results(runs: Run[]): Results {
       focus: () => curvesOfRun(at(comparison.runs, 0)),
       legend: () =>
         comparison.several
-          ? [{ width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.muted, 'stroke-width': 1.1 })], text: 'before' }]
+          ? [{ width: 26, draw: (current) => [svg('line', { x1: 0, y1: 6, x2: 26, y2: 6, stroke: current.muted, 'stroke-width': 1.1 })], text: 'baseline' }]
           : [],
     },
     comparison,

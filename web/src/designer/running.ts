@@ -148,9 +148,9 @@ class StateViews {
 
   show(now: EquilibriumAnswer, before: EquilibriumAnswer | undefined, name: string): void {
     this.states.replace({ ...now.run, name });
-    this.before = before?.state['status'] === 'converged' ? new States({ ...before.run, name: 'before' }) : undefined;
+    this.before = before?.state['status'] === 'converged' ? new States({ ...before.run, name: 'baseline' }) : undefined;
     this.selection.show({});
-    const runs = [runOf(now, 'now'), ...(before ? [runOf(before, 'before')] : [])];
+    const runs = [runOf(now, 'current'), ...(before ? [runOf(before, 'baseline')] : [])];
     const reference = at(runs, runs.length - 1);
     if (this.comparison?.runs.length === runs.length) {
       this.comparison.replace(runs, reference);

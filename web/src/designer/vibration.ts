@@ -105,7 +105,7 @@ export class VibrationView {
     for (const quantity of ['stiffness', 'loss_factor'] as const) {
       this.lines[quantity] = answers.flatMap(({ directions }, design) =>
         directions.map((direction, i) => ({
-          text: `${at(axes, i)}${design > 0 ? ', before' : ''}`,
+          text: `${at(axes, i)}${design > 0 ? ', baseline' : ''}`,
           axis: i,
           before: design > 0,
           values: direction[quantity].map((value) => value ?? NaN),
