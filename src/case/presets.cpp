@@ -87,8 +87,8 @@ Preset larsen() {
 
 constexpr std::string_view three_pads_head =
     R"(# Illustration of a third-generation foil bearing: three pads, each with its own top foil and bump foil, welded at one
-# edge and free at the other, and offset towards the journal. This is not a published bearing: its sizes are those of the
-# first-generation reference bearing, and what makes it a bearing of three pads is assumed, as marked.
+# edge and free at the other, and offset towards the journal. This is not a published bearing: its sizes are those of
+# the first-generation reference bearing, and what makes it a bearing of three pads is assumed, as marked.
 #
 )";
 
