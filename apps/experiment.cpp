@@ -25,7 +25,6 @@ struct ExperimentOptions {
   std::string folder;
   std::string sample;
   std::vector<std::string> overrides;
-  Switches switches;
   bool force{};
 };
 
@@ -52,7 +51,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   Outcome outcome;
   {
     ProgressBar bar(!session.quiet);
-    outcome = experiment.run(input, options.switches, [&](double fraction) {
+    outcome = experiment.run(input, [&](double fraction) {
       bar.show(fraction);
       return !guard.interrupted();
     });
@@ -63,7 +62,7 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   for (const ResultFile& file : outcome.files(provenance)) folder.stage(file.name, file.contents);
   folder.publish();
   if (!session.quiet) {
-    print_output(outcome.table);
+    print_output(outcome.table());
     print_output(fmt::format("\nsolver {}; results in {} ({})\n", name_of(input.solver.chosen()), place,
                              fmt::join(experiment.files, ", ")));
     for (const std::string& warning : outcome.warnings) print_message("warning: " + warning);
@@ -76,17 +75,19 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   return exit_code_of(outcome.status);
 }
 
-void add_switch(CLI::App& command, const Switch& one, Switches& given) {
-  const std::string name(one.name);
-  const std::string help(one.help);
+/// Adds an option that is short for --set.
+void add_switch(CLI::App& command, const Switch& one, std::vector<std::string>& overrides) {
+  const std::string option = fmt::format("--{}", one.name);
+  const std::string help = fmt::format("{}: {}={}", one.help, one.key, one.values.empty() ? one.value : "N");
+  const auto set = [&overrides, key = one.key](std::string_view value) {
+    overrides.push_back(fmt::format("{}={}", key, value));
+  };
   if (one.values.empty()) {
     command.add_flag_callback(
-        "--" + name, [&given, name] { given[name] = ""; }, help);
+        option, [set, value = one.value] { set(value); }, help);
     return;
   }
-  command
-      .add_option_function<std::string>(
-          "--" + name, [&given, name](const std::string& value) { given[name] = value; }, help)
+  command.add_option_function<std::string>(option, set, help)
       ->check(one_of(one.values))
       ->type_name("N")
       ->default_str(one.values.front());
@@ -120,7 +121,7 @@ void add_experiment(CLI::App& program, Session& session, const ExperimentInfo& e
   }
   add_overrides(*command, options->overrides);
   add_solver(*command, options->overrides);
-  for (const Switch& one : experiment.switches) add_switch(*command, one, options->switches);
+  for (const Switch& one : experiment.switches) add_switch(*command, one, options->overrides);
   command->add_flag("--force", options->force, "Replace existing results in the folder");
   command->footer("Examples:\n" + std::string(experiment.examples) +
                   "Ctrl-C, or the time limit of a batch system, ends the run; partial results are written and flagged. "

@@ -17,7 +17,7 @@
 #include "bumpfoil/ensemble/parallel_runs.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
+#include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/studies/gnuplot.hpp"

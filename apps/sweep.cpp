@@ -34,22 +34,14 @@ struct SweepOptions {
   bool force{};
 };
 
-SweptCommand command_called(std::string_view name) {
-  const auto& names = enum_names<SweptCommand>;
-  return static_cast<SweptCommand>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
 ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   // Read once: the case written with the results is the one that they came from.
   const std::string case_text = read_case_text(options.case_path);
-  const Sweep sweep = parse_sweep(case_text, options.case_path,
-                                  {.command = command_called(options.command),
-                                   .over = options.over,
-                                   .overrides = options.overrides,
-                                   .limits = options.limits});
+  const Sweep sweep = parse_sweep(
+      case_text, options.case_path,
+      {.command = options.command, .over = options.over, .overrides = options.overrides, .limits = options.limits});
   const InterruptionGuard guard;  // before there is anything to clean up
-  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse,
-                      sweep_file_names(sweep.command));
+  ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, sweep_file_names(sweep));
 
   std::vector<SweepPoint> points(sweep.cases.size());
   {
@@ -71,7 +63,7 @@ ExitCode run_sweep(const SweepOptions& options, const Session& session) {
   if (!session.quiet) {
     print_output(sweep_table(sweep, points));
     print_output(fmt::format("\n{} points; results in {} ({})\n", points.size(), place,
-                             fmt::join(sweep_file_names(sweep.command), ", ")));
+                             fmt::join(sweep_file_names(sweep), ", ")));
     if (!sweep.with_loops) print_message("warning: sweep.nc does not contain the loops: there are too many");
     print_some("warning: ", warning_lines(sweep, points));
   }
@@ -109,7 +101,7 @@ void add_sweep_command(CLI::App& program, Session& session) {
       ->type_name("DIR")
       ->required();
   command->add_option("--command", options->command, "Command that is run at every point")
-      ->check(one_of({enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()}))
+      ->check(one_of(swept_commands()))
       ->capture_default_str();
   command->add_flag(
       "--limits", options->limits,

@@ -54,6 +54,8 @@ MEANINGS = {
     "cycles[].max_stress_bump_foil_at.bump": "bump, counted through all pads; null at the weld",
     "cycles[].loop_energies_J": "loop energies of all cycles that were run, the last of which is shown",
     "cycles[].clearances": "where the direct force first reaches each of the forces of `cycle.clearance_forces`",
+    "clearance_5N_m": "displacement at which the direct force first reaches 5 N; a key for each of these forces",
+    "clearance_10N_m": "the same of 10 N",
     "cycles[].clearances[].force_N": "the force",
     "cycles[].clearances[].displacement_m": "the displacement; null if it is never reached",
     "cycles[].orbits": "one object per orbit",

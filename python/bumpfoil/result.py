@@ -336,6 +336,9 @@ def _read_cycle(
             fields[name] = _plain(values)
         elif dims[:1] == ["increment"]:
             (series if len(dims) == 1 else fields)[name] = _plain(values)
+        elif dims == ["clearance_force"]:
+            forces = file["clearance_force"][:]
+            quantities.update({f"clearance_{force:.6g}N": value for force, value in zip(forces, _plain(values).tolist())})
         elif not dims:
             quantities[name] = int(values) if name == "cycle" else _word(variable, values)
         elif name.endswith("_loads") or "pad_forces" in name:

@@ -55,12 +55,10 @@ def _documented(parameters: str = "") -> Callable[[_Running], _Running]:
     return document
 
 
-def _run(
-    command: str, case: Any, progress: Progress, tables: dict[str, Any], switches: Sequence[str] = ()
-) -> Result:
+def _run(command: str, case: Any, progress: Progress, tables: dict[str, Any]) -> Result:
     source = as_case(case, tables)._source
     with shown(progress) as called:
-        run = _native.run(command, source, list(switches), called)
+        run = _native.run(command, source, called)
     return Result._of_run(run)
 
 
@@ -168,8 +166,10 @@ def run_equilibrium(
     case: Any, /, *, all_paths: bool = False, limits: bool = False, progress: Progress = None, **tables: Any
 ) -> Result:
     """Computes equilibria of the running bearing, with gas film, foils and friction, as specified in [equilibrium]."""
-    switches = [name for name, on in (("paths", all_paths), ("limits", limits)) if on]
-    return _run("equilibrium", case, progress, tables, switches)
+    keys: dict[str, Any] = {**({"paths": "all"} if all_paths else {}), **({"limits": True} if limits else {})}
+    if keys:
+        tables["equilibrium"] = {**tables.get("equilibrium", {}), **keys}
+    return _run("equilibrium", case, progress, tables)
 
 
 @_documented(

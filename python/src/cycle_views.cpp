@@ -122,8 +122,14 @@ py::dict quantities_of(const Case& input, const CycleResult& result, std::size_t
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
     quantities[std::string(quantity.name).c_str()] = spelled(quantity.value(cycle, input), quantity.form);
   }
+  if (result.experiment == Experiment::cycle) {
+    const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+    for (std::size_t i = 0; i < clearances.size(); ++i) {
+      quantities[clearances[i].name.c_str()] = spelled(clearance_of(cycle, i), clearances[i].form);
+    }
+  }
   for (const LoadQuantity& quantity : load_quantities(result.experiment)) {
-    const Vector loads = quantity.values(cycle);
+    const Vector loads = quantity.value(cycle);
     if (loads.size() == 0) continue;
     py::array_t<double> array(loads.size(), loads.data());
     array.attr("setflags")(py::arg("write") = false);
@@ -141,7 +147,7 @@ py::dict row_views(const FoilFields& fields, const py::object& owner) {
 py::list cycle_views(const py::object& run) {
   const auto& [input, result] = [&run] {
     const Run& held = run.cast<const Run&>();
-    return std::pair<const Case&, const CycleResult*>(held.input, held.cycles.get());
+    return std::pair<const Case&, const CycleResult*>(held.input, held.outcome.cycles.get());
   }();
   py::list cycles;
   if (result == nullptr) return cycles;

@@ -10,7 +10,7 @@
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/ensemble_log.hpp"
 #include "bumpfoil/ensemble/ensemble_yield.hpp"
-#include "bumpfoil/experiments/cycle/result_netcdf.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"

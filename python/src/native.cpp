@@ -70,22 +70,15 @@ Run watched(const py::object& progress, const Running& running) {
   return result;
 }
 
-/// @param switches  names of those that are on
-Run run(const std::string& command, const CaseSource& source, const std::vector<std::string>& switches,
-        const py::object& progress) {
+Run run(const std::string& command, const CaseSource& source, const py::object& progress) {
   const Case input = read_source(source, {command});
   const std::string text = kept_text(source, input);
-  Switches given;
-  for (const std::string& name : switches) given[name] = "";
-  return watched(progress,
-                 [&](const ProgressCallback& go_on) { return run_command(command, input, text, given, go_on); });
+  return watched(progress, [&](const ProgressCallback& go_on) { return run_command(command, input, text, go_on); });
 }
 
 Run sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
           std::optional<unsigned> threads, bool limits, const py::object& progress) {
-  const auto& names = enum_names<SweptCommand>;
-  const auto swept = static_cast<SweptCommand>(std::find(names.begin(), names.end(), command) - names.begin());
-  const Sweep grid = read_sweep(source, swept, over, limits);
+  const Sweep grid = read_sweep(source, command, over, limits);
   const std::string text = kept_text(source, grid.cases.front());
   return watched(progress, [&](const ProgressCallback& go_on) {
     return run_sweep(grid, text, threads.value_or(available_threads()), go_on);
@@ -166,9 +159,9 @@ PYBIND11_MODULE(_native, m) {
       });
   py::class_<Run>(m, "Run")
       .def_readonly("command", &Run::command)
-      .def_property_readonly("status", [](const Run& run) { return std::string(name_of(run.status)); })
-      .def_readonly("warnings", &Run::warnings)
-      .def_readonly("failures", &Run::failures)
+      .def_property_readonly("status", [](const Run& run) { return std::string(name_of(run.outcome.status)); })
+      .def_property_readonly("warnings", [](const Run& run) { return run.outcome.warnings; })
+      .def_property_readonly("failures", [](const Run& run) { return run.outcome.failures; })
       .def("files", files_of)
       .def("cycles", [](const py::object& run) { return cycle_views(run); });
   add_stepper(m);
@@ -178,8 +171,7 @@ PYBIND11_MODULE(_native, m) {
   m.def("key_of", key_of);
   m.def("run", run);
   m.def("sweep", sweep);
-  m.def("swept_commands",
-        [] { return std::vector<std::string>(enum_names<SweptCommand>.begin(), enum_names<SweptCommand>.end()); });
+  m.def("swept_commands", swept_commands);
   py::class_<FolderEnsemble>(m, "FolderEnsemble")
       .def(py::init(&open_ensemble))
       .def("run", run_samples)

@@ -36,7 +36,8 @@ void check_source(const CaseSource& source) {
   told_by_keys([&] { return check_case(source.text, source.name, source.changes); });
 }
 
-Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over, bool limits) {
+Sweep read_sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
+                 bool limits) {
   return told_by_keys([&] {
     return parse_sweep(source.text, source.name,
                        {.command = command, .over = over, .overrides = source.changes, .limits = limits});
@@ -47,17 +48,12 @@ Provenance provenance_of(const std::string& command, const std::string& case_tex
   return {.command_line = "bumpfoil.run_" + command + " (Python)", .case_text = case_text};
 }
 
-Run run_command(const std::string& command, const Case& input, const std::string& case_text, const Switches& switches,
+Run run_command(const std::string& command, const Case& input, const std::string& case_text,
                 const ProgressCallback& progress) {
-  Outcome outcome = experiment_named(command).run(input, switches, progress);
   return {.command = command,
           .input = input,
-          .status = outcome.status,
-          .warnings = std::move(outcome.warnings),
-          .failures = std::move(outcome.failures),
-          .files = [files = std::move(outcome.files),
-                    provenance = provenance_of(command, case_text)] { return files(provenance); },
-          .cycles = std::move(outcome.cycles)};
+          .outcome = experiment_named(command).run(input, progress),
+          .provenance = provenance_of(command, case_text)};
 }
 
 Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads, const ProgressCallback& progress) {
@@ -67,14 +63,15 @@ Run run_sweep(const Sweep& sweep, const std::string& case_text, unsigned threads
       [&](std::size_t i, const ProgressCallback& point_progress) { points[i] = run_point(sweep, i, point_progress); },
       progress);
   complete(sweep, points);
-  Run run{.command = "sweep",
+  Outcome outcome{
+      .status = status_of(points), .warnings = warning_lines(sweep, points), .failures = failure_lines(sweep, points)};
+  outcome.files = [=, points = std::move(points)](const Provenance& provenance) {
+    return sweep_files(sweep, points, provenance);
+  };
+  return {.command = "sweep",
           .input = sweep.cases.front(),
-          .status = status_of(points),
-          .warnings = warning_lines(sweep, points),
-          .failures = failure_lines(sweep, points),
-          .files = {}};
-  run.files = [=, points = std::move(points)] { return sweep_files(sweep, points, provenance_of("sweep", case_text)); };
-  return run;
+          .outcome = std::move(outcome),
+          .provenance = provenance_of("sweep", case_text)};
 }
 
 }  // namespace bumpfoil

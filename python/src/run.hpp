@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,22 +28,24 @@ void check_source(const CaseSource& source);
 struct Run {
   std::string command;
   Case input;
-  RunStatus status{};
-  std::vector<std::string> warnings, failures;     ///< a line each
-  std::function<std::vector<ResultFile>()> files;  ///< made when they are asked for; netCDF is not thread-safe
-  std::shared_ptr<const CycleResult> cycles{};     ///< of commands that give cycles
+  Outcome outcome;
+  Provenance provenance;
+
+  /// Made when they are asked for; netCDF is not thread-safe.
+  [[nodiscard]] std::vector<ResultFile> files() const { return outcome.files(provenance); }
 };
 
 /// The grid of a sweep.
 /// @throws Error as parse_sweep() and read_source() do
-Sweep read_sweep(const CaseSource& source, SweptCommand command, const std::vector<std::string>& over, bool limits);
+Sweep read_sweep(const CaseSource& source, const std::string& command, const std::vector<std::string>& over,
+                 bool limits);
 
 /// Where results come from. @param case_text  see kept_text()
 Provenance provenance_of(const std::string& command, const std::string& case_text);
 
 /// Runs an experiment.
 /// @param case_text  for the provenance
-Run run_command(const std::string& command, const Case& input, const std::string& case_text, const Switches& switches,
+Run run_command(const std::string& command, const Case& input, const std::string& case_text,
                 const ProgressCallback& progress);
 
 /// Runs the points of a sweep, several at a time. @param progress  called by this thread alone

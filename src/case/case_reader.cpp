@@ -90,6 +90,9 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
     commands.emplace_back(name_of(input.montecarlo->command));
     if (input.montecarlo->limits) commands.emplace_back("limits");
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
+  } else if (input.equilibrium && input.equilibrium->limits &&
+             std::find(commands.begin(), commands.end(), "equilibrium") != commands.end()) {
+    commands.emplace_back("limits");
   }
   for (const std::string& command : commands) {
     const std::string table = command == "film" || command == "limits" ? "equilibrium" : command;

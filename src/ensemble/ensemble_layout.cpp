@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
@@ -15,51 +16,6 @@
 namespace bumpfoil {
 namespace {
 
-// Quantities that ensembles keep: those that need no fields, and do not depend on the machine.
-constexpr auto kept_of_cycles = std::to_array<std::string_view>(
-    {"status", "max_force", "cross_force_at_max", "initial_force", "initial_journal_load", "initial_elastic_energy",
-     "loaded_stiffness", "secant_stiffness", "tangent_stiffness_loading", "tangent_stiffness_unloading", "loop_energy",
-     "elastic_energy_at_max", "loss_factor", "specific_damping_capacity", "first_contact", "take_up", "max_residual"});
-
-constexpr auto kept_of_states = std::to_array<std::string_view>({"status",
-                                                                 "x",
-                                                                 "y",
-                                                                 "force_x",
-                                                                 "force_y",
-                                                                 "eccentricity_ratio",
-                                                                 "attitude_angle",
-                                                                 "h_min",
-                                                                 "h_min_theta",
-                                                                 "h_min_pad",
-                                                                 "h_min_vertex",
-                                                                 "h_min_crest",
-                                                                 "p_max",
-                                                                 "p_min",
-                                                                 "torque",
-                                                                 "power",
-                                                                 "flow_sides",
-                                                                 "loaded_bumps",
-                                                                 "lifted_bumps_at_entry",
-                                                                 "highest_bump_load",
-                                                                 "max_stress_top_foil",
-                                                                 "max_stress_bump_foil",
-                                                                 "kxx",
-                                                                 "kxy",
-                                                                 "kyx",
-                                                                 "kyy",
-                                                                 "kxx_whirl",
-                                                                 "kxy_whirl",
-                                                                 "kyx_whirl",
-                                                                 "kyy_whirl",
-                                                                 "cxx_whirl",
-                                                                 "cxy_whirl",
-                                                                 "cyx_whirl",
-                                                                 "cyy_whirl",
-                                                                 "jumps",
-                                                                 "residual",
-                                                                 "lift_off_speed",
-                                                                 "load_capacity"});
-
 /// A value of one of the cycles.
 template <typename Value>
 auto of_cycle(Value value) {
@@ -68,80 +24,61 @@ auto of_cycle(Value value) {
   };
 }
 
-EnsembleColumn column_of(const CycleQuantity& quantity, const Wording& wording) {
-  EnsembleColumn column{.name = std::string(quantity.name),
-                        .unit = std::string(quantity.unit),
-                        .long_name = spelled(quantity.long_name, wording),
-                        .form = quantity.form};
-  if (quantity.shown.size > 0.0 && quantity.form.kind == Form::real && !quantity.of_solver) {
-    column.label = quantity.label;
-    column.shown = quantity.shown;
-  }
-  column.value = of_cycle(quantity.value);
-  return column;
+/// Numbers alone are on the terminal.
+VariableMeaning sampled_meaning(VariableMeaning meaning) {
+  const bool listed = meaning.form.kind == Form::real && meaning.shown.size > 0.0;
+  if (!listed || (meaning.tags & tag::of_solver) != 0) meaning.label.clear();
+  return meaning;
 }
 
-EnsembleColumn clearance_column(double force, std::size_t i) {
-  return {.name = fmt::format("clearance_{:.6g}N", force),
-          .unit = "m",
-          .long_name = fmt::format("displacement at which the direct force first reaches {:.6g} N", force),
-          .form = {},
-          .label = fmt::format("clearance at {:.4g} N", force),
-          .shown = {"um", 1e-6},
+EnsembleColumn column_of(const CycleQuantity& quantity, const Wording& wording) {
+  VariableMeaning meaning = sampled_meaning(quantity.meaning());
+  meaning.long_name = spelled(quantity.long_name, wording);
+  return {.meaning = std::move(meaning), .value = of_cycle(quantity.value)};
+}
+
+EnsembleColumn clearance_column(VariableMeaning meaning, std::size_t i) {
+  return {.meaning = std::move(meaning),
           .undefined = Undefined::largest,
-          .value = of_cycle([i](const Cycle& cycle, const Case&) {
-            return i < cycle.clearances.size() ? cycle.clearances[i].displacement.value_or(absent) : absent;
-          })};
+          .value = of_cycle([i](const Cycle& cycle, const Case&) { return clearance_of(cycle, i); })};
 }
 
 EnsembleColumn largest_load_column() {
-  return {.name = "largest_bump_load",
-          .unit = "N",
-          .long_name = "largest load of a bump at full displacement",
-          .form = {},
-          .label = "largest bump load",
-          .shown = {"N", 1.0},
-          .undefined = Undefined::unknown,
+  return {.meaning = {.name = "largest_bump_load",
+                      .unit = "N",
+                      .long_name = "largest load of a bump at full displacement",
+                      .label = "largest bump load",
+                      .shown = shown::newtons},
           .value = of_cycle([](const Cycle& cycle, const Case&) {
             return cycle.turning_point ? cycle.turning_point->bump_loads.maxCoeff() : absent;
           })};
 }
 
 EnsembleColumn column_of(const RunningQuantity& quantity) {
-  EnsembleColumn column{.name = std::string(quantity.name),
-                        .unit = std::string(quantity.unit),
-                        .long_name = std::string(quantity.long_name),
-                        .form = quantity.form};
-  if (quantity.form.kind == Form::real) {
-    column.label = quantity.label;
-    column.shown = quantity.shown;
-  }
-  column.value = [quantity](const SampleResult& result, std::size_t place, const Case&) {
-    const auto& running = std::get<EquilibriumResult>(result);
-    const RunningState& state = running.states[place];
-    return value_of(quantity, *running.bearing, state);
-  };
-  return column;
+  return {.meaning = sampled_meaning(quantity.meaning()),
+          .value = [quantity](const SampleResult& result, std::size_t place, const Case&) {
+            const auto& running = std::get<EquilibriumResult>(result);
+            return value_of(quantity, *running.bearing, running.states[place]);
+          }};
 }
 
-/// Descriptions of the quantities of these names.
-template <typename Quantities, typename Names, typename Add>
-void add_named(const Quantities& quantities, const Names& names, Add&& add) {
-  for (const std::string_view name : names) {
-    const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                    [name](const auto& quantity) { return quantity.name == name; });
-    BUMPFOIL_ASSERT(found != quantities.end());
-    add(*found);
+/// Of the quantities those that ensembles keep; the status comes first. @param add  (quantity)
+template <typename Quantities, typename Add>
+void add_sampled(const Quantities& quantities, const Add& add) {
+  for (const bool status : {true, false}) {
+    for (const auto& quantity : quantities) {
+      if (quantity.is(tag::sampled) && (quantity.name == "status") == status) add(quantity);
+    }
   }
 }
 
 void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
   for (const double direction : input.cycle.directions) layout.places.push_back({direction_name(direction), direction});
   const Wording wording = wording_of(input, Experiment::cycle);
-  add_named(cycle_quantities(Experiment::cycle), kept_of_cycles,
-            [&](const CycleQuantity& quantity) { layout.columns.push_back(column_of(quantity, wording)); });
-  const std::vector<double>& forces = input.cycle.clearance_forces;
-  for (std::size_t i = 0; i < forces.size(); ++i) layout.columns.push_back(clearance_column(forces[i], i));
+  add_sampled(cycle_quantities(Experiment::cycle),
+              [&](const CycleQuantity& quantity) { layout.columns.push_back(column_of(quantity, wording)); });
+  const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+  for (std::size_t i = 0; i < clearances.size(); ++i) layout.columns.push_back(clearance_column(clearances[i], i));
   layout.columns.push_back(largest_load_column());
 }
 
@@ -152,11 +89,11 @@ void lay_out_states(const Case& input, EnsembleLayout& layout) {
     layout.places.push_back({name_of_point(state.asked), state.asked});
   }
   const bool by_load = !input.equilibrium->loads.empty();
-  add_named(all_running_quantities(), kept_of_states, [&](const RunningQuantity& quantity) {
+  add_sampled(all_running_quantities(), [&](const RunningQuantity& quantity) {
     // What was asked for does not scatter.
     const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
-    if (quantity.of_pads && count_pads(input) == 1) return;
-    if (quantity.of_limits && !input.montecarlo->limits) return;
+    if (quantity.is(tag::of_pads) && count_pads(input) == 1) return;
+    if (quantity.is(tag::of_limits) && !input.montecarlo->limits) return;
     if (!asked) layout.columns.push_back(column_of(quantity));
   });
 }
@@ -184,7 +121,7 @@ constexpr auto sample_statuses = [] {
 }  // namespace
 
 std::string_view EnsembleLayout::status_name(int status) const {
-  return columns.front().form.words[static_cast<std::size_t>(status)];
+  return columns.front().meaning.form.words[static_cast<std::size_t>(status)];
 }
 
 std::string_view EnsembleLayout::status_reason(int status) const {
@@ -200,10 +137,10 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
                         .bumps = static_cast<std::size_t>(total_bumps(input))};
   if (layout.command == EnsembleCommand::cycle) {
     lay_out_cycles(input, layout);
-    layout.columns.front().form.words = sample_statuses<Status>;
+    layout.columns.front().meaning.form.words = sample_statuses<Status>;
   } else {
     lay_out_states(input, layout);
-    layout.columns.front().form.words = sample_statuses<FilmStatus>;
+    layout.columns.front().meaning.form.words = sample_statuses<FilmStatus>;
   }
   return layout;
 }

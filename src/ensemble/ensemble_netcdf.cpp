@@ -105,8 +105,7 @@ class EnsembleWriter {
   void write_quantities() {
     for (std::size_t k = 0; k < layout_.columns.size(); ++k) {
       const EnsembleColumn& column = layout_.columns[k];
-      in_pieces(file_.add({column.name, column.unit, column.long_name, column.form}, {sample_, place_}),
-                {layout_.places.size()}, of_each_place(k, 1));
+      in_pieces(file_.add(column.meaning, {sample_, place_}), {layout_.places.size()}, of_each_place(k, 1));
     }
     in_pieces(
         file_.add({"bump_load", "N",
@@ -195,13 +194,14 @@ void write_ensemble_netcdf(const fs::path& path, const Case& input, const Ensemb
   require_room(path, layout, log.samples());
   try {
     NewNetcdf file(path);
-    add_provenance(file, {.input = input,
-                          .command = "montecarlo",
-                          .status = status,
-                          .message = std::string(message),
-                          .warnings = input.remarks,
-                          .provenance = provenance,
-                          .run_id = run_id});
+    add_provenance(file,
+                   {.input = input,
+                    .command = "montecarlo",
+                    .status = status,
+                    .message = std::string(message),
+                    .warnings = input.remarks,
+                    .provenance = provenance},
+                   run_id);
     EnsembleWriter writer(file, input, layout, log);
     writer.write_coordinates();
     writer.write_deviations();

@@ -5,7 +5,7 @@
 
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/ensemble/ensemble_log.hpp"
-#include "bumpfoil/experiments/cycle/result_netcdf.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
 namespace bumpfoil {

@@ -99,8 +99,9 @@ EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLay
 }
 
 double relative_error_of_mean(const EnsembleLayout& layout, const EnsembleLog& log) {
-  const auto leading = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                    [&](const EnsembleColumn& column) { return column.name == layout.leading(); });
+  const auto leading = std::find_if(layout.columns.begin(), layout.columns.end(), [&](const EnsembleColumn& column) {
+    return column.meaning.name == layout.leading();
+  });
   const auto column = static_cast<std::size_t>(leading - layout.columns.begin());
   double largest = 0.0;
   for (std::size_t place = 0; place < layout.places.size(); ++place) {

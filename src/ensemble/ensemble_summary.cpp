@@ -33,7 +33,7 @@ Json place_json(const EnsembleLayout& layout, const PlaceStatistics& found) {
   Json json;
   for (std::size_t k = 1; k < layout.columns.size(); ++k) {
     const EnsembleColumn& column = layout.columns[k];
-    json[key_of(column.name, column.unit)] = statistics_json(found.columns[k]);
+    json[column.meaning.key()] = statistics_json(found.columns[k]);
   }
   return json;
 }
@@ -67,7 +67,7 @@ Json sensitivities_json(const Case& input, const EnsembleLayout& layout, const P
   Json json = Json::object();
   for (std::size_t k = 1; k < layout.columns.size(); ++k) {
     if (found.sensitivities[k].empty()) continue;
-    json[layout.columns[k].name] = sensitivities_json(input, found.sensitivities[k]);
+    json[layout.columns[k].meaning.name] = sensitivities_json(input, found.sensitivities[k]);
   }
   return json;
 }

@@ -29,16 +29,16 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
     out += fmt::format("\n{:-<{}}\n", "", quantity_width + quantity_unit_width + 6 * cell_width);
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       const EnsembleColumn& column = layout.columns[k];
-      if (column.label.empty()) continue;
+      if (column.meaning.label.empty()) continue;
       const Statistics& found = statistics.places[place].columns[k];
-      const double unit = column.shown.size;
+      const double unit = column.meaning.shown.size;
       std::vector<std::string> cells;
       for (const double value : {found.mean, found.standard_error, found.deviation, found.percentile[1],
                                  found.percentile[3], found.percentile[5]}) {
         cells.push_back(number_text(value, unit));
       }
-      out += fmt::format("{:<{}}{:<{}}", column.label, quantity_width, unit_beside(column.shown.name, cells),
-                         quantity_unit_width);
+      out += fmt::format("{:<{}}{:<{}}", column.meaning.label, quantity_width,
+                         unit_beside(column.meaning.shown.name, cells), quantity_unit_width);
       for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
       out += '\n';
     }
@@ -51,7 +51,7 @@ std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& 
   std::vector<std::string> lines = input.remarks;
   const auto column = [&](std::string_view name) {
     const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                    [name](const EnsembleColumn& one) { return one.name == name; });
+                                    [name](const EnsembleColumn& one) { return one.meaning.name == name; });
     return static_cast<std::size_t>(found - layout.columns.begin());
   };
   const std::size_t jumps = column("jumps");

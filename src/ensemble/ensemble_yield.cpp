@@ -38,11 +38,11 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
   const std::string name(trimmed(std::string_view(text).substr(0, sign)));
   const std::string value(trimmed(std::string_view(text).substr(sign + 1)));
   const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                  [&name](const EnsembleColumn& column) { return column.name == name; });
-  if (found == layout.columns.end() || found->form.kind != Form::real) {
+                                  [&name](const EnsembleColumn& column) { return column.meaning.name == name; });
+  if (found == layout.columns.end() || found->meaning.form.kind != Form::real) {
     std::vector<std::string> names;
     for (const EnsembleColumn& column : layout.columns) {
-      if (column.form.kind == Form::real) names.push_back(column.name);
+      if (column.meaning.form.kind == Form::real) names.push_back(column.meaning.name);
     }
     const auto nearest = nearest_name(name, names);
     refuse("is of no quantity of an ensemble",
@@ -51,13 +51,14 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
   EnsembleLimit limit{text, static_cast<std::size_t>(found - layout.columns.begin()), text[sign] == '>', 0.0};
   if (const std::optional<double> number = parse<double>(value)) {
     limit.bound = *number;
-  } else if (const std::optional<Dimension> dimension = dimension_in(found->unit)) {
+  } else if (const std::optional<Dimension> dimension = dimension_in(found->meaning.unit)) {
     const auto quantity = parse_quantity(value, *dimension);
     if (const auto* fault = std::get_if<QuantityFault>(&quantity)) refuse(fault->what, fault->advice);
     limit.bound = std::get<double>(quantity);
   } else {
-    refuse("does not end with a number",
-           found->unit == "1" ? "write a number without a unit" : fmt::format("write a number in {}", found->unit));
+    refuse("does not end with a number", found->meaning.unit == "1"
+                                             ? "write a number without a unit"
+                                             : fmt::format("write a number in {}", found->meaning.unit));
   }
   if (!std::isfinite(limit.bound)) refuse("is not finite", "give a finite number");
   return limit;

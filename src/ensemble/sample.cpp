@@ -13,7 +13,7 @@ namespace bumpfoil {
 namespace {
 
 /// Variables of DrawPlace. Those of scattered_numbers() follow the last. Another order would draw other bearings.
-enum Variable : std::uint32_t { height, waviness, first_number };
+enum Drawn : std::uint32_t { height, waviness, first_number };
 
 /// Of the heights of a bump (from 0) and the one before it.
 double correlation(const std::vector<BumpShape>& bumps, std::size_t bump, double correlation_length) {

@@ -124,6 +124,8 @@ void judge_equilibrium(Judge& judge, const Case& input) {
   judge.require(equilibrium.steps >= 1 && equilibrium.steps <= most_steps, "equilibrium.steps",
                 std::to_string(equilibrium.steps), "is not a valid number of increments",
                 fmt::format("give a whole number from 1 to {}", most_steps));
+  judge.require(equilibrium.ross_version == 2 || equilibrium.ross_version == 3, "equilibrium.ross_version",
+                std::to_string(equilibrium.ross_version), "is a version that nothing is written for", "give 2 or 3");
   for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
     judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
   }

@@ -204,18 +204,20 @@ Json answer_equilibrium(const Json& request) {
   return {{"run", shown_states(input, result)}, {"state", state_json(*result.bearing, result.states.front())}};
 }
 
-/// Of the quantities of a cycle, those that ensembles are shown by.
-constexpr std::array shown_of_samples{"loaded_stiffness", "secant_stiffness", "max_force",    "loop_energy",
-                                      "loss_factor",      "take_up",          "first_contact"};
+/// Whether ensembles are shown by it.
+bool is_shown_of_samples(const CycleQuantity& quantity) {
+  return quantity.is(tag::sampled) && quantity.form.kind == Form::real && quantity.shown.size > 0.0 &&
+         !quantity.is(tag::of_solver);
+}
 
 Json answer_samples(const Json& request) {
   const Case input = read(request, {"montecarlo", "cycle"});
   std::vector<CycleQuantity> quantities;
   Json shown = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(Experiment::cycle)) {
-    if (std::find(shown_of_samples.begin(), shown_of_samples.end(), quantity.name) == shown_of_samples.end()) continue;
+    if (!is_shown_of_samples(quantity)) continue;
     quantities.push_back(quantity);
-    shown.push_back(shown_quantity(quantity.name, quantity.unit, quantity.label, quantity.long_name));
+    shown.push_back(shown_quantity(quantity.meaning()));
   }
   Json samples = Json::array();
   const auto first = request.at("first").get<std::uint64_t>();

@@ -27,14 +27,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What follows from displacement and force alone.
-constexpr std::array measured_quantities{"max_force",   "initial_force", "loaded_stiffness", "secant_stiffness",
-                                         "loop_energy", "loss_factor",   "take_up"};
-
-bool is_measured(std::string_view name) {
-  return std::find(measured_quantities.begin(), measured_quantities.end(), name) != measured_quantities.end();
-}
-
 [[noreturn]] void refuse(const std::string& path, std::string what, std::string advice) {
   throw Error(ErrorKind::input, {{path, 0, "", "", std::move(what), std::move(advice)}});
 }
@@ -65,8 +57,8 @@ Json increments_json(const Cycle& cycle, double at) {
 Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
   Json json{{"at", at}, {"steps", cycle.steps}, {"amplitude_m", cycle.amplitude}, {"converged", true}};
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
-    if (is_measured(quantity.name)) {
-      json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, {}), quantity.form);
+    if (quantity.is(tag::measured)) {
+      json[quantity.key()] = value_json(quantity.value(cycle, {}), quantity.form);
     }
   }
   json["clearances"] = Json::array();
@@ -146,8 +138,11 @@ Json measured_run(const MeasuredFile& file, const std::string& columns, const st
   }
 
   Json quantities = Json::array();
-  for (const Json& quantity : (*like)["quantities"]) {
-    if (is_measured(quantity["name"].get<std::string>())) quantities.push_back(quantity);
+  for (const CycleQuantity& quantity : cycle_quantities(strip ? Experiment::strip : Experiment::cycle)) {
+    if (!quantity.is(tag::measured)) continue;
+    for (const Json& shown : (*like)["quantities"]) {
+      if (shown["name"] == quantity.name) quantities.push_back(shown);
+    }
   }
   std::size_t most = 0;
   Json loops = Json::array();

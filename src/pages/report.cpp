@@ -51,24 +51,16 @@ std::string meaning_of(const Json& result, const std::string& name) {
   return variables.contains(name) ? variables[name]["text"].get<std::string>() : "";
 }
 
-/// What the tables of the page say of a quantity: its key in summary.json, words, unit, and what result.nc calls it.
-template <typename Quantity>
-Json quantity_json(const Quantity& quantity, const std::string& label, const Json& result) {
-  return {{"name", quantity.name},
-          {"key", key_of(quantity.name, quantity.unit)},
-          {"label", label},
-          {"unit", quantity.unit == "1" ? "" : quantity.unit},
-          {"whole", quantity.form.kind == Form::whole},
-          {"meaning", meaning_of(result, std::string(quantity.name))}};
+/// A quantity in the words of the file.
+Json quantity_json(VariableMeaning meaning, const Json& result) {
+  meaning.long_name = meaning_of(result, meaning.name);
+  return shown_quantity(meaning);
 }
 
 template <typename Quantities>
 Json grid_quantities_json(const Quantities& quantities, const Json& result) {
   Json json = Json::array();
-  for (const auto& quantity : quantities) {
-    json.push_back(quantity_json(quantity, shown_label(quantity.label, quantity.name), result));
-    json.back()["of_solver"] = false;
-  }
+  for (const auto& quantity : quantities) json.push_back(quantity_json(labelled(quantity.meaning()), result));
   return json;
 }
 
@@ -77,7 +69,7 @@ std::vector<RunningQuantity> running_quantities_of(const Json& result) {
   const auto all = all_running_quantities();
   std::vector<RunningQuantity> quantities(all.begin(), all.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return (quantity.of_pads || quantity.of_limits) && !result.at("variables").contains(quantity.name);
+    return quantity.is(tag::of_pads | tag::of_limits) && !result.at("variables").contains(quantity.name);
   });
   return quantities;
 }
@@ -92,9 +84,7 @@ Json quantities_json(const Json& result) {
                                                                        : Experiment::cycle;
   Json json = Json::array();
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
-    if (quantity.label.empty()) continue;
-    json.push_back(quantity_json(quantity, std::string(quantity.label), result));
-    json.back()["of_solver"] = quantity.of_solver;
+    if (!quantity.label.empty()) json.push_back(quantity_json(quantity.meaning(), result));
   }
   return json;
 }
@@ -116,14 +106,7 @@ Json ensemble_json(const Json& result, const std::string& name, std::size_t samp
   Json quantities = Json::array();
   const EnsembleLayout layout = make_ensemble_layout(input);
   for (const EnsembleColumn& column : layout.columns) {
-    if (column.label.empty()) continue;
-    quantities.push_back({{"name", column.name},
-                          {"key", key_of(column.name, column.unit)},
-                          {"label", shown_label(column.label, column.name)},
-                          {"unit", column.unit == "1" ? "" : column.unit},
-                          {"whole", false},
-                          {"of_solver", false},
-                          {"meaning", column.long_name}});
+    if (!column.meaning.label.empty()) quantities.push_back(shown_quantity(labelled(column.meaning)));
   }
   Json json{{"quantities", quantities}, {"samples", Json::array()}};
   if (layout.command == EnsembleCommand::cycle) {

@@ -13,7 +13,7 @@
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/version.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
+#include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/quantity.hpp"
@@ -42,7 +42,7 @@ std::string encoded(const Form& form, const std::vector<double>& numbers) {
 
 void add_field(Json& json, const FieldQuantity& quantity, const FoilFields& fields, Eigen::Index reached) {
   if (is_left_out(quantity.name) || quantity.node == Node::pad) return;
-  const FieldMatrix values = quantity.values(fields);
+  const FieldMatrix values = quantity.value(fields);
   const bool reduced = is_reduced(quantity.name);
   if (values.cols() == 0 && reduced) return;
   const std::string name(quantity.name);
@@ -123,9 +123,20 @@ bool is_reduced(std::string_view field) {
   return field.starts_with("stress_");
 }
 
-Json shown_quantity(std::string_view name, std::string_view unit, std::string_view label, std::string_view meaning) {
-  return {{"name", name},   {"key", key_of(name, unit)}, {"label", label}, {"unit", unit == "1" ? "" : unit},
-          {"whole", false}, {"meaning", meaning}};
+Json shown_quantity(const VariableMeaning& meaning) {
+  return {{"name", meaning.name},
+          {"key", meaning.key()},
+          {"label", meaning.label},
+          {"unit", meaning.unit == "1" ? "" : meaning.unit},
+          {"whole", meaning.form.kind == Form::whole},
+          {"of_solver", (meaning.tags & tag::of_solver) != 0},
+          {"first", (meaning.tags & (tag::headline | tag::shown_first)) != 0},
+          {"meaning", meaning.long_name}};
+}
+
+VariableMeaning labelled(VariableMeaning meaning) {
+  meaning.label = shown_label(meaning.label, meaning.name);
+  return meaning;
 }
 
 std::string shown_label(std::string_view label, std::string_view name) {
@@ -168,10 +179,9 @@ Json shown_run(const Case& input, const CycleResult& result) {
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
     explain(quantity);
     if (quantity.label.empty()) continue;
-    Json shown = shown_quantity(quantity.name, quantity.unit, quantity.label, spelled(quantity.long_name, wording));
-    shown["whole"] = quantity.form.kind == Form::whole;
-    shown["of_solver"] = quantity.of_solver;
-    run["quantities"].push_back(std::move(shown));
+    VariableMeaning meaning = quantity.meaning();
+    meaning.long_name = spelled(quantity.long_name, wording);
+    run["quantities"].push_back(shown_quantity(meaning));
   }
   return run;
 }

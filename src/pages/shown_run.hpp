@@ -6,16 +6,20 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
 
-/// What tables on a page say of a quantity of a cycle. @param meaning  in words, empty where there are none
-nlohmann::ordered_json shown_quantity(std::string_view name, std::string_view unit, std::string_view label,
-                                      std::string_view meaning);
+/// What tables on a page say of a quantity: its key in summary.json, words, unit, and what result.nc calls it.
+/// @param meaning  with the label that the page shows, and its long name in words, empty where there are none
+nlohmann::ordered_json shown_quantity(const VariableMeaning& meaning);
 
 /// What tables on a page call a quantity of states or vibrations: its label, or words for its name where it has none,
 /// or one that belongs under another on the terminal, which it begins with blanks for.
 std::string shown_label(std::string_view label, std::string_view name);
+
+/// With that label.
+VariableMeaning labelled(VariableMeaning meaning);
 
 /// Fields that the page does not show; gaps follow from displacements.
 bool is_left_out(std::string_view field);

@@ -10,7 +10,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
+#include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "pages/result_reader.hpp"
 #include "readers/summary_reader.hpp"

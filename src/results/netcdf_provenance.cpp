@@ -12,23 +12,23 @@
 
 namespace bumpfoil {
 
-void add_provenance(NewNetcdf& file, const RunOrigin& origin) {
+void add_provenance(NewNetcdf& file, const RunRecord& run, std::string_view run_id) {
   const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   file.add_text("Conventions", "CF-1.8");
   file.add_text("schema", "bumpfoil-result/2");
-  file.add_text("title", origin.input.title);
+  file.add_text("title", run.input.title);
   file.add_text("source", fmt::format("bumpfoil {} ({})", version(), commit()));
-  file.add_text("history", fmt::format("{}: {}", date, origin.provenance.command_line));
+  file.add_text("history", fmt::format("{}: {}", date, run.provenance.command_line));
   file.add_text("date_created", date);
-  file.add_text("run_id", origin.run_id);
-  file.add_text("command_line", origin.provenance.command_line);
-  file.add_text("bumpfoil_command", origin.command);
-  file.add_text("solver", name_of(origin.input.solver.chosen()));
-  file.add_text("status", origin.status == RunStatus::complete ? "complete" : "partial");
-  file.add_text("status_message", origin.message);
-  file.add_text("warnings", fmt::format("{}", fmt::join(origin.warnings, "\n")));
-  file.add_text("case_text", origin.provenance.case_text);
-  file.add_text("case_understood", case_to_toml(origin.input));
+  file.add_text("run_id", run_id);
+  file.add_text("command_line", run.provenance.command_line);
+  file.add_text("bumpfoil_command", run.command);
+  file.add_text("solver", name_of(run.input.solver.chosen()));
+  file.add_text("status", run.status == RunStatus::complete ? "complete" : "partial");
+  file.add_text("status_message", run.message);
+  file.add_text("warnings", fmt::format("{}", fmt::join(run.warnings, "\n")));
+  file.add_text("case_text", run.provenance.case_text);
+  file.add_text("case_understood", case_to_toml(run.input));
 }
 
 Error unbuilt(std::string_view name, const netCDF::exceptions::NcException& error, std::string_view advice) {

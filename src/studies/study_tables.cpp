@@ -25,6 +25,12 @@ std::vector<CycleQuantity> quantities_of_cycle() {
   return quantities;
 }
 
+/// Of all studies: those of the reference bearing.
+const std::vector<double>& clearance_forces() {
+  static const std::vector<double> forces = reference_case().cycle.clearance_forces;
+  return forces;
+}
+
 using Row = std::vector<TableCell>;
 
 /// Appends rows that begin with the name of a run and a direction.
@@ -61,6 +67,7 @@ void write_quantities(const Study& study, const StudyRun& run, const StudyRunRes
     Row& row = table.rows.emplace_back(row_of(run, cycle));
     if (!study.parameter.empty()) append(row, {run.parameter ? TableCell(*run.parameter) : TableCell()});
     for (const CycleQuantity& quantity : quantities_of_cycle()) append(row, {quantity.value(cycle, result.input)});
+    for (std::size_t i = 0; i < clearance_forces().size(); ++i) append(row, {clearance_of(cycle, i)});
   }
 }
 
@@ -167,7 +174,8 @@ std::vector<std::string> quantity_columns(const Study& study) {
   if (!study.parameter.empty()) {
     columns.push_back(study.parameter_unit.empty() ? study.parameter : study.parameter + '_' + study.parameter_unit);
   }
-  for (const CycleQuantity& quantity : quantities_of_cycle()) columns.push_back(key_of(quantity.name, quantity.unit));
+  for (const CycleQuantity& quantity : quantities_of_cycle()) columns.push_back(quantity.key());
+  for (const VariableMeaning& clearance : clearance_quantities(clearance_forces())) columns.push_back(clearance.key());
   return columns;
 }
 

@@ -12,15 +12,11 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/nearest_name.hpp"
-#include "bumpfoil/experiments/equilibrium/film_limits.hpp"
-#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
-#include "bumpfoil/experiments/strip/strip.hpp"
 #include "case/case_json.hpp"
 #include "case/key_list.hpp"
 #include "case/key_suggestion.hpp"
 #include "case/toml_document.hpp"
 #include "core/number_text.hpp"
-#include "sweep/swept_result.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -232,37 +228,39 @@ void take_values(Sweep& sweep) {
 
 /// Whether the loops are not too many to be kept.
 bool keeps_loops(const Sweep& sweep) {
+  const auto& loop_values = sweep.experiment->sweeping->loop_values;
   std::size_t values = 0;
-  for (const Case& input : sweep.cases) values += loop_values(sweep.command, input);
+  for (const Case& input : sweep.cases) values += loop_values ? loop_values(input) : 0;
   return values <= most_loop_values;
 }
 
-SweepPoint kept(SweptResult result) {
-  SweepPoint point{.status = result.status,
-                   .rows = std::move(result.rows),
-                   .coefficients = std::move(result.coefficients),
-                   .lists = dump_json(result.lists, -1),
-                   .failures = std::move(result.failures),
-                   .warnings = std::move(result.warnings)};
-  for (const GridDim& dim : result.grid.dims) point.extents.push_back(dim.size);
-  for (GridVariable& variable : result.grid.variables) point.values.push_back(std::move(variable.values));
-  return point;
+bool is_swept(const ExperimentInfo& experiment) {
+  return experiment.sweeping.has_value();
+}
+
+const ExperimentInfo& swept_experiment(const std::string& command) {
+  const auto found = std::find_if(experiments().begin(), experiments().end(), [&](const ExperimentInfo& experiment) {
+    return experiment.name == command && is_swept(experiment);
+  });
+  if (found != experiments().end()) return *found;
+  throw Error(ErrorKind::input, {{"", 0, "command", command, "is not swept",
+                                  fmt::format("give one of {}", fmt::join(swept_commands(), ", "))}});
 }
 
 }  // namespace
 
 Sweep parse_sweep(std::string_view text, const std::string& name, const SweepRequest& request) {
-  if (request.limits && request.command != SweptCommand::equilibrium) {
+  const ExperimentInfo& experiment = swept_experiment(request.command);
+  if (request.limits && request.command != "equilibrium") {
     throw Error(ErrorKind::input,
                 {{"", 0, "--limits", "", "are those of running bearings", "add --command equilibrium"}});
   }
-  Sweep sweep{
-      .command = request.command, .axes = OptionReader(request).read(), .cases = {}, .with_limits = request.limits};
+  Sweep sweep{.experiment = &experiment, .axes = OptionReader(request).read(), .cases = {}};
   const std::size_t points = points_of(sweep.axes);
   GridFaults faults(sweep, points);
   for (std::size_t point = 0; point < points; ++point) {
-    CaseRequest one{.overrides = request.overrides, .commands = {std::string(name_of(request.command))}};
-    if (request.limits) one.commands.emplace_back("limits");
+    CaseRequest one{.overrides = request.overrides, .commands = {request.command}};
+    if (request.limits) one.overrides.emplace_back("equilibrium.limits=true");
     const std::vector<std::size_t> indices = indices_of(sweep, point);
     for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
       const SweptKey& swept = sweep.axes[i].swept;
@@ -301,39 +299,35 @@ std::string point_name(const Sweep& sweep, std::size_t point) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const CycleResult& result) {
-  return kept(swept_result(sweep.cases[point], result, status_of(result), sweep.with_loops));
+std::vector<std::string> swept_commands() {
+  std::vector<std::string> names;
+  for (const ExperimentInfo& experiment : experiments()) {
+    if (is_swept(experiment)) names.emplace_back(experiment.name);
+  }
+  return names;
 }
 
-SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationResult& result) {
-  return kept(swept_result(sweep.cases[point], result, sweep.with_loops));
-}
-
-SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const EquilibriumResult& result) {
-  return kept(swept_result(sweep.cases[point], result));
+SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome) {
+  SweptResult swept = outcome.swept(sweep.with_loops);
+  return {.status = outcome.status,
+          .extents = each(swept.dataset.dims, [](const DataDimension& dim) { return dim.size; }),
+          .values = each(swept.dataset.variables, [](const Variable& variable) { return variable.values(); }),
+          .rows = std::move(swept.rows),
+          .coefficients = std::move(swept.coefficients),
+          .lists = std::move(swept.lists),
+          .failures = outcome.failures,
+          .warnings = outcome.warnings};
 }
 
 SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress) {
-  const Case& input = sweep.cases[point];
-  switch (sweep.command) {
-    case SweptCommand::cycle:
-      return sweep_point(sweep, point, run_cycles(input, progress));
-    case SweptCommand::strip:
-      return sweep_point(sweep, point, run_strip(input, progress));
-    case SweptCommand::vibration:
-      return sweep_point(sweep, point, run_vibration(input, progress));
-    case SweptCommand::equilibrium:
-      break;
-  }
-  EquilibriumResult result = run_equilibrium(input, {}, progress);
-  estimate_mesh_errors(input, result);
-  if (sweep.with_limits) add_film_limits(input, result, progress);
-  return sweep_point(sweep, point, result);
+  return sweep_point(sweep, sweep.experiment->sweeping->run(sweep.cases[point], progress));
 }
 
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].values.empty()) points[i] = kept(not_begun(sweep, sweep.cases[i]));
+    if (points[i].values.empty()) {
+      points[i] = sweep_point(sweep, sweep.experiment->sweeping->not_begun(sweep.cases[i]));
+    }
   }
 }
 

@@ -1,19 +1,19 @@
 #include "bumpfoil/sweep/sweep_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iterator>
-#include <new>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/core/error.hpp"
-#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/results/quantity.hpp"
-#include "results/manifest.hpp"
-#include "results/summary_json.hpp"
-#include "sweep/sweep_netcdf.hpp"
+#include "bumpfoil/sweep/sweep_table.hpp"
+#include "results/result_files.hpp"
+#include "sweep/sweep_layout.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -40,9 +40,8 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<SweepPoint>& points,
   return out;
 }
 
-std::string sweep_summary(const Sweep& sweep, const std::vector<SweepPoint>& points, const Manifest& manifest) {
-  Json json = summary_head("sweep", sweep.cases.front(), status_of(points), manifest);
-  json["swept_command"] = name_of(sweep.command);
+Json sweep_lists(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+  Json json{{"swept_command", sweep.experiment->name}};
   json["axes"] = Json::array();
   for (const SweepAxis& axis : sweep.axes) {
     json["axes"].push_back({{"key", axis.swept.key},
@@ -63,31 +62,57 @@ std::string sweep_summary(const Sweep& sweep, const std::vector<SweepPoint>& poi
     point.update(Json::parse(points[i].lists));
     json["points"].push_back(std::move(point));
   }
-  return sealed_summary(json);
+  return json;
+}
+
+/// What keeps the sweep from being complete.
+std::string message_of(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+  const auto count = [&points](RunStatus status) {
+    return std::count_if(points.begin(), points.end(), [=](const SweepPoint& point) { return point.status == status; });
+  };
+  std::string message;
+  if (const auto failed = count(RunStatus::failed); failed > 0) {
+    message =
+        fmt::format("{} of {} points failed: {}", failed, points.size(), fmt::join(failure_lines(sweep, points), "; "));
+  }
+  if (const auto missing = count(RunStatus::interrupted); missing > 0) {
+    message += fmt::format("{}the sweep was interrupted by the user or the system: {} of {} points are missing",
+                           message.empty() ? "" : "; ", missing, points.size());
+  }
+  return message;
+}
+
+/// Running bearings have coefficients of their own.
+bool has_coefficients(const Sweep& sweep) {
+  return sweep.experiment->name == "equilibrium";
 }
 
 }  // namespace
 
-std::vector<std::string> sweep_file_names(SweptCommand command) {
-  if (command == SweptCommand::equilibrium) return {"summary.json", "sweep.csv", "coefficients.csv", "sweep.nc"};
+std::vector<std::string> sweep_file_names(const Sweep& sweep) {
+  if (has_coefficients(sweep)) return {"summary.json", "sweep.csv", "coefficients.csv", "sweep.nc"};
   return {"summary.json", "sweep.csv", "sweep.nc"};
 }
 
 std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepPoint>& points,
-                                    const Provenance& provenance) try {
+                                    const Provenance& provenance) {
   BUMPFOIL_ASSERT(points.size() == sweep.cases.size());
-  const std::string run_id = make_run_id();
-  std::vector<ResultFile> files;
-  files.push_back({"sweep.csv", sweep_csv(sweep, points, &SweepPoint::rows)});
-  if (sweep.command == SweptCommand::equilibrium) {
-    files.push_back({"coefficients.csv", sweep_csv(sweep, points, &SweepPoint::coefficients)});
-  }
-  files.push_back({"sweep.nc", sweep_netcdf(sweep, points, provenance, run_id)});
-  files.push_back({"summary.json", sweep_summary(sweep, points, make_manifest(run_id, files))});
-  return files;
-} catch (const std::bad_alloc&) {
-  throw Error(ErrorKind::file,
-              {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice", "fewer points take less"}});
+  return make_result_files(
+      {.input = sweep.cases.front(),
+       .command = "sweep",
+       .status = status_of(points),
+       .message = message_of(sweep, points),
+       .warnings = warning_lines(sweep, points),
+       .provenance = provenance},
+      "sweep.nc", "fewer points take less", [&](const std::string& /*run_id*/) {
+        std::vector<ResultFile> texts{{"sweep.csv", sweep_csv(sweep, points, &SweepPoint::rows)}};
+        if (has_coefficients(sweep)) {
+          texts.push_back({"coefficients.csv", sweep_csv(sweep, points, &SweepPoint::coefficients)});
+        }
+        return ResultContents{.texts = std::move(texts), .dataset = sweep_dataset(sweep, points), .lists = [&] {
+                                return sweep_lists(sweep, points);
+                              }};
+      });
 }
 
 }  // namespace bumpfoil

@@ -29,17 +29,17 @@ struct Column {
   double size;          ///< of its unit, SI
 };
 
-std::vector<Column> columns_of(const ResultGrid& grid, const std::vector<SweepPoint>& points) {
+std::vector<Column> columns_of(const Dataset& data, const std::vector<SweepPoint>& points) {
   std::vector<Column> columns;
-  for (std::size_t i = 0; i < grid.variables.size(); ++i) {
-    const auto& [name, size] = grid.variables[i].shown;
-    const std::string& heading = grid.variables[i].heading;
-    if (heading.empty()) continue;
+  for (std::size_t i = 0; i < data.variables.size(); ++i) {
+    const VariableMeaning& meaning = data.variables[i].meaning;
+    if ((meaning.tags & tag::headline) == 0) continue;
     const bool known = std::any_of(points.begin(), points.end(), [i](const SweepPoint& point) {
       const std::vector<double>& values = point.values[i];
       return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
     });
-    columns.push_back({i, name.empty() || !known ? heading : fmt::format("{} ({})", heading, name), size});
+    const auto& [unit, size] = meaning.shown;
+    columns.push_back({i, unit.empty() || !known ? meaning.label : fmt::format("{} ({})", meaning.label, unit), size});
   }
   return columns;
 }
@@ -47,11 +47,11 @@ std::vector<Column> columns_of(const ResultGrid& grid, const std::vector<SweepPo
 /// One block of the table: a direction, a cycle of a strip, a vibration.
 class Block {
  public:
-  Block(const Sweep& sweep, const std::vector<SweepPoint>& points, const SweptResult& layout, std::size_t place)
-      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.grid, points)) {
-    const auto& variables = layout.grid.variables;
+  Block(const Sweep& sweep, const std::vector<SweepPoint>& points, const SweepLayout& layout, std::size_t place)
+      : sweep_(sweep), points_(points), place_(place), columns_(columns_of(layout.dataset, points)) {
+    const auto& variables = layout.dataset.variables;
     const auto status = std::find_if(variables.begin(), variables.end(),
-                                     [](const GridVariable& one) { return one.meaning.name == "status"; });
+                                     [](const Variable& one) { return one.meaning.name == "status"; });
     status_ = static_cast<std::size_t>(status - variables.begin());
     words_ = status->meaning.form.words;
   }
@@ -147,7 +147,7 @@ std::vector<std::string> named_lines(const Sweep& sweep, const std::vector<Sweep
 
 std::string sweep_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const bool listed = sweep.axes.size() == 1 && points.size() <= most_listed;
-  const SweptResult layout = layout_of(sweep, points);
+  const SweepLayout layout = layout_of(sweep, points);
   std::string out;
   std::size_t shown = 0;
   for (const auto& [name, place] : layout.parts) {

@@ -102,7 +102,8 @@ class Read(unittest.TestCase):
             if key.endswith("_at") or key in (*FAILURE, "clearances", "loop_energies_J", "warnings"):
                 continue
             name, unit = split_unit(key)
-            variable = self.result[names.get(name, name)]
+            force = re.fullmatch(r"clearance_(.+)N", name)
+            variable = self.result.clearance.sel(clearance_force=float(force[1])) if force else self.result[names.get(name, name)]
             values = [self.summary["cycles"][i][key] for i in SORTED]
             if key == "status":
                 values = [variable.attrs["flag_meanings"].split().index(word) for word in values]

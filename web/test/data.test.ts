@@ -130,7 +130,7 @@ it('finds the numbers of the case in which runs differ', () => {
 });
 
 describe('clearances', () => {
-  const quantity = (name: string): Quantity => ({ name, key: name, label: name, unit: 'm', whole: false, of_solver: false, meaning: '' });
+  const quantity = (name: string): Quantity => ({ name, key: name, label: name, unit: 'm', whole: false, of_solver: false, first: false, meaning: '' });
   const data = (cycle: object, meanings: RunData['meanings']): RunData => ({
     name: 'a',
     kind: 'cycle',

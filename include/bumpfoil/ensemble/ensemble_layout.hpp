@@ -28,10 +28,7 @@ struct EnsemblePlace {
 
 /// A quantity that is kept at every place.
 struct EnsembleColumn {
-  std::string name, unit, long_name;  ///< as in result.nc
-  Form form{};
-  std::string label{};  ///< on the terminal; empty where it is in the files only
-  ShownUnit shown{};
+  VariableMeaning meaning;  ///< with a label where it is on the terminal
   Undefined undefined{Undefined::unknown};
   /// (what was run, place, sampled case) -> value; not a number where it is not known
   std::function<double(const SampleResult&, std::size_t, const Case&)> value{};
@@ -55,7 +52,7 @@ struct EnsembleLayout {
   /// The quantity whose mean EnsembleRun is asked to know: the maximum force, or the least film thickness.
   [[nodiscard]] std::string_view leading() const { return command == EnsembleCommand::cycle ? "max_force" : "h_min"; }
   /// The status of samples that make no bearing: "not_physical".
-  [[nodiscard]] int no_bearing() const { return static_cast<int>(columns.front().form.words.size()) - 1; }
+  [[nodiscard]] int no_bearing() const { return static_cast<int>(columns.front().meaning.form.words.size()) - 1; }
   /// What the number of a status means: a word, and a reason.
   [[nodiscard]] std::string_view status_name(int status) const;
   [[nodiscard]] std::string_view status_reason(int status) const;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,32 +9,60 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
 /// All that can be done to a bearing, each in a folder of its own. A command, its help and its place in the manual, and
 /// a function of the Python package follow from what an experiment says of itself here.
 namespace bumpfoil {
 
+/// A part of a result that tables of sweeps show by itself: a direction, a vibration.
+struct SweptPart {
+  std::string name;
+  std::size_t place{};  ///< among the values of its headlines
+};
+
+/// A result as sweeps keep it.
+struct SweptResult {
+  Dataset dataset;
+  std::vector<SweptPart> parts;
+  std::string rows;            ///< of sweep.csv, under their header
+  std::string coefficients{};  ///< of coefficients.csv, likewise; of running bearings
+  std::string lists;           ///< of summary.json: a JSON object
+};
+
 /// What a run has to show.
 struct Outcome {
   RunStatus status{};
-  std::string table;                  ///< for the terminal
-  std::vector<std::string> warnings;  ///< a line each
-  std::vector<std::string> failures;  ///< a line each
+  std::vector<std::string> warnings;     ///< a line each
+  std::vector<std::string> failures;     ///< a line each
+  std::function<std::string()> table{};  ///< for the terminal
   /// Of the result set. netCDF is not thread-safe: to be called by one thread at a time.
   std::function<std::vector<ResultFile>(const Provenance&)> files{};
-  std::shared_ptr<const CycleResult> cycles{};  ///< of experiments whose results are cycles
+  std::function<SweptResult(bool with_loops)> swept{};  ///< of experiments that can be swept; lives as long as this
+  std::shared_ptr<const CycleResult> cycles{};          ///< of experiments whose results are cycles
 };
 
-/// What is asked of a run beside the keys of its case: --NAME, or --NAME VALUE.
+/// Runs an experiment. Called with the fraction that is done, `progress` returns false to end the run.
+/// @throws Error (input) if the case cannot be built
+using ExperimentRun = std::function<Outcome(const Case&, const ProgressCallback& progress)>;
+
+/// A key that an option sets: --NAME, or --NAME VALUE.
 struct Switch {
   std::string_view name;
   std::string_view help;
-  std::vector<std::string> values{};  ///< that it takes, the first by default; none: it is on or off
+  std::string_view key;               ///< "equilibrium.limits"
+  std::string_view value{};           ///< that it sets the key to
+  std::vector<std::string> values{};  ///< that it takes instead, the first by default
 };
 
-/// Switches that were given, and their values.
-using Switches = std::map<std::string, std::string>;
+/// How an experiment is run at the points of a sweep.
+struct Sweeping {
+  ExperimentRun run;
+  std::function<Outcome(const Case&)> not_begun;  ///< a run that ended before its first result
+  /// Numbers of each of displacement and force in all of its loops; nothing where it has none.
+  std::function<std::size_t(const Case&)> loop_values{};
+};
 
 /// An experiment, as it says of itself.
 struct ExperimentInfo {
@@ -45,9 +72,8 @@ struct ExperimentInfo {
   std::vector<std::string> files{};  ///< names of all that it writes
   std::vector<Switch> switches{};
   std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
-  /// Runs it. Called with the fraction that is done, `progress` returns false to end the run.
-  /// @throws Error (input) if the case cannot be built
-  std::function<Outcome(const Case&, const Switches&, const ProgressCallback& progress)> run;
+  ExperimentRun run;
+  std::optional<Sweeping> sweeping{};  ///< of those that can be swept
 };
 
 /// All experiments, in the order of the manual.

@@ -316,6 +316,8 @@ struct EquilibriumSettings {
   int steps{10};                            ///< equal increments of the ramp to the first state of a path
   std::vector<double> frequencies{};  ///< of motions for which coefficients are computed, rad/s; none: that of the
                                       ///< rotation
+  int ross_version{3};                ///< that coefficients.toml is for, 2 or 3
+  bool limits{};  ///< find lift-off speeds and load capacities, too; ensembles go by MonteCarloSettings::limits
 
   bool operator==(const EquilibriumSettings&) const = default;
 };

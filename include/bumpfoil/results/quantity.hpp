@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -29,18 +30,9 @@ struct Form {
 template <typename Enum>
 inline constexpr Form flags{Form::flag, enum_names<Enum>};
 
-/// What readers are told about a variable.
-struct VariableMeaning {
-  std::string name;
-  std::string unit;
-  std::string long_name;
-  Form form{};
-};
-
-/// A column of CSV or key of JSON carries its unit at its end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
-/// What tells variables of increments and cycles apart falls away: "iterations" for `total_iterations`, "status" for
-/// `increment_status`.
-std::string key_of(std::string_view name, std::string_view unit);
+inline constexpr Form whole_number{Form::whole};
+inline constexpr std::array<std::string_view, 2> truth_words{"no", "yes"};
+inline constexpr Form yes_or_no{Form::truth, truth_words};
 
 /// How the terminal shows a number.
 struct ShownUnit {
@@ -51,6 +43,7 @@ struct ShownUnit {
 /// Units of tables for people.
 namespace shown {
 
+inline constexpr ShownUnit in_files{};  ///< not on the terminal
 inline constexpr ShownUnit unitless{"", 1.0};
 inline constexpr ShownUnit newtons{"N", 1.0};
 inline constexpr ShownUnit micrometres{"um", 1e-6};
@@ -65,5 +58,60 @@ inline constexpr ShownUnit stiffness{"MN/m", 1e6};
 inline constexpr ShownUnit damping{"N s/m", 1.0};
 
 }  // namespace shown
+
+/// Where a quantity is shown, and which results have it: a sum of these, and of those that an experiment adds.
+using Tags = unsigned;
+
+namespace tag {
+
+inline constexpr Tags none = 0;
+inline constexpr Tags csv = 1;          ///< a column of the CSV file, too
+inline constexpr Tags headline = 2;     ///< one of the few in tables of sweeps on the terminal; shown first on pages
+inline constexpr Tags shown_first = 4;  ///< on pages
+inline constexpr Tags sampled = 8;      ///< kept of the samples of ensembles: needs no fields, same on all machines
+inline constexpr Tags of_solver = 16;   ///< how it was computed
+inline constexpr Tags measured = 32;    ///< follows from displacement and force alone
+/// Tags of an experiment begin here.
+inline constexpr Tags first_of_experiment = 256;
+
+}  // namespace tag
+
+/// A column of CSV or key of JSON carries its unit at its end: "force_x_N", "secant_stiffness_N_per_m", "loss_factor".
+/// What tells variables of increments and cycles apart falls away: "iterations" for `total_iterations`, "status" for
+/// `increment_status`.
+std::string key_of(std::string_view name, std::string_view unit);
+
+/// What readers are told about a variable.
+struct VariableMeaning {
+  std::string name;
+  std::string unit;
+  std::string long_name;
+  Form form{};
+  std::string label{};  ///< in tables for people; empty where it is in files only
+  ShownUnit shown{};    ///< on the terminal; a size of 0 where it is not
+  Tags tags{};
+
+  [[nodiscard]] std::string key() const { return key_of(name, unit); }
+};
+
+/// A quantity of a result, described once: what readers are told about it, and how it is read off. All files, tables
+/// and pages take it from here.
+/// @tparam Value  function of what it is a quantity of; not a number where it is not known
+template <typename Value>
+struct Quantity {
+  std::string_view name, unit, long_name;
+  Value value;
+  Tags tags{};
+  std::string_view label{};
+  ShownUnit shown{};
+  Form form{};
+
+  /// Whether it has any of these tags.
+  [[nodiscard]] constexpr bool is(Tags some) const { return (tags & some) != 0; }
+  [[nodiscard]] std::string key() const { return key_of(name, unit); }
+  [[nodiscard]] VariableMeaning meaning() const {
+    return {std::string(name), std::string(unit), std::string(long_name), form, std::string(label), shown, tags};
+  }
+};
 
 }  // namespace bumpfoil

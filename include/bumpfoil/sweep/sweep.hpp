@@ -1,40 +1,26 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bumpfoil/case/swept_key.hpp"
-#include "bumpfoil/core/enum_names.hpp"
-#include "bumpfoil/experiments/cycle/cycle.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
-#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
-#include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
 namespace bumpfoil {
 
-/// Commands that can be run at every point.
-enum class SweptCommand { cycle, strip, vibration, equilibrium };
-
-template <>
-inline constexpr auto enum_names<SweptCommand> = std::to_array<std::string_view>({"cycle", "strip", "vibration",
-                                                                                  "equilibrium"});
-
-/// Of a command whose results are cycles.
-constexpr Experiment experiment_of(SweptCommand command) {
-  return command == SweptCommand::strip ? Experiment::strip : Experiment::cycle;
-}
+/// Names of the experiments that can be run at every point.
+std::vector<std::string> swept_commands();
 
 /// What is run over a grid of cases.
 struct SweepRequest {
-  SweptCommand command{SweptCommand::cycle};
+  std::string command{"cycle"};
   std::vector<std::string> over;       ///< "KEY=FROM:TO:STEP" or "KEY=[a, b]" each, see parse_swept_key()
   std::vector<std::string> overrides;  ///< of all points, see CaseRequest
-  bool limits{};                       ///< of running bearings: lift-off speeds and load capacities, too
+  bool limits{};                       ///< of running bearings: sets equilibrium.limits
 };
 
 /// A key that is swept.
@@ -49,10 +35,9 @@ struct SweepAxis {
 
 /// A grid of cases: one for every combination of the values of the keys. The last key runs fastest.
 struct Sweep {
-  SweptCommand command{SweptCommand::cycle};
+  const ExperimentInfo* experiment{};  ///< that is run at every point
   std::vector<SweepAxis> axes;
   std::vector<Case> cases;
-  bool with_limits{};
   bool with_loops{};  ///< whether their loops are not too many to be kept
 };
 
@@ -62,9 +47,9 @@ inline constexpr std::size_t most_loop_values = 4'000'000;
 /// Makes the grid of a sweep. Every case is that of `bumpfoil <command> --set KEY=VALUE ...`, to the last bit, and
 /// every fault of every one is listed, once, with the first point that has it.
 /// @param text  of the case file   @param name  stands for the file in messages, see parse_case()
-/// @throws Error (input) if a key is swept twice, is neither a number nor the speeds of [equilibrium], is set besides,
-/// takes a value twice, if the grid has more than most_sweep_points, or if a case is wrong; Error (file) if a file that
-/// a case names cannot be read
+/// @throws Error (input) if the command is not swept, a key is swept twice, is neither a number nor the speeds of
+/// [equilibrium], is set besides, takes a value twice, if the grid has more than most_sweep_points, or if a case is
+/// wrong; Error (file) if a file that a case names cannot be read
 Sweep parse_sweep(std::string_view text, const std::string& name, const SweepRequest& request);
 
 /// Which value each axis has at a point.
@@ -89,9 +74,7 @@ struct SweepPoint {
 SweepPoint run_point(const Sweep& sweep, std::size_t point, const ProgressCallback& progress = {});
 
 /// What is kept of the result of a point.
-SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const CycleResult& result);
-SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const VibrationResult& result);
-SweepPoint sweep_point(const Sweep& sweep, std::size_t point, const EquilibriumResult& result);
+SweepPoint sweep_point(const Sweep& sweep, const Outcome& outcome);
 
 /// Points that were not begun have nothing: this makes of them what says so.
 void complete(const Sweep& sweep, std::vector<SweepPoint>& points);

@@ -3,15 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/result_netcdf.hpp"
 #include "bumpfoil/results/result_set.hpp"
 #include "bumpfoil/sweep/sweep.hpp"
 
 namespace bumpfoil {
 
-/// Names of the files that a sweep of a command writes.
-std::vector<std::string> sweep_file_names(SweptCommand command);
+/// Names of the files that a sweep writes.
+std::vector<std::string> sweep_file_names(const Sweep& sweep);
 
 /// The files of a sweep, as docs/results.md describes them: sweep.csv, sweep.nc and summary.json, of running
 /// bearings coefficients.csv, too, with the same run id and checksums as those of cycle_files().

@@ -14,11 +14,11 @@ namespace bumpfoil {
 std::string cycle_csv(const CycleResult& result) {
   const bool is_strip = result.experiment == Experiment::strip;
   std::vector<IncrementQuantity> columns = increment_quantities(result.experiment);
-  std::erase_if(columns, [](const IncrementQuantity& column) { return !column.in_csv; });
+  std::erase_if(columns, [](const IncrementQuantity& column) { return !column.is(tag::csv); });
   const bool is_path = result.experiment == Experiment::path;
   std::string out(cycle_key(result.experiment));
   out += is_path ? "increment" : ",increment";
-  for (const IncrementQuantity& column : columns) out += ',' + key_of(column.name, column.unit);
+  for (const IncrementQuantity& column : columns) out += ',' + column.key();
   double number = 0.0;
   for (const Cycle& cycle : result.cycles) {
     number += 1.0;

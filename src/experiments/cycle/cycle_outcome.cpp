@@ -1,28 +1,72 @@
 #include "experiments/cycle/cycle_outcome.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <utility>
 
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
 #include "bumpfoil/experiments/cycle/cycle_table.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/warnings.hpp"
+#include "case/case_json.hpp"
+#include "experiments/cycle/cycle_dataset.hpp"
+#include "experiments/cycle/cycle_json.hpp"
+#include "experiments/cycle/result_layout.hpp"
 
 namespace bumpfoil {
+namespace {
+
+SweptResult swept_cycles(const Case& input, const CycleResult& result, RunStatus status, bool with_loops) {
+  nlohmann::ordered_json lists{{"cycles", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) lists["cycles"].push_back(cycle_json(input, result, i));
+  SweptResult swept{.dataset = cycle_dataset(input, result, status, with_loops ? Extent::loops : Extent::quantities),
+                    .parts = {},
+                    .rows = cycle_rows(input, result, status),
+                    .lists = dump_json(lists, -1)};
+  const ResultLayout layout = make_result_layout(input, result.experiment);
+  for (std::size_t i = 0; i < layout.places.size(); ++i) {
+    swept.parts.push_back({result.experiment == Experiment::strip
+                               ? fmt::format("cycle {}", i + 1)
+                               : "direction " + direction_name(input.cycle.directions[i]),
+                           layout.places[i]});
+  }
+  return swept;
+}
+
+}  // namespace
 
 Outcome cycle_outcome(const Case& input, CycleResult result) {
   const auto cycles = std::make_shared<const CycleResult>(std::move(result));
   const RunStatus status = status_of(*cycles);
   return {.status = status,
-          .table = cycle_table(input, *cycles),
           .warnings = warning_lines(input, *cycles),
           .failures = failure_lines(input, *cycles),
+          .table = [=] { return cycle_table(input, *cycles); },
           .files = [=](const Provenance& provenance) { return cycle_files(input, *cycles, status, provenance); },
+          .swept = [=](bool with_loops) { return swept_cycles(input, *cycles, status, with_loops); },
           .cycles = cycles};
 }
 
+Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run) {
+  return {.run = std::move(run),
+          .not_begun =
+              [experiment](const Case& input) {
+                // One cycle at least was to be run.
+                return cycle_outcome(
+                    input, {.solver = input.solver.chosen(), .experiment = experiment, .due = 1, .cycles = {}});
+              },
+          .loop_values =
+              [experiment](const Case& input) {
+                const ResultLayout layout = make_result_layout(input, experiment);
+                return layout.cycles.values.size() * layout.increments;
+              }};
+}
+
 ExperimentInfo cycle_experiment() {
+  const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
+    return cycle_outcome(input, run_cycles(input, progress));
+  };
   return {.name = "cycle",
           .summary = "Push the journal in each direction of [cycle] and pull it back",
           .examples =
@@ -32,9 +76,8 @@ ExperimentInfo cycle_experiment() {
               "  bumpfoil cycle case.toml -o seventeen --sample tolerances/ensemble.nc:17\n",
           .files = cycle_file_names("cycle"),
           .sampled = EnsembleCommand::cycle,
-          .run = [](const Case& input, const Switches&, const ProgressCallback& progress) {
-            return cycle_outcome(input, run_cycles(input, progress));
-          }};
+          .run = run,
+          .sweeping = cycle_sweeping(Experiment::cycle, run)};
 }
 
 }  // namespace bumpfoil

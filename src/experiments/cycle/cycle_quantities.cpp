@@ -179,8 +179,6 @@ void CycleQuantities::find_losses() {
 
 void CycleQuantities::finish() {
   for (Clearance& clearance : cycle_.clearances) clearance.displacement = loading_.first_reaches(clearance.force);
-  cycle_.clearance_5N = loading_.first_reaches(5.0);
-  cycle_.clearance_10N = loading_.first_reaches(10.0);
   cycle_.top_foil_stress = top_foil_peak(cycle_.fields.stress, cycle_.increments);
   cycle_.bump_foil_stress = bump_foil_peak(cycle_.fields.stress, cycle_.increments);
   cycle_.compression = compression_peak(cycle_.fields.compression, cycle_.increments);

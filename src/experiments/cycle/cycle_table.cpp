@@ -48,10 +48,10 @@ std::string cell_text(const CycleQuantity& quantity, double value) {
 /// Where the direct force first reaches each of the thresholds of the case.
 std::vector<Row> rows_of_clearances(const Case& input) {
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < input.cycle.clearance_forces.size(); ++i) {
+  for (const VariableMeaning& clearance : clearance_quantities(input.cycle.clearance_forces)) {
     rows.push_back(
-        {fmt::format("clearance at {:.4g} N", input.cycle.clearance_forces[i]), "um", [i](const Cycle& cycle) {
-           return i < cycle.clearances.size() ? number_text(cycle.clearances[i].displacement, 1e-6) : "-";
+        {clearance.label, clearance.shown.name, [i = rows.size(), size = clearance.shown.size](const Cycle& cycle) {
+           return number_text(clearance_of(cycle, i), size);
          }});
   }
   return rows;
@@ -61,7 +61,7 @@ std::vector<Row> rows_of_clearances(const Case& input) {
 std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solver) {
   std::vector<Row> rows;
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
-    if (quantity.shown.size == 0.0 || quantity.of_solver != of_solver) continue;
+    if (quantity.shown.size == 0.0 || quantity.is(tag::of_solver) != of_solver) continue;
     rows.push_back({std::string(quantity.label), quantity.shown.name, [quantity, &input](const Cycle& cycle) {
                       return cell_text(quantity, quantity.value(cycle, input));
                     }});

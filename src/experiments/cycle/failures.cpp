@@ -49,6 +49,12 @@ std::optional<Failure> failure_of(const Case& input, const CycleResult& result, 
   return failure;
 }
 
+RunStatus status_of(const CycleResult& result) {
+  std::vector<Status> cycles;
+  for (const Cycle& cycle : result.cycles) cycles.push_back(cycle.status);
+  return run_status(cycles, result.due);
+}
+
 std::vector<std::string> failure_lines(const Case& input, const CycleResult& result) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "experiments/cycle/result_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -176,6 +178,34 @@ ResultLayout make_result_layout(const Case& input, Experiment experiment) {
       break;
   }
   return layout_of_cycles(input);
+}
+
+std::vector<std::string> ResultLayout::dims_of(Node at) const {
+  if (at == Node::bump) return {"bump"};
+  if (at == Node::foot) return {"foot"};
+  return at == Node::foil || pads == 1 ? std::vector<std::string>{} : std::vector<std::string>{"pad"};
+}
+
+std::string ResultLayout::coordinates_of(Node at) const {
+  if (at == Node::bump) return bump_coordinates;
+  return at == Node::foot ? foot_coordinates : std::string();
+}
+
+void add_foils(const ResultLayout& layout, std::string_view carrying, Dataset& data) {
+  const auto count = [&data](const char* name, std::string long_name, std::size_t size) {
+    data.add_dimension({name, "1", std::move(long_name), {Form::whole}}, numbers_from(1.0, size));
+  };
+  const bool several = layout.pads > 1;
+  count("bump", several ? "bump, counted from the weld, pad after pad" : "bump, counted from the weld", layout.bumps);
+  count("foot", fmt::format("foot of the bump foil on the {}, counted from the weld", carrying), layout.feet);
+  if (several) count("pad", "pad, in the order of the case", layout.pads);
+  const auto put = [&data](const std::vector<NamedNumbers>& all, const std::vector<std::string>& dims) {
+    for (const NamedNumbers& one : all) data.add_coordinate({one.name, one.unit, one.long_name}, dims, one.values);
+  };
+  put(layout.scalars, {});
+  put(layout.at_bumps, {"bump"});
+  put(layout.at_feet, {"foot"});
+  put(layout.at_pads, {"pad"});
 }
 
 }  // namespace bumpfoil

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/dataset.hpp"
 
 namespace bumpfoil {
 
@@ -31,8 +34,19 @@ struct ResultLayout {
   std::vector<NamedNumbers> at_pads;   ///< one per pad of several
   std::string bump_coordinates;        ///< those of them that say where a bump is
   std::string foot_coordinates;
+
+  /// Whether there are such nodes.
+  [[nodiscard]] bool has(Node at) const { return at != Node::pad || pads > 1; }
+  /// Their dimension; none of what is one.
+  [[nodiscard]] std::vector<std::string> dims_of(Node at) const;
+  /// Variables that say where they are.
+  [[nodiscard]] std::string coordinates_of(Node at) const;
 };
 
 ResultLayout make_result_layout(const Case& input, Experiment experiment);
+
+/// Adds the dimensions of bumps, feet and several pads, and the geometry that it takes to draw them.
+/// @param carrying  sleeve or base
+void add_foils(const ResultLayout& layout, std::string_view carrying, Dataset& data);
 
 }  // namespace bumpfoil

@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <nlohmann/json.hpp>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "experiments/equilibrium/equilibrium_json.hpp"
-#include "experiments/equilibrium/equilibrium_netcdf.hpp"
 #include "experiments/equilibrium/film_ross_toml.hpp"
+#include "experiments/equilibrium/running_dataset.hpp"
 #include "experiments/equilibrium/whirl_quantities.hpp"
 #include "results/csv_value.hpp"
-#include "results/manifest.hpp"
+#include "results/result_files.hpp"
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
@@ -30,7 +28,7 @@ Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
   json["states"] = spread.states;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
     if (quantity.form.kind != Form::real && quantity.name != "loaded_bumps") continue;
-    if (quantity.asked && quantity.name == "wall_time") continue;
+    if (quantity.is(tag::asked) && quantity.name == "wall_time") continue;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
     for (const std::size_t i : spread.states) {
@@ -38,22 +36,26 @@ Json spread_json(const EquilibriumResult& result, const PathSpread& spread) {
       least = std::min(least, value);
       most = std::max(most, value);
     }
-    json[key_of(quantity.name, quantity.unit)] = {{"min", value_json(least, {})}, {"max", value_json(most, {})}};
+    json[quantity.key()] = {{"min", value_json(least, {})}, {"max", value_json(most, {})}};
   }
   return json;
 }
 
-std::string equilibrium_summary(const Case& input, const EquilibriumResult& result, RunStatus status,
-                                const Manifest& manifest) {
-  Json json = summary_head(command_of(result), input, status, manifest);
-  json["states"] = Json::array();
+Json equilibrium_lists(const Case& input, const EquilibriumResult& result) {
+  Json json{{"states", Json::array()}, {"spreads", Json::array()}, {"limits", Json::array()}};
   for (const RunningState& state : result.states) json["states"].push_back(state_json(*result.bearing, state));
-  json["spreads"] = Json::array();
   for (const PathSpread& spread : path_spreads(result)) json["spreads"].push_back(spread_json(result, spread));
-  json["limits"] = Json::array();
   for (const FilmLimit& limit : result.limits) json["limits"].push_back(limit_json(limit));
   json["warnings"] = warning_lines(input, result);
-  return sealed_summary(json);
+  return json;
+}
+
+std::vector<ResultFile> texts_of(const Case& input, const EquilibriumResult& result, const std::string& run_id) {
+  std::vector<ResultFile> texts{{fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)}};
+  if (!result.bearing->foils) return texts;
+  texts.push_back({"coefficients.csv", film_coefficients_csv(result)});
+  texts.push_back({"coefficients.toml", film_ross_toml(input, result, run_id)});
+  return texts;
 }
 
 }  // namespace
@@ -65,15 +67,15 @@ std::vector<std::string> equilibrium_file_names(std::string_view command) {
 }
 
 std::string equilibrium_csv(const EquilibriumResult& result) {
-  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing, !result.limits.empty());
+  const std::vector<RunningQuantity> columns = running_quantities(*result.bearing, result.with_limits);
   std::string out;
   for (const RunningQuantity& column : columns) {
-    if (column.in_csv) out += (out.empty() ? "" : ",") + key_of(column.name, column.unit);
+    if (column.is(tag::csv)) out += (out.empty() ? "" : ",") + column.key();
   }
   for (const RunningState& state : result.states) {
     char separator = '\n';
     for (const RunningQuantity& column : columns) {
-      if (!column.in_csv) continue;
+      if (!column.is(tag::csv)) continue;
       append_csv(out += separator, value_of(column, *result.bearing, state), column.form);
       separator = ',';
     }
@@ -119,20 +121,18 @@ std::vector<PathSpread> path_spreads(const EquilibriumResult& result) {
 }
 
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
-                                          const Provenance& provenance, int ross_version) try {
-  const std::string run_id = make_run_id();
-  std::vector<ResultFile> files;
-  files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
-  if (result.bearing->foils) {
-    files.push_back({"coefficients.csv", film_coefficients_csv(result)});
-    files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id, ross_version)});
-  }
-  files.push_back({"result.nc", equilibrium_netcdf(input, result, status, provenance, run_id)});
-  files.push_back({"summary.json", equilibrium_summary(input, result, status, make_manifest(run_id, files))});
-  return files;
-} catch (const std::bad_alloc&) {
-  throw Error(ErrorKind::file, {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice",
-                                 "fewer states or a coarser mesh take less"}});
+                                          const Provenance& provenance) {
+  return make_result_files({.input = input,
+                            .command = command_of(result),
+                            .status = status,
+                            .message = message_of(failure_lines(result), status),
+                            .warnings = warning_lines(input, result),
+                            .provenance = provenance},
+                           "result.nc", "fewer states or a coarser mesh take less", [&](const std::string& run_id) {
+                             return ResultContents{.texts = texts_of(input, result, run_id),
+                                                   .dataset = state_dataset(input, result),
+                                                   .lists = [&] { return equilibrium_lists(input, result); }};
+                           });
 }
 
 }  // namespace bumpfoil

@@ -38,8 +38,8 @@ void add_motions(Json& json, const RunningState& state) {
 Json found_json(const FilmBearing& bearing, const RunningState& state) {
   Json json;
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
-    if (quantity.asked) continue;
-    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(bearing, state), quantity.form);
+    if (quantity.is(tag::asked)) continue;
+    json[quantity.key()] = value_json(quantity.value(bearing, state), quantity.form);
   }
   add_pad_forces(json, bearing, state, true);
   return json;
@@ -51,7 +51,7 @@ Json state_json(const FilmBearing& bearing, const RunningState& state) {
   Json json;
   json["name"] = name_of_state(state);
   for (const RunningQuantity& quantity : running_quantities(bearing)) {
-    json[key_of(quantity.name, quantity.unit)] = value_json(value_of(quantity, bearing, state), quantity.form);
+    json[quantity.key()] = value_json(value_of(quantity, bearing, state), quantity.form);
   }
   add_pad_forces(json, bearing, state, state.found());
   if (bearing.bumps() > 0) add_motions(json, state);

@@ -13,6 +13,8 @@
 namespace bumpfoil {
 namespace {
 
+using namespace tag;  // NOLINT(google-build-using-namespace): the table below is made of them
+
 /// Imbalances are relative to the power, the torque and the largest flow.
 double relative(double part, double whole_of_it) {
   return whole_of_it == 0.0 ? 0.0 : part / std::abs(whole_of_it);
@@ -86,100 +88,74 @@ const FilmMesh& thinnest_mesh(const FilmBearing& bearing, const RunningState& st
   return bearing.pads[static_cast<std::size_t>(state.outcome->thinnest_pad)].foil.mesh;
 }
 
-// What tells some quantities from others.
-constexpr RunningQuantity as_asked(RunningQuantity quantity) {
-  quantity.asked = true;
-  return quantity;
-}
-constexpr RunningQuantity counted(RunningQuantity quantity) {
-  quantity.form = Form{Form::whole};
-  return quantity;
-}
-constexpr RunningQuantity foils(RunningQuantity quantity) {
-  quantity.of_foils = true;
-  return quantity;
-}
-constexpr RunningQuantity pads(RunningQuantity quantity) {
-  quantity.of_pads = true;
-  return quantity;
-}
-constexpr RunningQuantity limit(RunningQuantity quantity) {
-  quantity.of_limits = true;
-  return foils(as_asked(quantity));
-}
-constexpr RunningQuantity bump(RunningQuantity quantity) {
-  quantity.is_bump = true;
-  return counted(foils(quantity));
-}
-constexpr RunningQuantity csv(RunningQuantity quantity) {
-  quantity.in_csv = true;
-  return quantity;
-}
-
 using B = FilmBearing;
 using S = RunningState;
 using By = OperatingPoint::Control;
 
 constexpr auto table = std::to_array<RunningQuantity>({
-    csv(as_asked({"speed", "rad/s", "speed of the journal, positive from X to Y",
-                  [](const B&, const S& state) { return state.asked.speed; }, "speed", shown::revolutions})),
-    csv(as_asked({"load_x", "N", "load on the journal that was asked for, X", asked_journal<By::load, 0>, "load, X",
-                  shown::newtons})),
-    csv(as_asked({"load_y", "N", "load on the journal that was asked for, Y", asked_journal<By::load, 1>, "load, Y",
-                  shown::newtons})),
-    csv({"x", "m", "journal centre, X", position<0>, "journal, X", shown::micrometres}),
-    csv({"y", "m", "journal centre, Y", position<1>, "journal, Y", shown::micrometres}),
-    csv({"force_x", "N", "force that holds the journal against the film, X", force<0>, "force, X", shown::newtons}),
-    csv({"force_y", "N", "force that holds the journal against the film, Y", force<1>, "force, Y", shown::newtons}),
-    csv({"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
-         of<&FilmBearingOutcome::eccentricity>, "eccentricity", shown::unitless}),
-    csv({"attitude_angle", "degree",
-         "angle from the force to the displacement of the journal, positive in the sense of rotation",
-         [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, "attitude angle",
-         shown::degrees}),
-    csv({"h_min", "m", "least film thickness of all nodes",
-         [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
-         "least film thickness", shown::micrometres}),
-    csv({"h_min_theta", "degree", "where that is, from the weld along the foil",
-         [](const B& bearing,
-            const S&
-                state) { return to_degrees(state.outcome->thinnest.column * thinnest_mesh(bearing, state).dtheta); },
-         "  at, from the weld", shown::degrees}),
-    csv(pads(counted({"h_min_pad", "1", "pad where that is",
-                      [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, "  of pad",
-                      shown::unitless}))),
+    {"speed", "rad/s", "speed of the journal, positive from X to Y",
+     [](const B&, const S& state) { return state.asked.speed; }, csv | asked | demand, "speed", shown::revolutions},
+    {"load_x", "N", "load on the journal that was asked for, X", asked_journal<By::load, 0>, csv | asked | demand,
+     "load, X", shown::newtons},
+    {"load_y", "N", "load on the journal that was asked for, Y", asked_journal<By::load, 1>, csv | asked | demand,
+     "load, Y", shown::newtons},
+    {"x", "m", "journal centre, X", position<0>, csv | sampled, "journal, X", shown::micrometres},
+    {"y", "m", "journal centre, Y", position<1>, csv | sampled, "journal, Y", shown::micrometres},
+    {"force_x", "N", "force that holds the journal against the film, X", force<0>, csv | sampled, "force, X",
+     shown::newtons},
+    {"force_y", "N", "force that holds the journal against the film, Y", force<1>, csv | sampled, "force, Y",
+     shown::newtons},
+    {"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
+     of<&FilmBearingOutcome::eccentricity>, csv | headline | sampled, "eccentricity", shown::unitless},
+    {"attitude_angle", "degree",
+     "angle from the force to the displacement of the journal, positive in the sense of rotation",
+     [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, csv | headline | sampled,
+     "attitude angle", shown::degrees},
+    {"h_min", "m", "least film thickness of all nodes",
+     [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
+     csv | headline | sampled, "least film thickness", shown::micrometres},
+    {"h_min_theta", "degree", "where that is, from the weld along the foil",
+     [](const B& bearing, const S& state) {
+       return to_degrees(state.outcome->thinnest.column * thinnest_mesh(bearing, state).dtheta);
+     },
+     csv | sampled, "  at, from the weld", shown::degrees},
+    {"h_min_pad", "1", "pad where that is", [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; },
+     csv | of_pads | sampled, "  of pad", shown::unitless, whole_number},
     {"h_min_mesh_error", "m", "estimated error of the least film thickness by the mesh, from a mesh of another size",
      [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->minimum_film_thickness : absent; },
-     "film, error of the mesh", shown::micrometres},
+     none, "film, error of the mesh", shown::micrometres},
     {"force_mesh_error", "N",
      "estimated error of the force by the mesh: at the position, or under a load what the error of the position makes",
-     [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->force : absent; },
+     [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->force : absent; }, none,
      "force, error of the mesh", shown::newtons},
     {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
      [](const B& bearing, const S& state) {
        return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
-     }},
+     },
+     sampled},
     {"h_min_vertex_theta", "degree", "where that is, from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }},
-    foils({"h_min_crest", "m", "least film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>}),
-    csv({"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, "highest pressure",
-         shown::bars}),
-    csv({"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, "lowest pressure",
-         shown::bars}),
-    csv({"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
-         "torque", shown::newton_millimetres}),
+    {"h_min_crest", "m", "least film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>,
+     of_foils | sampled},
+    {"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, csv | shown_first | sampled,
+     "highest pressure", shown::bars},
+    {"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, csv | sampled, "lowest pressure",
+     shown::bars},
+    {"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
+     csv | sampled, "torque", shown::newton_millimetres},
     {"couette_torque", "N m", "part of the torque that the moving surface alone makes",
      of<&FilmBearingOutcome::couette_torque>},
     {"poiseuille_torque", "N m", "part of the torque that the pressure gradient makes",
      [](const B&, const S& state) { return state.outcome->torque - state.outcome->couette_torque; }},
-    csv({"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, "power loss", shown::watts}),
+    {"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, csv | headline | sampled,
+     "power loss", shown::watts},
     {"couette_dissipation", "W", "power that the moving surface dissipates",
      of<&FilmBearingOutcome::couette_dissipation>},
     {"poiseuille_dissipation", "W", "power that the pressure flow dissipates",
      [](const B&, const S& state) { return state.outcome->dissipation - state.outcome->couette_dissipation; }},
     {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
     {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
-    {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>},
+    {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled},
     {"energy_imbalance", "1",
      "dissipated power over that of the journal, less one: what the mesh leaves of the balance",
      [](const B&, const S& state) {
@@ -195,105 +171,105 @@ constexpr auto table = std::to_array<RunningQuantity>({
        const FilmFlows& flows = state.outcome->flows;
        return relative(flows.start - flows.end - flows.sides, std::max(std::abs(flows.start), std::abs(flows.end)));
      }},
-    csv(counted(foils({"loaded_bumps", "1", "bumps that the top foil presses",
-                       [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
-                       "loaded bumps", shown::unitless}))),
-    bump({"first_loaded_bump", "1", "first of them, counted from the weld, pad after pad",
-          bump_number<&FilmBearingOutcome::first_loaded>}),
-    bump({"last_loaded_bump", "1", "last of them, counted from the weld, pad after pad",
-          bump_number<&FilmBearingOutcome::last_loaded>}),
-    counted(foils(
-        {"lifted_bumps_at_entry", "1",
-         "bumps in a row, from where gas enters, that the foil is lifted off; of several pads, where that is most",
-         [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); }})),
-    foils({"highest_bump_load", "N", "largest compression between top foil and crest",
-           [](const B& bearing, const S& state) { return bump_loads(bearing, *state.last).maxCoeff(); },
-           "highest bump load", shown::newtons}),
-    bump({"highest_loaded_bump", "1", "bump that bears it, counted from the weld, pad after pad",
-          [](const B& bearing, const S& state) {
-            Eigen::Index place = 0;
-            return bump_loads(bearing, *state.last).maxCoeff(&place) > 0.0 ? static_cast<double>(place + 1) : absent;
-          },
-          "  on bump", shown::unitless}),
-    foils({"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
-           [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, "highest stress, top foil",
-           shown::megapascals}),
-    foils({"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil; frame only",
-           [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); },
-           "highest stress, bump foil", shown::megapascals}),
-    csv(as_asked({"status", "", "how the search for the state ended",
-                  [](const B&, const S& state) { return static_cast<double>(state.report.status); }, "status",
-                  shown::unitless, flags<FilmStatus>})),
-    csv(as_asked({"path", "", "path that leads to the state",
-                  [](const B&, const S& state) { return static_cast<double>(state.path); }, "path", shown::unitless,
-                  flags<FilmPath>})),
-    csv(foils({"kxx", "N/m", "dF_x/dx, contacts going on in their modes", entry<&S::stiffness, 0, 0>, "stiffness, xx",
-               shown::stiffness})),
-    csv(foils({"kxy", "N/m", "dF_x/dy, contacts going on in their modes", entry<&S::stiffness, 0, 1>, "stiffness, xy",
-               shown::stiffness})),
-    csv(foils({"kyx", "N/m", "dF_y/dx, contacts going on in their modes", entry<&S::stiffness, 1, 0>, "stiffness, yx",
-               shown::stiffness})),
-    csv(foils({"kyy", "N/m", "dF_y/dy, contacts going on in their modes", entry<&S::stiffness, 1, 1>, "stiffness, yy",
-               shown::stiffness})),
-    csv(foils({"kxx_stuck", "N/m", "dF_x/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 0>})),
-    csv(foils({"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>})),
-    csv(foils({"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>})),
-    csv(foils({"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>})),
-    foils({"foil_response", "1",
-           "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
-           "singular",
-           [](const B&, const S& state) { return state.foil_response.value_or(absent); }}),
-    foils({"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
-           [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; },
-           "whirl frequency", shown::revolutions}),
-    foils({"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 0, 0>, "whirl stiffness, xx", shown::stiffness}),
-    foils({"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 0, 1>, "whirl stiffness, xy", shown::stiffness}),
-    foils({"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 1, 0>, "whirl stiffness, yx", shown::stiffness}),
-    foils({"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, contacts going on in their modes",
-           whirl_stiffness<&FilmWhirl::impedance, 1, 1>, "whirl stiffness, yy", shown::stiffness}),
-    foils({"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 0, 0>, "whirl damping, xx", shown::damping}),
-    foils({"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 0, 1>, "whirl damping, xy", shown::damping}),
-    foils({"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 1, 0>, "whirl damping, yx", shown::damping}),
-    foils({"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, contacts going on in their modes",
-           whirl_damping<&FilmWhirl::impedance, 1, 1>, "whirl damping, yy", shown::damping}),
-    foils({"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, all closed contacts sticking",
-           whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 0>}),
-    foils({"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, all closed contacts sticking",
-           whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 1>}),
-    foils({"kyx_whirl_stuck", "N/m", "dF_y/dx at whirl_frequency, all closed contacts sticking",
-           whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 0>}),
-    foils({"kyy_whirl_stuck", "N/m", "dF_y/dy at whirl_frequency, all closed contacts sticking",
-           whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 1>}),
-    foils({"cxx_whirl_stuck", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, all closed contacts sticking",
-           whirl_damping<&FilmWhirl::stuck_impedance, 0, 0>}),
-    foils({"cxy_whirl_stuck", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, all closed contacts sticking",
-           whirl_damping<&FilmWhirl::stuck_impedance, 0, 1>}),
-    foils({"cyx_whirl_stuck", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, all closed contacts sticking",
-           whirl_damping<&FilmWhirl::stuck_impedance, 1, 0>}),
-    foils({"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, all closed contacts sticking",
-           whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>}),
-    as_asked(
-        counted(foils({"jumps", "1", "jumps on the way to the state: from a branch of states that ends to another one",
-                       cost<&FilmReport::jumps>}))),
-    as_asked(counted({"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>})),
-    as_asked(counted(foils({"factorisations", "1", "factorisations of contact systems on the way to the state",
-                            cost<&FilmReport::factorisations>}))),
+    {"loaded_bumps", "1", "bumps that the top foil presses",
+     [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
+     csv | of_foils | shown_first | sampled, "loaded bumps", shown::unitless, whole_number},
+    {"first_loaded_bump", "1", "first of them, counted from the weld, pad after pad",
+     bump_number<&FilmBearingOutcome::first_loaded>, of_foils | is_bump, "", shown::in_files, whole_number},
+    {"last_loaded_bump", "1", "last of them, counted from the weld, pad after pad",
+     bump_number<&FilmBearingOutcome::last_loaded>, of_foils | is_bump, "", shown::in_files, whole_number},
+    {"lifted_bumps_at_entry", "1",
+     "bumps in a row, from where gas enters, that the foil is lifted off; of several pads, where that is most",
+     [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); },
+     of_foils | sampled, "", shown::in_files, whole_number},
+    {"highest_bump_load", "N", "largest compression between top foil and crest",
+     [](const B& bearing, const S& state) { return bump_loads(bearing, *state.last).maxCoeff(); }, of_foils | sampled,
+     "highest bump load", shown::newtons},
+    {"highest_loaded_bump", "1", "bump that bears it, counted from the weld, pad after pad",
+     [](const B& bearing, const S& state) {
+       Eigen::Index place = 0;
+       return bump_loads(bearing, *state.last).maxCoeff(&place) > 0.0 ? static_cast<double>(place + 1) : absent;
+     },
+     of_foils | is_bump, "  on bump", shown::unitless, whole_number},
+    {"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
+     [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, of_foils | sampled,
+     "highest stress, top foil", shown::megapascals},
+    {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil; frame only",
+     [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); }, of_foils | sampled,
+     "highest stress, bump foil", shown::megapascals},
+    {"status", "", "how the search for the state ended",
+     [](const B&, const S& state) { return static_cast<double>(state.report.status); },
+     of_solver | csv | asked | shown_first | sampled, "status", shown::unitless, flags<FilmStatus>},
+    {"path", "", "path that leads to the state",
+     [](const B&, const S& state) { return static_cast<double>(state.path); }, of_solver | csv | asked, "path",
+     shown::unitless, flags<FilmPath>},
+    {"kxx", "N/m", "dF_x/dx, contacts going on in their modes", entry<&S::stiffness, 0, 0>,
+     csv | of_foils | shown_first | sampled, "stiffness, xx", shown::stiffness},
+    {"kxy", "N/m", "dF_x/dy, contacts going on in their modes", entry<&S::stiffness, 0, 1>, csv | of_foils | sampled,
+     "stiffness, xy", shown::stiffness},
+    {"kyx", "N/m", "dF_y/dx, contacts going on in their modes", entry<&S::stiffness, 1, 0>, csv | of_foils | sampled,
+     "stiffness, yx", shown::stiffness},
+    {"kyy", "N/m", "dF_y/dy, contacts going on in their modes", entry<&S::stiffness, 1, 1>,
+     csv | of_foils | shown_first | sampled, "stiffness, yy", shown::stiffness},
+    {"kxx_stuck", "N/m", "dF_x/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 0>, csv | of_foils},
+    {"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>, csv | of_foils},
+    {"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>, csv | of_foils},
+    {"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>, csv | of_foils},
+    {"foil_response", "1",
+     "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
+     "singular",
+     [](const B&, const S& state) { return state.foil_response.value_or(absent); }, of_foils},
+    {"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
+     [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; }, of_foils,
+     "whirl frequency", shown::revolutions},
+    {"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, contacts going on in their modes",
+     whirl_stiffness<&FilmWhirl::impedance, 0, 0>, of_foils | sampled, "whirl stiffness, xx", shown::stiffness},
+    {"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, contacts going on in their modes",
+     whirl_stiffness<&FilmWhirl::impedance, 0, 1>, of_foils | sampled, "whirl stiffness, xy", shown::stiffness},
+    {"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, contacts going on in their modes",
+     whirl_stiffness<&FilmWhirl::impedance, 1, 0>, of_foils | sampled, "whirl stiffness, yx", shown::stiffness},
+    {"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, contacts going on in their modes",
+     whirl_stiffness<&FilmWhirl::impedance, 1, 1>, of_foils | sampled, "whirl stiffness, yy", shown::stiffness},
+    {"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+     whirl_damping<&FilmWhirl::impedance, 0, 0>, of_foils | sampled, "whirl damping, xx", shown::damping},
+    {"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+     whirl_damping<&FilmWhirl::impedance, 0, 1>, of_foils | sampled, "whirl damping, xy", shown::damping},
+    {"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+     whirl_damping<&FilmWhirl::impedance, 1, 0>, of_foils | sampled, "whirl damping, yx", shown::damping},
+    {"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+     whirl_damping<&FilmWhirl::impedance, 1, 1>, of_foils | sampled, "whirl damping, yy", shown::damping},
+    {"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, all closed contacts sticking",
+     whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 0>, of_foils},
+    {"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, all closed contacts sticking",
+     whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 1>, of_foils},
+    {"kyx_whirl_stuck", "N/m", "dF_y/dx at whirl_frequency, all closed contacts sticking",
+     whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 0>, of_foils},
+    {"kyy_whirl_stuck", "N/m", "dF_y/dy at whirl_frequency, all closed contacts sticking",
+     whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 1>, of_foils},
+    {"cxx_whirl_stuck", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+     whirl_damping<&FilmWhirl::stuck_impedance, 0, 0>, of_foils},
+    {"cxy_whirl_stuck", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+     whirl_damping<&FilmWhirl::stuck_impedance, 0, 1>, of_foils},
+    {"cyx_whirl_stuck", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+     whirl_damping<&FilmWhirl::stuck_impedance, 1, 0>, of_foils},
+    {"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+     whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>, of_foils},
+    {"jumps", "1", "jumps on the way to the state: from a branch of states that ends to another one",
+     cost<&FilmReport::jumps>, of_solver | asked | of_foils | sampled, "", shown::in_files, whole_number},
+    {"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>, of_solver | asked, "",
+     shown::in_files, whole_number},
+    {"factorisations", "1", "factorisations of contact systems on the way to the state",
+     cost<&FilmReport::factorisations>, of_solver | asked | of_foils, "", shown::in_files, whole_number},
     {"residual", "1", "norm of all scaled residuals before the last Newton step",
-     [](const B&, const S& state) { return state.report.residual; }},
-    as_asked({"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; }}),
-    csv(limit({"lift_off_speed", "rad/s", "speed at which the film under the load is film.h_lift_off thin",
-               [](const B&, const S& state) { return state.lift_off_speed.value_or(absent); }, "lift-off speed",
-               shown::revolutions})),
-    csv(limit({"load_capacity", "N",
-               "load, along the first one, at which the film at the speed is film.h_lift_off thin",
-               [](const B&, const S& state) { return state.load_capacity.value_or(absent); }, "load capacity",
-               shown::newtons})),
+     [](const B&, const S& state) { return state.report.residual; }, of_solver | sampled},
+    {"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; },
+     of_solver | asked},
+    {"lift_off_speed", "rad/s", "speed at which the film under the load is film.h_lift_off thin",
+     [](const B&, const S& state) { return state.lift_off_speed.value_or(absent); },
+     csv | asked | of_foils | of_limits | headline | sampled, "lift-off speed", shown::revolutions},
+    {"load_capacity", "N", "load, along the first one, at which the film at the speed is film.h_lift_off thin",
+     [](const B&, const S& state) { return state.load_capacity.value_or(absent); },
+     csv | asked | of_foils | of_limits | headline | sampled, "load capacity", shown::newtons},
 });
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
@@ -354,8 +330,8 @@ std::string name_of_limit(const FilmLimit& limit) {
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {
   std::vector<RunningQuantity> quantities(table.begin(), table.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return (quantity.of_limits && !limits) || (quantity.of_foils && bearing.bumps() == 0) ||
-           (quantity.of_pads && bearing.pads.size() == 1);
+    return (quantity.is(of_limits) && !limits) || (quantity.is(of_foils) && bearing.bumps() == 0) ||
+           (quantity.is(of_pads) && bearing.pads.size() == 1);
   });
   return quantities;
 }
@@ -369,7 +345,7 @@ std::span<const ColumnQuantity> column_quantities() {
 }
 
 double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state) {
-  return quantity.asked || state.found() ? quantity.value(bearing, state) : absent;
+  return quantity.is(asked) || state.found() ? quantity.value(bearing, state) : absent;
 }
 
 Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) {

@@ -23,7 +23,7 @@ constexpr std::size_t column_width = 14;
 
 std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, double value) {
   if (!std::isfinite(value)) return "-";
-  if (quantity.is_bump) return running_bump_text(bearing, static_cast<int>(value) - 1);
+  if (quantity.is(tag::is_bump)) return running_bump_text(bearing, static_cast<int>(value) - 1);
   if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
   if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
   // Roundings of what is nought by symmetry, or by the load.
@@ -90,7 +90,7 @@ std::string spread_lines(const EquilibriumResult& result) {
     const RunningState& first = result.states[spread.states.front()];
     out += fmt::format("\n{} paths to {}\n", spread.states.size(), name_of_point(first.asked));
     for (const RunningQuantity& quantity : running_quantities(*result.bearing)) {
-      if (quantity.label.empty() || quantity.asked) continue;
+      if (quantity.label.empty() || quantity.is(tag::asked)) continue;
       double least = std::numeric_limits<double>::infinity();
       double most = -least;
       for (const std::size_t i : spread.states) {

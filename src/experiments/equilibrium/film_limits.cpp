@@ -157,6 +157,7 @@ std::vector<FilmLimit> run_film_limits(const Case& input, const std::function<bo
 
 void add_film_limits(const Case& input, EquilibriumResult& result, const std::function<bool(double)>& progress) {
   require_valid(input, {"limits"});
+  result.with_limits = true;
   result.limits = find_limits(result.bearing, input, progress);
   const std::vector<double>& speeds = input.equilibrium->speeds;
   const std::vector<Eigen::Vector2d>& loads = input.equilibrium->loads;

@@ -105,8 +105,8 @@ std::string elements_toml(const StatesOverSpeed& states, Impedance impedance, in
 
 }  // namespace
 
-std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id,
-                           int ross_version) {
+std::string film_ross_toml(const Case& input, const EquilibriumResult& result, std::string_view run_id) {
+  const int ross_version = input.equilibrium->ross_version;
   std::string out = fmt::format(film_head, ross_version);
   out += ross_version == 2 ? axes_2 : axes_3;
   if (ross_version != 2 && input.equilibrium->frequencies.empty()) {

@@ -40,13 +40,12 @@ FilmPath second_path(const EquilibriumSettings& equilibrium) {
   return by_load || equilibrium.path == FilmPath::speed_ramp ? gradual : FilmPath::speed_ramp;
 }
 
-EquilibriumResult analyse_running_bearing(const Case& input, const RunningRequest& request,
-                                          const std::function<bool(double)>& progress) {
+EquilibriumResult analyse_running_bearing(const Case& input, const std::function<bool(double)>& progress) {
   if (!input.equilibrium) static_cast<void>(require_running_bearing(input));  // says what is missing
   const EquilibriumSettings& settings = *input.equilibrium;
-  const bool all = request.all_paths || settings.paths == ComparedPaths::all;
-  const bool second = !all && settings.paths == ComparedPaths::two;
-  const double parts = 1.0 + (second ? 1.0 : 0.0) + (request.limits ? 1.0 : 0.0);
+  const bool all = settings.paths == ComparedPaths::all;
+  const bool second = settings.paths == ComparedPaths::two;
+  const double parts = 1.0 + (second ? 1.0 : 0.0) + (settings.limits ? 1.0 : 0.0);
   double done = 0.0;
   const auto part_progress = [&](double fraction) { return !progress || progress((done + fraction) / parts); };
 
@@ -59,7 +58,7 @@ EquilibriumResult analyse_running_bearing(const Case& input, const RunningReques
     result.other_branches = other_branches(
         result, find_states(result.bearing, settings, input.film.h_floor, {second_path(settings)}, part_progress));
   }
-  if (request.limits) {
+  if (settings.limits) {
     done += 1.0;
     add_film_limits(input, result, part_progress);
   }

@@ -1,48 +1,89 @@
 #include "experiments/equilibrium/running_outcome.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/equilibrium/film_limits.hpp"
+#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
 #include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
+#include "case/case_json.hpp"
+#include "experiments/equilibrium/equilibrium_json.hpp"
+#include "experiments/equilibrium/running_dataset.hpp"
 
 namespace bumpfoil {
+namespace {
 
-Outcome running_outcome(const Case& input, EquilibriumResult result, int ross_version) {
-  const RunStatus status = status_of(result);
-  Outcome outcome{.status = status,
-                  .table = equilibrium_table(result),
-                  .warnings = warning_lines(input, result),
-                  .failures = failure_lines(result)};
-  outcome.files = [input, status, ross_version, result = std::move(result)](const Provenance& provenance) {
-    return equilibrium_files(input, result, status, provenance, ross_version);
-  };
-  return outcome;
+SweptResult swept_states(const Case& input, const EquilibriumResult& result) {
+  const EquilibriumSettings& settings = *input.equilibrium;
+  nlohmann::ordered_json lists{{"states", nlohmann::ordered_json::array()}};
+  SweptResult swept{.dataset = equilibrium_dataset(settings, result),
+                    .parts = {},
+                    .rows = equilibrium_csv(result),
+                    .coefficients = film_coefficients_csv(result),
+                    .lists = {}};
+  for (std::size_t i = 0; i < result.states.size(); ++i) {
+    swept.parts.push_back({name_of_state(result.states[i]), place_of(settings, i)});
+    lists["states"].push_back(state_json(*result.bearing, result.states[i]));
+  }
+  if (result.with_limits) lists["limits"] = nlohmann::ordered_json::array();
+  for (const FilmLimit& limit : result.limits) lists["limits"].push_back(limit_json(limit));
+  swept.lists = dump_json(lists, -1);
+  return swept;
+}
+
+/// One path, without a second one to compare with.
+Outcome run_swept(const Case& input, const ProgressCallback& progress) {
+  EquilibriumResult result = run_equilibrium(input, {}, progress);
+  estimate_mesh_errors(input, result);
+  if (input.equilibrium->limits) add_film_limits(input, result, progress);
+  return running_outcome(input, std::move(result));
+}
+
+}  // namespace
+
+Outcome running_outcome(const Case& input, EquilibriumResult result) {
+  const auto states = std::make_shared<const EquilibriumResult>(std::move(result));
+  const RunStatus status = status_of(*states);
+  return {.status = status,
+          .warnings = warning_lines(input, *states),
+          .failures = failure_lines(*states),
+          .table = [=] { return equilibrium_table(*states); },
+          .files = [=](const Provenance& provenance) { return equilibrium_files(input, *states, status, provenance); },
+          .swept = [=](bool /*with_loops*/) { return swept_states(input, *states); }};
 }
 
 ExperimentInfo equilibrium_experiment() {
-  return {
-      .name = "equilibrium",
-      .summary = "Find where the journal of a running bearing is, with gas film, foils and friction",
-      .examples =
-          "  bumpfoil equilibrium examples/running.toml -o running\n"
-          "  bumpfoil equilibrium examples/running.toml -o coasting --set equilibrium.path=speed_ramp\n"
-          "Several states may exist at one speed and load, even without friction: the path decides which is "
-          "found.\n"
-          "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
-      .files = equilibrium_file_names("equilibrium"),
-      .switches = {{"paths",
-                    "Reach every state by every path that leads there, and report the spread: equilibrium.paths=all"},
-                   {"limits", "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin"},
-                   {"ross-version",
-                    "Version of ROSS that coefficients.toml is for: 2 has synchronous coefficients alone",
-                    {"3", "2"}}},
-      .sampled = EnsembleCommand::equilibrium,
-      .run = [](const Case& input, const Switches& switches, const ProgressCallback& progress) {
-        const RunningRequest request{.all_paths = switches.contains("paths"), .limits = switches.contains("limits")};
-        const auto ross = switches.find("ross-version");
-        return running_outcome(input, analyse_running_bearing(input, request, progress),
-                               ross != switches.end() && ross->second == "2" ? 2 : 3);
-      }};
+  return {.name = "equilibrium",
+          .summary = "Find where the journal of a running bearing is, with gas film, foils and friction",
+          .examples =
+              "  bumpfoil equilibrium examples/running.toml -o running\n"
+              "  bumpfoil equilibrium examples/running.toml -o coasting --set equilibrium.path=speed_ramp\n"
+              "Several states may exist at one speed and load, even without friction: the path decides which is "
+              "found.\n"
+              "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
+          .files = equilibrium_file_names("equilibrium"),
+          .switches = {{.name = "paths",
+                        .help = "Reach every state by every path that leads there, and report the spread",
+                        .key = "equilibrium.paths",
+                        .value = "all"},
+                       {.name = "limits",
+                        .help = "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin",
+                        .key = "equilibrium.limits",
+                        .value = "true"},
+                       {.name = "ross-version",
+                        .help = "Version of ROSS that coefficients.toml is for: 2 has synchronous coefficients alone",
+                        .key = "equilibrium.ross_version",
+                        .values = {"3", "2"}}},
+          .sampled = EnsembleCommand::equilibrium,
+          .run =
+              [](const Case& input, const ProgressCallback& progress) {
+                return running_outcome(input, analyse_running_bearing(input, progress));
+              },
+          .sweeping = Sweeping{.run = run_swept, .not_begun = [](const Case& input) {
+                                 return running_outcome(input, equilibrium_not_begun(input));
+                               }}};
 }
 
 }  // namespace bumpfoil

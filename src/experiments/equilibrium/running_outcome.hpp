@@ -6,7 +6,6 @@
 namespace bumpfoil {
 
 /// What a run has to show whose results are films.
-/// @param ross_version  see equilibrium_files()
-Outcome running_outcome(const Case& input, EquilibriumResult result, int ross_version = 3);
+Outcome running_outcome(const Case& input, EquilibriumResult result);
 
 }  // namespace bumpfoil

@@ -55,13 +55,11 @@ const std::vector<FilmWhirl>& common_whirls(const EquilibriumSettings& settings,
 }
 
 void add_whirls(const EquilibriumSettings& settings, const EquilibriumResult& result, std::vector<std::string> dims,
-                const std::vector<std::size_t>& places, ResultGrid& grid) {
+                const std::vector<std::size_t>& places, Dataset& data) {
   const std::vector<double> frequencies = common_frequencies(settings, result);
   if (frequencies.empty()) return;
   const std::size_t count = frequencies.size();
-  grid.dims.push_back({"frequency", count});
-  grid.coordinates.push_back(
-      {{"frequency", "rad/s", "angular frequency of small motions about the state"}, {"frequency"}, frequencies});
+  data.add_dimension({"frequency", "rad/s", "angular frequency of small motions about the state"}, frequencies);
   dims.emplace_back("frequency");
   for (const WhirlQuantity& quantity : whirl_quantities()) {
     std::vector<double> values(result.states.size() * count, absent);
@@ -71,8 +69,7 @@ void add_whirls(const EquilibriumSettings& settings, const EquilibriumResult& re
       std::transform(whirls.begin(), whirls.end(), values.begin() + static_cast<std::ptrdiff_t>(places[i] * count),
                      quantity.value);
     }
-    grid.variables.push_back(
-        GridVariable{{quantity.name("_at_frequency"), quantity.unit, quantity.long_name}, dims, std::move(values)});
+    data.add({quantity.name("_at_frequency"), quantity.unit, quantity.long_name}, dims, std::move(values));
   }
 }
 

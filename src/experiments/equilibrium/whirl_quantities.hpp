@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
-#include "results/result_grid.hpp"
+#include "bumpfoil/results/dataset.hpp"
 
 /// Stiffness and damping of running bearings under small motions, over their frequency: described once for all files.
 namespace bumpfoil {
@@ -35,11 +35,11 @@ std::vector<double> common_frequencies(const EquilibriumSettings& settings, cons
 /// Motions of a state at the common frequencies; none of a state without.
 const std::vector<FilmWhirl>& common_whirls(const EquilibriumSettings& settings, const RunningState& state);
 
-/// Adds the dimension `frequency` and stiffness and damping over it to a grid of states, if there are common
+/// Adds the dimension `frequency` and stiffness and damping over it to a dataset of states, if there are common
 /// frequencies.
 /// @param dims    of a quantity of states
 /// @param places  of the states among its values
 void add_whirls(const EquilibriumSettings& settings, const EquilibriumResult& result, std::vector<std::string> dims,
-                const std::vector<std::size_t>& places, ResultGrid& grid);
+                const std::vector<std::size_t>& places, Dataset& data);
 
 }  // namespace bumpfoil

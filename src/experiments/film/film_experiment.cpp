@@ -14,7 +14,7 @@ ExperimentInfo film_experiment() {
               "film.wall_stiffness=\"5 GPa/m\" --set film.closed=true\n"
               "With positions alone: there is one film for each.\n",
           .files = equilibrium_file_names("film"),
-          .run = [](const Case& input, const Switches&, const ProgressCallback& progress) {
+          .run = [](const Case& input, const ProgressCallback& progress) {
             return running_outcome(input, run_wall_films(input, progress));
           }};
 }

@@ -14,7 +14,7 @@ ExperimentInfo path_experiment() {
               "'path.semi_axes=[\"20 N\",\"20 N\"]'\n"
               "  bumpfoil path case.toml -o measured --set path.file=path.csv\n",
           .files = cycle_file_names("path"),
-          .run = [](const Case& input, const Switches&, const ProgressCallback& progress) {
+          .run = [](const Case& input, const ProgressCallback& progress) {
             return cycle_outcome(input, run_path(input, progress));
           }};
 }

@@ -5,6 +5,9 @@
 namespace bumpfoil {
 
 ExperimentInfo strip_experiment() {
+  const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
+    return cycle_outcome(input, run_strip(input, progress));
+  };
   return {.name = "strip",
           .summary = "Compress a flat strip of the foils between two plates, as [strip] says",
           .examples =
@@ -12,9 +15,8 @@ ExperimentInfo strip_experiment() {
               "  bumpfoil strip examples/strip.toml -o pressed --set strip.preload=\"100 N\"\n"
               "  bumpfoil strip examples/strip.toml -o free --set strip.weld=none\n",
           .files = cycle_file_names("strip"),
-          .run = [](const Case& input, const Switches&, const ProgressCallback& progress) {
-            return cycle_outcome(input, run_strip(input, progress));
-          }};
+          .run = run,
+          .sweeping = cycle_sweeping(Experiment::strip, run)};
 }
 
 }  // namespace bumpfoil

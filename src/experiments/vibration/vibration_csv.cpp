@@ -12,7 +12,7 @@ namespace bumpfoil {
 
 std::string vibration_csv(const VibrationSettings& settings, const VibrationResult& result) {
   std::string out = fmt::format("load_x_N,load_y_N,{},amplitude_m", motion_key(settings));
-  for (const VibrationQuantity& column : vibration_quantities()) out += ',' + key_of(column.name, column.unit);
+  for (const VibrationQuantity& column : vibration_quantities()) out += ',' + column.key();
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
     const auto [load, motion, amplitude] = place_of(settings, i);
     out += fmt::format("\n{:.17g},{:.17g},", settings.loads[load].x(), settings.loads[load].y());
@@ -33,7 +33,7 @@ std::string coefficients_csv(const VibrationSettings& settings, const std::vecto
   std::string out = "load_x_N,load_y_N,amplitude_m,frequency_rad_per_s";
   for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",k{}_N_per_m", entry.axes);
   for (const MatrixEntry& entry : matrix_entries) out += fmt::format(",c{}_N_s_per_m", entry.axes);
-  for (const LinearQuantity& column : linear_quantities()) out += ',' + key_of(column.name, column.unit);
+  for (const LinearQuantity& column : linear_quantities()) out += ',' + column.key();
   for (const LinearFoils& foils : all) {
     for (const double frequency : settings.frequencies) {
       out +=

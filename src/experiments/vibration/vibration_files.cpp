@@ -1,14 +1,13 @@
 #include "bumpfoil/experiments/vibration/vibration_files.hpp"
 
-#include <new>
+#include <nlohmann/json.hpp>
 
-#include "bumpfoil/core/error.hpp"
 #include "experiments/vibration/ross_toml.hpp"
 #include "experiments/vibration/vibration_csv.hpp"
-#include "experiments/vibration/vibration_netcdf.hpp"
+#include "experiments/vibration/vibration_dataset.hpp"
 #include "experiments/vibration/vibration_quantities.hpp"
 #include "experiments/vibration/vibration_summary.hpp"
-#include "results/manifest.hpp"
+#include "results/result_files.hpp"
 
 namespace bumpfoil {
 
@@ -23,20 +22,28 @@ std::vector<std::string> vibration_file_names() {
 }
 
 std::vector<ResultFile> vibration_files(const Case& input, const VibrationResult& result, RunStatus status,
-                                        const Provenance& provenance) try {
-  const std::string run_id = make_run_id();
+                                        const Provenance& provenance) {
   const VibrationSettings& settings = *input.vibration;
   const std::vector<LinearFoils> all = linear_foils(settings, result);
-  std::vector<ResultFile> files;
-  files.push_back({"vibration.csv", vibration_csv(settings, result)});
-  files.push_back({"coefficients.csv", coefficients_csv(settings, all)});
-  files.push_back({"coefficients.toml", ross_toml(settings, all, run_id)});
-  files.push_back({"result.nc", vibration_netcdf(input, result, all, status, provenance, run_id)});
-  files.push_back({"summary.json", vibration_summary(input, result, all, status, make_manifest(run_id, files))});
-  return files;
-} catch (const std::bad_alloc&) {
-  throw Error(ErrorKind::file, {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice",
-                                 "fewer steps, loads or amplitudes take less"}});
+  return make_result_files({.input = input,
+                            .command = "vibration",
+                            .status = status,
+                            .message = message_of(failure_lines(settings, result), status),
+                            .warnings = warning_lines(input, result),
+                            .provenance = provenance},
+                           "result.nc", "fewer steps, loads or amplitudes take less", [&](const std::string& run_id) {
+                             return ResultContents{.texts = {{"vibration.csv", vibration_csv(settings, result)},
+                                                             {"coefficients.csv", coefficients_csv(settings, all)},
+                                                             {"coefficients.toml", ross_toml(settings, all, run_id)}},
+                                                   .dataset = vibration_dataset(input, result, all),
+                                                   .lists = [&] {
+                                                     nlohmann::ordered_json json{
+                                                         {"failures", failure_lines(settings, result)},
+                                                         {"warnings", warning_lines(input, result)}};
+                                                     json.update(vibration_lists(input, result, all));
+                                                     return json;
+                                                   }};
+                           });
 }
 
 std::vector<std::string> failure_lines(const Case& input, const VibrationResult& result) {

@@ -12,21 +12,12 @@
 
 namespace bumpfoil {
 
-/// Of one vibration, described once for all files and the table, as CycleQuantity is.
-struct VibrationQuantity {
-  std::string_view name, unit, long_name;
-  double (*value)(const Vibration&);
-  Form form{};
-  std::string_view label{};  ///< in the table on the terminal; empty where it is in the files only
-  ShownUnit shown{};
-};
+/// Of one vibration.
+using VibrationQuantity = Quantity<double (*)(const Vibration&)>;
 std::span<const VibrationQuantity> vibration_quantities();
 
 /// Of the foils about one load with one amplitude.
-struct LinearQuantity {
-  std::string_view name, unit, long_name;
-  double (*value)(const LinearFoils&);
-};
+using LinearQuantity = Quantity<double (*)(const LinearFoils&)>;
 std::span<const LinearQuantity> linear_quantities();
 
 /// Entry of a matrix, by the name of the coefficient: kxy is dF_x/dy.

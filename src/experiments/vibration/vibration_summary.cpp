@@ -56,7 +56,7 @@ Json vibration_json(const Case& input, const VibrationResult& result, std::size_
                                                      : Json(to_degrees(settings.directions[motion]))},
             {"amplitude_m", settings.amplitudes[amplitude]}};
   for (const VibrationQuantity& quantity : vibration_quantities()) {
-    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(result.vibrations[i]), quantity.form);
+    json[quantity.key()] = value_json(quantity.value(result.vibrations[i]), quantity.form);
   }
   json["loop_energies_J"] = result.vibrations[i].cycle.loop_energies;
   if (count_pads(input) > 1) json["max_pad_forces_N"] = pads_json(largest_pad_forces(result.vibrations[i]));
@@ -74,7 +74,7 @@ Json coefficients_json(const LinearFoils& foils, double frequency) {
     json[fmt::format("c{}_N_s_per_m", axes)] = value_json(damping(row, column));
   }
   for (const LinearQuantity& quantity : linear_quantities()) {
-    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(foils));
+    json[quantity.key()] = value_json(quantity.value(foils));
   }
   return json;
 }
@@ -93,16 +93,6 @@ Json vibration_lists(const Case& input, const VibrationResult& result, const std
       json["coefficients"].push_back(coefficients_json(foils, frequency));
   }
   return json;
-}
-
-std::string vibration_summary(const Case& input, const VibrationResult& result, const std::vector<LinearFoils>& all,
-                              RunStatus status, const Manifest& manifest) {
-  const VibrationSettings& settings = *input.vibration;
-  Json json = summary_head("vibration", input, status, manifest);
-  json["failures"] = failure_lines(settings, result);
-  json["warnings"] = warning_lines(input, result);
-  json.update(vibration_lists(input, result, all));
-  return sealed_summary(json);
 }
 
 }  // namespace bumpfoil

@@ -18,9 +18,9 @@ TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
   Case input = testing::ensemble_case(1);
   input.cycle.clearance_forces = {5.0, 1e6};
   const EnsembleLayout layout = make_ensemble_layout(input);
-  EXPECT_EQ(layout.columns.front().name, "status");
+  EXPECT_EQ(layout.columns.front().meaning.name, "status");
   std::set<std::string> names;
-  for (const EnsembleColumn& column : layout.columns) names.insert(column.name);
+  for (const EnsembleColumn& column : layout.columns) names.insert(column.meaning.name);
   EXPECT_EQ(names.size(), layout.columns.size());
   EXPECT_EQ(names.count("clearance_5N"), 1U);
   EXPECT_EQ(names.count("clearance_1e+06N"), 1U);
@@ -33,14 +33,14 @@ TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
     const Cycle& cycle = result.cycles[direction];
     const auto value = [&](std::string_view name) -> double {
       for (std::size_t k = 0; k < layout.columns.size(); ++k) {
-        if (layout.columns[k].name == name) return row[layout.entry(direction, k)];
+        if (layout.columns[k].meaning.name == name) return row[layout.entry(direction, k)];
       }
       return NAN;
     };
     EXPECT_EQ(value("status"), 0.0);
     EXPECT_EQ(value("max_force"), cycle.turning_point->max_force);
     EXPECT_EQ(value("loop_energy"), *cycle.loop_energy);
-    EXPECT_EQ(value("clearance_5N"), *cycle.clearance_5N);
+    EXPECT_EQ(value("clearance_5N"), *cycle.clearances[0].displacement);
     EXPECT_TRUE(std::isnan(value("clearance_1e+06N")));
     EXPECT_EQ(value("largest_bump_load"), cycle.turning_point->bump_loads.maxCoeff());
     EXPECT_EQ(row[layout.entry(direction, layout.columns.size() + 7)], cycle.turning_point->bump_loads[7]);
@@ -65,10 +65,10 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
   const EnsembleLayout layout = make_ensemble_layout(input);
   ASSERT_EQ(layout.places.size(), 2U);
   EXPECT_EQ(layout.places[1].name, "44996.3 rpm, load (40, 0) N");
-  EXPECT_EQ(layout.columns.front().name, "status");
+  EXPECT_EQ(layout.columns.front().meaning.name, "status");
   // Loads are asked for, and do not scatter.
   EXPECT_TRUE(std::none_of(layout.columns.begin(), layout.columns.end(),
-                           [](const EnsembleColumn& column) { return column.name == "force_x"; }));
+                           [](const EnsembleColumn& column) { return column.meaning.name == "force_x"; }));
 
   const Case sampled = sampled_case(input, draw_sample(input, 0));
   const EquilibriumResult result = run_running_sample(sampled).value();
@@ -79,7 +79,7 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
     ASSERT_TRUE(state.found());
     const auto value = [&](std::string_view name) {
       const auto column = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                       [name](const EnsembleColumn& one) { return one.name == name; });
+                                       [name](const EnsembleColumn& one) { return one.meaning.name == name; });
       return row[layout.entry(place, static_cast<std::size_t>(column - layout.columns.begin()))];
     };
     EXPECT_EQ(value("power"), state.outcome->power);

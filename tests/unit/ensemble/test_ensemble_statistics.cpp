@@ -73,7 +73,7 @@ TEST_F(EnsembleStatisticsOfRows, SensitivitiesAreToFactorsOfTheSamplesThatConver
 }
 
 TEST_F(EnsembleStatisticsOfRows, ErrorOfTheForceIsTheLargestOfAllDirections) {
-  ASSERT_EQ(layout_.columns[1].name, "max_force");
+  ASSERT_EQ(layout_.columns[1].meaning.name, "max_force");
   // Of 101, 102, 104 and of place + 1, place + 4.
   const auto place = static_cast<double>(layout_.entry(1, 1));
   const double first = std::sqrt(7.0 / 9.0) / (100.0 + 7.0 / 3.0);

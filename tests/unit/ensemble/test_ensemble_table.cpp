@@ -43,7 +43,7 @@ TEST(EnsembleTable, WarnsWhereSamplesLieOnSeveralBranches) {
   const EnsembleLayout states = make_ensemble_layout(testing::running_ensemble_case(4));
   const auto column = [&](std::string_view name) {
     const auto found = std::find_if(states.columns.begin(), states.columns.end(),
-                                    [name](const EnsembleColumn& one) { return one.name == name; });
+                                    [name](const EnsembleColumn& one) { return one.meaning.name == name; });
     return static_cast<std::size_t>(found - states.columns.begin());
   };
   const auto lines_for = [&](const std::vector<double>& jumps, const std::vector<double>& lifted) {

@@ -25,7 +25,7 @@ std::string refusal(const std::string& limit) {
 TEST(EnsembleYield, LimitsAreQuantitiesWithUnits) {
   const std::vector<EnsembleLimit> limits = parse_limits(
       {"clearance_5N > 20 um", "max_force<900", "loaded_stiffness > 10 MN/m", "loss_factor > 0.1"}, layout);
-  EXPECT_EQ(layout.columns[limits[0].column].name, "clearance_5N");
+  EXPECT_EQ(layout.columns[limits[0].column].meaning.name, "clearance_5N");
   EXPECT_TRUE(limits[0].above);
   EXPECT_DOUBLE_EQ(limits[0].bound, 20e-6);
   EXPECT_FALSE(limits[1].above);

@@ -27,10 +27,10 @@ TEST(Experiments, RunACaseToTheFilesThatTheyName) {
   input.cycle.directions = {0.0};
   input.cycle.steps = 5;
   const ExperimentInfo& cycle = experiment_named("cycle");
-  const Outcome outcome = cycle.run(input, {}, {});
+  const Outcome outcome = cycle.run(input, {});
   EXPECT_EQ(outcome.status, RunStatus::complete);
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
-  EXPECT_NE(outcome.table.find("maximum force"), std::string::npos);
+  EXPECT_NE(outcome.table().find("maximum force"), std::string::npos);
   ASSERT_TRUE(outcome.cycles);
   std::set<std::string> written;
   for (const ResultFile& file : outcome.files({})) written.insert(file.name);
@@ -40,7 +40,7 @@ TEST(Experiments, RunACaseToTheFilesThatTheyName) {
 TEST(Experiments, EndWhenTheirProgressSaysSo) {
   Case input = reference_case();
   input.cycle.steps = 5;
-  const Outcome outcome = experiment_named("cycle").run(input, {}, [](double) { return false; });
+  const Outcome outcome = experiment_named("cycle").run(input, [](double) { return false; });
   EXPECT_EQ(outcome.status, RunStatus::interrupted);
 }
 

@@ -13,6 +13,7 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/cycle_csv.hpp"
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/properties/properties.hpp"

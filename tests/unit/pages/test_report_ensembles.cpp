@@ -21,7 +21,7 @@ class ReportOfEnsembles : public testing::EnsembleFiles {
  protected:
   [[nodiscard]] std::size_t column_of(std::string_view name) const {
     const auto found = std::find_if(layout_.columns.begin(), layout_.columns.end(),
-                                    [name](const EnsembleColumn& column) { return column.name == name; });
+                                    [name](const EnsembleColumn& column) { return column.meaning.name == name; });
     return static_cast<std::size_t>(found - layout_.columns.begin());
   }
 };

@@ -77,7 +77,7 @@ TEST_F(StudyTables, QuantitiesAreThoseOfTheSummaryAndTheParameter) {
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_DOUBLE_EQ(number(table, 1, "length_mm"), 40.0);
   EXPECT_EQ(number(table, 1, "max_force_N"), results_[1].result.cycles[0].turning_point->max_force);
-  EXPECT_EQ(number(table, 1, "clearance_5N_m"), results_[1].result.cycles[0].clearance_5N);
+  EXPECT_EQ(number(table, 1, "clearance_5N_m"), results_[1].result.cycles[0].clearances[0].displacement);
   EXPECT_EQ(std::count(table.columns.begin(), table.columns.end(), "wall_time_s"), 0);
 }
 

@@ -8,6 +8,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 #include "sweep/sweep_layout.hpp"
 
 namespace bumpfoil {
@@ -15,12 +16,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Sweep sweep_over(const Words& over, const Words& overrides = {}, SweptCommand command = SweptCommand::cycle) {
+Sweep sweep_over(const Words& over, const Words& overrides = {}, const std::string& command = "cycle") {
   return parse_sweep(case_template("gen1"), "case.toml", {.command = command, .over = over, .overrides = overrides});
 }
 
-std::vector<Fault> faults_of(const Words& over, const Words& overrides = {},
-                             SweptCommand command = SweptCommand::cycle) {
+std::vector<Fault> faults_of(const Words& over, const Words& overrides = {}, const std::string& command = "cycle") {
   try {
     static_cast<void>(sweep_over(over, overrides, command));
   } catch (const Error& error) {
@@ -70,21 +70,21 @@ TEST(Sweep, WholeNumbersAndAnglesAreSwept) {
 }
 
 TEST(Sweep, TablesMayBeMadeByTheSweptKey) {
-  const Sweep strip = sweep_over({"strip.load=20 N:60 N:20 N"}, {"strip.bumps=4"}, SweptCommand::strip);
+  const Sweep strip = sweep_over({"strip.load=20 N:60 N:20 N"}, {"strip.bumps=4"}, "strip");
   EXPECT_EQ(strip.axes[0].unit, "N");
   EXPECT_EQ(strip.axes[0].values, (std::vector<double>{20.0, 40.0, 60.0}));
 }
 
 TEST(Sweep, KeysOfTwoKindsNeedTheirUnits) {
   const Words load{"strip.load=20 N"};
-  const Sweep strip = sweep_over({"strip.preload=[30 N, 0.05 kN]"}, load, SweptCommand::strip);
+  const Sweep strip = sweep_over({"strip.preload=[30 N, 0.05 kN]"}, load, "strip");
   EXPECT_EQ(strip.axes[0].unit, "N");
   EXPECT_EQ(strip.axes[0].values, (std::vector<double>{30.0, 50.0}));
-  const Sweep lifted = sweep_over({"strip.preload=[10 um, 20 um]"}, {"strip.displacement=5 um"}, SweptCommand::strip);
+  const Sweep lifted = sweep_over({"strip.preload=[10 um, 20 um]"}, {"strip.displacement=5 um"}, "strip");
   EXPECT_EQ(lifted.axes[0].unit, "m");
   EXPECT_EQ(lifted.axes[0].values, (std::vector<double>{10e-6, 20e-6}));
-  ASSERT_EQ(faults_of({"strip.preload=[30, 50]"}, load, SweptCommand::strip).size(), 1U);
-  ASSERT_EQ(faults_of({"strip.preload=[30 N, 50 um]"}, load, SweptCommand::strip).size(), 1U);
+  ASSERT_EQ(faults_of({"strip.preload=[30, 50]"}, load, "strip").size(), 1U);
+  ASSERT_EQ(faults_of({"strip.preload=[30 N, 50 um]"}, load, "strip").size(), 1U);
 }
 
 TEST(Sweep, EveryWrongOptionIsTold) {
@@ -152,9 +152,9 @@ TEST(Sweep, ValuesThatAreTheSameAreRefused) {
 
 /// What a point keeps of a variable.
 std::vector<double> values_of(const Sweep& sweep, const SweepPoint& point, const std::string& name) {
-  const ResultGrid grid = layout_of(sweep, {point}).grid;
-  for (std::size_t i = 0; i < grid.variables.size(); ++i) {
-    if (grid.variables[i].meaning.name == name) return point.values[i];
+  const Dataset data = layout_of(sweep, {point}).dataset;
+  for (std::size_t i = 0; i < data.variables.size(); ++i) {
+    if (data.variables[i].meaning.name == name) return point.values[i];
   }
   return {};
 }
@@ -176,17 +176,17 @@ TEST(Sweep, PointKeepsQuantitiesAndLoops) {
     EXPECT_EQ(displacements[7 + i], whole.cycles[0].increments[i].displacement);
   }
   sweep.with_loops = false;
-  EXPECT_TRUE(values_of(sweep, sweep_point(sweep, 0, whole), "force_direct").empty());
+  EXPECT_TRUE(values_of(sweep, sweep_point(sweep, cycle_outcome(sweep.cases[0], whole)), "force_direct").empty());
 }
 
 TEST(Sweep, PointThatWasStoppedBetweenCyclesIsInterrupted) {
   const Sweep sweep = sweep_over({"friction.coefficient=[0.1]"}, {"cycle.steps=3"});
   CycleResult result = run_cycles(sweep.cases[0]);
   result.cycles.pop_back();
-  const SweepPoint interrupted = sweep_point(sweep, 0, result);
+  const SweepPoint interrupted = sweep_point(sweep, cycle_outcome(sweep.cases[0], result));
   EXPECT_EQ(interrupted.status, RunStatus::interrupted);
   result.cycles.back().status = Status::no_modes;
-  const SweepPoint failed = sweep_point(sweep, 0, result);
+  const SweepPoint failed = sweep_point(sweep, cycle_outcome(sweep.cases[0], result));
   EXPECT_EQ(failed.status, RunStatus::failed);
   EXPECT_EQ(status_of({run_point(sweep, 0), failed}), RunStatus::failed);
   EXPECT_EQ(status_of({interrupted, failed}), RunStatus::interrupted);
@@ -215,7 +215,7 @@ TEST(Sweep, LoopsAreKeptAsLongAsTheyAreFew) {
                over,
                {"vibration.loads=[[\"0 N\", \"-50 N\"]]", "vibration.directions=[\"+X\", \"+Y\"]",
                 "vibration.amplitudes=[\"1 um\"]", "vibration.frequencies=[\"100 Hz\"]", "vibration.steps=" + steps},
-               SweptCommand::vibration)
+               "vibration")
         .with_loops;
   };
   EXPECT_TRUE(keeps("2500"));

@@ -21,6 +21,7 @@
 #include "bumpfoil/results/checksum.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/sweep/sweep_table.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
@@ -33,7 +34,7 @@ class SweepFiles : public ::testing::Test {
  protected:
   SweepFiles()
       : sweep_(parse_sweep(case_template("gen1"), "case.toml",
-                           {.command = SweptCommand::cycle,
+                           {.command = "cycle",
                             .over = {"cycle.amplitude=[60 um, 70 um]", "friction.coefficient=0:0.2:0.1"},
                             .overrides = {"cycle.steps=3", "cycle.directions=[\"-X\", \"+Y\"]"}})),
         results_(sweep_.cases.size()),
@@ -44,7 +45,7 @@ class SweepFiles : public ::testing::Test {
         result.cycles[1].status = Status::no_modes;
         result.cycles[1].increments.back().status = Status::no_modes;
       }
-      points_[i] = sweep_point(sweep_, i, result);
+      points_[i] = sweep_point(sweep_, cycle_outcome(sweep_.cases[i], result));
     }
     complete(sweep_, points_);
     for (const ResultFile& file : sweep_files(sweep_, points_, {.command_line = "bumpfoil", .case_text = "text"})) {
@@ -73,7 +74,7 @@ class SweepFiles : public ::testing::Test {
 };
 
 TEST_F(SweepFiles, AreASetThatVouchesForItself) {
-  EXPECT_EQ(sweep_file_names(SweptCommand::cycle), (std::vector<std::string>{"summary.json", "sweep.csv", "sweep.nc"}));
+  EXPECT_EQ(sweep_file_names(sweep_), (std::vector<std::string>{"summary.json", "sweep.csv", "sweep.nc"}));
   const json written = summary();
   EXPECT_TRUE(is_sealed(folder_.read("summary.json"), written.at("xxh3_128").get<std::string>()));
   for (const char* name : {"sweep.csv", "sweep.nc"}) {
@@ -231,7 +232,7 @@ TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
 /// Points of a strip differ in how many cycles they have, and in how many increments.
 TEST(SweepFilesOfStrips, HaveRoomForTheLongest) {
   const Sweep sweep = parse_sweep(case_template("gen1"), "case.toml",
-                                  {.command = SweptCommand::strip,
+                                  {.command = "strip",
                                    .over = {"strip.cycles=[1, 2]", "strip.steps=[2, 3]"},
                                    .overrides = {"strip.bumps=2", "strip.displacement=10 um"}});
   std::vector<SweepPoint> points(4);  // none is begun
@@ -251,7 +252,7 @@ Sweep sweep_of_vibrations(const std::vector<std::string>& over, std::vector<std:
     overrides.emplace_back(one);
   }
   return parse_sweep(case_template("gen1"), "case.toml",
-                     {.command = SweptCommand::vibration, .over = over, .overrides = overrides});
+                     {.command = "vibration", .over = over, .overrides = overrides});
 }
 
 /// All of a variable; its coordinates say the same everywhere.
@@ -349,7 +350,7 @@ TEST(SweepFilesOfVibrations, HaveRoomForTheLongestLoop) {
 
 Sweep sweep_of_equilibria(const std::string& path) {
   return parse_sweep(case_template("gen1"), "case.toml",
-                     {.command = SweptCommand::equilibrium,
+                     {.command = "equilibrium",
                       .over = {"bearing.radial_clearance=[31 um, 32 um]"},
                       .overrides = {"film.columns_per_pitch=4", "film.rows=4", "equilibrium.speeds=[4700, 4000]",
                                     "equilibrium.loads=[[30, 0], [40, 0], [60, 0]]", "equilibrium.steps=3",
@@ -426,7 +427,7 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
 TEST(SweepFilesOfRunningBearings, TakePositions) {
   const Sweep sweep =
       parse_sweep(case_template("gen1"), "case.toml",
-                  {.command = SweptCommand::equilibrium,
+                  {.command = "equilibrium",
                    .over = {"friction.coefficient=[0, 0.1]"},
                    .overrides = {"equilibrium.speeds=[4700]", "equilibrium.positions=[[1e-6, 0], [2e-6, 3e-6]]"}});
   std::vector<SweepPoint> points(2);

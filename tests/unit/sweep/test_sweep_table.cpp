@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "bumpfoil/case/case_writer.hpp"
+#include "experiments/cycle/cycle_outcome.hpp"
 
 namespace bumpfoil {
 namespace {
 
 Sweep sweep_over(const std::vector<std::string>& over) {
-  return parse_sweep(
-      case_template("gen1"), "case.toml",
-      {.command = SweptCommand::cycle, .over = over, .overrides = {"cycle.directions=[\"+X\", \"-X\"]"}});
+  return parse_sweep(case_template("gen1"), "case.toml",
+                     {.command = "cycle", .over = over, .overrides = {"cycle.directions=[\"+X\", \"-X\"]"}});
 }
 
 /// A result whose cycles have this force at full displacement, in newtons, and nothing else.
@@ -34,7 +34,7 @@ CycleResult result_of(double force, std::size_t cycles) {
 std::vector<SweepPoint> points_of(const Sweep& sweep, const std::vector<std::optional<CycleResult>>& results) {
   std::vector<SweepPoint> points(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (results[i]) points[i] = sweep_point(sweep, i, *results[i]);
+    if (results[i]) points[i] = sweep_point(sweep, cycle_outcome(sweep.cases[i], *results[i]));
   }
   complete(sweep, points);
   return points;
@@ -106,7 +106,7 @@ TEST(SweepTable, FailuresAndWarningsNameTheirPoint) {
 TEST(SweepTable, VibrationsHaveABlockEach) {
   const Sweep sweep =
       parse_sweep(case_template("gen1"), "case.toml",
-                  {.command = SweptCommand::vibration,
+                  {.command = "vibration",
                    .over = {"friction.coefficient=[0, 0.1]"},
                    .overrides = {"vibration.loads=[[0, -50]]", "vibration.directions=[\"+X\", \"+Y\"]",
                                  "vibration.amplitudes=[1e-6]", "vibration.frequencies=[1000]", "vibration.steps=4"}});

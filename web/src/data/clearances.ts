@@ -31,6 +31,7 @@ export function quantitiesOf({ quantities, summary, meanings }: RunData): Quanti
     unit: 'm',
     whole: false,
     of_solver: false,
+    first: false,
     meaning: meanings['clearance']?.text ?? '',
   }));
   const before = 1 + Math.max(...['first_contact', 'take_up'].map((name) => quantities.findIndex((one) => one.name === name)));

@@ -114,6 +114,8 @@ export interface Quantity {
   whole: boolean;
   /** Says how the cycle was computed. */
   of_solver: boolean;
+  /** Tables show it at first. */
+  first: boolean;
   /** In words; empty where the result does not say. */
   meaning: string;
 }

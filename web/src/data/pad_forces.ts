@@ -29,6 +29,7 @@ export function padQuantitiesOf({ nodes }: RunData): Quantity[] {
     unit: 'N',
     whole: false,
     of_solver: false,
+    first: false,
     meaning: 'magnitude of the pad force at full displacement',
   }));
 }

@@ -1,3 +1,4 @@
+import type { Quantity } from '../data/format';
 import { placesOf, type Coordinate, type Grid, type Place } from '../data/grid';
 import { largest } from '../data/run';
 import { toCsv, type Cell } from '../data/csv';
@@ -50,6 +51,11 @@ function cellText({ value, whole, words }: GridColumn, place: Place, factor: num
 /** As it is searched for: without capitals and typographic signs. */
 function plain(text: string): string {
   return text.toLowerCase().replaceAll('−', '-');
+}
+
+/** Of the quantities those that tables show at first. */
+export function namesOfFirst(quantities: Quantity[]): string[] {
+  return quantities.filter(({ first }) => first).map(({ name }) => name);
 }
 
 /** The quantities of every point of a grid, to be searched. */

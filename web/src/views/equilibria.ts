@@ -7,7 +7,7 @@ import { capital } from '../data/run';
 import { States } from '../data/states';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
-import { gridTable, type GridColumn } from '../tables/grid';
+import { gridTable, namesOfFirst, type GridColumn } from '../tables/grid';
 import { limitTable } from '../tables/limits';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
@@ -16,9 +16,6 @@ import { gridControls } from './grid_controls';
 import { part, type View } from './view';
 
 const entries = ['xx', 'xy', 'yx', 'yy'] as const;
-/** Columns of the table that are shown at first. */
-const main = ['h_min', 'eccentricity_ratio', 'attitude_angle', 'p_max', 'power', 'loaded_bumps', 'kxx', 'kyy', 'status'];
-
 function partOf(states: States, name: string, text: string): Part[] {
   const variable = states.variable(name);
   if (!variable?.values.some(Number.isFinite)) return [];
@@ -84,7 +81,7 @@ function sectionsOf(states: States, id: string, title: (text: string) => string,
     ),
     ...(curves.length > 0 ? [part(`${id}-curves`, title('Over speed and load'), el('div', { class: 'multiples' }, ...curves))] : []),
     ...frequencySections(states, { id, title, coordinates: states.coordinates, axes: [speed, journal], value: (name, place) => states.numberAt(name, place) }),
-    part(`${id}-states`, title('States'), ...limitTable(states), gridTable({ title: 'Results by state', label, coordinates: states.coordinates, columns: columnsOf(states), main })),
+    part(`${id}-states`, title('States'), ...limitTable(states), gridTable({ title: 'Results by state', label, coordinates: states.coordinates, columns: columnsOf(states), main: namesOfFirst(states.data.quantities) })),
     part(
       `${id}-case`,
       title('Case and origin'),

@@ -9,7 +9,7 @@ import { at, capital } from '../data/run';
 import { formatQuantity } from '../data/units';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
-import { gridTable } from '../tables/grid';
+import { gridTable, namesOfFirst } from '../tables/grid';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { frequencyEntries, frequencySections } from './frequencies';
@@ -17,12 +17,6 @@ import { gridControls } from './grid_controls';
 import { vibrationEntries, vibrationSections } from './vibrations';
 import { part, type View } from './view';
 
-/** Columns of the table that are shown at first. */
-const main = [
-  ...['max_force', 'loaded_stiffness', 'secant_stiffness', 'loss_factor', 'loop_energy', 'take_up'],
-  ...['eccentricity_ratio', 'attitude_angle', 'h_min', 'p_max', 'power', 'kxx', 'kyy'],
-  'status',
-];
 /** What charts show at first, of cycles and of running bearings. */
 const headlines = ['loaded_stiffness', 'h_min'];
 
@@ -75,6 +69,7 @@ function clearancesOf(grid: Grid): SweptQuantity[] {
     unit: 'm',
     whole: false,
     of_solver: false,
+    first: false,
     meaning: variable.text,
     variable,
     value: (place) => variable.at({ ...place, clearance_force: i }),
@@ -149,7 +144,7 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
         label: grid.label,
         coordinates,
         columns: quantities.map((quantity) => ({ ...quantity, words: quantity.variable.words })),
-        main,
+        main: namesOfFirst(quantities),
       }),
     ),
     part(

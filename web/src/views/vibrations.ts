@@ -9,7 +9,7 @@ import { gridWarnings } from '../data/outcome';
 import { at, capital } from '../data/run';
 import { caseSection } from '../tables/case';
 import type { Entry } from '../tables/glossary';
-import { columnOf, gridTable, type GridColumn } from '../tables/grid';
+import { columnOf, gridTable, namesOfFirst, type GridColumn } from '../tables/grid';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
 import { gridControls } from './grid_controls';
@@ -182,7 +182,7 @@ export function vibrationSections(grid: Grid, caseKeys: CaseKeys, { id, title, n
         label,
         coordinates: [...keys, load, motion, amplitude],
         columns: columns.vibrations,
-        main: ['stiffness_direct', 'loss_stiffness_direct', 'harmonic_residual', 'loss_factor', 'loop_energy', 'loops', 'settled', 'status'],
+        main: namesOfFirst(grid.data.quantities),
       }),
       gridTable({ title: 'At the static loads', label, coordinates: [...keys, load], columns: columns.loads, main: [] }),
       ...padCoordinate(grid).flatMap((pad) => [

@@ -133,8 +133,6 @@ struct Cycle {
   /// micrometres before any load. Absent without a load.
   std::optional<double> take_up;
   std::vector<Clearance> clearances;           ///< of a push, at the thresholds that were asked for
-  std::optional<double> clearance_5N;          ///< of a push, m
-  std::optional<double> clearance_10N;         ///< m
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
   std::optional<CompressionPeak> compression;  ///< absent with quantities alone

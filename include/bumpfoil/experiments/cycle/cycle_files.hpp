@@ -13,9 +13,11 @@ namespace bumpfoil {
 /// Names of the files that the command of this name writes.
 std::vector<std::string> cycle_file_names(std::string_view command);
 
-/// The files of a run, as docs/results.md describes them: cycle.csv or strip.csv, result.nc and summary.json. They
-/// carry the same new run id, and summary.json the checksums of the others, so that readers can tell a whole set from a
-/// damaged or mixed one.
+/// The files of a run, as docs/results.md describes them: cycle.csv, strip.csv or path.csv; result.nc with everything
+/// that is known of every increment, bump and foot and the geometry that it takes to draw it; summary.json with the
+/// quantities of every cycle. They carry the same new run id, and summary.json the checksums of the others, so that
+/// readers can tell a whole set from a damaged or mixed one. What was not reached, or is not known, is the fill value
+/// of its variable, and null in summary.json.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
 /// @throws Error (file) if the memory does not suffice

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/results/result_set.hpp"
 
 namespace bumpfoil {
 
@@ -24,6 +25,9 @@ struct Failure {
 
 /// Absent if the cycle converged.
 std::optional<Failure> failure_of(const Case& input, const CycleResult& result, std::size_t cycle);
+
+/// How a run of cycles ended.
+RunStatus status_of(const CycleResult& result);
 
 /// A line for each cycle with an increment that failed: "-X, increment 37 of 200, 29.4 um: " and the reason.
 std::vector<std::string> failure_lines(const Case& input, const CycleResult& result);

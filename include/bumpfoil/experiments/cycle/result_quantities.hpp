@@ -33,35 +33,23 @@ constexpr std::string_view cycle_key(Experiment experiment) {
   return experiment == Experiment::strip ? "cycle" : "direction_deg";
 }
 
-/// Results that have a quantity: sums of these.
-struct Within {
-  static constexpr unsigned cycle = 1;
-  static constexpr unsigned strip = 2;
-  static constexpr unsigned path = 4;
-  static constexpr unsigned bearing = cycle | path;
-  static constexpr unsigned loops = cycle | strip;
-  static constexpr unsigned all = cycle | strip | path;
-};
+namespace tag {
 
-/// Of one increment. Values that are not known are not numbers.
-struct IncrementQuantity {
-  std::string_view name, unit, long_name;
-  double (*value)(const Increment&);
-  Form form{};
-  bool in_csv{true};  ///< beside result.nc
-  unsigned within{Within::all};
-};
+// Results that have a quantity.
+inline constexpr Tags of_cycles = first_of_experiment;
+inline constexpr Tags of_strips = 2 * of_cycles;
+inline constexpr Tags of_paths = 2 * of_strips;
+inline constexpr Tags bearings = of_cycles | of_paths;
+inline constexpr Tags loops = of_cycles | of_strips;
+inline constexpr Tags of_all = of_cycles | of_strips | of_paths;
+
+}  // namespace tag
+
+/// Of one increment.
+using IncrementQuantity = Quantity<double (*)(const Increment&)>;
 
 /// Of one cycle; a key of summary.json, too.
-struct CycleQuantity {
-  std::string_view name, unit, long_name;
-  double (*value)(const Cycle&, const Case&);
-  Form form{};
-  std::string_view label{};  ///< in tables for people; empty where it is in the files only
-  ShownUnit shown{};         ///< on the terminal; a size of 0 where it is not
-  bool of_solver{};          ///< says how it was computed
-  unsigned within{Within::all};
-};
+using CycleQuantity = Quantity<double (*)(const Cycle&, const Case&)>;
 
 /// What the columns of a field stand for.
 enum class Node {
@@ -73,27 +61,18 @@ enum class Node {
 };
 
 /// Of the foils at one increment: a matrix of increments and nodes, see FoilFields. No columns where it is not known.
-struct FieldQuantity {
-  std::string_view name, unit, long_name;
-  Node node;
-  FieldMatrix (*values)(const FoilFields&);
-  Form form{};
+struct FieldQuantity : Quantity<FieldMatrix (*)(const FoilFields&)> {
+  Node node{};
 };
 
-/// Loads of a cycle, one per node: at full displacement, or the largest of a path. A key of summary.json, too.
-struct LoadQuantity {
-  std::string_view name, unit, long_name;
-  Node node;
-  Vector (*values)(const Cycle&);  ///< nothing where they are not known
-  unsigned within{Within::all};
+/// Loads of a cycle, one per node: at full displacement, or the largest of a path; nothing where they are not known. A
+/// key of summary.json, too.
+struct LoadQuantity : Quantity<Vector (*)(const Cycle&)> {
+  Node node{};
 };
 
 /// Of one change of state of a contact.
-struct EventQuantity {
-  std::string_view name, unit, long_name;
-  double (*value)(const CycleEvent&);
-  Form form{};
-};
+using EventQuantity = Quantity<double (*)(const CycleEvent&)>;
 
 /// In the order of files and tables.
 std::vector<IncrementQuantity> increment_quantities(Experiment experiment);
@@ -101,6 +80,12 @@ std::vector<CycleQuantity> cycle_quantities(Experiment experiment);
 std::span<const FieldQuantity> field_quantities();
 std::vector<LoadQuantity> load_quantities(Experiment experiment);
 std::span<const EventQuantity> event_quantities();
+
+/// Displacements of a cycle at which its direct force first reaches each of `cycle.clearance_forces`, by the names that
+/// tables, summaries and ensembles have them by: "clearance_5N". In netCDF files they are a list.
+std::vector<VariableMeaning> clearance_quantities(const std::vector<double>& forces);
+/// Not a number where the force is not reached. @param force  number of it
+double clearance_of(const Cycle& cycle, std::size_t force);
 
 /// A foil whose stress is compared with its yield stress.
 struct StressedFoil {

@@ -88,7 +88,8 @@ struct OtherBranch {
 struct EquilibriumResult {
   SharedFilmBearing bearing;
   std::vector<RunningState> states;         ///< path after path, in the order in which they were found
-  std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were asked for
+  bool with_limits{};                       ///< limits were asked for
+  std::vector<FilmLimit> limits;            ///< of add_film_limits(), where they were
   std::vector<OtherBranch> other_branches;  ///< of analyse_running_bearing(), where a second path was asked for
 
   /// All states and limits were found.

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
@@ -23,11 +22,10 @@ RunStatus status_of(const EquilibriumResult& result);
 /// or film.csv; result.nc and summary.json, with the same run id and checksums as those of cycles.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
-/// @param result        with tabulated whirls, see tabulate_whirls(): coefficients.toml has no bearing without
-/// @param ross_version  of ROSS that coefficients.toml is for, 2 or 3
+/// @param result  with tabulated whirls, see tabulate_whirls(): coefficients.toml has no bearing without
 /// @throws Error (file) if the memory does not suffice
 std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumResult& result, RunStatus status,
-                                          const Provenance& provenance, int ross_version = 3);
+                                          const Provenance& provenance);
 
 /// One row for each state.
 std::string equilibrium_csv(const EquilibriumResult& result);

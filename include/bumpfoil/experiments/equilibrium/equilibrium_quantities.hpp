@@ -16,20 +16,20 @@ inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>({
                                                                                 "touchdown", "no_room", "fold",
                                                                                 "not_reached", "interrupted"});
 
-/// Of one state; values that are not known are not numbers.
-struct RunningQuantity {
-  std::string_view name, unit, long_name;
-  double (*value)(const FilmBearing&, const RunningState&);
-  std::string_view label{};  ///< on the terminal; empty where it is in the files only
-  ShownUnit shown{};         ///< there
-  Form form{};
-  bool in_csv{};     ///< beside result.nc and summary.json
-  bool of_foils{};   ///< not of walls in their place
-  bool of_pads{};    ///< of several alone
-  bool of_limits{};  ///< known where limits were asked for
-  bool is_bump{};    ///< the number of one, through all pads
-  bool asked{};      ///< known of states that were not found, too: what was asked for, and how that ended
-};
+namespace tag {
+
+inline constexpr Tags of_foils = first_of_experiment;  ///< not of walls in their place
+inline constexpr Tags of_pads = 2 * of_foils;          ///< of several alone
+inline constexpr Tags of_limits = 2 * of_pads;         ///< known where limits were asked for
+inline constexpr Tags is_bump = 2 * of_limits;         ///< the number of one, through all pads
+/// Known of states that were not found, too: what was asked for, and how that ended.
+inline constexpr Tags asked = 2 * is_bump;
+inline constexpr Tags demand = 2 * asked;  ///< speed and load that were asked for
+
+}  // namespace tag
+
+/// Of one state.
+using RunningQuantity = Quantity<double (*)(const FilmBearing&, const RunningState&)>;
 
 /// In the order of files and tables: of a bearing with foils, of one pad or several, or of one with a wall in their
 /// place.
@@ -43,10 +43,7 @@ std::span<const RunningQuantity> all_running_quantities();
 double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
 
 /// Of every column of the mesh at one state.
-struct ColumnQuantity {
-  std::string_view name, unit, long_name;
-  Vector (*values)(const FilmBearing&, const FilmBearingState&);
-};
+using ColumnQuantity = Quantity<Vector (*)(const FilmBearing&, const FilmBearingState&)>;
 std::span<const ColumnQuantity> column_quantities();
 
 /// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end, pad after pad.

@@ -116,8 +116,8 @@ TEST(Cycle, QuantitiesFollowFromTheIncrements) {
   EXPECT_DOUBLE_EQ(*cycle.specific_damping_capacity,
                    *cycle.loop_energy / (turning.elastic_energy - cycle.increments.front().elastic_energy));
   EXPECT_LT(*cycle.first_contact, *cycle.take_up);
-  EXPECT_LT(*cycle.first_contact, *cycle.clearance_5N);
-  EXPECT_LT(*cycle.clearance_5N, *cycle.clearance_10N);
+  EXPECT_LT(*cycle.first_contact, *cycle.clearances[0].displacement);
+  EXPECT_LT(*cycle.clearances[0].displacement, *cycle.clearances[1].displacement);
   int iterations = 0;
   for (const Increment& increment : cycle.increments) iterations += increment.cost.iterations;
   EXPECT_EQ(cycle.cost.iterations, iterations);
@@ -133,7 +133,7 @@ TEST(Cycle, PushThatTouchesNothingHasNoLoopAndNoLossFactor) {
   EXPECT_EQ(cycle.turning_point->tangent.loading, 0.0);
   EXPECT_EQ(cycle.loop_energy, 0.0);
   EXPECT_EQ(cycle.loss_factor, std::nullopt);
-  EXPECT_EQ(cycle.clearance_5N, std::nullopt);
+  EXPECT_EQ(cycle.clearances[0].displacement, std::nullopt);
 }
 
 /// An ensemble wants a few numbers of many cycles: the same ones, and nothing else. To the last bit where they are
@@ -158,7 +158,7 @@ TEST(CycleRunner, FindsTheSameQuantitiesWithoutRecords) {
                 tolerance * all.turning_point->bump_loads.maxCoeff());
       expect_same(few.loop_energy, all.loop_energy);
       expect_same(few.loss_factor, all.loss_factor);
-      expect_same(few.clearance_5N, all.clearance_5N);
+      expect_same(few.clearances[0].displacement, all.clearances[0].displacement);
       expect_same(few.take_up, all.take_up);
       EXPECT_EQ(few.first_contact, all.first_contact);
       EXPECT_TRUE(few.cost == all.cost || solver == SolverName::events);
@@ -186,7 +186,7 @@ TEST(CycleRunner, RemembersNothing) {
     ASSERT_TRUE(fresh.converged());
     EXPECT_EQ(again.turning_point->max_force, fresh.turning_point->max_force);
     EXPECT_EQ(again.loop_energy, fresh.loop_energy);
-    EXPECT_EQ(again.clearance_5N, fresh.clearance_5N);
+    EXPECT_EQ(again.clearances[0].displacement, fresh.clearances[0].displacement);
   }
 }
 
@@ -212,7 +212,7 @@ TEST(CycleRunner, TakesOtherFoils) {
       EXPECT_EQ(again.turning_point->max_force, fresh.turning_point->max_force);
       EXPECT_EQ(again.turning_point->bump_loads, fresh.turning_point->bump_loads);
       EXPECT_EQ(again.loop_energy, fresh.loop_energy);
-      EXPECT_EQ(again.clearance_5N, fresh.clearance_5N);
+      EXPECT_EQ(again.clearances[0].displacement, fresh.clearances[0].displacement);
       EXPECT_EQ(again.initial_journal_load, fresh.initial_journal_load);
     }
   }

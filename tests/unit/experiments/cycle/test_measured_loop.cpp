@@ -72,7 +72,7 @@ TEST(MeasuredLoop, OfComputedPointsHasTheirQuantities) {
   EXPECT_EQ(measured.steps, computed.steps);
   // Before the first touch the computed one knows where the force begins, points do not: a step of 2 um of 45.
   EXPECT_NEAR(measured.loaded_stiffness.value(), computed.loaded_stiffness.value(), 0.02 * *computed.loaded_stiffness);
-  EXPECT_NEAR(measured.clearances[0].displacement.value(), computed.clearance_5N.value(), 2e-6);
+  EXPECT_NEAR(measured.clearances[0].displacement.value(), computed.clearances[0].displacement.value(), 2e-6);
 }
 
 /// Straight ways between displacements, 100 points each, with the force of a loop of half width `width`: what a rig

@@ -123,7 +123,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
 TEST(ColumnQuantities, IntegrateOverTheWidth) {
   const Example example;
   for (const ColumnQuantity& quantity : column_quantities()) {
-    const Vector values = quantity.values(example.bearing, *example.state.last);
+    const Vector values = quantity.value(example.bearing, *example.state.last);
     ASSERT_EQ(values.size(), 105);
     if (quantity.name == "line_load") {
       // 0.5 pa on 3.5 of 4 rows of half the width, and the same on the other half.

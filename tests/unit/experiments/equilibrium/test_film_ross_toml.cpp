@@ -35,10 +35,11 @@ Case case_with(std::vector<double> frequencies) {
   return input;
 }
 
-std::string written(const Case& input, std::vector<RunningState> states, int ross_version) {
+std::string written(Case input, std::vector<RunningState> states, int ross_version) {
+  input.equilibrium->ross_version = ross_version;
   EquilibriumResult result;
   result.states = std::move(states);
-  return film_ross_toml(input, result, "run", ross_version);
+  return film_ross_toml(input, result, "run");
 }
 
 toml::table parsed(const Case& input, std::vector<RunningState> states, int ross_version = 3) {
@@ -195,7 +196,7 @@ TEST(FilmRossToml, TellsAnUnstableRotorByItsTableAloneNotBySynchronousWhirl) {
       .speeds = {-speed, -0.9 * speed}, .loads = {{9.81 * mass, 0.0}}, .path = FilmPath::cold_start, .steps = 3};
   EquilibriumResult result = run_equilibrium(input);
   tabulate_whirls(input, result);
-  const toml::table document = toml::parse(film_ross_toml(input, result, "run", 3));
+  const toml::table document = toml::parse(film_ross_toml(input, result, "run"));
   expect_all_taken(document);
   const toml::table& table = *document["bearing"][0]["element"].as_table();
   const toml::array& axis = *table["frequency"].as_array();

@@ -45,17 +45,17 @@ EquilibriumResult example(bool tabulated) {
   return result;
 }
 
-TEST(WhirlQuantities, StandInGridsOverTheFrequenciesOfTheCase) {
+TEST(WhirlQuantities, StandInDatasetsOverTheFrequenciesOfTheCase) {
   const EquilibriumSettings settings{.speeds = {10.0}, .frequencies = {7.0, 5.0}};
-  ResultGrid grid;
-  add_whirls(settings, example(false), {"state"}, {1, 0}, grid);
-  ASSERT_EQ(grid.dims.size(), 1U);
-  EXPECT_EQ(grid.dims[0].name, "frequency");
-  EXPECT_EQ(grid.coordinates.at(0).values, settings.frequencies);
-  ASSERT_EQ(grid.variables.size(), 16U);
-  EXPECT_EQ(grid.variables[0].meaning.name, "kxx_at_frequency");
-  EXPECT_EQ(grid.variables[0].dims, (std::vector<std::string>{"state", "frequency"}));
-  const std::vector<double>& values = grid.variables[0].values;
+  Dataset data;
+  add_whirls(settings, example(false), {"state"}, {1, 0}, data);
+  ASSERT_EQ(data.dims.size(), 1U);
+  EXPECT_EQ(data.dims[0].name, "frequency");
+  EXPECT_EQ(data.coordinates.at(0).values(), settings.frequencies);
+  ASSERT_EQ(data.variables.size(), 16U);
+  EXPECT_EQ(data.variables[0].meaning.name, "kxx_at_frequency");
+  EXPECT_EQ(data.variables[0].dims, (std::vector<std::string>{"state", "frequency"}));
+  const std::vector<double> values = data.variables[0].values();
   ASSERT_EQ(values.size(), 4U);
   EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]));
   EXPECT_EQ(values[2], 7.0);
@@ -66,9 +66,9 @@ TEST(WhirlQuantities, OfCasesThatNameNoFrequencyAreThoseTabulatedIfAny) {
   const EquilibriumSettings settings{.speeds = {10.0}};
   EXPECT_TRUE(common_frequencies(settings, example(false)).empty());
   EXPECT_EQ(common_frequencies(settings, example(true)), tabulated_frequencies(settings));
-  ResultGrid grid;
-  add_whirls(settings, example(false), {"state"}, {0, 1}, grid);
-  EXPECT_TRUE(grid.dims.empty() && grid.variables.empty());
+  Dataset data;
+  add_whirls(settings, example(false), {"state"}, {0, 1}, data);
+  EXPECT_TRUE(data.dims.empty() && data.variables.empty());
 }
 
 }  // namespace

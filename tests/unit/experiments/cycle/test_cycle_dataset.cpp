@@ -1,4 +1,4 @@
-#include "bumpfoil/experiments/cycle/result_netcdf.hpp"
+#include "experiments/cycle/cycle_dataset.hpp"
 
 #include <gtest/gtest.h>
 #include <netcdf.h>
@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <netcdf>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
+#include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "experiments/cycle/result_layout.hpp"
@@ -52,7 +54,9 @@ class OpenedResult {
  public:
   explicit OpenedResult(const CycleResult& result, const Case& input = short_case(),
                         RunStatus status = RunStatus::complete, const Provenance& provenance = {}) {
-    folder_.write("result.nc", result_netcdf(input, result, status, provenance, run_id));
+    const std::vector<ResultFile> files = cycle_files(input, result, status, provenance);
+    folder_.write("result.nc", files[1].contents);
+    summary_ = nlohmann::json::parse(files[2].contents);
     file_ = std::make_unique<NcFile>((folder_.path() / "result.nc").string(), NcFile::read);
   }
 
@@ -78,14 +82,15 @@ class OpenedResult {
     return text;
   }
 
-  static constexpr std::string_view run_id = "0123456789abcdef0123456789abcdef";
+  [[nodiscard]] const nlohmann::json& summary() const { return summary_; }
 
  private:
   TemporaryFolder folder_;
+  nlohmann::json summary_;
   std::unique_ptr<NcFile> file_;
 };
 
-TEST(ResultNetcdf, HoldsEveryIncrementToTheLastBit) {
+TEST(CycleDataset, HoldsEveryIncrementToTheLastBit) {
   const CycleResult result = run_cycles(short_case());
   const OpenedResult file(result);
   EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
@@ -119,7 +124,7 @@ TEST(ResultNetcdf, HoldsEveryIncrementToTheLastBit) {
   EXPECT_TRUE(file.attribute("status", "flag_meanings").starts_with("converged no_modes "));
 }
 
-TEST(ResultNetcdf, HoldsEveryBumpAndFoot) {
+TEST(CycleDataset, HoldsEveryBumpAndFoot) {
   Case input = short_case();
   input.bump_foil.model = BumpFoilModel::frame;  // two feet per bump: bumps and feet cannot be mistaken
   const CycleResult result = run_cycles(input);
@@ -167,7 +172,7 @@ TEST(ResultNetcdf, HoldsEveryBumpAndFoot) {
   }
 }
 
-TEST(ResultNetcdf, EveryUnitIsOneOfUdunits) {
+TEST(CycleDataset, EveryUnitIsOneOfUdunits) {
   const OpenedResult file(run_cycles(short_case()));
   ut_set_error_message_handler(ut_ignore);
   ut_system* units = ut_read_xml(nullptr);
@@ -184,7 +189,7 @@ TEST(ResultNetcdf, EveryUnitIsOneOfUdunits) {
   ut_free_system(units);
 }
 
-TEST(ResultNetcdf, HoldsWhatItTakesToDrawTheBearing) {
+TEST(CycleDataset, HoldsWhatItTakesToDrawTheBearing) {
   const Case input = short_case();
   const OpenedResult file(run_cycles(input));
   EXPECT_EQ(file.at("bearing_radius"), input.bearing.radius);
@@ -225,7 +230,7 @@ TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
   EXPECT_EQ(values("bump_thickness")[2], 0.102e-3);
 }
 
-TEST(ResultNetcdf, HasADimensionForSeveralPads) {
+TEST(CycleDataset, HasADimensionForSeveralPads) {
   Case input = short_case();
   input.bump_foil.height_errors.clear();
   input.bump_foil.bumps = 7;
@@ -260,7 +265,7 @@ TEST(ResultNetcdf, HasADimensionForSeveralPads) {
   EXPECT_EQ(one.variable("stress_top_foil_weld").getDimCount(), 2);
 }
 
-TEST(ResultNetcdf, SaysWhereItComesFrom) {
+TEST(CycleDataset, SaysWhereItComesFrom) {
   const Case input = short_case();
   const OpenedResult file(run_cycles(input), input, RunStatus::complete,
                           {.command_line = "bumpfoil cycle 'my case.toml' -o out", .case_text = "# as written\n"});
@@ -271,16 +276,16 @@ TEST(ResultNetcdf, SaysWhereItComesFrom) {
   EXPECT_EQ(file.attribute("history"), file.attribute("date_created") + ": " + file.attribute("command_line"));
   EXPECT_EQ(file.attribute("solver"), "newton");
   EXPECT_EQ(file.attribute("case_text"), "# as written\n");
-  EXPECT_EQ(file.attribute("run_id"), OpenedResult::run_id);
+  EXPECT_EQ(file.attribute("run_id"), file.summary().at("run_id"));
   EXPECT_EQ(parse_case(file.attribute("case_understood"), "understood.toml"), input);
   EXPECT_EQ(file.attribute("status"), "complete");
   EXPECT_FALSE(file.file().getAtts().contains("status_message"));
 }
 
-TEST(ResultNetcdf, KeepsItsVariablesInOrderAndTakesFurtherOnes) {
+TEST(CycleDataset, KeepsItsVariablesInOrderAndTakesFurtherOnes) {
   const TemporaryFolder folder;
-  const std::string path =
-      folder.write("result.nc", result_netcdf(short_case(), run_cycles(short_case()), RunStatus::complete, {}, "id"));
+  const std::string path = folder.write(
+      "result.nc", cycle_files(short_case(), run_cycles(short_case()), RunStatus::complete, {})[1].contents);
   int file = 0;
   // netCDF adds to no file that has forgotten its order.
   ASSERT_EQ(nc_open(path.c_str(), NC_WRITE, &file), NC_NOERR);
@@ -293,14 +298,14 @@ TEST(ResultNetcdf, KeepsItsVariablesInOrderAndTakesFurtherOnes) {
   EXPECT_EQ(nc_close(file), NC_NOERR);
 }
 
-TEST(ResultNetcdf, TakesTheLargestCaseFile) {
+TEST(CycleDataset, TakesTheLargestCaseFile) {
   const std::string text(10'000'000, '#');
   const OpenedResult file(run_cycles(short_case()), short_case(), RunStatus::complete,
                           {.command_line = {}, .case_text = text});
   EXPECT_EQ(file.attribute("case_text"), text);
 }
 
-TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
+TEST(CycleDataset, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   const CycleResult result = failed_at_increment_three(run_cycles(short_case()));
   const OpenedResult file(result, short_case(), RunStatus::failed);
   EXPECT_EQ(file.attribute("status"), "partial");
@@ -343,7 +348,7 @@ TEST(ResultNetcdf, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
   EXPECT_EQ(fill, NC_FILL_DOUBLE);
 }
 
-TEST(ResultNetcdf, AnInterruptedRunSaysSo) {
+TEST(CycleDataset, AnInterruptedRunSaysSo) {
   const OpenedResult file({.solver = SolverName::newton, .cycles = {ended(Status::interrupted)}}, short_case(),
                           RunStatus::interrupted);
   EXPECT_EQ(file.attribute("status"), "partial");
@@ -352,7 +357,7 @@ TEST(ResultNetcdf, AnInterruptedRunSaysSo) {
   EXPECT_EQ(file.at("initial_journal_load", {0}), NC_FILL_DOUBLE);
 }
 
-TEST(ResultNetcdf, NeverHoldsNanAsANumber) {
+TEST(CycleDataset, NeverHoldsNanAsANumber) {
   CycleResult result = run_cycles(short_case());
   result.cycles[0].increments[2].force_x = std::numeric_limits<double>::quiet_NaN();
   result.cycles[0].fields.crest_v(2, 7) = std::numeric_limits<double>::infinity();
@@ -365,7 +370,7 @@ TEST(ResultNetcdf, NeverHoldsNanAsANumber) {
   EXPECT_EQ(file.at("bump_loads", {0, 4}), NC_FILL_DOUBLE);
 }
 
-TEST(ResultNetcdf, HoldsEventsWhereTheyWereFollowed) {
+TEST(CycleDataset, HoldsEventsWhereTheyWereFollowed) {
   Case input = short_case();
   EXPECT_TRUE(OpenedResult(run_cycles(input)).file().getDim("event").isNull());
   input.solver.name = SolverName::events;

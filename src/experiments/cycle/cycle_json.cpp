@@ -1,4 +1,4 @@
-#include "bumpfoil/experiments/cycle/cycle_summary.hpp"
+#include "experiments/cycle/cycle_json.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
-#include "experiments/cycle/cycle_json.hpp"
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
@@ -33,18 +32,12 @@ Json peak_json(const Case& input, const std::optional<StressPeak>& peak) {
 void add_loads(Json& json, const Case& input, Experiment experiment, const Cycle& cycle) {
   for (const LoadQuantity& quantity : load_quantities(experiment)) {
     if (quantity.node == Node::pad && count_pads(input) == 1) continue;
-    Json& values = json[key_of(quantity.name, quantity.unit)];
-    for (const double load : quantity.values(cycle)) values.push_back(value_json(load));
+    Json& values = json[quantity.key()];
+    for (const double load : quantity.value(cycle)) values.push_back(value_json(load));
   }
 }
 
 }  // namespace
-
-RunStatus status_of(const CycleResult& result) {
-  std::vector<Status> cycles;
-  for (const Cycle& cycle : result.cycles) cycles.push_back(cycle.status);
-  return run_status(cycles, result.due);
-}
 
 Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   const Cycle& cycle = result.cycles[i];
@@ -53,7 +46,7 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   if (result.experiment == Experiment::strip) json[key] = i + 1;
   if (result.experiment == Experiment::cycle) json[key] = to_degrees(cycle.direction);
   for (const CycleQuantity& quantity : cycle_quantities(result.experiment)) {
-    json[key_of(quantity.name, quantity.unit)] = value_json(quantity.value(cycle, input), quantity.form);
+    json[quantity.key()] = value_json(quantity.value(cycle, input), quantity.form);
   }
   if (result.experiment == Experiment::path) {
     json["orbits"] = Json::array();
@@ -61,6 +54,12 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
       json["orbits"].push_back({{"energy_J", orbit.energy},
                                 {"force_defect_N", orbit.force_defect},
                                 {"position_defect_m", orbit.position_defect}});
+    }
+  }
+  if (result.experiment == Experiment::cycle) {
+    const std::vector<VariableMeaning> clearances = clearance_quantities(input.cycle.clearance_forces);
+    for (std::size_t k = 0; k < clearances.size(); ++k) {
+      json[clearances[k].key()] = value_json(clearance_of(cycle, k));
     }
   }
   json["clearances"] = Json::array();
@@ -81,14 +80,13 @@ Json cycle_json(const Case& input, const CycleResult& result, std::size_t i) {
   return json;
 }
 
-std::string summary_json(const Case& input, const CycleResult& result, RunStatus status, const Manifest& manifest) {
-  Json json = summary_head(name_of(result.experiment), input, status, manifest);
-  json["cycles"] = Json::array();
+Json cycle_lists(const Case& input, const CycleResult& result) {
+  Json json{{"cycles", Json::array()}};
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {
     json["cycles"].push_back(cycle_json(input, result, i));
     add_loads(json["cycles"].back(), input, result.experiment, result.cycles[i]);
   }
-  return sealed_summary(json);
+  return json;
 }
 
 }  // namespace bumpfoil

@@ -1,0 +1,79 @@
+#include "experiments/vibration/vibration_outcome.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "bumpfoil/experiments/vibration/vibration_files.hpp"
+#include "case/case_json.hpp"
+#include "experiments/vibration/vibration_csv.hpp"
+#include "experiments/vibration/vibration_dataset.hpp"
+#include "experiments/vibration/vibration_quantities.hpp"
+#include "experiments/vibration/vibration_summary.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A result of which nothing was begun.
+VibrationResult not_begun(const VibrationSettings& settings) {
+  VibrationResult result;
+  for (const Eigen::Vector2d& load : settings.loads) {
+    result.loads.push_back({.load = load, .status = Status::interrupted, .position = {0.0, 0.0}, .tangents = {}});
+  }
+  result.vibrations.resize(settings.loads.size() * settings.motions() * settings.amplitudes.size());
+  for (Vibration& vibration : result.vibrations) vibration.cycle.status = Status::interrupted;
+  return result;
+}
+
+SweptResult swept_vibrations(const Case& input, const VibrationResult& result, bool with_loops) {
+  const VibrationSettings& settings = *input.vibration;
+  const std::vector<LinearFoils> all = linear_foils(settings, result);
+  SweptResult swept{.dataset = vibration_dataset(input, result, all, with_loops),
+                    .parts = {},
+                    .rows = vibration_csv(settings, result),
+                    .lists = dump_json(vibration_lists(input, result, all), -1)};
+  for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
+    swept.parts.push_back({name_of_vibration(settings, i), i});
+  }
+  return swept;
+}
+
+}  // namespace
+
+Outcome vibration_outcome(const Case& input, VibrationResult result) {
+  const auto vibrations = std::make_shared<const VibrationResult>(std::move(result));
+  const RunStatus status = status_of(*vibrations);
+  return {
+      .status = status,
+      .warnings = warning_lines(input, *vibrations),
+      .failures = failure_lines(input, *vibrations),
+      .table = [=] { return vibration_table(input, *vibrations); },
+      .files = [=](const Provenance& provenance) { return vibration_files(input, *vibrations, status, provenance); },
+      .swept = [=](bool with_loops) { return swept_vibrations(input, *vibrations, with_loops); }};
+}
+
+ExperimentInfo vibration_experiment() {
+  const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
+    return vibration_outcome(input, run_vibration(input, progress));
+  };
+  return {.name = "vibration",
+          .summary = "Let the journal vibrate about static loads: stiffness, damping and loss factor",
+          .examples =
+              "  bumpfoil vibration examples/vibration.toml -o vibration\n"
+              "  bumpfoil vibration examples/vibration.toml -o heavy --set "
+              "'vibration.loads=[[\"0 N\", \"-200 N\"]]'\n"
+              "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
+          .files = vibration_file_names(),
+          .run = run,
+          .sweeping = Sweeping{
+              .run = run,
+              .not_begun = [](const Case& input) { return vibration_outcome(input, not_begun(*input.vibration)); },
+              .loop_values =
+                  [](const Case& input) {
+                    const VibrationSettings& settings = *input.vibration;
+                    // The solver that follows events has some more.
+                    return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
+                           static_cast<std::size_t>(settings.steps);
+                  }}};
+}
+
+}  // namespace bumpfoil
