@@ -50,18 +50,18 @@ BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vec
   return K;
 }
 
-FoilFilm make_foil(const Case& input, const FilmScales& scales, const FilmResolution& resolution) {
-  const int bumps = input.bump_foil.bumps;
-  const double pitch = nominal_bump(input.bump_foil).pitch;  // of all, in a valid case
+FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const FilmResolution& resolution) {
+  const int bumps = design.bump_foil.bumps;
+  const double pitch = nominal_bump(design.bump_foil).pitch;  // of all, in a valid case
   const int m = resolution.columns_per_pitch;
   BUMPFOIL_ASSERT(m >= 4 && m % 2 == 0);
   std::vector<int> crests;
   crests.reserve(static_cast<std::size_t>(bumps));
   for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
-  const double R = input.bearing.radius;
+  const double R = design.bearing.radius;
   const FilmMesh mesh =
-      make_slotted_mesh(bumps * m, resolution.rows, 0.5 * input.bearing.axial_length / R, bumps * pitch / R);
-  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(input)).bending_stiffness, pitch,
+      make_slotted_mesh(bumps * m, resolution.rows, 0.5 * design.bearing.axial_length / R, bumps * pitch / R);
+  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(design)).bending_stiffness, pitch,
                         std::move(crests));
 }
 
@@ -117,7 +117,7 @@ namespace {
 
 /// Puts one more pad behind those there are.
 void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBearing& bearing) {
-  const Case& alone = placed.alone;
+  const PadDesign& alone = placed.alone;
   FilmPad pad;
   pad.foil = make_foil(alone, bearing.scales, resolution);
   pad.wrap_sign = alone.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
@@ -134,11 +134,12 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 
 }  // namespace
 
-FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
+FilmBearing make_film_bearing(const BearingDesign& input, const Gas& gas, const FilmResolution& resolution) {
   return make_film_bearing(input, make_bearing_foils(input, {"equilibrium"}), gas, resolution);
 }
 
-FilmBearing make_film_bearing(const Case& input, SharedFoils shared, const Gas& gas, const FilmResolution& resolution) {
+FilmBearing make_film_bearing(const BearingDesign& input, SharedFoils shared, const Gas& gas,
+                              const FilmResolution& resolution) {
   FilmBearing bearing;
   bearing.foils = std::move(shared);
   const Foils& foils = *bearing.foils;

@@ -16,7 +16,7 @@ namespace bumpfoil {
 namespace {
 
 /// @param input  its gaps and friction, of the bumps of `design`
-Foils make_foils(const Case& input, const FoilDesign& design) {
+Foils make_foils(const PadDesign& pad, const FoilDesign& design) {
   Foils foils;
   foils.structure = make_foil_structure(design);
   foils.stress = {make_stress_model(design)};
@@ -29,28 +29,28 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
                  return a.rise < b.rise;
                })->rise;
   foils.roundings.energy = 1e-6 * foils.rise * foils.roundings.force;
-  foils.roundings.stress = 1e-12 * input.bump_foil.youngs_modulus;
+  foils.roundings.stress = 1e-12 * pad.bump_foil.youngs_modulus;
   if (design.top_foil) foils.problem.pairs.push_back({.plus = dofs.top_u});
   foils.problem.pairs.push_back({.plus = dofs.crest_v,
                                  .minus = dofs.top_u,
                                  .tangential = dofs.crest_u,
-                                 .friction_coefficient = input.friction.top_bump});
+                                 .friction_coefficient = pad.friction.top_bump});
   for (std::size_t foot = 0; foot < dofs.foot_u.size(); ++foot) {
     foils.problem.pairs.push_back({.minus = dofs.foot_v[foot],
                                    .tangential = dofs.foot_u[foot],
-                                   .friction_coefficient = input.friction.bump_sleeve});
+                                   .friction_coefficient = pad.friction.bump_sleeve});
   }
 
   // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of it stays in place.
   foils.assembled_gap.setZero(foils.problem.contacts());
-  const Vector offsets = crest_offsets(input.bump_foil);
+  const Vector offsets = crest_offsets(pad.bump_foil);
   const Eigen::Index stride = foils.contacts_per_block();
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * stride;
     const auto i = static_cast<std::size_t>(bump);
     foils.assembled_gap[first + foils.top_bump()] = 0.0 - offsets[bump];  // zero has no sign
-    if (!input.bump_foil.sleeve_gaps.empty()) {
-      foils.assembled_gap.segment(first + foils.first_foot(), dofs.feet()).setConstant(input.bump_foil.sleeve_gaps[i]);
+    if (!pad.bump_foil.sleeve_gaps.empty()) {
+      foils.assembled_gap.segment(first + foils.first_foot(), dofs.feet()).setConstant(pad.bump_foil.sleeve_gaps[i]);
     }
   }
   return foils;
@@ -61,14 +61,14 @@ Foils make_foils(const Case& input, const FoilDesign& design) {
 /// journal thinner, and that between a foot and the sleeve by what the sleeve is wider at the foot than at the crest of
 /// its bump, so that from the journal to the sleeve under a foot all gaps together grow by what the sleeve is wider
 /// there.
-void add_profiles(const Case& input, Foils& foils) {
-  const Vector crests = crest_angles(input);
-  const Vector crest_phi = polar_angles(input.bearing, crests);
-  const Vector under_crests = sleeve_deviations(input, crests);
-  const Vector under_feet = sleeve_deviations(input, foot_angles(input));
+void add_profiles(const PadDesign& pad, Foils& foils) {
+  const Vector crests = crest_angles(pad);
+  const Vector crest_phi = polar_angles(pad.bearing, crests);
+  const Vector under_crests = sleeve_deviations(pad, crests);
+  const Vector under_feet = sleeve_deviations(pad, foot_angles(pad));
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * foils.contacts_per_block();
-    foils.assembled_gap[first] += under_crests[bump] - deviation_at(input.bearing.journal, crest_phi[bump]);
+    foils.assembled_gap[first] += under_crests[bump] - deviation_at(pad.bearing.journal, crest_phi[bump]);
     for (Eigen::Index k = 0; k < foils.feet_per_block(); ++k) {
       const double under_foot = under_feet[bump * foils.feet_per_block() + k];
       foils.assembled_gap[first + foils.first_foot() + k] += under_foot - under_crests[bump];
@@ -77,11 +77,11 @@ void add_profiles(const Case& input, Foils& foils) {
 }
 
 /// The foils of a bearing that has no pads.
-Foils make_whole_foils(const Case& input) {
-  Foils foils = make_foils(input, make_bearing_design(input));
-  foils.clearance = input.bearing.radial_clearance;
-  foils.normals = outward_normals(polar_angles(input.bearing, crest_angles(input)));
-  if (!input.bearing.is_round()) add_profiles(input, foils);
+Foils make_whole_foils(const PadDesign& pad) {
+  Foils foils = make_foils(pad, make_bearing_design(pad));
+  foils.clearance = pad.bearing.radial_clearance;
+  foils.normals = outward_normals(polar_angles(pad.bearing, crest_angles(pad)));
+  if (!pad.bearing.is_round()) add_profiles(pad, foils);
   return foils;
 }
 
@@ -131,7 +131,7 @@ SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>
 SharedFoils make_strip_foils(const Case& input) {
   require_valid(input, {"strip"});
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
-  Foils foils = make_foils(cut_to_strip(input), make_strip_design(input));
+  Foils foils = make_foils(cut_to(input, input.strip->bumps), make_strip_design(input, *input.strip));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));
   foils.problem.law = elastic_law(foils.structure);
   return std::make_shared<const Foils>(std::move(foils));

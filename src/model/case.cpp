@@ -28,18 +28,4 @@ SolverName ensemble_solver(const Case& input) {
   return cycles && input.bump_foil.geometry == Geometry::linear ? SolverName::events : SolverName::newton;
 }
 
-Case cut_to_strip(const Case& input) {
-  Case cut = input;
-  const auto bumps = static_cast<std::size_t>(input.bump_foil.bumps);
-  for (PerBump* dimension :
-       {&cut.bump_foil.pitch, &cut.bump_foil.length, &cut.bump_foil.height, &cut.bump_foil.thickness}) {
-    if (dimension->law) *dimension = listed(*dimension, bumps);
-  }
-  cut.bump_foil.bumps = input.strip->bumps;
-  for (std::vector<double>* list : {&cut.bump_foil.height_errors, &cut.bump_foil.sleeve_gaps}) {
-    if (!list->empty()) list->resize(static_cast<std::size_t>(cut.bump_foil.bumps));
-  }
-  return cut;
-}
-
 }  // namespace bumpfoil

@@ -79,15 +79,15 @@ double deviation_at(const RadiusProfile& profile, double phi) {
   return sum + first + (profile.deviations[(before + 1) % count] - first) * (place - static_cast<double>(before));
 }
 
-FoilDesign make_bearing_design(const Case& input) {
-  const BumpFoil& foil = input.bump_foil;
+FoilDesign make_bearing_design(const PadDesign& pad) {
+  const BumpFoil& foil = pad.bump_foil;
   FoilDesign foils{.model = foil.model,
                    .geometry = foil.geometry,
                    .bumps = nominal_bumps(foil),
                    .youngs_modulus = foil.youngs_modulus,
                    .poisson_ratio = foil.poisson_ratio,
-                   .axial_length = input.bearing.axial_length,
-                   .radius = input.bearing.is_flat() ? std::nullopt : std::optional(input.bearing.radius),
+                   .axial_length = pad.bearing.axial_length,
+                   .radius = pad.bearing.is_flat() ? std::nullopt : std::optional(pad.bearing.radius),
                    .welded = true,
                    .weld_at = foil.weld_at,
                    .truss = foil.truss,
@@ -96,40 +96,53 @@ FoilDesign make_bearing_design(const Case& input) {
     for (std::size_t n = 0; n < foil.height_errors.size(); ++n) foils.bumps[n].rise += foil.height_errors[n];
   }
   if (foil.model != BumpFoilModel::former) {
-    foils.top_foil = {.thickness = input.top_foil.thickness,
-                      .youngs_modulus = input.top_foil.youngs_modulus,
-                      .poisson_ratio = input.top_foil.poisson_ratio};
+    foils.top_foil = {.thickness = pad.top_foil.thickness,
+                      .youngs_modulus = pad.top_foil.youngs_modulus,
+                      .poisson_ratio = pad.top_foil.poisson_ratio};
   }
   return foils;
 }
 
-FoilDesign make_strip_design(const Case& input) {
-  FoilDesign foils = make_bearing_design(cut_to_strip(input));
+PadDesign cut_to(const PadDesign& whole, int bumps) {
+  PadDesign cut = whole;
+  BumpFoil& foil = cut.bump_foil;
+  for (PerBump* dimension : {&foil.pitch, &foil.length, &foil.height, &foil.thickness}) {
+    if (dimension->law) *dimension = listed(*dimension, static_cast<std::size_t>(foil.bumps));
+  }
+  foil.bumps = bumps;
+  for (std::vector<double>* list : {&foil.height_errors, &foil.sleeve_gaps}) {
+    if (!list->empty()) list->resize(static_cast<std::size_t>(bumps));
+  }
+  return cut;
+}
+
+FoilDesign make_strip_design(const PadDesign& whole, const StripSettings& strip) {
+  FoilDesign foils = make_bearing_design(cut_to(whole, strip.bumps));
   foils.radius.reset();
-  foils.welded = input.strip->weld == StripWeld::one_end;
-  if (!input.strip->top_foil) foils.top_foil.reset();
+  foils.welded = strip.weld == StripWeld::one_end;
+  if (!strip.top_foil) foils.top_foil.reset();
   return foils;
 }
 
-Vector crest_angles(const Case& input) {
-  return crest_positions(make_bearing_design(input)) / input.bearing.radius;
+Vector crest_angles(const PadDesign& pad) {
+  return crest_positions(make_bearing_design(pad)) / pad.bearing.radius;
 }
 
-Vector foot_angles(const Case& input) {
-  return foot_positions(make_bearing_design(input)) / input.bearing.radius;
+Vector foot_angles(const PadDesign& pad) {
+  return foot_positions(make_bearing_design(pad)) / pad.bearing.radius;
 }
 
-double foil_angle(const Case& input) {
+double foil_angle(const PadDesign& pad) {
   double length = 0.0;
-  for (const BumpShape& bump : nominal_bumps(input.bump_foil)) length += bump.pitch;
-  return length / input.bearing.radius;
+  for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) length += bump.pitch;
+  return length / pad.bearing.radius;
 }
 
-Vector sleeve_deviations(const Case& input, const Vector& theta) {
-  const Bearing& bearing = input.bearing;
+Vector sleeve_deviations(const PadDesign& pad, const Vector& theta) {
+  const Bearing& bearing = pad.bearing;
   Vector deviations =
       polar_angles(bearing, theta).unaryExpr([&](double phi) { return deviation_at(bearing.sleeve, phi); });
-  return deviations + bearing.taper / foil_angle(input) * theta;
+  return deviations + bearing.taper / foil_angle(pad) * theta;
 }
 
 Vector polar_angles(const Bearing& bearing, const Vector& theta) {

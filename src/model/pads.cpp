@@ -18,29 +18,28 @@ void stretch(BumpFoil& foil, double factor) {
 }
 
 /// The arc that the foils of a pad are to fill; absent where they are as long as they are.
-std::optional<double> arc_of(const Case& input, const Pad& pad) {
-  if (pad.arc || !input.bearing.pad_gap) return pad.arc;
-  return turn / static_cast<double>(input.pads.size()) - *input.bearing.pad_gap;
+std::optional<double> arc_of(const BearingDesign& design, const Pad& pad) {
+  if (pad.arc || !design.bearing.pad_gap) return pad.arc;
+  return turn / static_cast<double>(design.pads.size()) - *design.bearing.pad_gap;
 }
 
-PlacedPad place_pad(const Case& input, std::size_t k) {
-  const Pad& pad = input.pads[k];
-  PlacedPad placed{.alone = input};
-  Case& alone = placed.alone;
-  alone.pads.clear();
+PlacedPad place_pad(const BearingDesign& design, std::size_t k) {
+  const Pad& pad = design.pads[k];
+  PlacedPad placed{.alone = design};
+  PadDesign& alone = placed.alone;
   alone.bearing.pad_gap.reset();
   if (pad.bump_foil) alone.bump_foil = *pad.bump_foil;
   if (pad.top_foil) alone.top_foil = *pad.top_foil;
-  if (const std::optional<double> arc = arc_of(input, pad)) stretch(alone.bump_foil, *arc / foil_angle(alone));
+  if (const std::optional<double> arc = arc_of(design, pad)) stretch(alone.bump_foil, *arc / foil_angle(alone));
 
   const double arc = foil_angle(alone);
-  const double sense = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  const double sense = design.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   const bool trails = pad.weld_edge == WeldEdge::trailing;
-  const double share = turn * static_cast<double>(k) / static_cast<double>(input.pads.size());
+  const double share = turn * static_cast<double>(k) / static_cast<double>(design.pads.size());
   const double further = share + (trails ? arc : 0.0);
-  if (further > 0.0) alone.bearing.weld_angle = std::remainder(input.bearing.weld_angle + sense * further, turn);
+  if (further > 0.0) alone.bearing.weld_angle = std::remainder(design.bearing.weld_angle + sense * further, turn);
   if (pad.weld_angle) alone.bearing.weld_angle = *pad.weld_angle;
-  if (trails) alone.bearing.wrap = input.bearing.wrap == Wrap::clockwise ? Wrap::counterclockwise : Wrap::clockwise;
+  if (trails) alone.bearing.wrap = design.bearing.wrap == Wrap::clockwise ? Wrap::counterclockwise : Wrap::clockwise;
   const Vector middle = polar_angles(alone.bearing, Vector::Constant(1, 0.5 * arc));
   placed.centre = -pad.lobe * unit_vector(middle[0]);
   return placed;
@@ -48,33 +47,33 @@ PlacedPad place_pad(const Case& input, std::size_t k) {
 
 }  // namespace
 
-std::vector<PlacedPad> place_pads(const Case& input) {
-  if (input.pads.empty()) return {{.alone = input}};
+std::vector<PlacedPad> place_pads(const BearingDesign& design) {
+  if (design.pads.empty()) return {{.alone = design}};
   std::vector<PlacedPad> pads;
-  pads.reserve(input.pads.size());
-  for (std::size_t k = 0; k < input.pads.size(); ++k) pads.push_back(place_pad(input, k));
+  pads.reserve(design.pads.size());
+  for (std::size_t k = 0; k < design.pads.size(); ++k) pads.push_back(place_pad(design, k));
   return pads;
 }
 
-const BumpFoil& bump_foil_of(const Case& input, std::size_t pad) {
-  const bool own = pad < input.pads.size() && input.pads[pad].bump_foil;
-  return own ? *input.pads[pad].bump_foil : input.bump_foil;
+const BumpFoil& bump_foil_of(const BearingDesign& design, std::size_t pad) {
+  const bool own = pad < design.pads.size() && design.pads[pad].bump_foil;
+  return own ? *design.pads[pad].bump_foil : design.bump_foil;
 }
 
-std::size_t count_pads(const Case& input) {
-  return std::max<std::size_t>(input.pads.size(), 1);
+std::size_t count_pads(const BearingDesign& design) {
+  return std::max<std::size_t>(design.pads.size(), 1);
 }
 
-int total_bumps(const Case& input) {
+int total_bumps(const BearingDesign& design) {
   int bumps = 0;
-  for (std::size_t k = 0; k < count_pads(input); ++k) bumps += bump_foil_of(input, k).bumps;
+  for (std::size_t k = 0; k < count_pads(design); ++k) bumps += bump_foil_of(design, k).bumps;
   return bumps;
 }
 
-PadBump find_bump(const Case& input, int bump) {
+PadBump find_bump(const BearingDesign& design, int bump) {
   PadBump found{.pad = 0, .bump = bump};
-  while (found.pad + 1 < count_pads(input) && found.bump >= bump_foil_of(input, found.pad).bumps) {
-    found.bump -= bump_foil_of(input, found.pad).bumps;
+  while (found.pad + 1 < count_pads(design) && found.bump >= bump_foil_of(design, found.pad).bumps) {
+    found.bump -= bump_foil_of(design, found.pad).bumps;
     ++found.pad;
   }
   return found;

@@ -44,9 +44,9 @@ void shift(BumpFoil& foil, PerBump BumpFoil::*dimension, std::optional<double> B
 }
 
 /// Of all pads alike.
-void shift(Case& input, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
-  shift(input.bump_foil, dimension, own, deviation);
-  for (Pad& pad : input.pads) {
+void shift(BearingDesign& bearing, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
+  shift(bearing.bump_foil, dimension, own, deviation);
+  for (Pad& pad : bearing.pads) {
     if (pad.bump_foil) shift(*pad.bump_foil, dimension, own, deviation);
   }
 }
@@ -54,24 +54,24 @@ void shift(Case& input, PerBump BumpFoil::*dimension, std::optional<double> Bump
 constexpr auto numbers = std::to_array<ScatteredNumber>({
     {"bump_foil_thickness", "m", "deviation of the thickness of the bump foil",
      &MonteCarloSettings::bump_foil_thickness,
-     [](Case& input, double deviation) { shift(input, &BumpFoil::thickness, &BumpSection::thickness, deviation); }},
+     [](BearingDesign& bearing, double deviation) { shift(bearing, &BumpFoil::thickness, &BumpSection::thickness, deviation); }},
     {"top_foil_thickness", "m", "deviation of the thickness of the top foil", &MonteCarloSettings::top_foil_thickness,
-     [](Case& input, double deviation) {
-       input.top_foil.thickness += deviation;
-       for (Pad& pad : input.pads) {
+     [](BearingDesign& bearing, double deviation) {
+       bearing.top_foil.thickness += deviation;
+       for (Pad& pad : bearing.pads) {
          if (pad.top_foil) pad.top_foil->thickness += deviation;
        }
      }},
     {"bump_length", "m", "deviation of the chord of all bumps", &MonteCarloSettings::bump_length,
-     [](Case& input, double deviation) { shift(input, &BumpFoil::length, &BumpSection::length, deviation); }},
+     [](BearingDesign& bearing, double deviation) { shift(bearing, &BumpFoil::length, &BumpSection::length, deviation); }},
     {"friction_top_bump", "1", "deviation of the friction coefficient between top foil and bumps",
      &MonteCarloSettings::friction_top_bump,
-     [](Case& input, double deviation) { input.friction.top_bump += deviation; }},
+     [](BearingDesign& bearing, double deviation) { bearing.friction.top_bump += deviation; }},
     {"friction_bump_sleeve", "1", "deviation of the friction coefficient between bumps and sleeve",
      &MonteCarloSettings::friction_bump_sleeve,
-     [](Case& input, double deviation) { input.friction.bump_sleeve += deviation; }},
+     [](BearingDesign& bearing, double deviation) { bearing.friction.bump_sleeve += deviation; }},
     {"radial_clearance", "m", "deviation of the radial clearance", &MonteCarloSettings::radial_clearance,
-     [](Case& input, double deviation) { input.bearing.radial_clearance += deviation; }},
+     [](BearingDesign& bearing, double deviation) { bearing.bearing.radial_clearance += deviation; }},
 });
 
 }  // namespace

@@ -360,17 +360,19 @@ std::vector<JudgedFault> find_faults_of_pad(Case alone, std::size_t pad, double 
 /// Foils of pads, first as they are given, then stretched to their arcs.
 std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<JudgedFault>& known) {
   std::vector<JudgedFault> faults;
-  const auto add = [&](const Case& alone, std::size_t k) {
+  const auto add = [&](const PadDesign& pad, std::size_t k) {
+    Case alone = input;
+    static_cast<PadDesign&>(alone) = pad;
+    alone.pads.clear();
+    alone.bearing.pad_gap.reset();
     std::vector<JudgedFault> more = find_faults_of_pad(alone, k, input.pads[k].lobe, known);
     faults.insert(faults.end(), more.begin(), more.end());
   };
   for (std::size_t k = 0; k < input.pads.size(); ++k) {
-    Case alone = input;
-    alone.pads.clear();
-    alone.bearing.pad_gap.reset();
-    alone.bump_foil = bump_foil_of(input, k);
-    alone.top_foil = input.pads[k].top_foil.value_or(input.top_foil);
-    add(alone, k);
+    PadDesign pad = input;
+    pad.bump_foil = bump_foil_of(input, k);
+    pad.top_foil = input.pads[k].top_foil.value_or(input.top_foil);
+    add(pad, k);
   }
   // What commands meet in a pad they meet in the placed one again.
   if (any_concerns_all(faults) || any_concerns_all(known)) return faults;

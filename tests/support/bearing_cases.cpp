@@ -8,6 +8,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "support/long_bearing.hpp"
 #include "support/reference_cycles.hpp"
 
@@ -69,6 +70,13 @@ Case random_foils(std::uint64_t number, BumpFoilModel model) {
   input.cycle.amplitude.value = input.bearing.radial_clearance + uniform(5e-6, 50e-6);
   input.cycle.steps = static_cast<int>(std::lround(decades(15.0, 60.0)));
   return input;
+}
+
+Case pad_alone(const Case& input, std::size_t pad) {
+  Case alone = input;
+  static_cast<PadDesign&>(alone) = place_pads(input)[pad].alone;
+  alone.pads = {{.lobe = input.pads[pad].lobe}};
+  return alone;
 }
 
 CycleResult failed_at_increment_three(CycleResult result) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -19,6 +20,9 @@ Case random_case(std::uint64_t number);
 /// elasticity, clearance 0..60 um, friction 0..0.5 or none, height scatter up to 20 um or none, pushed up to 50 um into
 /// the foils in 15..60 steps.
 Case random_foils(std::uint64_t number, BumpFoilModel model);
+
+/// A pad of the case alone where it is, with its lobe.
+Case pad_alone(const Case& input, std::size_t pad);
 
 /// `result` as if its first direction had failed at increment 3, and the others had never begun.
 CycleResult failed_at_increment_three(CycleResult result);

@@ -10,6 +10,7 @@
 
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
+#include "support/bearing_cases.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_cases.hpp"
 
@@ -41,13 +42,6 @@ Case unlike_pads(const FilmResolution& resolution = coarse) {
   input.pads[2].top_foil->thickness = 0.12e-3;
   input.pads[2].arc = 1.8;
   return input;
-}
-
-/// The pad alone where it is.
-Case alone(const Case& input, std::size_t pad) {
-  Case one = place_pads(input)[pad].alone;
-  one.pads.push_back({.lobe = input.pads[pad].lobe});
-  return one;
 }
 
 /// A bearing with its journal held, from a cold start.
@@ -147,7 +141,7 @@ TEST(FilmPads, AddUp) {
   const Vector loads = bump_loads(all.solver.bearing(), all.state);
   Eigen::Index bump = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    Running one(alone(input, k), position);
+    Running one(pad_alone(input, k), position);
     force += one.outcome.force;
     torque += one.outcome.torque;
     sides += one.outcome.flows.sides;

@@ -34,13 +34,6 @@ Case pressed_pads(std::size_t pads, BumpFoilModel model = BumpFoilModel::truss) 
   return input;
 }
 
-/// The pad alone where it is.
-Case alone(const Case& input, std::size_t pad) {
-  Case one = place_pads(input)[pad].alone;
-  one.pads.push_back({.lobe = input.pads[pad].lobe});
-  return one;
-}
-
 /// @param part  of the largest force
 void expect_forces(const Cycle& cycle, const std::vector<Cycle>& summands, double part) {
   ASSERT_TRUE(cycle.converged());
@@ -86,7 +79,7 @@ TEST(Pads, ThatNothingTouchesChangeNothing) {
   both.bearing.weld_angle = 0.5 * 7 * both.bump_foil.pitch.values.front() / both.bearing.radius;
   both.cycle.amplitude.value = 40e-6;
   const Cycle cycle = run_single_cycle(both, 0.0);
-  expect_forces(cycle, {run_single_cycle(alone(both, 0), 0.0)}, 1e-9);
+  expect_forces(cycle, {run_single_cycle(pad_alone(both, 0), 0.0)}, 1e-9);
   EXPECT_EQ(cycle.fields.pad_force_x.col(1).cwiseAbs().maxCoeff(), 0.0);
   EXPECT_EQ(cycle.turning_point->pad_forces_x[0], cycle.turning_point->max_force);
 }
@@ -105,7 +98,7 @@ TEST(Pads, AddTheirForces) {
       const double direction = 0.7;
       const Cycle cycle = run_single_cycle(input, direction);
       std::vector<Cycle> each;
-      for (std::size_t k = 0; k < 3; ++k) each.push_back(run_single_cycle(alone(input, k), direction));
+      for (std::size_t k = 0; k < 3; ++k) each.push_back(run_single_cycle(pad_alone(input, k), direction));
       expect_forces(cycle, each, 1e-9);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto pad = static_cast<Eigen::Index>(k);
@@ -136,7 +129,7 @@ TEST(Pads, OfLargeDisplacementsAddTheirForces) {
   input.pads[1].bump_foil = input.bump_foil;
   input.pads[1].bump_foil->pitch = 5e-3;
   const Cycle cycle = run_single_cycle(input, 0.3);
-  expect_forces(cycle, {run_single_cycle(alone(input, 0), 0.3), run_single_cycle(alone(input, 1), 0.3)}, 1e-7);
+  expect_forces(cycle, {run_single_cycle(pad_alone(input, 0), 0.3), run_single_cycle(pad_alone(input, 1), 0.3)}, 1e-7);
 }
 
 TEST(Pads, EqualOnesAtEqualAnglesTurnTheForceWithTheLoad) {

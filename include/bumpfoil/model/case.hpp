@@ -1,131 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bumpfoil/model/foil_design.hpp"
+#include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/gas_preset.hpp"
-#include "bumpfoil/model/per_bump.hpp"
 #include "bumpfoil/model/scatter.hpp"
 
 namespace bumpfoil {
 
-/// Foil direction from the weld, seen with X to the right and Y up.
-enum class Wrap { clockwise, counterclockwise };
-
-/// What `BumpFoil::height` measures.
-enum class HeightReference {
-  overall,     ///< top of the bump over the sleeve; the rise of the mid-surface is height - thickness
-  midsurface,  ///< rise of the mid-surface itself
-};
-
 enum class SolverName { newton, uzawa, events };
-
-/// Waves of a radius around the circumference.
-struct Waviness {
-  int harmonic{};      ///< their number
-  double amplitude{};  ///< m
-  double phase{};      ///< rad
-
-  bool operator==(const Waviness&) const = default;
-};
-
-/// Radial deviation from nominal at the polar angle phi (from X towards Y).
-///
-///     w(phi) = sum of amplitude cos(harmonic phi - phase) + d(phi)
-struct RadiusProfile {
-  std::vector<Waviness> waves{};
-  std::vector<double> deviations{};  ///< d, m, at equal angles from X on towards Y, straight between them; none: zero
-
-  bool operator==(const RadiusProfile&) const = default;
-};
-
-/// The bearing and its frame of reference; conventions in docs/theory/conventions.md. SI units throughout.
-struct Bearing {
-  /// R, m: of the foils, also used for sleeve and journal. Infinite for a strip between plates without a bearing.
-  double radius{std::numeric_limits<double>::infinity()};
-  double axial_length{};                ///< L, m
-  double radial_clearance{};            ///< C_r, m; zero or negative means interference
-  double weld_angle{std::numbers::pi};  ///< polar angle of the weld, rad
-  Wrap wrap{Wrap::clockwise};
-  RadiusProfile sleeve{};
-  RadiusProfile journal{};          ///< in the angles of the bearing: the journal does not rotate
-  double taper{};                   ///< increase of the sleeve radius from the weld to the free end, m
-  std::optional<double> pad_gap{};  ///< free angle after each pad without its own arc, rad
-
-  [[nodiscard]] bool is_flat() const { return radius == std::numeric_limits<double>::infinity(); }
-
-  /// Whether sleeve and journal are circles.
-  [[nodiscard]] bool is_round() const {
-    return sleeve == RadiusProfile{} && journal == RadiusProfile{} && taper == 0.0;
-  }
-
-  bool operator==(const Bearing&) const = default;
-};
-
-struct BumpFoil {
-  BumpFoilModel model{BumpFoilModel::truss};
-  Geometry geometry{Geometry::linear};
-  int bumps{};                          ///< N
-  PerBump pitch;                        ///< p, m
-  PerBump length;                       ///< chord of the arc 2 l0, m
-  PerBump height;                       ///< h_b, m, read as `height_reference` says
-  PerBump thickness;                    ///< e_f, m
-  std::vector<BumpSection> sections{};  ///< of bumps that differ from these, no bump in two of them
-  HeightReference height_reference{HeightReference::overall};
-  double youngs_modulus{};               ///< E, Pa
-  double poisson_ratio{};                ///< nu
-  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
-  std::vector<double> height_errors;     ///< m, positive = taller; empty or one per bump
-  bool stiffness_follows_height{};       ///< a bump's height error changes its own stiffness too (frame model only)
-  std::vector<Shim> shims{};             ///< under bumps, no bump on two of them
-  std::vector<double> sleeve_gaps;       ///< g0_b, m; empty or one per bump
-  WeldPosition weld_at{WeldPosition::mid_flat};
-  TrussOverrides truss;
-
-  bool operator==(const BumpFoil&) const = default;
-};
-
-struct TopFoil {
-  double thickness{};       ///< m
-  double youngs_modulus{};  ///< Pa
-  double poisson_ratio{};
-  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
-
-  bool operator==(const TopFoil&) const = default;
-};
-
-/// The edge of a pad that its foils are welded at; the leading one comes first in the sense of `Bearing::wrap`.
-enum class WeldEdge {
-  leading,   ///< the foils run from the weld in that sense
-  trailing,  ///< and against it
-};
-
-/// A part of the sleeve with its own foils. Absent values come from the common tables or follow from all pads, see
-/// place_pads().
-struct Pad {
-  std::optional<double> weld_angle{};  ///< polar angle of the weld, rad
-  WeldEdge weld_edge{WeldEdge::leading};
-  std::optional<double> arc{};  ///< angle from the weld to the free end, which pitches are stretched to fill, rad
-  double lobe{};                ///< preload: offset of the centre of its circle away from its middle, m
-  std::optional<BumpFoil> bump_foil{};
-  std::optional<TopFoil> top_foil{};
-
-  bool operator==(const Pad&) const = default;
-};
-
-/// Coulomb friction coefficients; the journal is frictionless.
-struct Friction {
-  double top_bump{};     ///< between top foil and crests
-  double bump_sleeve{};  ///< between feet and sleeve
-
-  bool operator==(const Friction&) const = default;
-};
 
 /// Parameters of the augmented Lagrangian method with penalty friction [Arghir2019, Eqs. 14-25]; see
 /// contact/uzawa.hpp for what each does. Those that are absent follow from the stiffness of the foils, see
@@ -322,14 +208,9 @@ struct EquilibriumSettings {
   bool operator==(const EquilibriumSettings&) const = default;
 };
 
-/// A case as interpreted: SI units, defaults filled in.
-struct Case {
+/// A case as the program understands it: a bearing and what is to be done to it. SI units, defaults filled in.
+struct Case : BearingDesign {
   std::string title;
-  Bearing bearing;
-  BumpFoil bump_foil;
-  TopFoil top_foil;
-  std::vector<Pad> pads{};  ///< none: the foils of the bearing go round in one
-  Friction friction;
   SolverSettings solver;
   CycleSettings cycle;
   std::optional<StripSettings> strip{};
@@ -352,8 +233,5 @@ Case reference_case();
 /// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which is several times
 /// faster, else `newton`.
 SolverName ensemble_solver(const Case& input);
-
-/// The case with its foils cut to the bumps of its strip. The case must have one.
-Case cut_to_strip(const Case& input);
 
 }  // namespace bumpfoil

@@ -32,25 +32,28 @@ Vector crest_offsets(const BumpFoil& foil);
 /// w(phi), m.
 double deviation_at(const RadiusProfile& profile, double phi);
 
-/// Foils of the bearing of a case. Every bump has its nominal shape, and height errors act through the gaps alone,
-/// unless `stiffness_follows_height` gives each bump its own rise. The case must be valid.
-FoilDesign make_bearing_design(const Case& input);
+/// Foils of a pad. Every bump has its nominal shape, and height errors act through the gaps alone,
+/// unless `stiffness_follows_height` gives each bump its own rise. The pad must be valid.
+FoilDesign make_bearing_design(const PadDesign& pad);
 
-/// Foils of the strip of a case, flat and cut to its bumps. The case must be valid and have a strip.
-FoilDesign make_strip_design(const Case& input);
+/// Foils cut to the first of their bumps.
+PadDesign cut_to(const PadDesign& whole, int bumps);
+
+/// Foils of a strip, flat and cut to its bumps. Both must be valid.
+FoilDesign make_strip_design(const PadDesign& whole, const StripSettings& strip);
 
 /// Angles of the crests from the weld along the foil, their places over R, rad: theta_i = (i - 1/2) p / R for equal
 /// pitches.
-Vector crest_angles(const Case& input);
+Vector crest_angles(const PadDesign& pad);
 
 /// Angles of the feet from the weld along the foil, in the order of the results, rad.
-Vector foot_angles(const Case& input);
+Vector foot_angles(const PadDesign& pad);
 
 /// Angle of the ends of the foils from the weld, all pitches over R, rad.
-double foil_angle(const Case& input);
+double foil_angle(const PadDesign& pad);
 
 /// Radial deviation of the sleeve from nominal at `theta` from the weld along the foil, taper included, m.
-Vector sleeve_deviations(const Case& input, const Vector& theta);
+Vector sleeve_deviations(const PadDesign& pad, const Vector& theta);
 
 /// Polar angles in the X-Y plane of points at `theta` from the weld, phi = weld_angle -+ theta, rad.
 Vector polar_angles(const Bearing& bearing, const Vector& theta);

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/bearing_design.hpp"
 
 namespace bumpfoil {
 
 /// A single pad.
 struct PlacedPad {
-  Case alone;                        ///< the bearing as if this were all its foils: there are no pads in it
+  PadDesign alone;                   ///< the bearing as if this were all its foils
   Eigen::Vector2d centre{0.0, 0.0};  ///< of the circle of the pad, m: the bearing's, displaced away from its middle
 };
 
@@ -21,17 +21,17 @@ struct PlacedPad {
 ///     weld: its own, or where pad 1 to k - 1 have had their share: weld_angle -+ 2 pi (k - 1) / n, and by the arc
 ///           further on where it is welded at its trailing edge; there it runs against `Bearing::wrap`
 ///
-/// The case must be valid.
-std::vector<PlacedPad> place_pads(const Case& input);
+/// The design must be valid.
+std::vector<PlacedPad> place_pads(const BearingDesign& design);
 
 /// Foils of a pad (from 0) as they are given: not stretched.
-const BumpFoil& bump_foil_of(const Case& input, std::size_t pad);
+const BumpFoil& bump_foil_of(const BearingDesign& design, std::size_t pad);
 
 /// Number of pads, one without any.
-std::size_t count_pads(const Case& input);
+std::size_t count_pads(const BearingDesign& design);
 
 /// Bumps of all pads.
-int total_bumps(const Case& input);
+int total_bumps(const BearingDesign& design);
 
 /// A bump of a pad, both from 0.
 struct PadBump {
@@ -40,6 +40,6 @@ struct PadBump {
 };
 
 /// Pad and bump of a number counted through all pads, from 0.
-PadBump find_bump(const Case& input, int bump);
+PadBump find_bump(const BearingDesign& design, int bump);
 
 }  // namespace bumpfoil

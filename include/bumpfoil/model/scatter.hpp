@@ -86,7 +86,7 @@ struct ScatteredNumber {
   std::string_view unit;       ///< SI; "1" where there is none
   std::string_view long_name;  ///< of the deviation
   std::optional<Distribution> MonteCarloSettings::*distribution;
-  void (*add)(Case&, double deviation);
+  void (*add)(BearingDesign&, double deviation);
 };
 
 /// All of them, in the order of the case file.

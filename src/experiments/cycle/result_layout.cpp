@@ -147,10 +147,9 @@ ResultLayout layout_of_path(const Case& input) {
 
 ResultLayout layout_of_strip(const Case& input) {
   const StripSettings& strip = *input.strip;
-  const Case cut = cut_to_strip(input);
-  const FoilDesign foils = make_strip_design(input);
+  const FoilDesign foils = make_strip_design(input, strip);
   const Vector feet = foot_positions(foils);
-  ResultLayout layout = layout_of_foils(input.bearing.axial_length, {cut.bump_foil});
+  ResultLayout layout = layout_of_foils(input.bearing.axial_length, {cut_to(input, strip.bumps).bump_foil});
   layout.cycles = {"cycle", "1", "cycle of the plate", {}};
   for (int cycle = 1; cycle <= strip.cycles; ++cycle) layout.cycles.values.push_back(cycle);
   layout.places.resize(layout.cycles.values.size());

@@ -29,8 +29,8 @@ std::optional<StiffnessRange> top_foil_range(const FoilDesign& foils) {
                         .stiffest = eigenvalues(stiffness).maxCoeff()};
 }
 
-std::optional<StiffnessRange> bump_foil_range(const Case& input, const FoilDesign& foils) {
-  if (input.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty()) return std::nullopt;
+std::optional<StiffnessRange> bump_foil_range(const PadDesign& pad, const FoilDesign& foils) {
+  if (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty()) return std::nullopt;
   const FoilStructure structure = make_foil_structure(foils);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index row = 0; row < structure.K.rows(); ++row) {
@@ -60,15 +60,15 @@ BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, dou
 
 }  // namespace
 
-Properties compute_properties(const Case& input) {
-  require_valid(input);
-  const FoilDesign foils = make_bearing_design(input);
-  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(input, foils)};
+Properties compute_properties(const PadDesign& pad) {
+  require_valid(pad);
+  const FoilDesign foils = make_bearing_design(pad);
+  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(pad, foils)};
   int number = 0;
-  for (const BumpShape& bump : nominal_bumps(input.bump_foil)) {
+  for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) {
     ++number;
     if (properties.bumps.empty() || properties.bumps.back().shape != bump) {
-      properties.bumps.push_back(properties_of(foils, bump, input.friction.bump_sleeve));
+      properties.bumps.push_back(properties_of(foils, bump, pad.friction.bump_sleeve));
       properties.bumps.back().from = number;
     }
     properties.bumps.back().to = number;

@@ -154,8 +154,8 @@ std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpP
 
 }  // namespace
 
-std::string properties_table(const Case& input, const Properties& properties) {
-  const TrussOverrides& given = input.bump_foil.truss;
+std::string properties_table(const PadDesign& pad, const Properties& properties) {
+  const TrussOverrides& given = pad.bump_foil.truss;
   if (properties.bumps.size() > 1) {
     return table_of_shapes(given, properties.bumps) + text_of(groups_of_foils(properties));
   }
@@ -164,8 +164,8 @@ std::string properties_table(const Case& input, const Properties& properties) {
   return text_of(groups);
 }
 
-std::string properties_json(const Case& input, const Properties& properties) {
-  const TrussOverrides& given = input.bump_foil.truss;
+std::string properties_json(const PadDesign& pad, const Properties& properties) {
+  const TrussOverrides& given = pad.bump_foil.truss;
   const bool alike = properties.bumps.size() == 1;
   Json json = alike ? json_of(groups_of_bump(given, properties.bumps.front())) : Json();
   if (!alike) {

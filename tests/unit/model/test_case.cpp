@@ -37,28 +37,4 @@ TEST(ReferenceCase, IsFreeOfManufacturingErrors) {
   EXPECT_TRUE(reference.bump_foil.sleeve_gaps.empty());
 }
 
-TEST(CutToStrip, KeepsTheFirstBumps) {
-  using namespace bumpfoil;
-  Case input = reference_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 1e-6}};
-  input.bump_foil.height_errors.assign(26, 1e-6);
-  input.bump_foil.height_errors[2] = 3e-6;
-  const Case cut = cut_to_strip(input);
-  EXPECT_EQ(cut.bump_foil.bumps, 3);
-  EXPECT_EQ(cut.bump_foil.height_errors, (std::vector<double>{1e-6, 1e-6, 3e-6}));
-  EXPECT_TRUE(cut.bump_foil.sleeve_gaps.empty());
-}
-
-TEST(CutToStrip, LeavesGradedBumpsAsTheyAre) {
-  using namespace bumpfoil;
-  Case input = reference_case();
-  input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 1e-6}};
-  input.bump_foil.pitch = PerBump(4.2e-3, 4.8e-3, Grading::linear);
-  input.bump_foil.height = PerBump(0.5e-3, 0.4e-3, Grading::geometric);
-  input.bump_foil.sections = {{.from = 3, .to = 9, .thickness = 0.12e-3}};
-  const std::vector<BumpShape> cut = nominal_bumps(cut_to_strip(input).bump_foil);
-  ASSERT_EQ(cut.size(), 3U);
-  for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(cut[n], nominal_bump(input.bump_foil, n)) << n;
-}
-
 }  // namespace

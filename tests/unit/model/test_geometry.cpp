@@ -170,15 +170,35 @@ TEST(CrestOffsets, CountFromTheTallestNominalBump) {
 TEST(StripFoils, AreFlatAndCutToTheStrip) {
   Case input = reference_case();
   input.strip = {.bumps = 4, .weld = StripWeld::none, .top_foil = false, .amplitude = {}};
-  const FoilDesign bare = make_strip_design(input);
+  const FoilDesign bare = make_strip_design(input, *input.strip);
   EXPECT_EQ(bare.bumps.size(), 4U);
   EXPECT_FALSE(bare.radius);
   EXPECT_FALSE(bare.welded);
   EXPECT_FALSE(bare.top_foil);
   input.strip->weld = StripWeld::one_end;
   input.strip->top_foil = true;
-  EXPECT_TRUE(make_strip_design(input).welded);
-  EXPECT_TRUE(make_strip_design(input).top_foil);
+  EXPECT_TRUE(make_strip_design(input, *input.strip).welded);
+  EXPECT_TRUE(make_strip_design(input, *input.strip).top_foil);
+}
+
+TEST(CutTo, KeepsTheFirstBumps) {
+  Case input = reference_case();
+  input.bump_foil.height_errors.assign(26, 1e-6);
+  input.bump_foil.height_errors[2] = 3e-6;
+  const PadDesign cut = cut_to(input, 3);
+  EXPECT_EQ(cut.bump_foil.bumps, 3);
+  EXPECT_EQ(cut.bump_foil.height_errors, (std::vector<double>{1e-6, 1e-6, 3e-6}));
+  EXPECT_TRUE(cut.bump_foil.sleeve_gaps.empty());
+}
+
+TEST(CutTo, LeavesGradedBumpsAsTheyAre) {
+  Case input = reference_case();
+  input.bump_foil.pitch = PerBump(4.2e-3, 4.8e-3, Grading::linear);
+  input.bump_foil.height = PerBump(0.5e-3, 0.4e-3, Grading::geometric);
+  input.bump_foil.sections = {{.from = 3, .to = 9, .thickness = 0.12e-3}};
+  const std::vector<BumpShape> cut = nominal_bumps(cut_to(input, 3).bump_foil);
+  ASSERT_EQ(cut.size(), 3U);
+  for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(cut[n], nominal_bump(input.bump_foil, n)) << n;
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"
 
@@ -41,6 +41,6 @@ struct Properties {
 };
 
 /// @throws Error (input) if the case is wrong; where its truss cannot be built, the rest is known all the same.
-Properties compute_properties(const Case& input);
+Properties compute_properties(const PadDesign& pad);
 
 }  // namespace bumpfoil
