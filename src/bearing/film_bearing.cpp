@@ -134,7 +134,7 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 
 }  // namespace
 
-FilmBearing make_film_bearing(const BearingDesign& input, const Gas& gas, const FilmResolution& resolution) {
+FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
   return make_film_bearing(input, make_bearing_foils(input, {"equilibrium"}), gas, resolution);
 }
 

@@ -90,7 +90,7 @@ void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& al
 
 /// The bearing of a case, in gas.
 /// @throws Error (input) if the case cannot be built.
-FilmBearing make_film_bearing(const BearingDesign& input, const Gas& gas, const FilmResolution& resolution);
+FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
 
 /// The same of foils that are there already.
 FilmBearing make_film_bearing(const BearingDesign& input, SharedFoils foils, const Gas& gas,

@@ -10,7 +10,7 @@
 
 namespace bumpfoil {
 
-struct Case;
+struct BearingDesign;
 
 /// Distribution of a quantity about its nominal value.
 enum class DistributionKind {

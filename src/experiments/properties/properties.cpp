@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <vector>
 
-#include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
@@ -61,7 +60,6 @@ BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, dou
 }  // namespace
 
 Properties compute_properties(const PadDesign& pad) {
-  require_valid(pad);
   const FoilDesign foils = make_bearing_design(pad);
   Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(pad, foils)};
   int number = 0;
@@ -74,6 +72,11 @@ Properties compute_properties(const PadDesign& pad) {
     properties.bumps.back().to = number;
   }
   return properties;
+}
+
+Properties compute_properties(const Case& input) {
+  require_valid(input);
+  return compute_properties(static_cast<const PadDesign&>(input));
 }
 
 }  // namespace bumpfoil

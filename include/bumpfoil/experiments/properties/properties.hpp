@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "bumpfoil/model/bearing_design.hpp"
+#include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"
 
@@ -40,7 +40,10 @@ struct Properties {
   std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps, and without a truss
 };
 
-/// @throws Error (input) if the case is wrong; where its truss cannot be built, the rest is known all the same.
+/// Of foils that are valid; where their truss cannot be built, the rest is known all the same.
 Properties compute_properties(const PadDesign& pad);
+
+/// Of the foils of a case. @throws Error (input) if the case is wrong
+Properties compute_properties(const Case& input);
 
 }  // namespace bumpfoil
