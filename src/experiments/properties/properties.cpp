@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <vector>
 
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
