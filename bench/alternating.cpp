@@ -82,11 +82,12 @@ PressedFoils::PressedFoils(const FilmBearing& bearing) : columns_(bearing.pads.f
       if (place == bearing.dofs().top_u) return seen_at(bearing.pads.front().foil.supports[b] - 1);
       return seen_at(2 * columns_ + static_cast<Eigen::Index>(b) * size + place);
     };
-    for (const ContactPair& pair : bearing.problem.pairs) {
-      problem_.pairs.push_back({.plus = moved(pair.plus),
-                                .minus = moved(pair.minus),
-                                .tangential = moved(pair.tangential),
-                                .friction_coefficient = pair.friction_coefficient});
+    for (const ContactSite& site : bearing.problem.sites) {
+      if (site.block != static_cast<int>(b)) continue;
+      problem_.sites.push_back({.plus = moved(site.plus),
+                                .minus = moved(site.minus),
+                                .tangential = moved(site.tangential),
+                                .friction_coefficient = site.friction_coefficient});
     }
   }
 }

@@ -20,8 +20,9 @@ std::vector<ContactMode> mixed_modes(const Foils& foils) {
     const ContactMode m = bump % 4 == 0   ? ContactMode::open
                           : bump % 4 == 1 ? ContactMode::slip_forward
                                           : ContactMode::stick;
-    mode.insert(mode.end(), foils.problem.pairs.size(), m);
-    if (m != ContactMode::open) mode[mode.size() - foils.problem.pairs.size()] = ContactMode::stick;  // journal
+    const auto contacts = static_cast<std::size_t>(foils.contacts_per_block());
+    mode.insert(mode.end(), contacts, m);
+    if (m != ContactMode::open) mode[mode.size() - contacts] = ContactMode::stick;  // journal
   }
   return mode;
 }

@@ -52,15 +52,13 @@ ContactProblem as_one_block(const ContactProblem& problem) {
   ContactProblem dense;
   dense.K = BlockTridiagonal(1, static_cast<int>(problem.K.rows()));
   dense.K.diagonal.front() = problem.K.dense();
-  for (int block = 0; block < problem.K.blocks(); ++block) {
-    const int first = block * problem.K.block_size();
-    const auto moved = [&](int place) { return place < 0 ? place : first + place; };
-    for (const ContactPair& pair : problem.pairs) {
-      dense.pairs.push_back({.plus = moved(pair.plus),
-                             .minus = moved(pair.minus),
-                             .tangential = moved(pair.tangential),
-                             .friction_coefficient = pair.friction_coefficient});
-    }
+  for (const ContactSite& site : problem.sites) {
+    const int first = site.block * problem.K.block_size();
+    const auto moved = [first](int place) { return place < 0 ? place : first + place; };
+    dense.sites.push_back({.plus = moved(site.plus),
+                           .minus = moved(site.minus),
+                           .tangential = moved(site.tangential),
+                           .friction_coefficient = site.friction_coefficient});
   }
   return dense;
 }

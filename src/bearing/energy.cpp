@@ -1,4 +1,4 @@
-#include "bearing/energy.hpp"
+#include "bumpfoil/bearing/energy.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -12,21 +12,37 @@ double gap_work(const Vector& mean_force, const Vector& gap_change) {
   return -mean_force.dot(gap_change);
 }
 
-double friction_dissipation(const ContactProblem& problem, const Vector& normal_force, const Vector& begin_x,
-                            const Vector& end_x) {
-  double dissipation = 0.0;
-  // Kind by kind, without a branch per contact: ensembles ask for it some 400 times a sample.
-  const std::ptrdiff_t stride = std::ssize(problem.pairs);
-  const Eigen::Index size = problem.K.block_size();
-  for (std::ptrdiff_t i = 0; i < stride; ++i) {
-    const ContactPair& pair = problem.pairs[static_cast<std::size_t>(i)];
-    if (is_frictionless(pair)) continue;
-    double work = 0.0;  // in units of the friction coefficient
-    for (Eigen::Index b = 0; b < problem.K.blocks(); ++b) {
-      const Eigen::Index x = b * size + pair.tangential;
-      work += normal_force[b * stride + i] * std::abs(end_x[x] - begin_x[x]);
+FrictionDissipation::FrictionDissipation(const ContactProblem& problem) {
+  // In the order of their ranks in their blocks, so that the sums of like contacts along the foil come one after the
+  // other.
+  std::vector<std::vector<CoulombContact>> ranks;
+  int block = -1;
+  std::size_t rank = 0;
+  for_each_contact(problem, [&](const CoulombContact& contact) {
+    rank = contact.site.block == block ? rank + 1 : 0;
+    block = contact.site.block;
+    if (is_frictionless(contact.site)) return;
+    ranks.resize(std::max(ranks.size(), rank + 1));
+    ranks[rank].push_back(contact);
+  });
+  for (const std::vector<CoulombContact>& contacts : ranks) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (i == 0 || contacts[i].f != contacts[i - 1].f) kinds_.push_back({contacts[i].f, {}, {}});
+      kinds_.back().contacts.push_back(contacts[i].index);
+      kinds_.back().unknowns.push_back(contacts[i].row + contacts[i].site.tangential);
     }
-    dissipation += pair.friction_coefficient * work;
+  }
+}
+
+double FrictionDissipation::of(const Vector& normal_force, const Vector& begin_x, const Vector& end_x) const {
+  double dissipation = 0.0;
+  for (const Kind& kind : kinds_) {
+    double work = 0.0;  // in units of the friction coefficient
+    for (std::size_t i = 0; i < kind.contacts.size(); ++i) {
+      const Eigen::Index x = kind.unknowns[i];
+      work += normal_force[kind.contacts[i]] * std::abs(end_x[x] - begin_x[x]);
+    }
+    dissipation += kind.coefficient * work;
   }
   return dissipation;
 }

@@ -47,7 +47,7 @@ double open_threshold(const Foils& foils, const ContactState& state) {
 /// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
 ContactMode reported_mode(const CoulombContact& contact, const FoilState& state, double threshold) {
   if (state.contacts.normal_force[contact.index] <= threshold) return ContactMode::open;
-  if (contact.pair.tangential < 0 || contact.f > 0.0) {
+  if (contact.site.tangential < 0 || contact.f > 0.0) {
     return state.contacts.mode[static_cast<std::size_t>(contact.index)];
   }
   const double slip = contact.tangential(state.contacts.x) - contact.tangential(state.slip_origin);
@@ -63,9 +63,9 @@ void record_interface(const Foils& foils, const FoilState& state, Interface inte
   const int block_size = foils.problem.K.block_size();
   for (Eigen::Index i = 0; i < fields.gap.cols(); ++i) {
     const Eigen::Index c = place.contact(foils, i);
-    const ContactPair& pair = foils.problem.pairs[static_cast<std::size_t>(c % foils.contacts_per_block())];
-    const CoulombContact contact{pair, pair.tangential >= 0 ? pair.friction_coefficient : 0.0,
-                                 c / foils.contacts_per_block() * block_size, c};
+    const ContactSite& site = foils.problem.sites[static_cast<std::size_t>(c)];
+    const CoulombContact contact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0, site.block * block_size,
+                                 c};
     const ContactMode mode = reported_mode(contact, state, threshold);
     const bool open = mode == ContactMode::open;
     fields.gap(increment, i) = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;

@@ -149,16 +149,20 @@ FilmBearing make_film_bearing(const BearingDesign& input, SharedFoils shared, co
   for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
   bearing.problem.K = bump_foils_alone(foils.structure, bearing.pads);
   bearing.problem.force_scale = foils.problem.force_scale;
-  bearing.problem.pairs.assign(foils.problem.pairs.begin() + foils.top_bump(), foils.problem.pairs.end());
+  // Those of a block, without the journal's.
+  const std::vector<ContactSite>& sites = foils.problem.sites;
+  bearing.problem.sites =
+      in_every_block({sites.begin() + foils.top_bump(), sites.begin() + foils.contacts_per_block()},
+                     bearing.problem.K.blocks());
 
   // Gaps of the last blocks stay open.
   bearing.initial_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
-  const Eigen::Index pairs = std::ssize(bearing.problem.pairs);
+  const Eigen::Index per_block = foils.contacts_per_block() - foils.top_bump();
   Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
     for (Eigen::Index b = pad.first_block; b < pad.first_block + pad.bumps(); ++b, ++bump) {
-      bearing.initial_gap.segment(b * pairs, pairs) =
-          foils.assembled_gap.segment(bump * foils.contacts_per_block() + foils.top_bump(), pairs);
+      bearing.initial_gap.segment(b * per_block, per_block) =
+          foils.assembled_gap.segment(bump * foils.contacts_per_block() + foils.top_bump(), per_block);
     }
   }
   return bearing;
@@ -220,12 +224,12 @@ Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
 }
 
 Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
-  const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
+  const Eigen::Index per_block = bearing.problem.contacts() / bearing.problem.K.blocks();
   Vector loads(bearing.bumps());
   Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
     loads.segment(bump, pad.bumps()) =
-        state.contact.normal_force(Eigen::seqN(pad.first_block * pairs, Eigen::Index{pad.bumps()}, pairs));
+        state.contact.normal_force(Eigen::seqN(pad.first_block * per_block, Eigen::Index{pad.bumps()}, per_block));
     bump += pad.bumps();
   }
   return loads;

@@ -9,7 +9,7 @@ FoilState foil_state(const FilmBearing& bearing, const FilmBearingState& state) 
   const Eigen::Index size = foils.structure.dofs.size;
   const Eigen::Index film_size = bearing.problem.K.block_size();
   const Eigen::Index stride = foils.contacts_per_block();
-  const Eigen::Index pairs = stride - foils.top_bump();
+  const Eigen::Index kinds = stride - foils.top_bump();
   Eigen::Index b = 0;  // through all pads
   for (const FilmPad& pad : bearing.pads) {
     Eigen::Index block = pad.first_block;
@@ -17,9 +17,9 @@ FoilState foil_state(const FilmBearing& bearing, const FilmBearingState& state) 
       contacts.x.segment(b * size, size) = state.contact.x.segment(block * film_size, size);
       contacts.gap[b * stride] = bearing.scales.thickness * state.foil.film.thickness(0, pad.first_column + crest);
       contacts.mode[static_cast<std::size_t>(b * stride)] = ContactMode::open;
-      for (Eigen::Index i = 0; i < pairs; ++i) {
+      for (Eigen::Index i = 0; i < kinds; ++i) {
         const Eigen::Index to = b * stride + foils.top_bump() + i;
-        const Eigen::Index from = block * pairs + i;
+        const Eigen::Index from = block * kinds + i;
         contacts.gap[to] = state.contact.gap[from];
         contacts.normal_force[to] = state.contact.normal_force[from];
         contacts.friction_force[to] = state.contact.friction_force[from];

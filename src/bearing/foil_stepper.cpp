@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "bearing/energy.hpp"
+#include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
@@ -58,6 +58,7 @@ FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings, Rate
     : foils_(std::move(foils)),
       modes_(make_mode_system(foils_->problem)),
       follower_(make_path_follower(SharedProblem({foils_, &foils_->problem}), settings, modes_, rates)),
+      dissipation_(foils_->problem),
       follows_events_(settings.chosen() == SolverName::events),
       rate_(ContactState::unstressed(foils_->problem)) {}
 
@@ -82,7 +83,7 @@ void FoilStepper::assemble(const Excitation& excitation, Step& step) {
   step.status = solve.status;
   step.cost = solve.cost;
   if (!step.converged()) return;
-  step.state.dissipated_energy = friction_dissipation(foils_->problem, step.state.contacts.normal_force,
+  step.state.dissipated_energy = dissipation_.of(step.state.contacts.normal_force,
                                                       unstressed.contacts.x, step.state.contacts.x);
 }
 
@@ -117,7 +118,7 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
     step.state.work += (part.fraction - followed_) * gap_work(mean_force_, gap_change_);
     followed_ = part.fraction;
     step.state.dissipated_energy +=
-        friction_dissipation(problem, part.linear ? mean_force_ : end, part.begin.x, part.end.x);
+        dissipation_.of(part.linear ? mean_force_ : end, part.begin.x, part.end.x);
   };
   events_.clear();
   const FollowReport report = follower_->follow_to(fraction, step.state.contacts, visit, events_);

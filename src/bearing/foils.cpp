@@ -30,16 +30,18 @@ Foils make_foils(const PadDesign& pad, const FoilDesign& design) {
                })->rise;
   foils.roundings.energy = 1e-6 * foils.rise * foils.roundings.force;
   foils.roundings.stress = 1e-12 * pad.bump_foil.youngs_modulus;
-  if (design.top_foil) foils.problem.pairs.push_back({.plus = dofs.top_u});
-  foils.problem.pairs.push_back({.plus = dofs.crest_v,
+  std::vector<ContactSite> pattern;
+  if (design.top_foil) pattern.push_back({.plus = dofs.top_u});
+  pattern.push_back({.plus = dofs.crest_v,
                                  .minus = dofs.top_u,
                                  .tangential = dofs.crest_u,
                                  .friction_coefficient = pad.friction.top_bump});
   for (std::size_t foot = 0; foot < dofs.foot_u.size(); ++foot) {
-    foils.problem.pairs.push_back({.minus = dofs.foot_v[foot],
+    pattern.push_back({.minus = dofs.foot_v[foot],
                                    .tangential = dofs.foot_u[foot],
                                    .friction_coefficient = pad.friction.bump_sleeve});
   }
+  foils.problem.sites = in_every_block(pattern, foils.problem.K.blocks());
 
   // All gaps of a block before bump 1 stay zero: its foot rests on the base, and the rest of it stays in place.
   foils.assembled_gap.setZero(foils.problem.contacts());

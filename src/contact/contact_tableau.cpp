@@ -48,13 +48,13 @@ BUMPFOIL_ALWAYS_INLINE inline void subtract_multiple(double factor, const double
 
 bool ContactTableau::pays(const ContactProblem& problem) {
   return widest_vector_instructions() != VectorInstructions::baseline &&
-         coordinate_count(problem.pairs) * problem.K.blocks() <= most_coordinates;
+         coordinate_count(problem.sites) <= most_coordinates;
 }
 
 ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<ModeSystem> modes)
     : problem_(problem),
       modes_(std::move(modes)),
-      coordinates_(coordinate_count(problem.pairs) * problem.K.blocks()),
+      coordinates_(coordinate_count(problem.sites)),
       size_(padded(coordinates_)),
       numbers_(static_cast<std::size_t>(size_ * (size_ + 2 * most_pending)), 0.0),
       T_(numbers_.data(), size_, size_),
@@ -64,21 +64,18 @@ ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<Mo
       right_(left_.data() + left_.size(), most_pending, size_),
       path_rate_(ContactLoading::none(problem)),
       rates_{.normal = Vector::Zero(problem.contacts()), .tangential = Vector::Zero(problem.contacts())} {
-  const std::vector<Coordinates> coordinates = coordinates_of(problem.pairs);
-  const Eigen::Index per_block = coordinate_count(problem.pairs);
-  places_.reserve(static_cast<std::size_t>(problem.contacts()));
-  for (Eigen::Index b = 0; b < problem.K.blocks(); ++b) {
-    const auto unknown = [&](int i) { return i < 0 ? Eigen::Index{-1} : b * problem.K.block_size() + i; };
-    for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
-      const ContactPair& pair = problem.pairs[i];
-      const bool has_friction = !is_frictionless(pair);
-      places_.push_back({.plus = unknown(pair.plus),
-                         .minus = unknown(pair.minus),
-                         .tangential = unknown(pair.tangential),
-                         .f = has_friction ? pair.friction_coefficient : 0.0,
-                         .z_normal = b * per_block + coordinates[i].normal,
-                         .z_tangential = has_friction ? b * per_block + coordinates[i].tangential : -1});
-    }
+  const std::vector<Coordinates> coordinates = coordinates_of(problem.sites);
+  places_.reserve(problem.sites.size());
+  for (std::size_t c = 0; c < problem.sites.size(); ++c) {
+    const ContactSite& site = problem.sites[c];
+    const Eigen::Index row = site.block * problem.K.block_size();
+    const auto unknown = [row](int i) { return i < 0 ? Eigen::Index{-1} : row + i; };
+    places_.push_back({.plus = unknown(site.plus),
+                       .minus = unknown(site.minus),
+                       .tangential = unknown(site.tangential),
+                       .f = is_frictionless(site) ? 0.0 : site.friction_coefficient,
+                       .z_normal = coordinates[c].normal,
+                       .z_tangential = coordinates[c].tangential});
   }
 }
 

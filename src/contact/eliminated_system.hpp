@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <vector>
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
@@ -15,63 +16,75 @@ namespace bumpfoil {
 
 /// How the normal force of a contact is found from the balance of its block.
 struct Elimination {
-  std::size_t pair{};   ///< contact of the block
+  std::size_t site{};   ///< of the problem
   int owner{};          ///< unknown whose balance gives the normal force
   double owner_sign{};  ///< of the normal force on the owner
   int other{-1};        ///< the other unknown the normal force acts on, if any
 };
 
-/// Order in which the contacts of a block can be eliminated: each owner is touched by no contact that comes later.
-inline std::vector<Elimination> elimination_order(const std::vector<ContactPair>& pairs) {
-  std::vector<Elimination> order;
-  std::vector<bool> done(pairs.size(), false);
+/// Adds the order in which the contacts of a block can be eliminated: each owner is touched by no contact that comes
+/// later. @param first, last  sites of the block
+inline void add_elimination_order(const std::vector<ContactSite>& sites, std::size_t first, std::size_t last,
+                                  std::vector<Elimination>& order) {
+  std::vector<bool> done(last - first, false);
   const auto touched_by_others = [&](int unknown, std::size_t self) {
-    for (std::size_t c = 0; c < pairs.size(); ++c) {
-      const ContactPair& pair = pairs[c];
-      if (c == self || (done[c] && pair.tangential != unknown)) continue;
-      if (pair.plus == unknown || pair.minus == unknown || pair.tangential == unknown) return true;
+    for (std::size_t c = first; c < last; ++c) {
+      const ContactSite& site = sites[c];
+      if (c == self || (done[c - first] && site.tangential != unknown)) continue;
+      if (site.plus == unknown || site.minus == unknown || site.tangential == unknown) return true;
     }
     return false;
   };
-  while (order.size() < pairs.size()) {
+  while (order.size() < last) {
     const std::size_t before = order.size();
-    for (std::size_t c = 0; c < pairs.size(); ++c) {
-      if (done[c]) continue;
-      const ContactPair& pair = pairs[c];
-      if (pair.plus >= 0 && !touched_by_others(pair.plus, c)) {
-        order.push_back({c, pair.plus, 1.0, pair.minus});
-      } else if (pair.minus >= 0 && !touched_by_others(pair.minus, c)) {
-        order.push_back({c, pair.minus, -1.0, pair.plus});
+    for (std::size_t c = first; c < last; ++c) {
+      if (done[c - first]) continue;
+      const ContactSite& site = sites[c];
+      if (site.plus >= 0 && !touched_by_others(site.plus, c)) {
+        order.push_back({c, site.plus, 1.0, site.minus});
+      } else if (site.minus >= 0 && !touched_by_others(site.minus, c)) {
+        order.push_back({c, site.minus, -1.0, site.plus});
       } else {
         continue;
       }
-      done[c] = true;
+      done[c - first] = true;
     }
     BUMPFOIL_ASSERT(order.size() > before);  // contacts that form a ring cannot be eliminated one by one
     if (order.size() == before) break;
   }
+}
+
+/// Block after block, as many entries of each as it has sites.
+inline std::vector<Elimination> elimination_order(const ContactProblem& problem) {
+  const std::vector<std::size_t> first = first_sites(problem);
+  std::vector<Elimination> order;
+  order.reserve(problem.sites.size());
+  for (std::size_t b = 0; b + 1 < first.size(); ++b) {
+    add_elimination_order(problem.sites, first[b], first[b + 1], order);
+  }
   return order;
 }
 
-/// Coordinates of a contact among those of its block, in the order of contacts: a normal one and, with friction, a
-/// tangential one behind it; -1 is none.
+/// Coordinates of a contact, in the order of contacts: a normal one and, with friction, a tangential one behind it; -1
+/// is none.
 struct Coordinates {
   Eigen::Index normal, tangential;
 };
 
-inline std::vector<Coordinates> coordinates_of(const std::vector<ContactPair>& pairs) {
+inline std::vector<Coordinates> coordinates_of(const std::vector<ContactSite>& sites) {
   std::vector<Coordinates> coordinates;
+  coordinates.reserve(sites.size());
   Eigen::Index next = 0;
-  for (const ContactPair& pair : pairs) {
+  for (const ContactSite& site : sites) {
     const Eigen::Index normal = next++;
-    coordinates.push_back({normal, is_frictionless(pair) ? -1 : next++});
+    coordinates.push_back({normal, is_frictionless(site) ? -1 : next++});
   }
   return coordinates;
 }
 
-inline Eigen::Index coordinate_count(const std::vector<ContactPair>& pairs) {
-  return std::ssize(pairs) +
-         std::count_if(pairs.begin(), pairs.end(), [](const ContactPair& pair) { return !is_frictionless(pair); });
+inline Eigen::Index coordinate_count(const std::vector<ContactSite>& sites) {
+  return std::ssize(sites) +
+         std::count_if(sites.begin(), sites.end(), [](const ContactSite& site) { return !is_frictionless(site); });
 }
 
 /// K in blocks of fixed size.
@@ -152,8 +165,9 @@ template <int B>
 class EliminatedSystem {
  protected:
   explicit EliminatedSystem(const ContactProblem& problem)
-      : pairs_(problem.pairs),
-        order_(elimination_order(problem.pairs)),
+      : sites_(problem.sites),
+        first_(first_sites(problem)),
+        order_(elimination_order(problem)),
         K_(problem.K),
         lu_(problem.K.blocks(), problem.K.block_size()),
         rhs_(problem.K.rows()),
@@ -165,15 +179,18 @@ class EliminatedSystem {
     K_.assign(K);
   }
 
-  /// Calls visit(elimination, pair, first row of the block, contact) in the order of elimination.
+  /// Calls visit(elimination, site, first row of the block) in the order of elimination.
   template <typename Visitor>
   void for_each_elimination(Visitor&& visit) const {
-    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
-      for (const Elimination& e : order_) {
-        const std::size_t contact = b * pairs_.size() + e.pair;
-        visit(e, pairs_[e.pair], static_cast<Eigen::Index>(b) * K_.block_size, static_cast<Eigen::Index>(contact));
-      }
+    for (const Elimination& e : order_) {
+      const ContactSite& site = sites_[e.site];
+      visit(e, site, static_cast<Eigen::Index>(site.block) * K_.block_size);
     }
+  }
+
+  /// Those of a block.
+  [[nodiscard]] std::span<const Elimination> eliminations(std::size_t block) const {
+    return std::span(order_).subspan(first_[block], first_[block + 1] - first_[block]);
   }
 
   /// Reads a normal force off the balance of its owner and takes it off that of the other unknown.
@@ -192,7 +209,8 @@ class EliminatedSystem {
     lu_.upper(i) = rows_.rightCols(n);
   }
 
-  std::vector<ContactPair> pairs_;
+  std::vector<ContactSite> sites_;
+  std::vector<std::size_t> first_;  ///< of each block
   std::vector<Elimination> order_;
   Stiffness<B> K_;
   BlockTridiagonalLU<B> lu_;

@@ -90,10 +90,10 @@ EventFollower::~EventFollower() = default;
 /// One contact that changes its mode may reverse a whole row of others, which reverse again once its neighbours have
 /// changed theirs. Drops the changes far from the event, unless there are no others.
 void EventFollower::Workspace::keep_changes_nearby() {
-  const auto pairs = static_cast<Eigen::Index>(problem.pairs.size());
+  const auto block_of = [this](Eigen::Index c) { return problem.sites[static_cast<std::size_t>(c)].block; };
   const auto is_far = [&](const ModeChange& change) {
     return std::none_of(flipped.begin(), flipped.end(),
-                        [&](Eigen::Index c) { return std::abs(change.contact / pairs - c / pairs) <= 1; });
+                        [&](Eigen::Index c) { return std::abs(block_of(change.contact) - block_of(c)) <= 1; });
   };
   const auto far = std::remove_if(changes.begin(), changes.end(), is_far);
   if (far != changes.begin()) changes.erase(far, changes.end());

@@ -13,12 +13,13 @@ template <int B>
 class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
   using Base = EliminatedSystem<B>;
   using Base::carry_normal_force;
+  using Base::eliminations;
+  using Base::first_;
   using Base::for_each_elimination;
   using Base::imbalance_;
   using Base::K_;
   using Base::lu_;
-  using Base::order_;
-  using Base::pairs_;
+  using Base::sites_;
   using Base::rhs_;
   using Base::rows_;
 
@@ -36,17 +37,14 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
   }
 
   bool set_modes(const std::vector<ContactMode>& mode) override {
-    BUMPFOIL_ASSERT(mode.size() == K_.diagonal.size() * pairs_.size());
-    const std::size_t n = pairs_.size();
+    BUMPFOIL_ASSERT(mode.size() == sites_.size());
     std::size_t first = factored_ ? K_.diagonal.size() : 0;
     for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
-      const auto begin = mode.begin() + static_cast<std::ptrdiff_t>(b * n);
-      if (factored_ && std::equal(begin, begin + static_cast<std::ptrdiff_t>(n),
-                                  mode_.begin() + static_cast<std::ptrdiff_t>(b * n))) {
-        continue;
-      }
+      const auto begin = static_cast<std::ptrdiff_t>(first_[b]);
+      const auto end = static_cast<std::ptrdiff_t>(first_[b + 1]);
+      if (factored_ && std::equal(mode.begin() + begin, mode.begin() + end, mode_.begin() + begin)) continue;
       first = std::min(first, b);
-      assemble_block(b, &*begin);
+      assemble_block(b, mode);
     }
     mode_ = mode;
     if (first < K_.diagonal.size()) {
@@ -61,19 +59,19 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
   void solve(const ContactLoading& loading, const Vector& previous_x, ContactState& state) override {
     BUMPFOIL_ASSERT(factored_);
     rhs_ = loading.load;
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
-      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+    for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
+      const ContactMode mode = mode_[e.site];
       if (mode == ContactMode::open) return;
       // Minus the part of the normal force that the loads carry, moved through the rows as in assemble_block.
       const double p = carry_normal_force(e, row, rhs_);
-      if (!is_frictionless(pair)) {
+      if (!is_frictionless(site)) {
         if (mode == ContactMode::stick) {
-          rhs_[row + pair.tangential] = constraint_scale_ * previous_x[row + pair.tangential];
+          rhs_[row + site.tangential] = constraint_scale_ * previous_x[row + site.tangential];
         } else {
-          rhs_[row + pair.tangential] -= friction_sign(mode) * pair.friction_coefficient * p;
+          rhs_[row + site.tangential] -= friction_sign(mode) * site.friction_coefficient * p;
         }
       }
-      rhs_[row + e.owner] = -constraint_scale_ * loading.initial_gap[contact];
+      rhs_[row + e.owner] = -constraint_scale_ * loading.initial_gap[static_cast<Eigen::Index>(e.site)];
     });
     state.x = rhs_;
     lu_.solve_in_place(state.x);
@@ -82,61 +80,61 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
 
   void solve_units(RowMajor& x, RowMajor& force) override {
     BUMPFOIL_ASSERT(factored_);
-    const std::vector<Coordinates> coordinates = coordinates_of(pairs_);
-    const Eigen::Index per_block = coordinate_count(pairs_);
-    const auto count = per_block * std::ssize(K_.diagonal);
+    const std::vector<Coordinates> coordinates = coordinates_of(sites_);
+    const Eigen::Index count = coordinate_count(sites_);
     const Eigen::Index n = K_.block_size;
+    // Of a block: its loads and forces have no others.
+    const auto begin_of = [&](std::size_t site) { return site < sites_.size() ? coordinates[site].normal : count; };
     // Loads first, carried through the rows as in solve().
     RowMajor& load = unit_loads_;
-    load.setZero(count / per_block * n, count);
-    for (Eigen::Index b = 0; b < count / per_block; ++b) {
-      for (std::size_t c = 0; c < pairs_.size(); ++c) {
-        const ContactPair& pair = pairs_[c];
-        const ContactMode mode = mode_[static_cast<std::size_t>(b) * pairs_.size() + c];
-        const Eigen::Index normal = b * per_block + coordinates[c].normal;
-        if (mode == ContactMode::open && pair.plus >= 0) load(b * n + pair.plus, normal) += 1.0;
-        if (mode == ContactMode::open && pair.minus >= 0) load(b * n + pair.minus, normal) -= 1.0;
-        if (!is_frictionless(pair) && mode != ContactMode::stick) {
-          load(b * n + pair.tangential, b * per_block + coordinates[c].tangential) += 1.0;
-        }
+    load.setZero(std::ssize(K_.diagonal) * n, count);
+    for (std::size_t c = 0; c < sites_.size(); ++c) {
+      const ContactSite& site = sites_[c];
+      const ContactMode mode = mode_[c];
+      const Eigen::Index row = site.block * n;
+      if (mode == ContactMode::open && site.plus >= 0) load(row + site.plus, coordinates[c].normal) += 1.0;
+      if (mode == ContactMode::open && site.minus >= 0) load(row + site.minus, coordinates[c].normal) -= 1.0;
+      if (!is_frictionless(site) && mode != ContactMode::stick) {
+        load(row + site.tangential, coordinates[c].tangential) += 1.0;
       }
     }
     x = load;
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
-      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+    for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
+      const ContactMode mode = mode_[e.site];
       if (mode == ContactMode::open) return;
-      const Eigen::Index first = row / n * per_block;
-      const auto part = [&](int unknown) { return x.row(row + unknown).segment(first, per_block); };
+      const auto b = static_cast<std::size_t>(site.block);
+      const Eigen::Index begin = begin_of(first_[b]);
+      const Eigen::Index size = begin_of(first_[b + 1]) - begin;
+      const auto part = [&](int unknown) { return x.row(row + unknown).segment(begin, size); };
       const Eigen::RowVectorXd p = e.owner_sign * part(e.owner);
       if (e.other >= 0) part(e.other) += e.owner_sign * p;
-      if (!is_frictionless(pair)) {
+      if (!is_frictionless(site)) {
         if (mode == ContactMode::stick) {
-          part(pair.tangential).setZero();
-          part(pair.tangential)[coordinates[e.pair].tangential] = constraint_scale_;
+          part(site.tangential).setZero();
+          x(row + site.tangential, coordinates[e.site].tangential) = constraint_scale_;
         } else {
-          part(pair.tangential) -= friction_sign(mode) * pair.friction_coefficient * p;
+          part(site.tangential) -= friction_sign(mode) * site.friction_coefficient * p;
         }
       }
       part(e.owner).setZero();
-      part(e.owner)[coordinates[e.pair].normal] = constraint_scale_;
+      x(row + e.owner, coordinates[e.site].normal) = constraint_scale_;
     });
     lu_.solve_panel_in_place(x);
     RowMajor& imbalance = load;
     K_.multiply_panel(x, imbalance);
     force.setZero(count, count);
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
-      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+    for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
+      const ContactMode mode = mode_[e.site];
       if (mode == ContactMode::open) return;
-      const Eigen::Index first = row / n * per_block;
-      auto p = force.row(first + coordinates[e.pair].normal);
+      auto p = force.row(coordinates[e.site].normal);
       p = e.owner_sign * imbalance.row(row + e.owner);
       if (e.other >= 0) imbalance.row(row + e.other) += e.owner_sign * p;
-      if (is_frictionless(pair)) return;
-      auto t = force.row(first + coordinates[e.pair].tangential);
+      if (is_frictionless(site)) return;
+      auto t = force.row(coordinates[e.site].tangential);
       if (mode == ContactMode::stick) {
-        t = imbalance.row(row + pair.tangential);
+        t = imbalance.row(row + site.tangential);
       } else {
-        t = friction_sign(mode) * pair.friction_coefficient * p;
+        t = friction_sign(mode) * site.friction_coefficient * p;
       }
     });
   }
@@ -145,7 +143,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     loading.initial_gap = state.gap;
     loading.load.resize(state.x.size());
     K_.multiply(state.x, loading.load);
-    for_each_contact(pairs_, K_.block_size, state.x.size(), [&](const CoulombContact& contact) {
+    for_each_contact(sites_, K_.block_size, [&](const CoulombContact& contact) {
       const Eigen::Index c = contact.index;
       loading.initial_gap[c] -= contact.gap(state.x);
       contact.add_forces(state.normal_force[c], state.friction_force[c], -1.0, loading.load);
@@ -154,28 +152,28 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
 
  private:
   /// Rows of block b: the balance K x = load + contact forces with the normal forces of closed contacts eliminated.
-  void assemble_block(std::size_t b, const ContactMode* mode) {
+  void assemble_block(std::size_t b, const std::vector<ContactMode>& mode) {
     const Eigen::Index n = K_.block_size;
     K_.copy_rows(b, rows_);
-    for (const Elimination& e : order_) {
-      const ContactMode m = mode[e.pair];
+    for (const Elimination& e : eliminations(b)) {
+      const ContactMode m = mode[e.site];
       if (m == ContactMode::open) continue;
-      const ContactPair& pair = pairs_[e.pair];
+      const ContactSite& site = sites_[e.site];
       // The balance of the owner reads (row) x - load = owner_sign * p; the force on the other unknown is -owner_sign
       // p.
       if (e.other >= 0) rows_.row(e.other) += rows_.row(e.owner);
-      if (!is_frictionless(pair)) {
+      if (!is_frictionless(site)) {
         if (m == ContactMode::stick) {
-          rows_.row(pair.tangential).setZero();
-          rows_(pair.tangential, n + pair.tangential) = constraint_scale_;
+          rows_.row(site.tangential).setZero();
+          rows_(site.tangential, n + site.tangential) = constraint_scale_;
         } else {
-          const double factor = friction_sign(m) * pair.friction_coefficient * e.owner_sign;
-          rows_.row(pair.tangential) -= factor * rows_.row(e.owner);
+          const double factor = friction_sign(m) * site.friction_coefficient * e.owner_sign;
+          rows_.row(site.tangential) -= factor * rows_.row(e.owner);
         }
       }
       rows_.row(e.owner).setZero();
-      if (pair.plus >= 0) rows_(e.owner, n + pair.plus) = constraint_scale_;
-      if (pair.minus >= 0) rows_(e.owner, n + pair.minus) = -constraint_scale_;
+      if (site.plus >= 0) rows_(e.owner, n + site.plus) = constraint_scale_;
+      if (site.minus >= 0) rows_(e.owner, n + site.minus) = -constraint_scale_;
     }
     Base::store_rows(b);
   }
@@ -188,19 +186,20 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
     state.gap.resize(contacts);
     state.normal_force.resize(contacts);
     state.friction_force.resize(contacts);
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
-      const ContactMode mode = mode_[static_cast<std::size_t>(contact)];
+    for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
+      const ContactMode mode = mode_[e.site];
+      const auto contact = static_cast<Eigen::Index>(e.site);
       double& p = state.normal_force[contact];
       double& t = state.friction_force[contact];
-      state.gap[contact] = loading.initial_gap[contact] + (pair.plus >= 0 ? state.x[row + pair.plus] : 0.0) -
-                           (pair.minus >= 0 ? state.x[row + pair.minus] : 0.0);
+      state.gap[contact] = loading.initial_gap[contact] + (site.plus >= 0 ? state.x[row + site.plus] : 0.0) -
+                           (site.minus >= 0 ? state.x[row + site.minus] : 0.0);
       p = 0.0;
       t = 0.0;
       if (mode == ContactMode::open) return;
       p = carry_normal_force(e, row, imbalance_);
-      if (is_frictionless(pair)) return;
-      t = mode == ContactMode::stick ? imbalance_[row + pair.tangential]
-                                     : friction_sign(mode) * pair.friction_coefficient * p;
+      if (is_frictionless(site)) return;
+      t = mode == ContactMode::stick ? imbalance_[row + site.tangential]
+                                     : friction_sign(mode) * site.friction_coefficient * p;
     });
   }
 

@@ -54,7 +54,7 @@ struct NewtonSolver::Workspace {
         modes(std::move(mode_system)),
         follower(contact_problem, modes, {.max_events = newton_options.max_events}),
         interior(contact_problem),
-        worst_of_runs(problem.pairs.size()),
+        worst_of_runs(problem.sites),
         path{ContactLoading::none(problem), ContactLoading::none(problem)},
         path_end(ContactState::unstressed(problem)) {
     const auto contacts = static_cast<std::size_t>(problem.contacts());

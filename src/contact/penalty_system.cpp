@@ -10,7 +10,7 @@ template <int B>
 class PenaltySystemOf final : public PenaltySystem {
  public:
   explicit PenaltySystemOf(const ContactProblem& problem)
-      : pairs_(problem.pairs),
+      : sites_(problem.sites),
         K_(problem.K),
         lu_(problem.K.blocks(), problem.K.block_size()),
         product_(problem.K.rows()) {
@@ -27,21 +27,19 @@ class PenaltySystemOf final : public PenaltySystem {
   }
 
   bool set_stiffness(const Vector& normal_stiffness, const Vector& tangential_stiffness) override {
+    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) lu_.diagonal(static_cast<int>(b)) = K_.diagonal[b];
     Eigen::Index contact = 0;
-    for (std::size_t b = 0; b < K_.diagonal.size(); ++b) {
-      auto& block = lu_.diagonal(static_cast<int>(b));
-      block = K_.diagonal[b];
-      for (const ContactPair& pair : pairs_) {
-        const double k = normal_stiffness[contact];
-        if (pair.plus >= 0) block(pair.plus, pair.plus) += k;
-        if (pair.minus >= 0) block(pair.minus, pair.minus) += k;
-        if (pair.plus >= 0 && pair.minus >= 0) {
-          block(pair.plus, pair.minus) -= k;
-          block(pair.minus, pair.plus) -= k;
-        }
-        if (pair.tangential >= 0) block(pair.tangential, pair.tangential) += tangential_stiffness[contact];
-        ++contact;
+    for (const ContactSite& site : sites_) {
+      auto& block = lu_.diagonal(site.block);
+      const double k = normal_stiffness[contact];
+      if (site.plus >= 0) block(site.plus, site.plus) += k;
+      if (site.minus >= 0) block(site.minus, site.minus) += k;
+      if (site.plus >= 0 && site.minus >= 0) {
+        block(site.plus, site.minus) -= k;
+        block(site.minus, site.plus) -= k;
       }
+      if (site.tangential >= 0) block(site.tangential, site.tangential) += tangential_stiffness[contact];
+      ++contact;
     }
     return lu_.factor();
   }
@@ -54,7 +52,7 @@ class PenaltySystemOf final : public PenaltySystem {
   }
 
  private:
-  std::vector<ContactPair> pairs_;
+  std::vector<ContactSite> sites_;
   Stiffness<B> K_;
   BlockTridiagonalLU<B> lu_;
   Vector product_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -151,15 +152,23 @@ class PivotingRule {
 /// along the foil contact by contact; its worst contact alone often puts the rest right.
 class WorstOfRuns {
  public:
-  explicit WorstOfRuns(std::size_t contacts_per_block) : runs_(contacts_per_block) {}
+  /// Neighbours are contacts of the same rank in neighbouring blocks.
+  explicit WorstOfRuns(const std::vector<ContactSite>& sites) {
+    places_.reserve(sites.size());
+    for (const ContactSite& site : sites) {
+      const bool same_block = !places_.empty() && places_.back().block == site.block;
+      places_.push_back({site.block, same_block ? places_.back().rank + 1 : 0});
+      runs_.resize(std::max(runs_.size(), places_.back().rank + 1));
+    }
+  }
 
   /// @param changes  in the order of contacts
   void apply(const std::vector<ModeChange>& changes, std::vector<ContactMode>& mode) {
     for (Run& run : runs_) run.last = nullptr;
-    const auto stride = static_cast<Eigen::Index>(runs_.size());
     for (const ModeChange& change : changes) {
-      Run& run = runs_[static_cast<std::size_t>(change.contact % stride)];
-      const bool continues = run.last != nullptr && run.last->contact + stride == change.contact &&
+      const Place& place = place_of(change);
+      Run& run = runs_[place.rank];
+      const bool continues = run.last != nullptr && place_of(*run.last).block + 1 == place.block &&
                              run.last->to == change.to && mode_of(*run.last, mode) == mode_of(change, mode);
       if (!continues) finish(run, mode);
       if (!continues || change.excess > run.worst->excess) run.worst = &change;
@@ -169,11 +178,18 @@ class WorstOfRuns {
   }
 
  private:
+  struct Place {
+    int block{};
+    std::size_t rank{};  ///< among the contacts of the block
+  };
   struct Run {
     const ModeChange* last{};
     const ModeChange* worst{};
   };
 
+  [[nodiscard]] const Place& place_of(const ModeChange& change) const {
+    return places_[static_cast<std::size_t>(change.contact)];
+  }
   static ContactMode& mode_of(const ModeChange& change, std::vector<ContactMode>& mode) {
     return mode[static_cast<std::size_t>(change.contact)];
   }
@@ -181,7 +197,8 @@ class WorstOfRuns {
     if (run.last != nullptr) mode_of(*run.worst, mode) = run.worst->to;
   }
 
-  std::vector<Run> runs_;  ///< one for each contact of a block
+  std::vector<Place> places_;  ///< of the contacts
+  std::vector<Run> runs_;      ///< one for each rank
 };
 
 }  // namespace bumpfoil

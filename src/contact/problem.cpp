@@ -5,8 +5,32 @@
 
 namespace bumpfoil {
 
+std::vector<ContactSite> in_every_block(const std::vector<ContactSite>& pattern, int blocks) {
+  std::vector<ContactSite> sites;
+  sites.reserve(pattern.size() * static_cast<std::size_t>(blocks));
+  for (int block = 0; block < blocks; ++block) {
+    for (ContactSite site : pattern) {
+      site.block = block;
+      sites.push_back(site);
+    }
+  }
+  return sites;
+}
+
+std::vector<std::size_t> first_sites(const ContactProblem& problem) {
+  const auto blocks = static_cast<std::size_t>(problem.K.blocks());
+  std::vector<std::size_t> first(blocks + 1, 0);
+  for (std::size_t c = 0; c < problem.sites.size(); ++c) {
+    const int block = problem.sites[c].block;
+    BUMPFOIL_ASSERT(block >= 0 && block < problem.K.blocks() && (c == 0 || block >= problem.sites[c - 1].block));
+    ++first[static_cast<std::size_t>(block) + 1];
+  }
+  for (std::size_t b = 0; b < blocks; ++b) first[b + 1] += first[b];
+  return first;
+}
+
 bool is_same(const ContactProblem& a, const ContactProblem& b) {
-  return !a.law && !b.law && a.K == b.K && a.pairs == b.pairs && a.force_scale == b.force_scale;
+  return !a.law && !b.law && a.K == b.K && a.sites == b.sites && a.force_scale == b.force_scale;
 }
 
 ContactLoading ContactLoading::none(const ContactProblem& problem) {

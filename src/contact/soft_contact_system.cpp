@@ -9,12 +9,12 @@ template <int B>
 class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSystem<B> {
   using Base = EliminatedSystem<B>;
   using Base::carry_normal_force;
+  using Base::eliminations;
   using Base::for_each_elimination;
   using Base::imbalance_;
   using Base::K_;
   using Base::lu_;
-  using Base::order_;
-  using Base::pairs_;
+  using Base::sites_;
   using Base::rhs_;
   using Base::rows_;
 
@@ -33,11 +33,12 @@ class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSy
 
   void solve_in_place(Vector& x, Vector& p, Vector& t) override {
     rhs_ = x;
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
-      const SoftContact& soft = contacts_[static_cast<std::size_t>(contact)];
+    for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
+      const SoftContact& soft = contacts_[e.site];
+      const auto contact = static_cast<Eigen::Index>(e.site);
       const double force = carry_normal_force(e, row, rhs_);
-      if (!is_frictionless(pair)) {
-        double& tangential = rhs_[row + pair.tangential];
+      if (!is_frictionless(site)) {
+        double& tangential = rhs_[row + site.tangential];
         tangential = t[contact] + soft.friction_force * tangential + soft.coupling * force;
       }
       rhs_[row + e.owner] = p[contact] + soft.normal_force * force;
@@ -46,9 +47,10 @@ class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSy
     K_.multiply(rhs_, imbalance_);
     imbalance_ -= x;
     x = rhs_;
-    for_each_elimination([&](const Elimination& e, const ContactPair& pair, Eigen::Index row, Eigen::Index contact) {
+    for_each_elimination([&](const Elimination& e, const ContactSite& site, Eigen::Index row) {
+      const auto contact = static_cast<Eigen::Index>(e.site);
       p[contact] = carry_normal_force(e, row, imbalance_);
-      t[contact] = is_frictionless(pair) ? 0.0 : imbalance_[row + pair.tangential];
+      t[contact] = is_frictionless(site) ? 0.0 : imbalance_[row + site.tangential];
     });
   }
 
@@ -63,18 +65,18 @@ class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSy
   void assemble_block(std::size_t b) {
     const Eigen::Index n = K_.block_size;
     K_.copy_rows(b, rows_);
-    for (const Elimination& e : order_) {
-      const SoftContact& soft = contacts_[b * pairs_.size() + e.pair];
-      const ContactPair& pair = pairs_[e.pair];
+    for (const Elimination& e : eliminations(b)) {
+      const SoftContact& soft = contacts_[e.site];
+      const ContactSite& site = sites_[e.site];
       if (e.other >= 0) rows_.row(e.other) += rows_.row(e.owner);
-      if (!is_frictionless(pair)) {
-        rows_.row(pair.tangential) *= soft.friction_force;
-        rows_.row(pair.tangential) += soft.coupling * e.owner_sign * rows_.row(e.owner);
-        rows_(pair.tangential, n + pair.tangential) += soft.slip;
+      if (!is_frictionless(site)) {
+        rows_.row(site.tangential) *= soft.friction_force;
+        rows_.row(site.tangential) += soft.coupling * e.owner_sign * rows_.row(e.owner);
+        rows_(site.tangential, n + site.tangential) += soft.slip;
       }
       rows_.row(e.owner) *= soft.normal_force * e.owner_sign;
-      if (pair.plus >= 0) rows_(e.owner, n + pair.plus) += soft.gap;
-      if (pair.minus >= 0) rows_(e.owner, n + pair.minus) -= soft.gap;
+      if (site.plus >= 0) rows_(e.owner, n + site.plus) += soft.gap;
+      if (site.minus >= 0) rows_(e.owner, n + site.minus) -= soft.gap;
     }
     Base::store_rows(b);
   }

@@ -35,7 +35,7 @@ StraightPiece::StraightPiece(const ContactProblem& problem)
   for_each_contact(problem, [&](const CoulombContact& contact) {
     if (contact.f == 0.0) return;
     friction_coefficient_[contact.index] = contact.f;
-    tangential_[static_cast<std::size_t>(contact.index)] = static_cast<int>(contact.row + contact.pair.tangential);
+    tangential_[static_cast<std::size_t>(contact.index)] = static_cast<int>(contact.row + contact.site.tangential);
     can_slip_.push_back(contact.index);
   });
 }

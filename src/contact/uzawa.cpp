@@ -28,12 +28,10 @@ double mean_contact_stiffness(const ContactProblem& problem) {
   };
   double sum = 0.0;
   int contacts = 0;
-  for (int block = 0; block < problem.K.blocks(); ++block) {
-    for (const ContactPair& pair : problem.pairs) {
-      if (pair.tangential < 0) continue;
-      sum += std::max(stiffness(block, pair.plus), stiffness(block, pair.minus));
-      ++contacts;
-    }
+  for (const ContactSite& site : problem.sites) {
+    if (site.tangential < 0) continue;
+    sum += std::max(stiffness(site.block, site.plus), stiffness(site.block, site.minus));
+    ++contacts;
   }
   return contacts > 0 ? sum / contacts : 0.0;
 }
@@ -185,7 +183,7 @@ bool UzawaSolver::Workspace::find_normal_forces(const ContactLoading& loading, c
     // p = lambda - eps_alm g are the forces in balance with x, and the next multipliers.
     double moved = 0.0;
     for_each_contact(problem, [&](const CoulombContact& c) {
-      if (c.pair.tangential >= 0) moved = std::max(moved, std::abs(p[c.index] - lambda[c.index]));
+      if (c.site.tangential >= 0) moved = std::max(moved, std::abs(p[c.index] - lambda[c.index]));
     });
     lambda = p;
     if (moved <= options.multiplier_tolerance * force_scale()) return true;
@@ -265,7 +263,7 @@ void UzawaSolver::Workspace::evaluate(const ContactLoading& loading, const Conta
     p[i] = t[i] = normal_stiffness[i] = tangential_stiffness[i] = 0.0;
     if (!is_closed(c)) return;
     const double gap = loading.initial_gap[i] + c.gap(x);
-    const bool multiplied = c.pair.tangential >= 0;
+    const bool multiplied = c.site.tangential >= 0;
     normal_stiffness[i] = multiplied ? options.eps_alm : options.eps_r;
     p[i] = (multiplied ? lambda[i] : 0.0) - normal_stiffness[i] * gap;
     if (c.f > 0.0) {

@@ -46,15 +46,13 @@ DenseContacts make_dense(const ContactProblem& problem) {
                       .tangential = Matrix::Zero(contacts, problem.K.rows()),
                       .friction = Vector::Zero(contacts)};
   Eigen::Index c = 0;
-  for (int block = 0; block < problem.K.blocks(); ++block) {
-    const Eigen::Index row = Eigen::Index{block} * problem.K.block_size();
-    for (const ContactPair& pair : problem.pairs) {
-      if (pair.plus >= 0) dense.normal(c, row + pair.plus) = 1.0;
-      if (pair.minus >= 0) dense.normal(c, row + pair.minus) = -1.0;
-      if (pair.tangential >= 0) dense.tangential(c, row + pair.tangential) = 1.0;
-      dense.friction[c] = pair.friction_coefficient;
-      ++c;
-    }
+  for (const ContactSite& site : problem.sites) {
+    const Eigen::Index row = Eigen::Index{site.block} * problem.K.block_size();
+    if (site.plus >= 0) dense.normal(c, row + site.plus) = 1.0;
+    if (site.minus >= 0) dense.normal(c, row + site.minus) = -1.0;
+    if (site.tangential >= 0) dense.tangential(c, row + site.tangential) = 1.0;
+    dense.friction[c] = site.friction_coefficient;
+    ++c;
   }
   return dense;
 }

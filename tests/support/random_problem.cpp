@@ -42,9 +42,10 @@ RandomProblem make_random_problem(std::uint64_t seed, int blocks, int block_size
       problem.K.diagonal[static_cast<std::size_t>(b) + 1] += stiffness * there * there.transpose();
     }
   }
-  problem.pairs = {{.plus = 4},
-                   {.plus = 1, .minus = 4, .tangential = 0, .friction_coefficient = friction},
-                   {.minus = 3, .tangential = 2, .friction_coefficient = friction}};
+  problem.sites = in_every_block({{.plus = 4},
+                                  {.plus = 1, .minus = 4, .tangential = 0, .friction_coefficient = friction},
+                                  {.minus = 3, .tangential = 2, .friction_coefficient = friction}},
+                                 blocks);
   for (ContactLoading* loading : {&random.first, &random.second}) {
     loading->initial_gap = uniform.vector(problem.contacts(), -2e-5, 2e-5);
     loading->load = uniform.vector(problem.K.rows(), -20.0, 20.0);
@@ -55,9 +56,8 @@ RandomProblem make_random_problem(std::uint64_t seed, int blocks, int block_size
 std::vector<ContactMode> random_modes(std::uint64_t seed, const ContactProblem& problem) {
   Uniform uniform(seed);
   std::vector<ContactMode> mode;
-  for (int c = 0; c < problem.contacts(); ++c) {
-    const ContactPair& pair = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()];
-    const bool frictionless = pair.tangential < 0 || pair.friction_coefficient == 0.0;
+  for (const ContactSite& site : problem.sites) {
+    const bool frictionless = site.tangential < 0 || site.friction_coefficient == 0.0;
     mode.push_back(static_cast<ContactMode>(static_cast<int>(uniform(0.0, frictionless ? 2.0 : 4.0))));
   }
   return mode;

@@ -10,7 +10,7 @@ inline ContactProblem spring_against_a_wall() {
   ContactProblem problem;
   problem.K = BlockTridiagonal(1, 1);
   problem.K.add(0, 0, 0, 0, 1e6);
-  problem.pairs = {{.minus = 0}};
+  problem.sites = in_every_block({{.minus = 0}}, problem.K.blocks());
   return problem;
 }
 
@@ -21,7 +21,7 @@ inline ContactProblem dragged_block() {
   problem.K = BlockTridiagonal(1, 2);
   problem.K.add(0, 0, 0, 0, 2e6);
   problem.K.add(0, 1, 0, 1, 1e6);
-  problem.pairs = {{.plus = 1, .tangential = 0, .friction_coefficient = 0.5}};
+  problem.sites = in_every_block({{.plus = 1, .tangential = 0, .friction_coefficient = 0.5}}, problem.K.blocks());
   return problem;
 }
 
@@ -37,7 +37,7 @@ inline ContactProblem stacked_slabs() {
   problem.K = BlockTridiagonal(1, 2);
   problem.K.add(0, 0, 0, 0, 1e6);
   problem.K.add(0, 1, 0, 1, 1e6);
-  problem.pairs = {{.plus = 0}, {.plus = 1, .minus = 0}};
+  problem.sites = in_every_block({{.plus = 0}, {.plus = 1, .minus = 0}}, problem.K.blocks());
   return problem;
 }
 

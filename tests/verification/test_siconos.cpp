@@ -66,9 +66,9 @@ TEST(Siconos, FindsTheSameForcesAndModes) {
       ASSERT_LT((state.normal_force - normal).cwiseAbs().maxCoeff(), 1e-6) << row;
       ASSERT_LT((state.friction_force - friction).cwiseAbs().maxCoeff(), 1e-6) << row;
       for (Eigen::Index c = 0; c < normal.size(); ++c) {
-        const ContactPair& pair = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()];
-        if (pair.tangential < 0) continue;
-        const ContactMode mode = mode_of(normal[c], friction[c], pair.friction_coefficient);
+        const ContactSite& site = problem.sites[static_cast<std::size_t>(c)];
+        if (site.tangential < 0) continue;
+        const ContactMode mode = mode_of(normal[c], friction[c], site.friction_coefficient);
         EXPECT_EQ(state.mode[static_cast<std::size_t>(c)], mode) << row << ", contact " << c;
         ++seen[mode];
       }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/foil_state.hpp"
 #include "bumpfoil/bearing/tangents.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -62,6 +63,7 @@ class FoilStepper {
   SharedFoils foils_;
   std::shared_ptr<ModeSystem> modes_;  ///< shared with the follower: no other is made for tangents
   std::unique_ptr<PathFollower> follower_;
+  FrictionDissipation dissipation_;
   bool follows_events_;
   Excitation path_begin_, path_end_;
   std::vector<ContactEvent> events_;

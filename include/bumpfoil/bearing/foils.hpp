@@ -51,7 +51,7 @@ struct Foils {
     return has_top_foil() ? 1 : 0;
   }  ///< place of the contact in the block of a bump
   [[nodiscard]] int first_foot() const { return top_bump() + 1; }
-  [[nodiscard]] int contacts_per_block() const { return static_cast<int>(problem.pairs.size()); }
+  [[nodiscard]] int contacts_per_block() const { return problem.contacts() / problem.K.blocks(); }
   [[nodiscard]] int bumps() const { return structure.bumps(); }
   [[nodiscard]] int pads() const { return static_cast<int>(structure.pads.size()); }
   [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }

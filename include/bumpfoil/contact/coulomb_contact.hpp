@@ -9,29 +9,29 @@ namespace bumpfoil {
 
 /// One contact of a problem, with Coulomb's law, located by its place in the block.
 struct CoulombContact {
-  const ContactPair& pair;
+  const ContactSite& site;
   double f;            ///< friction coefficient, 0 where frictionless
   Eigen::Index row;    ///< first unknown of its block
   Eigen::Index index;  ///< in contact arrays
 
   /// Part of the gap that depends on the unknowns, m.
   [[nodiscard]] double gap(const Vector& x) const {
-    return (pair.plus >= 0 ? x[row + pair.plus] : 0.0) - (pair.minus >= 0 ? x[row + pair.minus] : 0.0);
+    return (site.plus >= 0 ? x[row + site.plus] : 0.0) - (site.minus >= 0 ? x[row + site.minus] : 0.0);
   }
   [[nodiscard]] double tangential(const Vector& x) const {
-    return pair.tangential >= 0 ? x[row + pair.tangential] : 0.0;
+    return site.tangential >= 0 ? x[row + site.tangential] : 0.0;
   }
   /// Adds the forces of compression p and friction t (N) times `factor` to the forces on the unknowns.
   void add_forces(double p, double t, double factor, Vector& force) const {
-    if (pair.plus >= 0) force[row + pair.plus] += factor * p;
-    if (pair.minus >= 0) force[row + pair.minus] -= factor * p;
-    if (pair.tangential >= 0) force[row + pair.tangential] += factor * t;
+    if (site.plus >= 0) force[row + site.plus] += factor * p;
+    if (site.minus >= 0) force[row + site.minus] -= factor * p;
+    if (site.tangential >= 0) force[row + site.tangential] += factor * t;
   }
 };
 
 /// Whether a contact never carries friction.
-inline bool is_frictionless(const ContactPair& pair) {
-  return pair.tangential < 0 || pair.friction_coefficient == 0.0;
+inline bool is_frictionless(const ContactSite& site) {
+  return site.tangential < 0 || site.friction_coefficient == 0.0;
 }
 
 /// Sign of the friction force of a slipping contact, in units of f p: it opposes the slip.
@@ -50,23 +50,20 @@ inline ContactMode slip_mode(double slip) {
   return slip > 0.0 ? ContactMode::slip_forward : ContactMode::slip_backward;
 }
 
-/// Calls visit(CoulombContact) for every contact of `pairs` in blocks of `block_size` unknowns, `rows` in all, in the
-/// order of contact arrays.
+/// Calls visit(CoulombContact) for every contact in blocks of `block_size` unknowns, in the order of contact arrays.
 template <typename Visitor>
-void for_each_contact(const std::vector<ContactPair>& pairs, Eigen::Index block_size, Eigen::Index rows,
-                      Visitor&& visit) {
+void for_each_contact(const std::vector<ContactSite>& sites, Eigen::Index block_size, Visitor&& visit) {
   Eigen::Index index = 0;
-  for (Eigen::Index row = 0; row < rows; row += block_size) {
-    for (const ContactPair& pair : pairs) {
-      visit(CoulombContact{pair, pair.tangential >= 0 ? pair.friction_coefficient : 0.0, row, index++});
-    }
+  for (const ContactSite& site : sites) {
+    visit(CoulombContact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0, site.block * block_size,
+                         index++});
   }
 }
 
 /// The same for all contacts of a problem.
 template <typename Visitor>
 void for_each_contact(const ContactProblem& problem, Visitor&& visit) {
-  for_each_contact(problem.pairs, problem.K.block_size(), problem.K.rows(), std::forward<Visitor>(visit));
+  for_each_contact(problem.sites, problem.K.block_size(), std::forward<Visitor>(visit));
 }
 
 }  // namespace bumpfoil

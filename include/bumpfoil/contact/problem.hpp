@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -21,20 +22,24 @@ enum class ContactMode : std::uint8_t {
   slip_backward,  ///< g = 0,  p >= 0, du < 0, t = +f p
 };
 
-/// One kind of contact, present once in every block. The unknowns are given by their place in the block; -1 is none.
+/// One contact. Its unknowns are given by their places in its block; -1 is none.
 ///
 ///     g = g0 + x[plus] - x[minus] >= 0
 ///
 /// A compression p >= 0 acts as +p on `plus` and -p on `minus`; friction t acts on `tangential`. A contact without a
 /// `tangential` unknown is frictionless, and its closed mode is `stick`.
-struct ContactPair {
+struct ContactSite {
+  int block{};
   int plus{-1};
   int minus{-1};
   int tangential{-1};
   double friction_coefficient{};
 
-  bool operator==(const ContactPair&) const = default;
+  bool operator==(const ContactSite&) const = default;
 };
+
+/// The same contacts in each of some blocks. @param pattern  those of a block
+std::vector<ContactSite> in_every_block(const std::vector<ContactSite>& pattern, int blocks);
 
 /// Elastic forces that are not linear in the unknowns.
 struct ElasticLaw {
@@ -55,17 +60,20 @@ struct ElasticLaw {
 /// the place of K x, and K is its tangent at x = 0; the normals and the tangential directions of the contacts stay.
 struct ContactProblem {
   BlockTridiagonal K;
-  /// At least one. Contact c of block b has index b * pairs.size() + c in every contact array.
-  std::vector<ContactPair> pairs;
+  /// At least one, block after block; blocks may differ in theirs. Contact c is `sites[c]` in every contact array.
+  std::vector<ContactSite> sites;
   std::optional<ElasticLaw> law{};  ///< absent where elastic forces are linear
   double force_scale{10.0};         ///< scale of the forces of the problem, N: below 1e-12 of it counts as zero
 
-  [[nodiscard]] int contacts() const { return K.blocks() * static_cast<int>(pairs.size()); }
+  [[nodiscard]] int contacts() const { return static_cast<int>(sites.size()); }
 
   /// The force that tolerances relative to the largest refer to where the largest is less, N: without loads they would
   /// be relative to round-off. 1 N as in ContactResiduals, less for problems with a force scale below 10 N.
   [[nodiscard]] double least_reference_force() const { return std::min(1.0, 0.1 * force_scale); }
 };
+
+/// Where the sites of each block begin among those of a problem, and at last their number.
+std::vector<std::size_t> first_sites(const ContactProblem& problem);
 
 /// Whether two problems are the same to the last bit. With elastic laws they never are: these cannot be compared.
 bool is_same(const ContactProblem& a, const ContactProblem& b);

@@ -26,7 +26,7 @@ struct ContactResiduals {
 inline constexpr double displacement_resolution = 1e-12;
 
 /// Judges a state.
-/// @param problem          pairs and friction coefficients
+/// @param problem          sites and friction coefficients
 /// @param elastic_force    K x or e(x), N, without any part of the solver: see elastic_response in structure/
 /// @param loading          initial gaps and loads
 /// @param previous_x       unknowns at the last converged increment, which slip is measured from

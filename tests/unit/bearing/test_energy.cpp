@@ -1,4 +1,4 @@
-#include "bearing/energy.hpp"
+#include "bumpfoil/bearing/energy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 ContactProblem two_contacts() {
   ContactProblem problem;
   problem.K = BlockTridiagonal(1, 3);
-  problem.pairs = {{.plus = 0}, {.minus = 1, .tangential = 2, .friction_coefficient = 0.25}};
+  problem.sites = {{.plus = 0}, {.minus = 1, .tangential = 2, .friction_coefficient = 0.25}};
   return problem;
 }
 
@@ -22,13 +22,27 @@ TEST(GapWork, IsTheMeanForceTimesTheMotionOfTheWall) {
 }
 
 TEST(FrictionDissipation, IsBoundTimesSlipWhateverItsDirection) {
-  const ContactProblem problem = two_contacts();
+  const FrictionDissipation dissipation(two_contacts());
   const Vector begin = Vector::Zero(3);
   Vector end = begin;
   end << 5e-6, 5e-6, -2e-6;
   const Vector p = Eigen::Vector2d(100.0, 8.0);
-  EXPECT_DOUBLE_EQ(friction_dissipation(problem, p, begin, end), 0.25 * 8.0 * 2e-6);
-  EXPECT_DOUBLE_EQ(friction_dissipation(problem, p, end, begin), 0.25 * 8.0 * 2e-6);
+  EXPECT_DOUBLE_EQ(dissipation.of(p, begin, end), 0.25 * 8.0 * 2e-6);
+  EXPECT_DOUBLE_EQ(dissipation.of(p, end, begin), 0.25 * 8.0 * 2e-6);
+}
+
+TEST(FrictionDissipation, KnowsBlocksThatDifferInTheirContacts) {
+  ContactProblem problem;
+  problem.K = BlockTridiagonal(3, 2);
+  problem.sites = {{.block = 0, .minus = 0, .tangential = 1, .friction_coefficient = 0.5},
+                   {.block = 2, .plus = 0},
+                   {.block = 2, .minus = 0, .tangential = 1, .friction_coefficient = 0.25}};
+  const Vector begin = Vector::Zero(6);
+  Vector end = begin;
+  end[1] = 1e-6;
+  end[5] = -3e-6;
+  EXPECT_DOUBLE_EQ(FrictionDissipation(problem).of(Eigen::Vector3d(4.0, 100.0, 8.0), begin, end),
+                   0.5 * 4.0 * 1e-6 + 0.25 * 8.0 * 3e-6);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(Fields, ReportAContactWithoutLoadAsOpen) {
 
 TEST(Fields, FrictionlessContactsSlipTheWayTheyMove) {
   Example example;
-  for (ContactPair& pair : example.foils.problem.pairs) pair.friction_coefficient = 0.0;
+  for (ContactSite& site : example.foils.problem.sites) site.friction_coefficient = 0.0;
   example.state.contacts.mode[7] = ContactMode::stick;  // what a solver keeps for a frictionless contact
   EXPECT_EQ(example.recorded().top_bump.mode(1, 2), ContactMode::slip_forward);
   example.state.slip_origin = example.state.contacts.x;

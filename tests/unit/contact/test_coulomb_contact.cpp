@@ -10,8 +10,9 @@ namespace {
 /// Two blocks of three unknowns with a contact between the first two, sliding on the third, and a frictionless one.
 ContactProblem two_blocks() {
   return {.K = BlockTridiagonal(2, 3),
-          .pairs = {{.plus = 0, .minus = 1, .tangential = 2, .friction_coefficient = 0.3},
-                    {.plus = 1, .friction_coefficient = 0.7}}};
+          .sites = in_every_block({{.plus = 0, .minus = 1, .tangential = 2, .friction_coefficient = 0.3},
+                                   {.plus = 1, .friction_coefficient = 0.7}},
+                                  2)};
 }
 
 TEST(CoulombContact, VisitsContactsInTheOrderOfTheirArrays) {

@@ -69,7 +69,7 @@ TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
   ContactProblem problem;
   problem.K = BlockTridiagonal(2, 1);
   for (const int block : {0, 1}) problem.K.add(block, 0, block, 0, 1e6);
-  problem.pairs = {{.minus = 0}};
+  problem.sites = in_every_block({{.minus = 0}}, problem.K.blocks());
   const auto stepper = stepper_of(problem);
   const auto walls = [](double first, double second) {
     return ContactLoading{.initial_gap = Eigen::Vector2d(first, second), .load = Vector::Zero(2)};

@@ -132,7 +132,7 @@ TEST(InteriorPoint, CountsItsSolves) {
   EXPECT_TRUE(interior.step());
   EXPECT_EQ(interior.solves(), 2);
   problem.K.diagonal[0](0, 0) = 0.0;  // nothing holds the block along the floor
-  problem.pairs[0].tangential = -1;
+  problem.sites[0].tangential = -1;
   InteriorPoint loose(problem);
   loose.start(toy::pull(30.0, 40.0), ContactState::unstressed(problem), 1.0, 0.995);
   EXPECT_FALSE(loose.step());

@@ -393,7 +393,7 @@ TEST(NewtonSolver, LeavesAMechanismBehind) {
 TEST(NewtonSolver, CountsNoSolvesOfSingularSystems) {
   ContactProblem loose = toy::dragged_block();
   loose.K.diagonal[0](0, 0) = 0.0;
-  loose.pairs[0].tangential = -1;
+  loose.sites[0].tangential = -1;
   NewtonSolver solver(loose);
   ContactState state;
   const SolveReport report = solver.solve(toy::pull(15.0, 40.0), ContactState::unstressed(loose), state);
@@ -404,7 +404,7 @@ TEST(NewtonSolver, CountsNoSolvesOfSingularSystems) {
 
 TEST(NewtonSolver, NeedsContacts) {
   ContactProblem bare = toy::dragged_block();
-  bare.pairs.clear();
+  bare.sites.clear();
   EXPECT_DEATH(NewtonSolver{bare}, "contacts\\(\\) > 0");
 }
 

@@ -177,7 +177,7 @@ ContactState random_begin(std::mt19937_64& random, const ContactProblem& problem
   begin.mode = random_modes(random(), problem);
   for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
     const ContactMode mode = begin.mode[static_cast<std::size_t>(c)];
-    const double f = problem.pairs[static_cast<std::size_t>(c) % problem.pairs.size()].friction_coefficient;
+    const double f = problem.sites[static_cast<std::size_t>(c)].friction_coefficient;
     if (happens()) continue;  // touches without force
     if (mode == ContactMode::open) {
       begin.gap[c] = 1e-5 * std::abs(uniform(random));

@@ -19,7 +19,7 @@ ContactProblem point_over_wall() {
   problem.K = BlockTridiagonal(1, 2);
   problem.K.add(0, 0, 0, 0, stiffness);
   problem.K.add(0, 1, 0, 1, stiffness);
-  problem.pairs = {{.minus = 1, .tangential = 0, .friction_coefficient = 0.3}};
+  problem.sites = in_every_block({{.minus = 1, .tangential = 0, .friction_coefficient = 0.3}}, problem.K.blocks());
   return problem;
 }
 
@@ -57,7 +57,7 @@ TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   ContactProblem stacked;
   stacked.K = BlockTridiagonal(1, 3);
   stacked.K.add(0, 1, 0, 1, stiffness);
-  stacked.pairs = {{.plus = 2}, {.plus = 1, .minus = 2, .tangential = 0, .friction_coefficient = 0.3}};
+  stacked.sites = in_every_block({{.plus = 2}, {.plus = 1, .minus = 2, .tangential = 0, .friction_coefficient = 0.3}}, stacked.K.blocks());
   EXPECT_DOUBLE_EQ(uzawa_options_for(stacked).eps_alm, 4.5e6);
 }
 
@@ -155,7 +155,7 @@ TEST(Uzawa, LeavesOpenWhatOverlapsByLessThanItsTolerance) {
 
 TEST(Uzawa, ThePenaltyContactPenetratesByItsForce) {
   ContactProblem problem = point_over_wall();
-  problem.pairs = {{.minus = 1}};
+  problem.sites = in_every_block({{.minus = 1}}, problem.K.blocks());
   UzawaOptions soft = options;
   soft.eps_r = 1e9;
   const auto [state, report] = solve(problem, pushed(0.0, 10.0), ContactState::unstressed(problem), soft);
@@ -235,7 +235,7 @@ ContactProblem going_round(int blocks) {
     K(3, 3) = 1.0;
     K *= stiffness;
   }
-  problem.pairs = {{.plus = 0, .tangential = 3}, {.plus = 1, .tangential = 3}, {.plus = 2, .tangential = 3}};
+  problem.sites = in_every_block({{.plus = 0, .tangential = 3}, {.plus = 1, .tangential = 3}, {.plus = 2, .tangential = 3}}, problem.K.blocks());
   return problem;
 }
 

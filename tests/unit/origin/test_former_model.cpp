@@ -120,7 +120,7 @@ TEST(FormerModel, ResidualsTellAWrongState) {
   ASSERT_TRUE(good.residuals.within());
   // The same judge under twice the friction finds the slipping contacts inside their cone.
   FormerModel rougher = model;
-  for (ContactPair& pair : rougher.problem.pairs) pair.friction_coefficient = 0.2;
+  for (ContactSite& site : rougher.problem.sites) site.friction_coefficient = 0.2;
   EXPECT_FALSE(former_residuals(rougher, {60e-6, 0.0}, good.state).within());
   EXPECT_FALSE(former_residuals(model, {60e-6, 1e-6}, good.state).within());
 }

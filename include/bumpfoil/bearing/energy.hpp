@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bumpfoil/contact/problem.hpp"
+
+namespace bumpfoil {
+
+/// Work done on the foils between two states by what moves their initial gaps (the journal), trapezoidal rule, J:
+///
+///     W = -1/2 sum (p_begin + p_end) (g0_end - g0_begin)
+///
+/// which is 1/2 (F_begin + F_end).dx for a journal displaced by dx.
+/// @param mean_force  1/2 (p_begin + p_end) of each contact, N
+/// @param gap_change  g0_end - g0_begin of each, m
+double gap_work(const Vector& mean_force, const Vector& gap_change);
+
+/// Energy dissipated by the friction of a problem, sum of f p |du|, J. Made once: ensembles ask for it some 400 times a
+/// sample.
+class FrictionDissipation {
+ public:
+  explicit FrictionDissipation(const ContactProblem& problem);
+
+  /// @param normal_force  p of each contact, N
+  /// @param begin_x       unknowns at the begin of the slip
+  /// @param end_x         and at its end
+  [[nodiscard]] double of(const Vector& normal_force, const Vector& begin_x, const Vector& end_x) const;
+
+ private:
+  /// Contacts of one friction coefficient, and their tangential unknowns.
+  struct Kind {
+    double coefficient{};
+    std::vector<Eigen::Index> contacts, unknowns;
+  };
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace bumpfoil
