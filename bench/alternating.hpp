@@ -24,6 +24,6 @@ struct AlternatingOptions {
 /// @param speed     rad/s
 /// @param state     first guess; receives the last iterate
 AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
-                            const AlternatingOptions& options, FilmBearingState& state);
+                            const AlternatingOptions& options, BearingState& state);
 
 }  // namespace bumpfoil

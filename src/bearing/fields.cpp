@@ -45,7 +45,7 @@ double open_threshold(const Foils& foils, const ContactState& state) {
 }
 
 /// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
-ContactMode reported_mode(const CoulombContact& contact, const FoilState& state, double threshold) {
+ContactMode reported_mode(const CoulombContact& contact, const BearingState& state, double threshold) {
   if (state.contacts.normal_force[contact.index] <= threshold) return ContactMode::open;
   if (contact.pair.tangential < 0 || contact.f > 0.0) {
     return state.contacts.mode[static_cast<std::size_t>(contact.index)];
@@ -56,7 +56,7 @@ ContactMode reported_mode(const CoulombContact& contact, const FoilState& state,
                                            : ContactMode::stick;
 }
 
-void record_interface(const Foils& foils, const FoilState& state, Interface interface, Eigen::Index increment,
+void record_interface(const Foils& foils, const BearingState& state, Interface interface, Eigen::Index increment,
                       InterfaceFields& fields) {
   const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state.contacts);
@@ -188,7 +188,7 @@ Vector bump_compression(const FoilStructure& structure, const Vector& x) {
   return compression;
 }
 
-void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields) {
+void record(const Foils& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields) {
   const Vector& x = state.contacts.x;
   const BumpDofs& dofs = foils.structure.dofs;
   const Eigen::Index size = dofs.size;

@@ -100,15 +100,15 @@ Matrix part_of(const FilmPad& pad, const Matrix& field) {
 }
 
 void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part) {
-  part.film.pressure = all.film.pressure(Eigen::all, pad.columns());
-  part.film.thickness = all.film.thickness(Eigen::all, pad.columns());
+  part.pressure = all.pressure(Eigen::all, pad.columns());
+  part.thickness = all.thickness(Eigen::all, pad.columns());
   part.lift = all.lift(pad.columns());
   part.moment = all.moment(pad.columns());
 }
 
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all) {
-  all.film.pressure(Eigen::all, pad.columns()) = part.film.pressure;
-  all.film.thickness(Eigen::all, pad.columns()) = part.film.thickness;
+  all.pressure(Eigen::all, pad.columns()) = part.pressure;
+  all.thickness(Eigen::all, pad.columns()) = part.thickness;
   all.lift(pad.columns()) = part.lift;
   all.moment(pad.columns()) = part.moment;
 }
@@ -168,15 +168,17 @@ FilmBearing make_film_bearing(const Case& input) {
                            {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
 }
 
-FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
-  FilmBearingState state{.position = position,
-                         .speed = speed,
-                         .opening = opening,
-                         .foil = {.film = {bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
-                                  .lift = Vector::Zero(bearing.columns()),
-                                  .moment = Vector::Zero(bearing.columns())},
-                         .contact = ContactState::unstressed(bearing.problem)};
-  state.contact.gap = bearing.initial_gap;
+BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
+  BearingState state;
+  state.position = position;
+  state.speed = speed;
+  state.opening = opening;
+  state.contacts = ContactState::unstressed(bearing.problem);
+  state.film = {{bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
+                Vector::Zero(bearing.columns()),
+                Vector::Zero(bearing.columns())};
+  state.contacts.gap = bearing.initial_gap;
+  state.slip_origin = state.contacts.x;
   return state;
 }
 
@@ -218,13 +220,13 @@ Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
   return force;
 }
 
-Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
+Vector bump_loads(const FilmBearing& bearing, const BearingState& state) {
   const auto pairs = static_cast<Eigen::Index>(bearing.problem.pairs.size());
   Vector loads(bearing.bumps());
   Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
     loads.segment(bump, pad.bumps()) =
-        state.contact.normal_force(Eigen::seqN(pad.first_block * pairs, Eigen::Index{pad.bumps()}, pairs));
+        state.contacts.normal_force(Eigen::seqN(pad.first_block * pairs, Eigen::Index{pad.bumps()}, pairs));
     bump += pad.bumps();
   }
   return loads;
@@ -251,10 +253,10 @@ double wrapped(double angle) {
 }
 
 /// What all pads make of drag, flow and dissipation.
-void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
   // What the sleeve is wider, too.
-  Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
+  Matrix wall = state.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
   const double couette = scales.couette_torque(state.speed * scales.radius);
   double poiseuille_torque = 0.0;
@@ -263,15 +265,15 @@ void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBe
   FoilFilmState part;
   Matrix residual;
   for (const FilmPad& pad : bearing.pads) {
-    read_part(pad, state.foil, part);
+    read_part(pad, state.film, part);
     const ReynoldsEquation equation = film_equation(bearing, pad, state.speed);
-    const FilmIntegrals sums = film_integrals(equation, part.film);
+    const FilmIntegrals sums = film_integrals(equation, part);
     outcome.couette_torque += couette * sums.couette;
     poiseuille_torque += pad.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
     pressure_dissipation += scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
     slope += pad.wrap_sign * scales.force() * scales.thickness *
-             pressing_slope(pad.foil.mesh, part.film.pressure, part_of(pad, wall));
-    reynolds_residual(equation, part.film, residual);
+             pressing_slope(pad.foil.mesh, part.pressure, part_of(pad, wall));
+    reynolds_residual(equation, part, residual);
     const FilmFlows flows = film_flows(pad.foil.mesh, residual);
     outcome.flows.start += scales.flow() * flows.start;
     outcome.flows.end += scales.flow() * flows.end;
@@ -300,7 +302,7 @@ void find_thinnest(const FilmBearing& bearing, const Matrix& H, FilmBearingOutco
   }
 }
 
-void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+void find_loaded_bumps(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const Vector loads = bump_loads(bearing, state);
   for (int b = 0; b < loads.size(); ++b) {
     if (loads[b] <= 0.0) continue;
@@ -312,23 +314,23 @@ void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state
 
 }  // namespace
 
-FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state) {
+FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const BearingState& state) {
   FilmBearingOutcome outcome;
-  outcome.force = film_force(bearing, state.foil.film.pressure);
+  outcome.force = film_force(bearing, state.film.pressure);
   outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
   const double turned =
       std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
   outcome.attitude_angle = wrapped(state.speed < 0.0 ? -turned : turned);
   find_drag(bearing, state, outcome);
-  find_thinnest(bearing, state.foil.film.thickness, outcome);
-  outcome.max_pressure = state.foil.film.pressure.maxCoeff();
-  outcome.min_pressure = state.foil.film.pressure.minCoeff();
+  find_thinnest(bearing, state.film.thickness, outcome);
+  outcome.max_pressure = state.film.pressure.maxCoeff();
+  outcome.min_pressure = state.film.pressure.minCoeff();
   find_loaded_bumps(bearing, state, outcome);
   if (bearing.pads.size() > 1) {
     outcome.pad_forces.resize(2, std::ssize(bearing.pads));
     for (Eigen::Index k = 0; k < outcome.pad_forces.cols(); ++k) {
       outcome.pad_forces.col(k) =
-          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.foil.film.pressure);
+          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.film.pressure);
     }
   }
   return outcome;

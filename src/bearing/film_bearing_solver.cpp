@@ -54,11 +54,11 @@ struct FilmBearingSolver::Workspace {
   Workspace(SharedFilmBearing film_bearing, const FilmBearingOptions& solver_options)
       : shared(std::move(film_bearing)), options(solver_options), newton(shared, solver_options.newton) {}
 
-  FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, const ContactState& previous,
-                   FilmBearingState& state, bool stays_near = false);
-  FilmReport solve_on_branch(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
-  FilmReport settle(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
-  void jump(BranchEnd& end, const ContactState& previous, FilmBearingState& state, FilmReport& total);
+  FilmReport solve(const OperatingPoint& to, const FilmEquations& equations, BearingState& state,
+                   bool stays_near = false);
+  FilmReport solve_on_branch(const OperatingPoint& to, BearingState& state);
+  FilmReport settle(const OperatingPoint& to, BearingState& state);
+  void jump(BranchEnd& end, BearingState& state, FilmReport& total);
   [[nodiscard]] double steps_between(const OperatingPoint& from, const OperatingPoint& to) const;
 
   SharedFilmBearing shared;
@@ -68,22 +68,21 @@ struct FilmBearingSolver::Workspace {
 };
 
 FilmReport FilmBearingSolver::Workspace::solve(const OperatingPoint& to, const FilmEquations& equations,
-                                               const ContactState& previous, FilmBearingState& state, bool stays_near) {
+                                               BearingState& state, bool stays_near) {
   if (options.keep_going && !options.keep_going()) return {.status = FilmStatus::interrupted};
   // A step in time is but a guess of the next.
   const double tolerance =
       equations.front().squeeze_rate > 0.0 ? options.marching_tolerance : options.newton.step_tolerance;
   const NewtonTarget target{journal_law(to, bearing.scales), to.speed, to.opening};
-  return newton.solve(target, equations, {.tolerance = tolerance, .stays_near = stays_near}, previous, state);
+  return newton.solve(target, equations, {.tolerance = tolerance, .stays_near = stays_near}, state);
 }
 
 /// solve() from one state to the next, under a load on the same branch: a state that lies off the tangent's prediction
 /// by more than curvature and contacts explain is not accepted, as Newton's method has reached another branch.
-FilmReport FilmBearingSolver::Workspace::solve_on_branch(const OperatingPoint& to, const ContactState& previous,
-                                                         FilmBearingState& state) {
+FilmReport FilmBearingSolver::Workspace::solve_on_branch(const OperatingPoint& to, BearingState& state) {
   const bool by_load = to.control == OperatingPoint::Control::load;
-  FilmBearingState found = state;
-  FilmReport report = solve(to, film_equations(bearing, to.speed), previous, found, by_load);
+  BearingState found = state;
+  FilmReport report = solve(to, film_equations(bearing, to.speed), found, by_load);
   if (report.status != FilmStatus::converged) return report;
   if (by_load &&
       report.departure > std::max(options.largest_departure * report.predicted_change, options.resolved_departure)) {
@@ -97,9 +96,8 @@ FilmReport FilmBearingSolver::Workspace::solve_on_branch(const OperatingPoint& t
 /// From the last state of a branch to where the film comes to rest in time behind the end. Under a load, if it rests
 /// nowhere, to the state that Newton's method reaches in the shortest step that it converges in. It counts as a jump
 /// unless it is but a corner of the branch, at which Newton's method failed.
-void FilmBearingSolver::Workspace::jump(BranchEnd& end, const ContactState& previous, FilmBearingState& state,
-                                        FilmReport& total) {
-  const FilmBearingState last = state;
+void FilmBearingSolver::Workspace::jump(BranchEnd& end, BearingState& state, FilmReport& total) {
+  const BearingState last = state;
   const double begin = end.reached;
   const auto behind = [&](double leap) {
     end.reached = std::min(1.0, begin + std::min(leap, end.longest));
@@ -108,19 +106,19 @@ void FilmBearingSolver::Workspace::jump(BranchEnd& end, const ContactState& prev
   const bool by_load = end.to.control == OperatingPoint::Control::load;
   const bool marches_first = end.comes_to_rest || !by_load;
   if (marches_first) {
-    total += settle(behind(end.leap), previous, state);
+    total += settle(behind(end.leap), state);
     end.comes_to_rest = total.status == FilmStatus::converged;
   }
   FilmStatus rested = total.status;
   if (rested == FilmStatus::interrupted) return;
   for (double leap = end.leap; total.status != FilmStatus::converged && by_load; leap *= step_growth_off_branch) {
     const OperatingPoint there = behind(leap);
-    total += solve(there, film_equations(bearing, there.speed), previous, state);
+    total += solve(there, film_equations(bearing, there.speed), state);
     if (total.status == FilmStatus::interrupted) return;
     if (leap >= end.longest) break;
   }
   if (total.status != FilmStatus::converged && !marches_first) {
-    total += settle(behind(end.leap), previous, state);
+    total += settle(behind(end.leap), state);
     rested = total.status;
     if (rested == FilmStatus::interrupted) return;
   }
@@ -131,12 +129,11 @@ void FilmBearingSolver::Workspace::jump(BranchEnd& end, const ContactState& prev
   }
 }
 
-FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const ContactState& previous,
-                                                FilmBearingState& state) {
+FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, BearingState& state) {
   const double T0 = bearing.scales.squeeze_time();
   const double first = options.first_time_step * T0;
   FilmEquations equations = film_equations(bearing, to.speed);
-  FilmBearingState moving = state;
+  BearingState moving = state;
   FilmReport total;
   double dt = first;
   double last_change = std::numeric_limits<double>::infinity();
@@ -145,9 +142,9 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
       total.status = FilmStatus::not_converged;
       return total;
     }
-    squeeze(bearing, T0 / dt, film_content(moving.foil.film), equations);
-    const FilmBearingState before = moving;
-    total += solve(to, equations, previous, moving);
+    squeeze(bearing, T0 / dt, film_content(moving.film), equations);
+    const BearingState before = moving;
+    total += solve(to, equations, moving);
     if (total.status == FilmStatus::interrupted) return total;
     if (total.status != FilmStatus::converged) {
       dt *= 0.25;
@@ -163,8 +160,8 @@ FilmReport FilmBearingSolver::Workspace::settle(const OperatingPoint& to, const 
     }
     // A drift that grows with the step is no rest: the march passes by the end of a branch.
     if (dt > options.last_time_step && change < options.resting_change && change <= last_change) {
-      FilmBearingState rested = moving;
-      total += solve(to, film_equations(bearing, to.speed), previous, rested);
+      BearingState rested = moving;
+      total += solve(to, film_equations(bearing, to.speed), rested);
       if (total.status == FilmStatus::converged) state = std::move(rested);
       if (total.status != FilmStatus::not_converged) return total;
     }
@@ -196,43 +193,43 @@ const FilmBearing& FilmBearingSolver::bearing() const {
   return workspace_->bearing;
 }
 
-FilmReport FilmBearingSolver::solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state) {
-  return workspace_->solve(to, film_equations(workspace_->bearing, to.speed), previous, state);
+FilmReport FilmBearingSolver::solve(const OperatingPoint& to, BearingState& state) {
+  state.slip_origin = state.contacts.x;
+  return workspace_->solve(to, film_equations(workspace_->bearing, to.speed), state);
 }
 
-// A copy: it may be that of the state, which changes. NOLINTNEXTLINE(performance-unnecessary-value-param)
-FilmReport FilmBearingSolver::settle(const OperatingPoint& to, ContactState previous, FilmBearingState& state) {
-  return workspace_->settle(to, previous, state);
+FilmReport FilmBearingSolver::settle(const OperatingPoint& to, BearingState& state) {
+  state.slip_origin = state.contacts.x;
+  return workspace_->settle(to, state);
 }
 
-FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
+FilmReport FilmBearingSolver::cold_start(const Eigen::Vector2d& position, double speed, BearingState& state,
                                          double opening) {
-  FilmBearingState start = resting(workspace_->bearing, position, speed, opening);
-  const ContactState unstressed = start.contact;
-  const FilmReport report = workspace_->settle(OperatingPoint::held_at(position, speed, opening), unstressed, start);
+  BearingState start = resting(workspace_->bearing, position, speed, opening);
+  const FilmReport report = workspace_->settle(OperatingPoint::held_at(position, speed, opening), start);
   if (report.status == FilmStatus::converged) state = std::move(start);
   return report;
 }
 
-std::optional<SlowMotion> FilmBearingSolver::slow_motion(const FilmBearingState& state, bool stuck) {
+std::optional<SlowMotion> FilmBearingSolver::slow_motion(const BearingState& state, bool stuck) {
   return workspace_->newton.slow_motion(state, stuck);
 }
 
-std::optional<Eigen::Matrix2d> FilmBearingSolver::stiffness(const FilmBearingState& state, bool stuck) {
+std::optional<Eigen::Matrix2d> FilmBearingSolver::stiffness(const BearingState& state, bool stuck) {
   const std::optional<SlowMotion> motion = slow_motion(state, stuck);
   return motion ? std::optional(motion->stiffness) : std::nullopt;
 }
 
 std::optional<std::vector<Eigen::Matrix2cd>> FilmBearingSolver::impedances(
-    const FilmBearingState& state, const std::vector<std::complex<double>>& rates, bool stuck) {
+    const BearingState& state, const std::vector<std::complex<double>>& rates, bool stuck) {
   return workspace_->newton.impedances(state, rates, stuck);
 }
 
-// A copy: it may be that of the state, which changes. NOLINTNEXTLINE(performance-unnecessary-value-param)
-FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state) {
+FilmReport FilmBearingSolver::follow(const OperatingPoint& to, BearingState& state) {
+  state.slip_origin = state.contacts.x;
   Workspace& w = *workspace_;
   const bool by_load = to.control == OperatingPoint::Control::load;
-  const OperatingPoint from{to.control, by_load ? film_force(w.bearing, state.foil.film.pressure) : state.position,
+  const OperatingPoint from{to.control, by_load ? film_force(w.bearing, state.film.pressure) : state.position,
                             state.speed, state.opening};
   const double steps = w.steps_between(from, to);
   const double shortest = (by_load ? w.options.smallest_load_fraction : w.options.smallest_fraction) / steps;
@@ -242,7 +239,7 @@ FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState prev
   double step = end.longest;
   while (end.reached < 1.0) {
     const double next = std::min(1.0, end.reached + step);
-    const FilmReport report = w.solve_on_branch(between(from, to, next), previous, state);
+    const FilmReport report = w.solve_on_branch(between(from, to, next), state);
     total += report;
     if (report.status == FilmStatus::interrupted) return total;
     if (report.status == FilmStatus::converged) {
@@ -259,7 +256,7 @@ FilmReport FilmBearingSolver::follow(const OperatingPoint& to, ContactState prev
       total.status = FilmStatus::fold;
       return total;
     }
-    w.jump(end, previous, state, total);
+    w.jump(end, state, total);
     if (total.status != FilmStatus::converged) return total;
     // Where the next step fails at once the end has not been left yet.
     end.leap = std::min(step_growth_off_branch * end.leap, end.longest);

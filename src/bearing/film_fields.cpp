@@ -2,9 +2,9 @@
 
 namespace bumpfoil {
 
-FoilState foil_state(const FilmBearing& bearing, const FilmBearingState& state) {
+BearingState foil_state(const FilmBearing& bearing, const BearingState& state) {
   const Foils& foils = *bearing.foils;
-  FoilState dry = FoilState::unstressed(foils);
+  BearingState dry = BearingState::unstressed(foils);
   ContactState& contacts = dry.contacts;
   const Eigen::Index size = foils.structure.dofs.size;
   const Eigen::Index film_size = bearing.problem.K.block_size();
@@ -14,16 +14,16 @@ FoilState foil_state(const FilmBearing& bearing, const FilmBearingState& state) 
   for (const FilmPad& pad : bearing.pads) {
     Eigen::Index block = pad.first_block;
     for (const int crest : pad.foil.supports) {
-      contacts.x.segment(b * size, size) = state.contact.x.segment(block * film_size, size);
-      contacts.gap[b * stride] = bearing.scales.thickness * state.foil.film.thickness(0, pad.first_column + crest);
+      contacts.x.segment(b * size, size) = state.contacts.x.segment(block * film_size, size);
+      contacts.gap[b * stride] = bearing.scales.thickness * state.film.thickness(0, pad.first_column + crest);
       contacts.mode[static_cast<std::size_t>(b * stride)] = ContactMode::open;
       for (Eigen::Index i = 0; i < pairs; ++i) {
         const Eigen::Index to = b * stride + foils.top_bump() + i;
         const Eigen::Index from = block * pairs + i;
-        contacts.gap[to] = state.contact.gap[from];
-        contacts.normal_force[to] = state.contact.normal_force[from];
-        contacts.friction_force[to] = state.contact.friction_force[from];
-        contacts.mode[static_cast<std::size_t>(to)] = state.contact.mode[static_cast<std::size_t>(from)];
+        contacts.gap[to] = state.contacts.gap[from];
+        contacts.normal_force[to] = state.contacts.normal_force[from];
+        contacts.friction_force[to] = state.contacts.friction_force[from];
+        contacts.mode[static_cast<std::size_t>(to)] = state.contacts.mode[static_cast<std::size_t>(from)];
       }
       ++b;
       ++block;

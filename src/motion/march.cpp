@@ -13,7 +13,7 @@ constexpr double least_load = 1e-6;
 /// A load that keeps the body on the side that it is on, or is to be on next.
 /// @param largest  load of the program
 Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Leg& leg, const Foils& foils,
-                           const FoilState& state) {
+                           const BearingState& state) {
   const double least = least_load * largest;
   if (load.norm() >= least) return load;
   const Eigen::Vector2d begin = leg.line.place(leg.begin);
@@ -26,12 +26,12 @@ Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Le
 
 }  // namespace
 
-bool march(FoilStepper& stepper, const Program& program, double reach, FoilState& state, Step& step,
+bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe) {
   const double largest = largest_place(program);
   for (const Leg& leg : program) {
     if (leg.control == Control::displacement) {
-      Excitation end = state.excitation;
+      Excitation end = state;
       end.position = leg.line.place(leg.end);
       stepper.set_out(state, end);
     }
@@ -44,7 +44,7 @@ bool march(FoilStepper& stepper, const Program& program, double reach, FoilState
         advance_to_load(stepper, state, load, none, reach, step);
       } else {
         stepper.advance_to(static_cast<double>(taken) / leg.steps, state, step);
-        step.state.excitation.position = place;
+        step.state.position = place;
       }
       const Verdict verdict =
           observe({.from = state, .step = step, .leg = leg, .ends_leg = taken == leg.steps, .target = target});

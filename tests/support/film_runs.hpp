@@ -15,12 +15,11 @@ inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level
                                   << level.resolution.rows);
   const FilmBearing bearing = film_reference_bearing(level.resolution);
   FilmBearingSolver solver(bearing);
-  FilmBearingState state;
+  BearingState state;
   const Eigen::Vector2d position = run.position * bearing.clearance;
   ASSERT_EQ(solver.cold_start(std::min(1.0, 0.7 / run.position.norm()) * position, run.speed, state).status,
             FilmStatus::converged);
-  ASSERT_EQ(solver.follow(OperatingPoint::held_at(position, run.speed), state.contact, state).status,
-            FilmStatus::converged);
+  ASSERT_EQ(solver.follow(OperatingPoint::held_at(position, run.speed), state).status, FilmStatus::converged);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   // Both solve the same equations on the same mesh, the prototype to 1e-8.
   constexpr double same = 1e-6;

@@ -16,7 +16,7 @@ const double speed = speed_of_rpm(45000.0);
 /// From a cold start.
 FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position) {
   const FilmBearing bearing = make_film_bearing(input);
-  FilmBearingState state;
+  BearingState state;
   EXPECT_EQ(FilmBearingSolver(bearing).cold_start(position, speed, state).status, FilmStatus::converged);
   return film_bearing_outcome(bearing, state);
 }

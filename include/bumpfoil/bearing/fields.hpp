@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "bumpfoil/bearing/foil_state.hpp"
+#include "bumpfoil/bearing/bearing_state.hpp"
 
 namespace bumpfoil {
 
@@ -66,6 +66,6 @@ FoilFields make_fields(const Foils& foils, int increments);
 Vector bump_compression(const FoilStructure& structure, const Vector& x);
 
 /// Writes the fields of a state into row `increment`.
-void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields);
+void record(const Foils& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields);
 
 }  // namespace bumpfoil

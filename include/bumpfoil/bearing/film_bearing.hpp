@@ -4,10 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
-#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
-#include "bumpfoil/film/foil_film.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -98,18 +96,8 @@ FilmBearing make_film_bearing(const Case& input, SharedFoils foils, const Gas& g
 /// The bearing in the gas and on the mesh of the case.
 FilmBearing make_film_bearing(const Case& input);
 
-/// What is known of a bearing that runs: a plain value, all that a next state needs.
-struct FilmBearingState {
-  Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< of the journal, m
-  double speed{};                                     ///< Omega, rad/s
-  double opening{};                                   ///< by which the clearance is wider than that of the bearing, m
-  FoilFilmState foil;                                 ///< of all columns, without dimension, see FilmScales
-  ContactState contact;                               ///< of the unknowns of the blocks
-};
-
 /// P = 1, unstressed foils; H is positive where the journal leaves room.
-FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
-                         double opening = 0.0);
+BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening = 0.0);
 
 /// What a state is good for.
 struct FilmBearingOutcome {
@@ -140,9 +128,9 @@ Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure);
 Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure);
 
 /// Compressions between top foils and crests, N, one per bump, pad after pad.
-Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state);
+Vector bump_loads(const FilmBearing& bearing, const BearingState& state);
 
-FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state);
+FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const BearingState& state);
 
 /// The Reynolds equation of a pad at a speed, steady.
 ReynoldsEquation film_equation(const FilmBearing& bearing, const FilmPad& pad, double speed);

@@ -66,9 +66,9 @@ struct SlowMotion {
 /// the joint matrix knows that.
 ///
 /// There may be several states at one operating point, even without friction: which one is found is decided by the path
-/// that leads there. Every function says what its path is. In all of them friction refers to `previous`: each is one
-/// increment, however many steps it takes. `state` receives the result; after a failure it holds the last state that
-/// was found on the way, or stays as it was.
+/// that leads there. Every function says what its path is. In all of them friction refers to `state` as
+/// it was handed over: each is one increment, however many steps it takes. `state` receives the result; after a failure
+/// it holds the last state that was found on the way, or stays where it was.
 class FilmBearingSolver {
  public:
   explicit FilmBearingSolver(SharedFilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
@@ -76,32 +76,32 @@ class FilmBearingSolver {
   ~FilmBearingSolver();
 
   /// The state near `state` at another operating point, all in one step.
-  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
+  [[nodiscard]] FilmReport solve(const OperatingPoint& to, BearingState& state);
 
   /// In a straight line of speed, opening and position, or load, by steps of adapted length. Under a load the states
   /// stay on their branch: each must lie near where the tangent of the one before leads
   /// (FilmBearingOptions::largest_departure). Where even the smallest step fails the branch ends (at a fold, or where a
   /// contact changes and the branch turns back): from the last state before that the film is marched in time at the
   /// point behind it, and the line followed on from where that comes to rest (FilmReport::jumps).
-  [[nodiscard]] FilmReport follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
+  [[nodiscard]] FilmReport follow(const OperatingPoint& to, BearingState& state);
 
   /// From one moment to the next: with `state` at the begin, the film is marched in time by implicit Euler, journal and
   /// foils without mass, until nothing moves.
-  [[nodiscard]] FilmReport settle(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
+  [[nodiscard]] FilmReport settle(const OperatingPoint& to, BearingState& state);
 
   /// settle() with the journal at `position`, where it must not touch the undeformed foils, and at `speed`, from
   /// unstressed foils and ambient pressure. Friction refers to the unstressed foils. With an `opening` (m) in a
   /// clearance wider by that, which follow() closes.
-  [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
+  [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, BearingState& state,
                                       double opening = 0.0);
 
   /// Linearised about `state`: consistent, closed contacts rigid, every contact keeping its mode; with `stuck` slipping
   /// contacts stick, as under a small whirl.
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck = false);
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const BearingState& state, bool stuck = false);
 
   /// Its stiffness.
-  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck = false);
+  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const BearingState& state, bool stuck = false);
 
   /// Impedance Z = dF/d(x, y) of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s
   /// (1/s): N/m, rows x and y. The film squeezes, foils and journal have no mass, contacts keep their modes or stick
@@ -110,7 +110,7 @@ class FilmBearingSolver {
   /// One factorisation serves all rates (docs/theory/gas_film.md).
   /// @param rates  s, real parts not negative
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck = false);
 

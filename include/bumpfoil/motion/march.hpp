@@ -9,11 +9,11 @@ namespace bumpfoil {
 
 /// An increment of a march, as its observer sees it.
 struct Passage {
-  const FoilState& from;  ///< state before the increment
-  const Step& step;       ///< the increment as it was taken, with the state that it led to; it may have failed
-  const Leg& leg;         ///< that it belongs to
-  bool ends_leg{};        ///< it is the last one of its leg
-  double target{};        ///< where it was to lead on the line of its leg, m or N
+  const BearingState& from;  ///< state before the increment
+  const Step& step;          ///< the increment as it was taken, with the state that it led to; it may have failed
+  const Leg& leg;            ///< that it belongs to
+  bool ends_leg{};           ///< it is the last one of its leg
+  double target{};           ///< where it was to lead on the line of its leg, m or N
 };
 
 /// What becomes of an increment, and of the march.
@@ -32,7 +32,7 @@ using Observer = std::function<Verdict(const Passage&)>;
 /// @param state  where the program begins; receives the last state that was kept
 /// @param step   receives the increments, one after the other; its storage is reused
 /// @return whether the program was taken to its end
-bool march(FoilStepper& stepper, const Program& program, double reach, FoilState& state, Step& step,
+bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe);
 
 }  // namespace bumpfoil

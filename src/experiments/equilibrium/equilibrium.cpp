@@ -44,7 +44,7 @@ std::vector<double> frequencies_of(const EquilibriumSettings& settings, double s
   return settings.frequencies.empty() ? std::vector{std::abs(speed)} : settings.frequencies;
 }
 
-std::vector<FilmWhirl> whirls_at(FilmBearingSolver& solver, const FilmBearingState& state,
+std::vector<FilmWhirl> whirls_at(FilmBearingSolver& solver, const BearingState& state,
                                  const std::vector<double>& frequencies) {
   std::vector<std::complex<double>> rates;
   rates.reserve(frequencies.size());
@@ -135,7 +135,7 @@ class PathWalker {
       const FilmPad& pad = bearing.pads[k];
       const StressModel& model = foils.stress[k];
       const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
-      const double top = moment * state_->foil.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+      const double top = moment * state_->film.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
       found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
       const auto [first, count] = foils.structure.blocks_of(static_cast<int>(k));
       const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
@@ -180,7 +180,7 @@ class PathWalker {
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
         if (by_load && total.status == FilmStatus::converged) {
-          add(total, solver_.settle(opened, state_->contact, *state_));
+          add(total, solver_.settle(opened, *state_));
         }
         break;
     }
@@ -197,7 +197,7 @@ class PathWalker {
   }
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
-    FilmBearingState started;
+    BearingState started;
     add(total, solver_.cold_start(position, speed, started, opening_));
     if (total.status == FilmStatus::converged) state_ = std::move(started);
   }
@@ -216,9 +216,8 @@ class PathWalker {
     OperatingPoint from = point;
     from.speed = state_->speed;
     from.opening = state_->opening;
-    from.journal = point.control == OperatingPoint::Control::load
-                       ? film_force(*result_.bearing, state_->foil.film.pressure)
-                       : state_->position;
+    from.journal = point.control == OperatingPoint::Control::load ? film_force(*result_.bearing, state_->film.pressure)
+                                                                  : state_->position;
     if (from == point) return;
     for (int i = 1; i <= settings_.steps && total.status == FilmStatus::converged; ++i) {
       const double part = static_cast<double>(i) / settings_.steps;
@@ -232,7 +231,7 @@ class PathWalker {
   }
 
   /// One increment.
-  void go(const OperatingPoint& to, FilmReport& total) { add(total, solver_.follow(to, state_->contact, *state_)); }
+  void go(const OperatingPoint& to, FilmReport& total) { add(total, solver_.follow(to, *state_)); }
 
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
@@ -242,7 +241,7 @@ class PathWalker {
   double done_of_state_{};
   bool reached_{true};
   FilmBearingSolver solver_;
-  std::optional<FilmBearingState> state_;  ///< where the path is
+  std::optional<BearingState> state_;  ///< where the path is
 };
 
 /// All loads or positions, at speed 0.

@@ -23,7 +23,7 @@ class LimitSearch {
   LimitSearch(FilmBearingSolver& solver, double threshold, FilmLimitKind kind, const OperatingPoint& start)
       : solver_(solver), threshold_(threshold), kind_(kind), start_(start) {}
 
-  FilmLimit find(const FilmBearingState& state) {
+  FilmLimit find(const BearingState& state) {
     Place here{1.0, thickness(state), state, 0};
     Place there = here;
     const bool begins_thick = is_thick(here);
@@ -69,7 +69,7 @@ class LimitSearch {
   struct Place {
     double demand{};
     double h{};  ///< least film thickness, m; not a number where there is no film
-    FilmBearingState state;
+    BearingState state;
     int jumps{};  ///< on the way from the start
   };
 
@@ -89,14 +89,14 @@ class LimitSearch {
     return kind_ == FilmLimitKind::lift_off_speed ? std::abs(point.speed) : point.journal.norm();
   }
 
-  [[nodiscard]] double thickness(const FilmBearingState& state) const {
-    return solver_.bearing().scales.thickness * state.foil.film.thickness.minCoeff();
+  [[nodiscard]] double thickness(const BearingState& state) const {
+    return solver_.bearing().scales.thickness * state.film.thickness.minCoeff();
   }
 
   /// One increment.
   Place go(const Place& from, double demand) {
     Place to{demand, std::numeric_limits<double>::quiet_NaN(), from.state, from.jumps};
-    const FilmReport report = solver_.follow(point(demand), from.state.contact, to.state);
+    const FilmReport report = solver_.follow(point(demand), to.state);
     to.jumps += report.jumps;
     interrupted_ = report.status == FilmStatus::interrupted;
     if (report.status == FilmStatus::converged) to.h = thickness(to.state);

@@ -95,7 +95,7 @@ class StateGrid {
     if (layout_.pads == 1) return;
     for (const int axis : {0, 1}) {
       std::vector<double> forces(result_.states.size() * layout_.pads, absent);
-      for_each_found([&](std::size_t i, const FilmBearingState&) {
+      for_each_found([&](std::size_t i, const BearingState&) {
         const auto row = result_.states[i].outcome->pad_forces.row(axis);
         std::copy(row.begin(), row.end(), forces.begin() + static_cast<std::ptrdiff_t>(i * layout_.pads));
       });
@@ -111,7 +111,7 @@ class StateGrid {
     for (const ColumnQuantity& quantity : column_quantities()) {
       GridVariable& variable =
           add(meaning(quantity), {"state", "column"},
-              of_states([&](const FilmBearingState& state) { return quantity.values(*result_.bearing, state); }));
+              of_states([&](const BearingState& state) { return quantity.values(*result_.bearing, state); }));
       variable.coordinates = "column_theta column_phi";
       variable.compressed = true;
     }
@@ -121,7 +121,7 @@ class StateGrid {
   void add_foils() {
     const Foils& foils = *result_.bearing->foils;
     FoilFields fields = make_fields(foils, static_cast<int>(result_.states.size()));
-    for_each_found([&](std::size_t i, const FilmBearingState& state) {
+    for_each_found([&](std::size_t i, const BearingState& state) {
       record(foils, foil_state(*result_.bearing, state), static_cast<Eigen::Index>(i), fields);
     });
     for (const FieldQuantity& quantity : field_quantities()) {
@@ -133,7 +133,7 @@ class StateGrid {
       if (quantity.node == Node::weld && layout_.pads > 1) dims.emplace_back("pad");
       if (!of_all) dims.emplace_back(quantity.node == Node::foot ? "foot" : "bump");
       std::vector<double> found(static_cast<std::size_t>(values.size()), absent);
-      for_each_found([&](std::size_t i, const FilmBearingState&) {
+      for_each_found([&](std::size_t i, const BearingState&) {
         const auto row = values.row(static_cast<Eigen::Index>(i));
         std::copy(row.begin(), row.end(), found.begin() + static_cast<Eigen::Index>(i) * values.cols());
       });
@@ -175,8 +175,8 @@ class StateGrid {
   /// Over a wall that yields it is not the same over the width.
   void add_thickness() {
     add_nodes({"film_thickness", "m", "film thickness"},
-              [](const FilmBearing& bearing, const FilmBearingState& state) -> Matrix {
-                return bearing.scales.thickness * state.foil.film.thickness;
+              [](const FilmBearing& bearing, const BearingState& state) -> Matrix {
+                return bearing.scales.thickness * state.film.thickness;
               });
   }
 
@@ -184,7 +184,7 @@ class StateGrid {
   template <typename Values>
   void add_nodes(const VariableMeaning& nodes, Values&& values_of) {
     add(nodes, {"state", "row", "column"},
-        of_states([&](const FilmBearingState& state) { return values_of(*result_.bearing, state); }))
+        of_states([&](const BearingState& state) { return values_of(*result_.bearing, state); }))
         .compressed = true;
   }
 
@@ -192,7 +192,7 @@ class StateGrid {
   template <typename Values>
   [[nodiscard]] std::vector<double> of_states(Values&& values_of) const {
     std::vector<double> all;
-    for_each_found([&](std::size_t i, const FilmBearingState& state) {
+    for_each_found([&](std::size_t i, const BearingState& state) {
       const RowMajor values = values_of(state);
       all.resize(result_.states.size() * static_cast<std::size_t>(values.size()), absent);
       std::copy(values.data(), values.data() + values.size(),

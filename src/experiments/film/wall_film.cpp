@@ -28,12 +28,12 @@ Foundation foundation_of(const Case& input, const FilmScales& scales) {
 
 /// One film, from the centred journal on.
 FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const FilmBearing& bearing,
-                     FilmBearingState& state) {
+                     BearingState& state) {
   const Matrix centred = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
   const Matrix there = bearing.undeformed_thickness(state.position);
-  FilmReport report = solver.solve(equation, centred, state.foil.film);
+  FilmReport report = solver.solve(equation, centred, state.film);
   if (report.status != FilmStatus::converged) return report;
-  const FilmReport followed = solver.follow(equation, centred, there, state.foil.film);
+  const FilmReport followed = solver.follow(equation, centred, there, state.film);
   report.status = followed.status;
   report.iterations += followed.iterations;
   report.residual = followed.residual;
@@ -91,12 +91,11 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
         return result;
       }
       const auto begin = std::chrono::steady_clock::now();
-      FilmBearingState state;
+      BearingState state;
       state.position = found.asked.journal;
       state.speed = speed;
-      state.foil.film = {bearing.field(1.0), {}};
-      state.foil.lift.setZero(bearing.columns());
-      state.foil.moment.setZero(bearing.columns());
+      const Vector undeformed = Vector::Zero(bearing.columns());
+      state.film = {{bearing.field(1.0), {}}, undeformed, undeformed};
       found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (!found.found()) continue;

@@ -10,7 +10,7 @@ namespace {
 /// A made-up state of the reference bearing: bump 3 pressed, everything else open. Recorded as increment 1 of 2.
 struct Example {
   Foils foils = *make_bearing_foils(case_with_given_constants());
-  FoilState state = FoilState::unstressed(foils);
+  BearingState state = BearingState::unstressed(foils);
 
   Example() {
     ContactState& contacts = state.contacts;
@@ -29,7 +29,7 @@ struct Example {
 
   FoilFields recorded() const {
     FoilFields fields = make_fields(foils, 2);
-    record(foils, FoilState::unstressed(foils), 0, fields);
+    record(foils, BearingState::unstressed(foils), 0, fields);
     record(foils, state, 1, fields);
     return fields;
   }

@@ -17,21 +17,21 @@ TEST(FilmFields, AreThoseOfFoilsUnderTheirLoads) {
     const FilmBearing bearing = make_film_bearing(input);
     const SharedFoils& foils = bearing.foils;
     FilmBearingSolver solver(bearing);
-    FilmBearingState state;
+    BearingState state;
     ASSERT_EQ(solver.cold_start({0.7 * bearing.clearance, 0.0}, speed_of_rpm(45000.0), state).status,
               FilmStatus::converged);
-    const FoilState dry = foil_state(bearing, state);
+    const BearingState dry = foil_state(bearing, state);
     FoilFields fields = make_fields(*foils, 1);
     record(*foils, dry, 0, fields);
     EXPECT_EQ((fields.top_bump.normal_force.array() > 0.0).count(), film_bearing_outcome(bearing, state).loaded_bumps);
     for (Eigen::Index b = 0; b < foils->bumps(); ++b) {
       const int crest = bearing.pads.front().foil.supports[static_cast<std::size_t>(b)];
-      EXPECT_NEAR(fields.top_displacement(0, b), state.foil.lift[crest] * bearing.scales.thickness, 1e-15);
-      EXPECT_EQ(fields.journal_top.gap(0, b), state.foil.film.thickness(0, crest) * bearing.scales.thickness);
+      EXPECT_NEAR(fields.top_displacement(0, b), state.film.lift[crest] * bearing.scales.thickness, 1e-15);
+      EXPECT_EQ(fields.journal_top.gap(0, b), state.film.thickness(0, crest) * bearing.scales.thickness);
       EXPECT_EQ(fields.journal_top.normal_force(0, b), 0.0);
       // The moment over a crest, of the film and of the stress.
       const double moment = bearing.pads.front().foil.stiffness * bearing.pads.front().foil.pitch *
-                            bearing.scales.thickness * std::abs(state.foil.moment[crest]);
+                            bearing.scales.thickness * std::abs(state.film.moment[crest]);
       EXPECT_NEAR(fields.stress.top_crest(0, b), moment / foils->stress.front().top_section_modulus,
                   1e-9 * fields.stress.top_crest.maxCoeff());
     }
@@ -51,7 +51,7 @@ TEST(FilmFields, HaveTheBumpsOfAllPadsInARow) {
     const auto fields_of = [speed](const Case& one) {
       const FilmBearing bearing = make_film_bearing(one);
       const SharedFoils& foils = bearing.foils;
-      FilmBearingState state;
+      BearingState state;
       EXPECT_EQ(FilmBearingSolver(bearing).cold_start({12e-6, -4e-6}, speed, state).status, FilmStatus::converged);
       FoilFields fields = make_fields(*foils, 1);
       record(*foils, foil_state(bearing, state), 0, fields);

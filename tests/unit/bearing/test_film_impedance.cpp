@@ -62,7 +62,7 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const double speed = speed_of_rpm(45000.0);
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
   FilmBearingSolver solver(bearing);
-  FilmBearingState rest;
+  BearingState rest;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.2 * bearing.clearance);
   ASSERT_EQ(solver.cold_start(position, speed, rest).status, FilmStatus::converged);
 
@@ -79,15 +79,16 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const Eigen::Vector2d still = film_bearing_outcome(bearing, rest).force;
   FilmNewton newton(std::make_shared<const FilmBearing>(bearing), {});
   FilmEquations equations = film_equations(bearing, speed);
-  FilmBearingState state = rest;
+  BearingState state = rest;
+  state.slip_origin = rest.contacts.x;
   Complex phase = 1.0;
   double largest = 0.0;
   for (int i = 1; i <= steps * turns; ++i) {
     phase *= turn;
-    squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.foil.film), equations);
+    squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.film), equations);
     const Eigen::Vector2d there = position + (motion * phase).real();
     const NewtonTarget held{journal_law(OperatingPoint::held_at(there, speed), bearing.scales), speed};
-    ASSERT_EQ(newton.solve(held, equations, {.tolerance = 1e-10}, rest.contact, state).status, FilmStatus::converged);
+    ASSERT_EQ(newton.solve(held, equations, {.tolerance = 1e-10}, state).status, FilmStatus::converged);
     if (i <= steps * (turns - 1)) continue;
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();
     largest = std::max(largest, (film_bearing_outcome(bearing, state).force - still - expected).norm());

@@ -33,16 +33,16 @@ TEST(JournalLaw, MayBeThatOfASpring) {
   const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 3}));
   const double speed = speed_of_rpm(45000.0);
   FilmBearingSolver solver(bearing);
-  FilmBearingState state;
+  BearingState state;
   ASSERT_EQ(solver.cold_start({0.5 * bearing->clearance, 0.0}, speed, state).status, FilmStatus::converged);
   JournalLaw spring = journal_law(OperatingPoint::loaded_by({10.0, 2.0}, speed), bearing->scales);
   spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, of the order of the bearing's stiffness
   spring.position = state.position;
+  state.slip_origin = state.contacts.x;
   FilmNewton newton(bearing, {});
-  const FilmReport report = newton.solve({spring, speed}, film_equations(*bearing, speed), {.tolerance = 1e-10},
-                                         ContactState(state.contact), state);
+  const FilmReport report = newton.solve({spring, speed}, film_equations(*bearing, speed), {.tolerance = 1e-10}, state);
   ASSERT_EQ(report.status, FilmStatus::converged);
-  const Eigen::Vector2d carried = film_force(*bearing, state.foil.film.pressure);
+  const Eigen::Vector2d carried = film_force(*bearing, state.film.pressure);
   EXPECT_GT((state.position - spring.position).norm(), 0.01e-6);  // it moved
   // To the tolerance of a step, 1e-10 c, times the stiffness of both.
   EXPECT_LT((spring.force + 2e6 * (spring.position - state.position) - carried).norm(), 1e-7);

@@ -22,7 +22,7 @@ class March : public ::testing::Test {
   SharedFoils foils_{make_bearing_foils(case_with_given_constants())};
   FoilStepper stepper_{foils_, {}};
   Step step_;
-  FoilState state_;
+  BearingState state_;
 };
 
 const Program push{{Branch::loading, Control::displacement, {}, 0.0, 60e-6, 3}};
@@ -31,11 +31,11 @@ TEST_F(March, TakesLegsOfBothKinds) {
   Program program = push;
   program.push_back({Branch::loading, Control::load, {}, 300.0, 400.0, 2});
   int taken = 0;
-  Eigen::Vector2d before = state_.excitation.position;
+  Eigen::Vector2d before = state_.position;
   const bool all = take(program, [&](const Passage& at) {
     EXPECT_TRUE(at.step.converged()) << taken;
-    EXPECT_EQ(at.from.excitation.position, before);
-    before = at.step.state.excitation.position;
+    EXPECT_EQ(at.from.position, before);
+    before = at.step.state.position;
     if (at.leg.control == Control::displacement) {
       EXPECT_EQ(before, Eigen::Vector2d(at.target, 0.0));
     } else {
@@ -48,7 +48,7 @@ TEST_F(March, TakesLegsOfBothKinds) {
   });
   EXPECT_TRUE(all);
   EXPECT_EQ(taken, 5);
-  EXPECT_EQ(state_.excitation.position, before);
+  EXPECT_EQ(state_.position, before);
 }
 
 TEST_F(March, KeepsTheStateOfAnIncrementThatStopsItAndNotOfOneThatIsRefused) {
@@ -58,7 +58,7 @@ TEST_F(March, KeepsTheStateOfAnIncrementThatStopsItAndNotOfOneThatIsRefused) {
     int taken = 0;
     EXPECT_FALSE(take(push, [&](const Passage&) { return ++taken == 2 ? verdict : Verdict::go_on; }));
     EXPECT_EQ(taken, 2);
-    EXPECT_DOUBLE_EQ(state_.excitation.position.x(), verdict == Verdict::stop ? 40e-6 : 20e-6);
+    EXPECT_DOUBLE_EQ(state_.position.x(), verdict == Verdict::stop ? 40e-6 : 20e-6);
   }
 }
 

@@ -185,7 +185,7 @@ TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
         ASSERT_EQ(state.report.status, FilmStatus::converged) << static_cast<int>(path);
         EXPECT_EQ(state.last->opening, 0.0);
         EXPECT_GT(state.last->position.x(), 2e-6);
-        EXPECT_GT(state.last->foil.film.thickness.minCoeff(), 0.0);
+        EXPECT_GT(state.last->film.thickness.minCoeff(), 0.0);
       }
       // Without friction all paths come to the same state here.
       const Eigen::Vector2d& first = result.states.front().last->position;
