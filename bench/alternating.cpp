@@ -138,7 +138,7 @@ AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& p
   FilmSolver films(bearing.pads.front().foil.mesh, {});
   const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
   const Matrix undeformed = bearing.undeformed_thickness(position);
-  ContactLoading loading{.initial_gap = bearing.initial_gap.head(problem.contacts()), .load = {}};
+  ContactLoading loading{.initial_gap = bearing.assembled_gap.head(problem.contacts()), .load = {}};
   const ContactState unstressed = ContactState::unstressed(problem);
   ContactState pressed = unstressed;
   Matrix H = undeformed;

@@ -18,7 +18,7 @@ struct AlternatingOptions {
 };
 
 /// What others do: the film over a wall that stands still, then the foils under the pressure that this makes, and so
-/// on. Film, foils, mesh and contacts are those of FilmBearingSolver, frictionless or with friction referring to
+/// on. Film, foils, mesh and contacts are those of FilmStepper, frictionless or with friction referring to
 /// unstressed foils; where this comes to rest, it does so in a state of that.
 /// @param position  of the journal, m
 /// @param speed     rad/s

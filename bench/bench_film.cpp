@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "alternating.hpp"
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
+#include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/rest.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -27,8 +29,8 @@ FilmBearing frictionless_bearing(const benchmark::State& bench) {
 /// The journal pushed to +X by a part of the clearance, from a cold start.
 BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench) {
   BearingState state;
-  const FilmReport report =
-      FilmBearingSolver(bearing).cold_start({eccentricity * bearing.clearance, 0.0}, speed, state);
+  FilmStepper stepper(bearing);
+  const FilmReport report = cold_start(stepper, {eccentricity * bearing.clearance, 0.0}, speed, state);
   if (report.status != FilmStatus::converged) bench.SkipWithError("no state");
   return state;
 }
@@ -66,11 +68,11 @@ BENCHMARK(condense_film)->Apply(meshes);
 /// One step of a path: a twentieth of the clearance.
 void step_of_a_path(const FilmBearing& bearing, benchmark::State& bench) {
   const BearingState start = cold_state(bearing, 0.5, bench);
-  FilmBearingSolver solver(bearing);
+  FilmStepper stepper(bearing);
   int iterations = 0;
   for (auto _ : bench) {
     BearingState state = start;
-    const FilmReport report = solver.solve(OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, speed), state);
+    const FilmReport report = stepper.advance(OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, speed), state);
     if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
@@ -143,13 +145,13 @@ BENCHMARK(cold_start)->Apply(meshes);
 void equilibrium_from_a_neighbour(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   BearingState start = cold_state(bearing, 0.6, bench);
-  FilmBearingSolver solver(bearing);
-  const FilmReport there = solver.follow(OperatingPoint::loaded_by({45.0, 0.0}, speed), start);
+  FilmStepper stepper(bearing);
+  const FilmReport there = follow(stepper, OperatingPoint::loaded_by({45.0, 0.0}, speed), start);
   if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
   int iterations = 0;
   for (auto _ : bench) {
     BearingState state = start;
-    const FilmReport report = solver.follow(OperatingPoint::loaded_by({50.0, 0.0}, speed), state);
+    const FilmReport report = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), state);
     if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
@@ -161,11 +163,11 @@ BENCHMARK(equilibrium_from_a_neighbour)->Apply(meshes);
 void impedances(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   const BearingState state = cold_state(bearing, 0.6, bench);
-  FilmBearingSolver solver(bearing);
+  FilmStepper stepper(bearing);
   std::vector<std::complex<double>> rates;
   for (int i = 1; i <= 20; ++i) rates.emplace_back(0.0, 0.1 * i * speed);
   for (auto _ : bench) {
-    if (!solver.impedances(state, rates)) bench.SkipWithError("singular");
+    if (!stepper.impedances(state, rates)) bench.SkipWithError("singular");
   }
 }
 BENCHMARK(impedances)->Apply(meshes);
@@ -175,8 +177,8 @@ void coasting_down(benchmark::State& bench) {
   constexpr int speeds = 50;
   const FilmBearing bearing = frictionless_bearing(bench);
   BearingState start = cold_state(bearing, 0.6, bench);
-  FilmBearingSolver solver(bearing);
-  const FilmReport there = solver.follow(OperatingPoint::loaded_by({50.0, 0.0}, speed), start);
+  FilmStepper stepper(bearing);
+  const FilmReport there = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), start);
   if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
   int iterations = 0;
   for (auto _ : bench) {
@@ -184,7 +186,7 @@ void coasting_down(benchmark::State& bench) {
     iterations = 0;
     for (int i = 1; i <= speeds; ++i) {
       const OperatingPoint to = OperatingPoint::loaded_by({50.0, 0.0}, speed * (1.0 - 8.0 / 9.0 * i / speeds));
-      const FilmReport report = solver.follow(to, state);
+      const FilmReport report = follow(stepper, to, state);
       if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
       iterations += report.iterations;
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
@@ -81,17 +80,13 @@ int FilmBearing::columns() const {
   return pads.empty() ? 0 : pads.back().first_column + pads.back().foil.mesh.nodes();
 }
 
-int FilmBearing::bumps() const {
-  return std::accumulate(pads.begin(), pads.end(), 0, [](int sum, const FilmPad& pad) { return sum + pad.bumps(); });
-}
-
 Matrix FilmBearing::field(double value) const {
   return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
 }
 
 Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position, double opening) const {
   Matrix H = field((clearance + opening) / scales.thickness);
-  H.rowwise() += (sleeve.transpose() - position.transpose() * normals) / scales.thickness;
+  H.rowwise() += (sleeve.transpose() - position.transpose() * column_normals) / scales.thickness;
   return H;
 }
 
@@ -126,8 +121,8 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
   const Vector angles = pad.foil.mesh.angles();
   const Eigen::Matrix2Xd normals = outward_normals(polar_angles(alone.bearing, angles));
   bearing.pads.push_back(std::move(pad));
-  bearing.normals.conservativeResize(Eigen::NoChange, bearing.columns());
-  bearing.normals.rightCols(angles.size()) = normals;
+  bearing.column_normals.conservativeResize(Eigen::NoChange, bearing.columns());
+  bearing.column_normals.rightCols(angles.size()) = normals;
   bearing.sleeve.conservativeResize(bearing.columns());
   bearing.sleeve.tail(angles.size()) = sleeve_deviations(alone, angles) + normals.transpose() * placed.centre;
 }
@@ -135,30 +130,27 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 }  // namespace
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  return make_film_bearing(input, make_bearing_foils(input, {"equilibrium"}), gas, resolution);
+  return make_film_bearing(input, *make_bearing_foils(input, {"equilibrium"}), gas, resolution);
 }
 
-FilmBearing make_film_bearing(const Case& input, SharedFoils shared, const Gas& gas, const FilmResolution& resolution) {
+FilmBearing make_film_bearing(const Case& input, const Foils& foils, const Gas& gas, const FilmResolution& resolution) {
   FilmBearing bearing;
-  bearing.foils = std::move(shared);
-  const Foils& foils = *bearing.foils;
-  bearing.clearance = bearing.room = foils.clearance;
+  static_cast<Foils&>(bearing) = foils;
+  bearing.under_film = true;
+  bearing.room = foils.clearance;
   for (const Pad& pad : input.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
   bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
-  bearing.problem.K = bump_foils_alone(foils.structure, bearing.pads);
-  bearing.problem.force_scale = foils.problem.force_scale;
-  bearing.problem.pairs.assign(foils.problem.pairs.begin() + foils.top_bump(), foils.problem.pairs.end());
+  bearing.problem = {.K = bump_foils_alone(foils.structure, bearing.pads),
+                     .pairs = {foils.problem.pairs.begin() + foils.top_bump(), foils.problem.pairs.end()},
+                     .force_scale = foils.problem.force_scale};
 
   // Gaps of the last blocks stay open.
-  bearing.initial_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
-  const Eigen::Index pairs = std::ssize(bearing.problem.pairs);
-  Eigen::Index bump = 0;
-  for (const FilmPad& pad : bearing.pads) {
-    for (Eigen::Index b = pad.first_block; b < pad.first_block + pad.bumps(); ++b, ++bump) {
-      bearing.initial_gap.segment(b * pairs, pairs) =
-          foils.assembled_gap.segment(bump * foils.contacts_per_block() + foils.top_bump(), pairs);
-    }
+  bearing.assembled_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
+  const Eigen::Index pairs = bearing.contacts_per_block();
+  for (int b = 0; b < foils.structure.K.blocks(); ++b) {
+    bearing.assembled_gap.segment(bearing.block(b) * pairs, pairs) = foils.assembled_gap.segment(
+        Eigen::Index{foils.block(b)} * foils.contacts_per_block() + foils.top_bump(), pairs);
   }
   return bearing;
 }
@@ -177,8 +169,8 @@ BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position
   state.film = {{bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
                 Vector::Zero(bearing.columns()),
                 Vector::Zero(bearing.columns())};
-  state.contacts.gap = bearing.initial_gap;
-  state.slip_origin = state.contacts.x;
+  state.contacts.gap = bearing.assembled_gap;
+  state.begin_increment();
   return state;
 }
 
@@ -209,7 +201,7 @@ Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, c
     const int column = pad.first_column + k;
     double excess = 0.0;
     for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, column) - 1.0);
-    force += mesh.column_weight(k) * excess * bearing.normals.col(column);
+    force += mesh.column_weight(k) * excess * bearing.column_normals.col(column);
   }
   return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
 }

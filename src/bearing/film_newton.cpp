@@ -67,7 +67,7 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 /// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
 /// of a cell, forces by EI' c / p^3, compatibility by c / p, the law of the journal by its unit, the opening by
 /// c / weight_of_opening.
-double FilmNewton::find_residual(const NewtonTarget& to, const FilmEquations& equations, const BearingState& state) {
+double FilmNewton::find_residual(const Move& to, const FilmEquations& equations, const BearingState& state) {
   const ContactState& contact = state.contacts;
   Vector& forces = find_bump_forces(contact);
   forces -= contact_forces(bearing_.problem, contact.normal_force, contact.friction_force);
@@ -163,7 +163,7 @@ void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
 
 /// Change of H where the journal moves and the foil does not.
 Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
-  return (displacement.transpose() * bearing_.normals / -bearing_.scales.thickness)
+  return (displacement.transpose() * bearing_.column_normals / -bearing_.scales.thickness)
       .replicate(bearing_.pads.front().foil.mesh.rows + 1, 1);
 }
 
@@ -305,7 +305,7 @@ bool FilmNewton::find_step(const BearingState& state, FilmReport& report) {
   // Contact forces are unknowns of the step, and no part of its right-hand side.
   loading_.load = -find_bump_forces(state.contacts);
   load_condensed();
-  loading_.initial_gap = contact_gaps(bearing_.problem, bearing_.initial_gap, x);
+  loading_.initial_gap = contact_gaps(bearing_.problem, bearing_.assembled_gap, x);
   begin_ = state.contacts;
   begin_.x.setZero();
   for_each_contact(bearing_.problem, [&](const CoulombContact& contact) {
@@ -381,8 +381,9 @@ double FilmNewton::distance(const BearingState& a, const BearingState& b) const 
                    (a.position - b.position).norm() / bearing_.scales.thickness});
 }
 
-FilmReport FilmNewton::solve(const NewtonTarget& to, const FilmEquations& equations, const NewtonAim& aim,
-                             BearingState& state) {
+FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState& state) {
+  FilmEquations equations = film_equations(bearing_, to.speed);
+  if (to.dt > 0.0) squeeze(bearing_, bearing_.scales.squeeze_time() / to.dt, film_content(state.film), equations);
   FilmReport report;
   iterate_ = trial_ = state;
   iterate_.speed = to.speed;

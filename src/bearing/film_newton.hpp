@@ -7,19 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "bearing/journal_law.hpp"
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 
 namespace bumpfoil {
-
-/// Where a solve leads.
-struct NewtonTarget {
-  JournalLaw law;
-  double speed{};    ///< Omega, rad/s
-  double opening{};  ///< of the clearance, m
-};
 
 /// What a solve looks for.
 struct NewtonAim {
@@ -32,12 +24,10 @@ class FilmNewton {
  public:
   FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
 
-  /// Takes `state` to a target: the journal moves with the film from where it is.
-  /// @param equations  at the speed there; with a squeeze term, for a step in time
-  /// @param state      first guess, whose position, pressure and lift count, and whose slip_origin friction refers to;
-  ///                   receives the result, and stays as it was unless the status is converged
-  [[nodiscard]] FilmReport solve(const NewtonTarget& to, const FilmEquations& equations, const NewtonAim& aim,
-                                 BearingState& state);
+  /// Takes `state` to the end of a move: the journal goes with the film from where it is.
+  /// @param state  first guess, whose position, pressure and lift count, and whose slip_origin friction refers to;
+  ///               receives the result, and stays as it was unless the status is converged
+  [[nodiscard]] FilmReport solve(const Move& to, const NewtonAim& aim, BearingState& state);
 
   /// With contacts in the modes of `state`, or with all closed ones stuck.
   /// @return nothing if the modes leave a singular system
@@ -73,7 +63,7 @@ class FilmNewton {
   };
 
   Vector& find_bump_forces(const ContactState& state);
-  double find_residual(const NewtonTarget& to, const FilmEquations& equations, const BearingState& state);
+  double find_residual(const Move& to, const FilmEquations& equations, const BearingState& state);
   void assemble();
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);

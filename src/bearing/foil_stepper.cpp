@@ -50,7 +50,7 @@ BearingState BearingState::unstressed(const Foils& foils) {
   BearingState state;
   state.loading = ContactLoading::none(foils.problem);
   state.contacts = ContactState::unstressed(foils.problem);
-  state.slip_origin = state.contacts.x;
+  state.begin_increment();
   return state;
 }
 

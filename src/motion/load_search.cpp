@@ -43,7 +43,7 @@ class LoadSearch {
       : stepper_(stepper), from_(from), load_(load), reach_(reach), step_(step) {
     tolerance_ = load_tolerance(stepper, load);
     step_.state = from;
-    step_.state.slip_origin = from.contacts.x;
+    step_.state.begin_increment();
     step_.events.clear();
   }
 
@@ -223,7 +223,7 @@ void grow_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vect
   const Eigen::Vector2d carried = holding_force(stepper.foils(), from.contacts.normal_force);
   const bool is_none = load.norm() <= none;
   step.state = from;
-  step.state.slip_origin = from.contacts.x;
+  step.state.begin_increment();
   step.status = Status::converged;
   step.is_linear = true;
   step.events.clear();

@@ -23,6 +23,9 @@ struct BearingState : Excitation {
 
   /// Unstressed foils before their assembly.
   static BearingState unstressed(const Foils& foils);
+
+  /// Friction refers to where the contacts are now.
+  void begin_increment() { slip_origin = contacts.x; }
 };
 
 /// A place inside an increment where parts of the response join.

@@ -41,7 +41,7 @@ struct FoilFields {
   FieldMatrix foot_u, foot_v;            ///< m, per foot
   FieldMatrix compression;               ///< m, per bump: how far its crest came nearer to its feet
   FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
-  InterfaceFields journal_top;           ///< per bump
+  InterfaceFields journal_top;           ///< per bump; without columns under a film
   InterfaceFields top_bump;              ///< per bump
   InterfaceFields bump_sleeve;           ///< per foot
   StressFields stress;

@@ -18,7 +18,7 @@ void start_anew(Step& step) {
   BearingState state = std::move(step.state);
   step = Step{};
   step.state = std::move(state);
-  step.state.slip_origin = step.state.contacts.x;
+  step.state.begin_increment();
 }
 
 /// Adds what came before a cycle to what it tells of the whole run.

@@ -86,7 +86,7 @@ std::string film_coefficients_csv(const EquilibriumResult& result) {
   for (const WhirlQuantity& quantity : whirl_quantities()) out += ',' + key_of(quantity.name(), quantity.unit);
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
-    const bool by_load = state.asked.control == OperatingPoint::Control::load;
+    const bool by_load = state.asked.by_load();
     for (const FilmWhirl& whirl : state.whirls) {
       append_csv(out += '\n', state.asked.speed);
       for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.asked.journal[axis] : absent);
@@ -123,7 +123,7 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
   const std::string run_id = make_run_id();
   std::vector<ResultFile> files;
   files.push_back({fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)});
-  if (result.bearing->foils) {
+  if (result.bearing->has_foils()) {
     files.push_back({"coefficients.csv", film_coefficients_csv(result)});
     files.push_back({"coefficients.toml", film_ross_toml(input, result, run_id, ross_version)});
   }

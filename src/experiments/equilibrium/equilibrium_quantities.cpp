@@ -18,7 +18,7 @@ double relative(double part, double whole_of_it) {
   return whole_of_it == 0.0 ? 0.0 : part / std::abs(whole_of_it);
 }
 
-template <OperatingPoint::Control control, int axis>
+template <Control control, int axis>
 double asked_journal(const FilmBearing&, const RunningState& state) {
   return state.asked.control == control ? state.asked.journal[axis] : absent;
 }
@@ -118,7 +118,7 @@ constexpr RunningQuantity csv(RunningQuantity quantity) {
 
 using B = FilmBearing;
 using S = RunningState;
-using By = OperatingPoint::Control;
+using By = Control;
 
 constexpr auto table = std::to_array<RunningQuantity>({
     csv(as_asked({"speed", "rad/s", "speed of the journal, positive from X to Y",
@@ -393,7 +393,7 @@ std::string speed_text(const OperatingPoint& point) {
 }
 
 std::string journal_text(const OperatingPoint& point) {
-  const bool by_load = point.control == OperatingPoint::Control::load;
+  const bool by_load = point.by_load();
   const double unit = by_load ? 1.0 : 1e-6;
   return fmt::format("{} ({:.6g}, {:.6g}) {}", by_load ? "load" : "position", point.journal.x() / unit,
                      point.journal.y() / unit, by_load ? "N" : "um");

@@ -83,17 +83,17 @@ class MeshComparison {
       : bearing_(bearing),
         own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
         other_(other_resolution(own_)),
-        solver_(make_film_bearing(input, bearing.foils, bearing.scales.gas, other_),
-                {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
+        stepper_(make_film_bearing(input, bearing, bearing.scales.gas, other_),
+                 {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
 
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {
-    const FilmBearing& other = solver_.bearing();
+    const FilmBearing& other = stepper_.bearing();
     BearingState found = transferred(bearing_, other, *state.last);
-    if (solver_.solve(state.asked, found).status != FilmStatus::converged) return {};
+    if (stepper_.advance(state.asked, found).status != FilmStatus::converged) return {};
     const double thickness =
         (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_.scales.thickness;
     Eigen::Vector2d force = film_force(other, found.film.pressure) - state.outcome->force;
-    if (state.asked.control == OperatingPoint::Control::load) {
+    if (state.asked.by_load()) {
       if (!state.stiffness) return {};
       force = *state.stiffness * (state.last->position - found.position);
     }
@@ -110,7 +110,7 @@ class MeshComparison {
 
   const FilmBearing& bearing_;
   FilmResolution own_, other_;
-  FilmBearingSolver solver_;
+  FilmStepper stepper_;
 };
 
 }  // namespace

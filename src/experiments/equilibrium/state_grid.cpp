@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/bearing/film_fields.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -77,7 +76,7 @@ class StateGrid {
     }
     const auto asked = [&](int axis) {
       return of_all([axis](const RunningState& state) {
-        return state.asked.control == OperatingPoint::Control::position ? state.asked.journal[axis] : absent;
+        return state.asked.control == Control::displacement ? state.asked.journal[axis] : absent;
       });
     };
     add({"position_x", "m", "position of the journal that was asked for, X"}, {"state"}, asked(0));
@@ -107,7 +106,7 @@ class StateGrid {
 
   void add_film() {
     add_nodes({"pressure", "Pa", "pressure of the film"}, film_pressure);
-    if (!result_.bearing->foils) return add_thickness();
+    if (!result_.bearing->has_foils()) return add_thickness();
     for (const ColumnQuantity& quantity : column_quantities()) {
       GridVariable& variable =
           add(meaning(quantity), {"state", "column"},
@@ -119,11 +118,10 @@ class StateGrid {
 
   /// What is known of the foils without a film, too, but for the contact with the journal, which there is none of.
   void add_foils() {
-    const Foils& foils = *result_.bearing->foils;
+    const Foils& foils = *result_.bearing;
     FoilFields fields = make_fields(foils, static_cast<int>(result_.states.size()));
-    for_each_found([&](std::size_t i, const BearingState& state) {
-      record(foils, foil_state(*result_.bearing, state), static_cast<Eigen::Index>(i), fields);
-    });
+    for_each_found(
+        [&](std::size_t i, const BearingState& state) { record(foils, state, static_cast<Eigen::Index>(i), fields); });
     for (const FieldQuantity& quantity : field_quantities()) {
       if (quantity.name.ends_with("journal_top") || quantity.node == Node::pad) continue;
       const FieldMatrix values = quantity.values(fields);
@@ -237,7 +235,7 @@ ResultGrid state_grid(const Case& input, const EquilibriumResult& result) {
   grid.add_motions();
   grid.add_pads();
   grid.add_film();
-  if (result.bearing->foils) grid.add_foils();
+  if (result.bearing->has_foils()) grid.add_foils();
   return grid.take();
 }
 

@@ -33,11 +33,7 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
   const Matrix there = bearing.undeformed_thickness(state.position);
   FilmReport report = solver.solve(equation, centred, state.film);
   if (report.status != FilmStatus::converged) return report;
-  const FilmReport followed = solver.follow(equation, centred, there, state.film);
-  report.status = followed.status;
-  report.iterations += followed.iterations;
-  report.residual = followed.residual;
-  return report;
+  return report += solver.follow(equation, centred, there, state.film);
 }
 
 }  // namespace
@@ -64,7 +60,7 @@ FilmBearing make_wall_bearing(const Case& input) {
   pad.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   bearing.clearance = input.bearing.radial_clearance;
   const Vector angles = pad.foil.mesh.angles();
-  bearing.normals = outward_normals(polar_angles(input.bearing, angles));
+  bearing.column_normals = outward_normals(polar_angles(input.bearing, angles));
   bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
 }

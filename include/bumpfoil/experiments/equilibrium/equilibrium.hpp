@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
-/// How a state answers to small motions of the journal at a frequency, as FilmBearingSolver::impedances() tells: K = Re
+/// How a state answers to small motions of the journal at a frequency, as FilmStepper::impedances() tells: K = Re
 /// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
 struct FilmWhirl {
   double frequency{};  ///< rad/s

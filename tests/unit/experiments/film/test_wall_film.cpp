@@ -24,7 +24,7 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   const EquilibriumResult result = run_wall_films(input);
   ASSERT_EQ(result.states.size(), 2U);
   EXPECT_TRUE(result.converged());
-  EXPECT_FALSE(result.bearing->foils);
+  EXPECT_FALSE(result.bearing->has_foils());
   for (const RunningState& state : result.states) {
     const FilmBearing& bearing = *result.bearing;
     const SolvedFilm film = solve_rigid_film(film_equation(bearing, bearing.pads.front(), state.asked.speed),
