@@ -131,7 +131,7 @@ Vector loads_of(const FilmBearing& bearing, const Matrix& pressure) {
 }  // namespace
 
 AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
-                            const AlternatingOptions& options, FilmBearingState& state) {
+                            const AlternatingOptions& options, BearingState& state) {
   using End = AlternatingReport::End;
   const PressedFoils foils(bearing);
   const ContactProblem& problem = foils.problem();
@@ -139,31 +139,31 @@ AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& p
   FilmSolver films(bearing.pads.front().foil.mesh, {});
   const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
   const Matrix undeformed = bearing.undeformed_thickness(position);
-  ContactLoading loading{.initial_gap = bearing.initial_gap.head(problem.contacts()), .load = {}};
+  ContactLoading loading{.initial_gap = bearing.assembled_gap.head(problem.contacts()), .load = {}};
   const ContactState unstressed = ContactState::unstressed(problem);
   ContactState pressed = unstressed;
   Matrix H = undeformed;
-  H.rowwise() += state.foil.lift.transpose();
+  H.rowwise() += state.film.lift.transpose();
   AlternatingReport report;
   while (report.end == End::spent && report.iterations < options.most) {
     ++report.iterations;
-    const FilmStatus film = films.solve(equation, H, state.foil.film).status;
+    const FilmStatus film = films.solve(equation, H, state.film).status;
     if (film != FilmStatus::converged) {
       report.end = film == FilmStatus::no_room ? End::no_room : End::no_film;
       break;
     }
-    const Vector loads = loads_of(bearing, state.foil.film.pressure);
+    const Vector loads = loads_of(bearing, state.film.pressure);
     loading.load = foils.condensed(loads);
     if (!contacts.solve(loading, unstressed, pressed).converged()) {
       report.end = End::no_contact;
       break;
     }
-    Vector step = -state.foil.lift;
+    Vector step = -state.film.lift;
     step.tail(loads.size()) += foils.displacements(loads, pressed.x) / bearing.scales.thickness;
     report.change = step.cwiseAbs().maxCoeff();
-    state.foil.lift += options.relaxation * step;
+    state.film.lift += options.relaxation * step;
     H = undeformed;
-    H.rowwise() += state.foil.lift.transpose();
+    H.rowwise() += state.film.lift.transpose();
     if (report.change < options.tolerance) report.end = End::converged;
   }
   return report;

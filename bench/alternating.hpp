@@ -18,12 +18,12 @@ struct AlternatingOptions {
 };
 
 /// What others do: the film over a wall that stands still, then the foils under the pressure that this makes, and so
-/// on. Film, foils, mesh and contacts are those of FilmBearingSolver, frictionless or with friction referring to
+/// on. Film, foils, mesh and contacts are those of FilmStepper, frictionless or with friction referring to
 /// unstressed foils; where this comes to rest, it does so in a state of that.
 /// @param position  of the journal, m
 /// @param speed     rad/s
 /// @param state     first guess; receives the last iterate
 AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
-                            const AlternatingOptions& options, FilmBearingState& state);
+                            const AlternatingOptions& options, BearingState& state);
 
 }  // namespace bumpfoil

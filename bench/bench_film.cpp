@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "alternating.hpp"
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
+#include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/rest.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -25,10 +27,10 @@ FilmBearing frictionless_bearing(const benchmark::State& bench) {
 }
 
 /// The journal pushed to +X by a part of the clearance, from a cold start.
-FilmBearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench) {
-  FilmBearingState state;
-  const FilmReport report =
-      FilmBearingSolver(bearing).cold_start({eccentricity * bearing.clearance, 0.0}, speed, state);
+BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench) {
+  BearingState state;
+  FilmStepper stepper(bearing);
+  const FilmReport report = cold_start(stepper, {eccentricity * bearing.clearance, 0.0}, speed, state);
   if (report.status != FilmStatus::converged) bench.SkipWithError("no state");
   return state;
 }
@@ -40,12 +42,12 @@ void meshes(benchmark::internal::Benchmark* benchmark) {
 /// Residuals and derivatives of the film.
 void linearise_film(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
-  const FilmBearingState state = cold_state(bearing, 0.5, bench);
+  const BearingState state = cold_state(bearing, 0.5, bench);
   const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
   Matrix residual;
   FilmJacobian jacobian;
   for (auto _ : bench) {
-    linearise_reynolds(equation, state.foil.film, residual, jacobian);
+    linearise_reynolds(equation, state.film, residual, jacobian);
     benchmark::DoNotOptimize(residual.data());
   }
 }
@@ -54,24 +56,23 @@ BENCHMARK(linearise_film)->Apply(meshes);
 /// The same with the top foil, everything between the crests eliminated.
 void condense_film(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
-  const FilmBearingState state = cold_state(bearing, 0.5, bench);
+  const BearingState state = cold_state(bearing, 0.5, bench);
   const ReynoldsEquation equation = film_equation(bearing, bearing.pads.front(), speed);
   FoilFilmSystem system(bearing.pads.front().foil);
   for (auto _ : bench) {
-    if (!system.linearise(equation, state.foil)) bench.SkipWithError("singular");
+    if (!system.linearise(equation, state.film)) bench.SkipWithError("singular");
   }
 }
 BENCHMARK(condense_film)->Apply(meshes);
 
 /// One step of a path: a twentieth of the clearance.
 void step_of_a_path(const FilmBearing& bearing, benchmark::State& bench) {
-  const FilmBearingState start = cold_state(bearing, 0.5, bench);
-  FilmBearingSolver solver(bearing);
+  const BearingState start = cold_state(bearing, 0.5, bench);
+  FilmStepper stepper(bearing);
   int iterations = 0;
   for (auto _ : bench) {
-    FilmBearingState state = start;
-    const FilmReport report =
-        solver.solve(OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, speed), start.contact, state);
+    BearingState state = start;
+    const FilmReport report = stepper.advance(OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, speed), state);
     if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
@@ -96,10 +97,10 @@ void film_and_foils_in_turn(benchmark::State& bench) {
   const FilmBearing bearing = make_film_bearing(input, air, {.columns_per_pitch = 6, .rows = 16});
   const double begin = 1e-2 * static_cast<double>(bench.range(1));
   const double end = begin + 1e-3 * static_cast<double>(bench.range(2));
-  const FilmBearingState start = cold_state(bearing, begin, bench);
+  const BearingState start = cold_state(bearing, begin, bench);
   AlternatingReport report;
   for (auto _ : bench) {
-    FilmBearingState state = start;
+    BearingState state = start;
     report = alternate(bearing, {end * bearing.clearance, 0.0}, speed,
                        {.relaxation = 1e-3 * static_cast<double>(bench.range(0)), .most = 1000}, state);
   }
@@ -134,7 +135,7 @@ BENCHMARK(film_and_foils_in_turn)
 void cold_start(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
   for (auto _ : bench) {
-    const FilmBearingState state = cold_state(bearing, 0.5, bench);
+    const BearingState state = cold_state(bearing, 0.5, bench);
     benchmark::DoNotOptimize(state.speed);
   }
 }
@@ -143,14 +144,14 @@ BENCHMARK(cold_start)->Apply(meshes);
 /// The same by load: 50 N, from the state under 45 N.
 void equilibrium_from_a_neighbour(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
-  FilmBearingState start = cold_state(bearing, 0.6, bench);
-  FilmBearingSolver solver(bearing);
-  const FilmReport there = solver.follow(OperatingPoint::loaded_by({45.0, 0.0}, speed), start.contact, start);
+  BearingState start = cold_state(bearing, 0.6, bench);
+  FilmStepper stepper(bearing);
+  const FilmReport there = follow(stepper, OperatingPoint::loaded_by({45.0, 0.0}, speed), start);
   if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
   int iterations = 0;
   for (auto _ : bench) {
-    FilmBearingState state = start;
-    const FilmReport report = solver.follow(OperatingPoint::loaded_by({50.0, 0.0}, speed), start.contact, state);
+    BearingState state = start;
+    const FilmReport report = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), state);
     if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
@@ -161,12 +162,12 @@ BENCHMARK(equilibrium_from_a_neighbour)->Apply(meshes);
 /// Stiffness and damping at 20 frequencies, a tenth of that of the rotation to twice it.
 void impedances(benchmark::State& bench) {
   const FilmBearing bearing = frictionless_bearing(bench);
-  const FilmBearingState state = cold_state(bearing, 0.6, bench);
-  FilmBearingSolver solver(bearing);
+  const BearingState state = cold_state(bearing, 0.6, bench);
+  FilmStepper stepper(bearing);
   std::vector<std::complex<double>> rates;
   for (int i = 1; i <= 20; ++i) rates.emplace_back(0.0, 0.1 * i * speed);
   for (auto _ : bench) {
-    if (!solver.impedances(state, rates)) bench.SkipWithError("singular");
+    if (!stepper.impedances(state, rates)) bench.SkipWithError("singular");
   }
 }
 BENCHMARK(impedances)->Apply(meshes);
@@ -175,17 +176,17 @@ BENCHMARK(impedances)->Apply(meshes);
 void coasting_down(benchmark::State& bench) {
   constexpr int speeds = 50;
   const FilmBearing bearing = frictionless_bearing(bench);
-  FilmBearingState start = cold_state(bearing, 0.6, bench);
-  FilmBearingSolver solver(bearing);
-  const FilmReport there = solver.follow(OperatingPoint::loaded_by({50.0, 0.0}, speed), start.contact, start);
+  BearingState start = cold_state(bearing, 0.6, bench);
+  FilmStepper stepper(bearing);
+  const FilmReport there = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), start);
   if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
   int iterations = 0;
   for (auto _ : bench) {
-    FilmBearingState state = start;
+    BearingState state = start;
     iterations = 0;
     for (int i = 1; i <= speeds; ++i) {
       const OperatingPoint to = OperatingPoint::loaded_by({50.0, 0.0}, speed * (1.0 - 8.0 / 9.0 * i / speeds));
-      const FilmReport report = solver.follow(to, state.contact, state);
+      const FilmReport report = follow(stepper, to, state);
       if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
       iterations += report.iterations;
     }

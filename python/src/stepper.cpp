@@ -74,10 +74,10 @@ SharedState BearingStepper::assemble(const Destination& to) {
 
 SharedState BearingStepper::advance(const ReachedState& from, const Destination& to) {
   const std::scoped_lock lock(mutex_);
-  const Excitation excitation = excitation_of(from.state.excitation, to);
+  const Excitation excitation = excitation_of(from.state, to);
   if (to.load) {
-    FoilState begin = from.state;
-    begin.excitation = excitation;
+    BearingState begin = from.state;
+    static_cast<Excitation&>(begin) = excitation;
     advance_to_load(stepper_, begin, *to.load, least_load * to.load->norm(), foils_->clearance + foils_->rise, step_);
   } else {
     stepper_.advance(from.state, excitation, step_);

@@ -16,7 +16,7 @@ namespace bumpfoil {
 
 /// A state of the foils as it was reached, with what is known of it. A plain value, never changed.
 struct ReachedState {
-  FoilState state;
+  BearingState state;
   Increment increment;  ///< place, forces, energies, status
   FoilFields fields;    ///< one row; none of a step that failed
 };

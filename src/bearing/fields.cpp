@@ -20,17 +20,18 @@ struct InterfacePlace {
   int count{};
 
   [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
-    return Eigen::Index{foils.problem.K.blocks() - first_block} * count;
+    return Eigen::Index{foils.structure.K.blocks() - first_block} * count;
   }
   [[nodiscard]] Eigen::Index contact(const Foils& foils, Eigen::Index column) const {
-    return (first_block + column / count) * foils.contacts_per_block() + first + column % count;
+    const int block = foils.block(first_block + static_cast<int>(column) / count);
+    return Eigen::Index{block} * foils.contacts_per_block() + first + column % count;
   }
 };
 
 InterfacePlace place_of(const Foils& foils, Interface interface) {
   switch (interface) {
     case Interface::journal_top:
-      return {.first_block = foils.structure.first_bump, .first = 0, .count = foils.has_top_foil() ? 1 : 0};
+      return {.first_block = foils.structure.first_bump, .first = 0, .count = foils.top_bump()};
     case Interface::top_bump:
       return {.first_block = foils.structure.first_bump, .first = foils.top_bump(), .count = 1};
     case Interface::bump_sleeve:
@@ -45,18 +46,20 @@ double open_threshold(const Foils& foils, const ContactState& state) {
 }
 
 /// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
-ContactMode reported_mode(const CoulombContact& contact, const FoilState& state, double threshold) {
+ContactMode reported_mode(const Foils& foils, const CoulombContact& contact, const BearingState& state,
+                          double threshold) {
   if (state.contacts.normal_force[contact.index] <= threshold) return ContactMode::open;
   if (contact.site.tangential < 0 || contact.f > 0.0) {
     return state.contacts.mode[static_cast<std::size_t>(contact.index)];
   }
+  if (foils.under_film) return ContactMode::stick;  // many moves may make one increment: their slip has no direction
   const double slip = contact.tangential(state.contacts.x) - contact.tangential(state.slip_origin);
   return slip > displacement_resolution    ? ContactMode::slip_forward
          : slip < -displacement_resolution ? ContactMode::slip_backward
                                            : ContactMode::stick;
 }
 
-void record_interface(const Foils& foils, const FoilState& state, Interface interface, Eigen::Index increment,
+void record_interface(const Foils& foils, const BearingState& state, Interface interface, Eigen::Index increment,
                       InterfaceFields& fields) {
   const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state.contacts);
@@ -66,7 +69,7 @@ void record_interface(const Foils& foils, const FoilState& state, Interface inte
     const ContactSite& site = foils.problem.sites[static_cast<std::size_t>(c)];
     const CoulombContact contact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0, site.block * block_size,
                                  c};
-    const ContactMode mode = reported_mode(contact, state, threshold);
+    const ContactMode mode = reported_mode(foils, contact, state, threshold);
     const bool open = mode == ContactMode::open;
     fields.gap(increment, i) = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;
     fields.normal_force(increment, i) = open ? 0.0 : state.contacts.normal_force[c];
@@ -85,7 +88,7 @@ void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, 
     if (value) put(field, column, Vector::Constant(1, *value));
   };
   const Eigen::Index size = foils.structure.dofs.size;
-  for (int pad = 0; pad < foils.pads(); ++pad) {
+  for (int pad = 0; pad < foils.pad_count(); ++pad) {
     const auto [first, count] = foils.structure.blocks_of(pad);
     const FoilStress stress =
         foil_stress(foils.stress[static_cast<std::size_t>(pad)], x.segment(first * size, count * size));
@@ -102,7 +105,7 @@ StressFields make_stress_fields(const Foils& foils, int increments) {
   const Eigen::Index count = foils.structure.blocks_of(0).count;
   const FoilStress none = foil_stress(foils.stress.front(), Vector::Zero(count * foils.structure.dofs.size));
   const auto of_welds = [&](const std::optional<double>& one) {
-    return FieldMatrix(increments, one ? foils.pads() : 0);
+    return FieldMatrix(increments, one ? foils.pad_count() : 0);
   };
   const auto of_all = [&](const Vector& of_pad) {
     return FieldMatrix(increments, of_pad.size() * foils.bumps() / (count - foils.structure.first_bump));
@@ -161,11 +164,11 @@ FoilFields make_fields(const Foils& foils, int increments) {
   fields.top_displacement.resize(increments, foils.has_top_foil() ? bumps : 0);
   for (FieldMatrix* field : {&fields.crest_u, &fields.crest_v, &fields.compression}) field->resize(increments, bumps);
   for (FieldMatrix* field : {&fields.foot_u, &fields.foot_v}) field->resize(increments, feet);
-  fields.journal_top.resize(increments, foils.has_top_foil() ? bumps : 0);
+  fields.journal_top.resize(increments, foils.top_bump() * bumps);
   fields.top_bump.resize(increments, bumps);
   fields.bump_sleeve.resize(increments, feet);
   for (FieldMatrix* field : {&fields.pad_force_x, &fields.pad_force_y}) {
-    field->resize(increments, foils.pads() > 1 ? foils.pads() : 0);
+    field->resize(increments, foils.pad_count() > 1 && !foils.under_film ? foils.pad_count() : 0);
   }
   fields.stress = make_stress_fields(foils, increments);
   return fields;
@@ -188,8 +191,8 @@ Vector bump_compression(const FoilStructure& structure, const Vector& x) {
   return compression;
 }
 
-void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields) {
-  const Vector& x = state.contacts.x;
+void record(const Foils& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields) {
+  const Vector x = foils.foil_unknowns(state.contacts.x);
   const BumpDofs& dofs = foils.structure.dofs;
   const Eigen::Index size = dofs.size;
   for (Eigen::Index i = 0; i < foils.bumps(); ++i) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
@@ -81,17 +80,13 @@ int FilmBearing::columns() const {
   return pads.empty() ? 0 : pads.back().first_column + pads.back().foil.mesh.nodes();
 }
 
-int FilmBearing::bumps() const {
-  return std::accumulate(pads.begin(), pads.end(), 0, [](int sum, const FilmPad& pad) { return sum + pad.bumps(); });
-}
-
 Matrix FilmBearing::field(double value) const {
   return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
 }
 
 Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position, double opening) const {
   Matrix H = field((clearance + opening) / scales.thickness);
-  H.rowwise() += (sleeve.transpose() - position.transpose() * normals) / scales.thickness;
+  H.rowwise() += (sleeve.transpose() - position.transpose() * column_normals) / scales.thickness;
   return H;
 }
 
@@ -100,15 +95,15 @@ Matrix part_of(const FilmPad& pad, const Matrix& field) {
 }
 
 void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part) {
-  part.film.pressure = all.film.pressure(Eigen::all, pad.columns());
-  part.film.thickness = all.film.thickness(Eigen::all, pad.columns());
+  part.pressure = all.pressure(Eigen::all, pad.columns());
+  part.thickness = all.thickness(Eigen::all, pad.columns());
   part.lift = all.lift(pad.columns());
   part.moment = all.moment(pad.columns());
 }
 
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all) {
-  all.film.pressure(Eigen::all, pad.columns()) = part.film.pressure;
-  all.film.thickness(Eigen::all, pad.columns()) = part.film.thickness;
+  all.pressure(Eigen::all, pad.columns()) = part.pressure;
+  all.thickness(Eigen::all, pad.columns()) = part.thickness;
   all.lift(pad.columns()) = part.lift;
   all.moment(pad.columns()) = part.moment;
 }
@@ -126,8 +121,8 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
   const Vector angles = pad.foil.mesh.angles();
   const Eigen::Matrix2Xd normals = outward_normals(polar_angles(alone.bearing, angles));
   bearing.pads.push_back(std::move(pad));
-  bearing.normals.conservativeResize(Eigen::NoChange, bearing.columns());
-  bearing.normals.rightCols(angles.size()) = normals;
+  bearing.column_normals.conservativeResize(Eigen::NoChange, bearing.columns());
+  bearing.column_normals.rightCols(angles.size()) = normals;
   bearing.sleeve.conservativeResize(bearing.columns());
   bearing.sleeve.tail(angles.size()) = sleeve_deviations(alone, angles) + normals.transpose() * placed.centre;
 }
@@ -135,35 +130,30 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 }  // namespace
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  return make_film_bearing(input, make_bearing_foils(input, {"equilibrium"}), gas, resolution);
+  return make_film_bearing(input, *make_bearing_foils(input, {"equilibrium"}), gas, resolution);
 }
 
-FilmBearing make_film_bearing(const BearingDesign& input, SharedFoils shared, const Gas& gas,
+FilmBearing make_film_bearing(const BearingDesign& input, const Foils& foils, const Gas& gas,
                               const FilmResolution& resolution) {
   FilmBearing bearing;
-  bearing.foils = std::move(shared);
-  const Foils& foils = *bearing.foils;
-  bearing.clearance = bearing.room = foils.clearance;
+  static_cast<Foils&>(bearing) = foils;
+  bearing.under_film = true;
+  bearing.room = foils.clearance;
   for (const Pad& pad : input.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
   bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
-  bearing.problem.K = bump_foils_alone(foils.structure, bearing.pads);
-  bearing.problem.force_scale = foils.problem.force_scale;
-  // Those of a block, without the journal's.
-  const std::vector<ContactSite>& sites = foils.problem.sites;
-  bearing.problem.sites =
-      in_every_block({sites.begin() + foils.top_bump(), sites.begin() + foils.contacts_per_block()},
-                     bearing.problem.K.blocks());
+  BlockTridiagonal K = bump_foils_alone(foils.structure, bearing.pads);
+  const auto own = foils.problem.sites.begin();  // of a block, without the journal's
+  std::vector<ContactSite> sites =
+      in_every_block({own + foils.top_bump(), own + foils.contacts_per_block()}, K.blocks());
+  bearing.problem = {.K = std::move(K), .sites = std::move(sites), .force_scale = foils.problem.force_scale};
 
   // Gaps of the last blocks stay open.
-  bearing.initial_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
-  const Eigen::Index per_block = foils.contacts_per_block() - foils.top_bump();
-  Eigen::Index bump = 0;
-  for (const FilmPad& pad : bearing.pads) {
-    for (Eigen::Index b = pad.first_block; b < pad.first_block + pad.bumps(); ++b, ++bump) {
-      bearing.initial_gap.segment(b * per_block, per_block) =
-          foils.assembled_gap.segment(bump * foils.contacts_per_block() + foils.top_bump(), per_block);
-    }
+  bearing.assembled_gap.setConstant(bearing.problem.contacts(), bearing.scales.thickness);
+  const Eigen::Index per_block = bearing.contacts_per_block();
+  for (int b = 0; b < foils.structure.K.blocks(); ++b) {
+    bearing.assembled_gap.segment(bearing.block(b) * per_block, per_block) = foils.assembled_gap.segment(
+        Eigen::Index{foils.block(b)} * foils.contacts_per_block() + foils.top_bump(), per_block);
   }
   return bearing;
 }
@@ -173,15 +163,17 @@ FilmBearing make_film_bearing(const Case& input) {
                            {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
 }
 
-FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
-  FilmBearingState state{.position = position,
-                         .speed = speed,
-                         .opening = opening,
-                         .foil = {.film = {bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
-                                  .lift = Vector::Zero(bearing.columns()),
-                                  .moment = Vector::Zero(bearing.columns())},
-                         .contact = ContactState::unstressed(bearing.problem)};
-  state.contact.gap = bearing.initial_gap;
+BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
+  BearingState state;
+  state.position = position;
+  state.speed = speed;
+  state.opening = opening;
+  state.contacts = ContactState::unstressed(bearing.problem);
+  state.film = {{bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
+                Vector::Zero(bearing.columns()),
+                Vector::Zero(bearing.columns())};
+  state.contacts.gap = bearing.assembled_gap;
+  state.begin_increment();
   return state;
 }
 
@@ -212,7 +204,7 @@ Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, c
     const int column = pad.first_column + k;
     double excess = 0.0;
     for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (pressure(j, column) - 1.0);
-    force += mesh.column_weight(k) * excess * bearing.normals.col(column);
+    force += mesh.column_weight(k) * excess * bearing.column_normals.col(column);
   }
   return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
 }
@@ -223,13 +215,13 @@ Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
   return force;
 }
 
-Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state) {
-  const Eigen::Index per_block = bearing.problem.contacts() / bearing.problem.K.blocks();
+Vector bump_loads(const FilmBearing& bearing, const BearingState& state) {
+  const Eigen::Index per_block = bearing.contacts_per_block();
   Vector loads(bearing.bumps());
   Eigen::Index bump = 0;
   for (const FilmPad& pad : bearing.pads) {
     loads.segment(bump, pad.bumps()) =
-        state.contact.normal_force(Eigen::seqN(pad.first_block * per_block, Eigen::Index{pad.bumps()}, per_block));
+        state.contacts.normal_force(Eigen::seqN(pad.first_block * per_block, Eigen::Index{pad.bumps()}, per_block));
     bump += pad.bumps();
   }
   return loads;
@@ -256,10 +248,10 @@ double wrapped(double angle) {
 }
 
 /// What all pads make of drag, flow and dissipation.
-void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
   // What the sleeve is wider, too.
-  Matrix wall = state.foil.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
+  Matrix wall = state.film.thickness - bearing.undeformed_thickness(state.position, state.opening);
   wall.rowwise() += bearing.sleeve.transpose() / scales.thickness;
   const double couette = scales.couette_torque(state.speed * scales.radius);
   double poiseuille_torque = 0.0;
@@ -268,15 +260,15 @@ void find_drag(const FilmBearing& bearing, const FilmBearingState& state, FilmBe
   FoilFilmState part;
   Matrix residual;
   for (const FilmPad& pad : bearing.pads) {
-    read_part(pad, state.foil, part);
+    read_part(pad, state.film, part);
     const ReynoldsEquation equation = film_equation(bearing, pad, state.speed);
-    const FilmIntegrals sums = film_integrals(equation, part.film);
+    const FilmIntegrals sums = film_integrals(equation, part);
     outcome.couette_torque += couette * sums.couette;
     poiseuille_torque += pad.wrap_sign * scales.poiseuille_torque() * sums.poiseuille;
     pressure_dissipation += scales.gas.ambient_pressure * scales.flow() * sums.dissipation;
     slope += pad.wrap_sign * scales.force() * scales.thickness *
-             pressing_slope(pad.foil.mesh, part.film.pressure, part_of(pad, wall));
-    reynolds_residual(equation, part.film, residual);
+             pressing_slope(pad.foil.mesh, part.pressure, part_of(pad, wall));
+    reynolds_residual(equation, part, residual);
     const FilmFlows flows = film_flows(pad.foil.mesh, residual);
     outcome.flows.start += scales.flow() * flows.start;
     outcome.flows.end += scales.flow() * flows.end;
@@ -305,7 +297,7 @@ void find_thinnest(const FilmBearing& bearing, const Matrix& H, FilmBearingOutco
   }
 }
 
-void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state, FilmBearingOutcome& outcome) {
+void find_loaded_bumps(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const Vector loads = bump_loads(bearing, state);
   for (int b = 0; b < loads.size(); ++b) {
     if (loads[b] <= 0.0) continue;
@@ -317,23 +309,23 @@ void find_loaded_bumps(const FilmBearing& bearing, const FilmBearingState& state
 
 }  // namespace
 
-FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state) {
+FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const BearingState& state) {
   FilmBearingOutcome outcome;
-  outcome.force = film_force(bearing, state.foil.film.pressure);
+  outcome.force = film_force(bearing, state.film.pressure);
   outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
   const double turned =
       std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
   outcome.attitude_angle = wrapped(state.speed < 0.0 ? -turned : turned);
   find_drag(bearing, state, outcome);
-  find_thinnest(bearing, state.foil.film.thickness, outcome);
-  outcome.max_pressure = state.foil.film.pressure.maxCoeff();
-  outcome.min_pressure = state.foil.film.pressure.minCoeff();
+  find_thinnest(bearing, state.film.thickness, outcome);
+  outcome.max_pressure = state.film.pressure.maxCoeff();
+  outcome.min_pressure = state.film.pressure.minCoeff();
   find_loaded_bumps(bearing, state, outcome);
   if (bearing.pads.size() > 1) {
     outcome.pad_forces.resize(2, std::ssize(bearing.pads));
     for (Eigen::Index k = 0; k < outcome.pad_forces.cols(); ++k) {
       outcome.pad_forces.col(k) =
-          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.foil.film.pressure);
+          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.film.pressure);
     }
   }
   return outcome;

@@ -67,9 +67,8 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
 /// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
 /// of a cell, forces by EI' c / p^3, compatibility by c / p, the law of the journal by its unit, the opening by
 /// c / weight_of_opening.
-double FilmNewton::find_residual(const NewtonTarget& to, const FilmEquations& equations,
-                                 const FilmBearingState& state) {
-  const ContactState& contact = state.contact;
+double FilmNewton::find_residual(const Move& to, const FilmEquations& equations, const BearingState& state) {
+  const ContactState& contact = state.contacts;
   Vector& forces = find_bump_forces(contact);
   forces -= contact_forces(bearing_.problem, contact.normal_force, contact.friction_force);
   const Eigen::Index size = bump_K_.block_size();
@@ -79,7 +78,7 @@ double FilmNewton::find_residual(const NewtonTarget& to, const FilmEquations& eq
     const FilmPad& pad = part.pad;
     const FilmMesh& mesh = pad.foil.mesh;
     FoilFilmResidual& residual = part.residual;
-    read_part(pad, state.foil, part.state);
+    read_part(pad, state.film, part.state);
     foil_film_residual(pad.foil, equations[k], part.state, residual);
     square += residual.film.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
               (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
@@ -94,7 +93,7 @@ double FilmNewton::find_residual(const NewtonTarget& to, const FilmEquations& eq
     square += balance + residual.compatibility.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
-  square += to.law.residual(state.position, film_force(bearing_, state.foil.film.pressure)).squaredNorm() /
+  square += to.law.residual(state.position, film_force(bearing_, state.film.pressure)).squaredNorm() /
             (to.law.unit * to.law.unit);
   const double opening = weight_of_opening * (to.opening - state.opening) / bearing_.scales.thickness;
   square += opening * opening;
@@ -145,8 +144,8 @@ void FilmNewton::load_condensed() {
 /// Changes of the blocks, as the contact problem found them, and of what lies in between.
 void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
   const int rows = bearing_.pads.front().foil.mesh.rows + 1;
-  change.film.pressure.resize(rows, bearing_.columns());
-  change.film.thickness.resize(rows, bearing_.columns());
+  change.pressure.resize(rows, bearing_.columns());
+  change.thickness.resize(rows, bearing_.columns());
   change.lift.resize(bearing_.columns());
   change.moment.resize(bearing_.columns());
   for (Part& part : parts_) {
@@ -164,7 +163,7 @@ void FilmNewton::expand(const Vector& x, FoilFilmState& change) {
 
 /// Change of H where the journal moves and the foil does not.
 Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
-  return (displacement.transpose() * bearing_.normals / -bearing_.scales.thickness)
+  return (displacement.transpose() * bearing_.column_normals / -bearing_.scales.thickness)
       .replicate(bearing_.pads.front().foil.mesh.rows + 1, 1);
 }
 
@@ -179,12 +178,12 @@ void FilmNewton::answer(Step& change) {
   loading_.load.setZero();
   load_condensed();
   modes_->solve(loading_, Vector::Zero(K_.rows()), change.contact);
-  expand(change.contact.x, change.foil);
+  expand(change.contact.x, change.film);
 }
 
 /// Change of the force on the journal with the pressure.
 Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
-  return film_force(bearing_, bearing_.field(1.0) + change.film.pressure);
+  return film_force(bearing_, bearing_.field(1.0) + change.pressure);
 }
 
 /// Rates of all unknowns to `rigid`, the rate of H with foils that do not give way, 1/m: where the system was
@@ -195,8 +194,8 @@ Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
         stencil_product(part.pad.foil.mesh, part.system.film_jacobian().by_thickness, part_of(part.pad, rigid));
   }
   answer(rate);
-  rate.foil.film.thickness += rigid;
-  return force_of(rate.foil);
+  rate.film.thickness += rigid;
+  return force_of(rate.film);
 }
 
 /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
@@ -210,10 +209,10 @@ Eigen::Matrix2d FilmNewton::find_rates() {
 }
 
 /// @return whether no film is singular
-bool FilmNewton::linearise_films(const FilmEquations& equations, const FilmBearingState& state) {
+bool FilmNewton::linearise_films(const FilmEquations& equations, const BearingState& state) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     Part& part = parts_[k];
-    read_part(part.pad, state.foil, part.state);
+    read_part(part.pad, state.film, part.state);
     if (!part.system.linearise(equations[k], part.state)) return false;
   }
   return true;
@@ -221,28 +220,28 @@ bool FilmNewton::linearise_films(const FilmEquations& equations, const FilmBeari
 
 /// Linearises about a state, with contacts in its modes, or with all closed ones stuck.
 /// @return whether that leaves a regular system
-bool FilmNewton::linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck) {
+bool FilmNewton::linearise(const FilmEquations& equations, const BearingState& state, bool stuck) {
   if (!linearise_films(equations, state)) return false;
   assemble();
   modes_->set_elasticity(K_);
-  std::vector<ContactMode> held = state.contact.mode;
+  std::vector<ContactMode> held = state.contacts.mode;
   for (ContactMode& mode : held) {
     if (stuck && mode != ContactMode::open) mode = ContactMode::stick;
   }
   return modes_->set_modes(held);
 }
 
-std::optional<SlowMotion> FilmNewton::slow_motion(const FilmBearingState& state, bool stuck) {
+std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, bool stuck) {
   if (!linearise(film_equations(bearing_, state.speed), state, stuck)) return std::nullopt;
   SlowMotion motion{.stiffness = find_rates()};
   for (const Step& rate : rates_) {
     motion.foil_response =
-        std::max(motion.foil_response, bearing_.scales.thickness * rate.foil.lift.cwiseAbs().maxCoeff());
+        std::max(motion.foil_response, bearing_.scales.thickness * rate.film.lift.cwiseAbs().maxCoeff());
   }
   return motion;
 }
 
-std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBearingState& state,
+std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const BearingState& state,
                                                                     const std::vector<std::complex<double>>& rates,
                                                                     bool stuck) {
   const double T0 = bearing_.scales.squeeze_time();
@@ -250,7 +249,7 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBe
   for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
   const double shift = largest * T0;
   FilmEquations equations = film_equations(bearing_, state.speed);
-  squeeze(bearing_, shift, film_content(state.foil.film), equations);
+  squeeze(bearing_, shift, film_content(state.film), equations);
   if (!linearise(equations, state, stuck)) return std::nullopt;
 
   std::vector<std::complex<double>> excess;
@@ -259,8 +258,8 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBe
   Eigen::Index unknown = 0;
   for (const Part& part : parts_) unknown += unknown_pressures(part.pad.foil.mesh);
   const auto told = [&](const FoilFilmState& change) {
-    const Matrix content = change.film.pressure.cwiseProduct(state.foil.film.thickness) +
-                           state.foil.film.pressure.cwiseProduct(change.film.thickness);
+    const Matrix content =
+        change.pressure.cwiseProduct(state.film.thickness) + state.film.pressure.cwiseProduct(change.thickness);
     Vector inside(unknown);
     Eigen::Index first = 0;
     for (const Part& part : parts_) {
@@ -287,12 +286,12 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBe
       first += size;
     }
     answer(change);
-    return told(change.foil);
+    return told(change.film);
   };
   find_rates();
   std::vector<Eigen::Matrix2cd> found(rates.size());
   for (const int axis : {0, 1}) {
-    const auto forces = film_forces(told(rates_[static_cast<std::size_t>(axis)].foil), stored, excess);
+    const auto forces = film_forces(told(rates_[static_cast<std::size_t>(axis)].film), stored, excess);
     if (!forces) return std::nullopt;
     for (std::size_t i = 0; i < rates.size(); ++i) found[i].col(axis) = (*forces)[i];
   }
@@ -301,25 +300,25 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const FilmBe
 
 /// Newton's step at the position of `state` with exact contacts: the unknowns of the contact problem are the steps of
 /// the blocks.
-bool FilmNewton::find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report) {
-  const Vector& x = state.contact.x;
+bool FilmNewton::find_step(const BearingState& state, FilmReport& report) {
+  const Vector& x = state.contacts.x;
   // Contact forces are unknowns of the step, and no part of its right-hand side.
-  loading_.load = -find_bump_forces(state.contact);
+  loading_.load = -find_bump_forces(state.contacts);
   load_condensed();
-  loading_.initial_gap = contact_gaps(bearing_.problem, bearing_.initial_gap, x);
-  begin_ = state.contact;
+  loading_.initial_gap = contact_gaps(bearing_.problem, bearing_.assembled_gap, x);
+  begin_ = state.contacts;
   begin_.x.setZero();
   for_each_contact(bearing_.problem, [&](const CoulombContact& contact) {
-    if (contact.pair.tangential < 0) return;
-    const Eigen::Index place = contact.row + contact.pair.tangential;
-    begin_.x[place] = previous.x[place] - x[place];
+    if (contact.site.tangential < 0) return;
+    const Eigen::Index place = contact.row + contact.site.tangential;
+    begin_.x[place] = state.slip_origin[place] - x[place];
   });
   assemble();
   contacts_.set_elasticity(K_);
   const SolveReport solved = contacts_.solve(loading_, begin_, step_.contact);
   report.factorisations += solved.cost.factorisations;
   if (!solved.converged()) return false;
-  expand(step_.contact.x, step_.foil);
+  expand(step_.contact.x, step_.film);
   step_.displacement.setZero();
   step_.opening = 0.0;
   return true;
@@ -327,9 +326,9 @@ bool FilmNewton::find_step(const ContactState& previous, const FilmBearingState&
 
 /// Lets the journal move with the step, by what its law lacks: the linearised equations stay solved, in the modes that
 /// the step has without it.
-void FilmNewton::move_journal(const JournalLaw& law, const FilmBearingState& state) {
+void FilmNewton::move_journal(const JournalLaw& law, const BearingState& state) {
   const Eigen::Vector2d lacking =
-      law.residual(state.position, film_force(bearing_, state.foil.film.pressure + step_.foil.film.pressure));
+      law.residual(state.position, film_force(bearing_, state.film.pressure + step_.film.pressure));
   if (lacking.norm() <= law.round_off) return;
   Eigen::Vector2d displacement = law.matrix(find_rates()).partialPivLu().solve(lacking);
   if (displacement.norm() > law.longest_step) displacement *= law.longest_step / displacement.norm();
@@ -339,7 +338,7 @@ void FilmNewton::move_journal(const JournalLaw& law, const FilmBearingState& sta
 
 /// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
 /// way.
-void FilmNewton::move_foils(double opening, const FilmBearingState& state) {
+void FilmNewton::move_foils(double opening, const BearingState& state) {
   if (opening == state.opening) return;
   const double longest = longest_opening * bearing_.scales.thickness;
   step_.opening = std::clamp(opening - state.opening, -longest, longest);
@@ -349,65 +348,66 @@ void FilmNewton::move_foils(double opening, const FilmBearingState& state) {
 
 /// Adds what all unknowns change by on a way (m) of the journal or the foils, at their rates per m.
 void FilmNewton::add_to_step(double way, const Step& rate) {
-  step_.foil.film.pressure += way * rate.foil.film.pressure;
-  step_.foil.film.thickness += way * rate.foil.film.thickness;
-  step_.foil.lift += way * rate.foil.lift;
-  step_.foil.moment += way * rate.foil.moment;
+  step_.film.pressure += way * rate.film.pressure;
+  step_.film.thickness += way * rate.film.thickness;
+  step_.film.lift += way * rate.film.lift;
+  step_.film.moment += way * rate.film.moment;
   step_.contact.x += way * rate.contact.x;
   step_.contact.gap += way * rate.contact.gap;
   step_.contact.normal_force += way * rate.contact.normal_force;
   step_.contact.friction_force += way * rate.contact.friction_force;
 }
 
-void FilmNewton::take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const {
-  const FoilFilmState& step = step_.foil;
+void FilmNewton::take_step(double fraction, const BearingState& from, BearingState& to) const {
+  const FoilFilmState& step = step_.film;
   to.position = from.position + fraction * step_.displacement;
   to.speed = from.speed;
   to.opening = from.opening + fraction * step_.opening;
-  to.foil.film.pressure = from.foil.film.pressure + fraction * step.film.pressure;
-  to.foil.film.thickness = from.foil.film.thickness + fraction * step.film.thickness;
-  to.foil.lift = from.foil.lift + fraction * step.lift;
-  to.foil.moment = from.foil.moment + fraction * step.moment;
-  to.contact.x = from.contact.x + fraction * step_.contact.x;
+  to.film.pressure = from.film.pressure + fraction * step.pressure;
+  to.film.thickness = from.film.thickness + fraction * step.thickness;
+  to.film.lift = from.film.lift + fraction * step.lift;
+  to.film.moment = from.film.moment + fraction * step.moment;
+  to.contacts.x = from.contacts.x + fraction * step_.contact.x;
   const auto mix = [fraction](const Vector& a, const Vector& b) -> Vector { return a + fraction * (b - a); };
-  to.contact.gap = mix(from.contact.gap, step_.contact.gap);
-  to.contact.normal_force = mix(from.contact.normal_force, step_.contact.normal_force);
-  to.contact.friction_force = mix(from.contact.friction_force, step_.contact.friction_force);
-  to.contact.mode = step_.contact.mode;
+  to.contacts.gap = mix(from.contacts.gap, step_.contact.gap);
+  to.contacts.normal_force = mix(from.contacts.normal_force, step_.contact.normal_force);
+  to.contacts.friction_force = mix(from.contacts.friction_force, step_.contact.friction_force);
+  to.contacts.mode = step_.contact.mode;
 }
 
-double FilmNewton::distance(const FilmBearingState& a, const FilmBearingState& b) const {
-  return std::max({(a.foil.film.pressure - b.foil.film.pressure).cwiseAbs().maxCoeff(),
-                   (a.foil.lift - b.foil.lift).cwiseAbs().maxCoeff(),
+double FilmNewton::distance(const BearingState& a, const BearingState& b) const {
+  return std::max({(a.film.pressure - b.film.pressure).cwiseAbs().maxCoeff(),
+                   (a.film.lift - b.film.lift).cwiseAbs().maxCoeff(),
                    (a.position - b.position).norm() / bearing_.scales.thickness});
 }
 
-FilmReport FilmNewton::solve(const NewtonTarget& to, const FilmEquations& equations, const NewtonAim& aim,
-                             const ContactState& previous, FilmBearingState& state) {
+FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState& state) {
+  FilmEquations equations = film_equations(bearing_, to.speed);
+  if (to.dt > 0.0) squeeze(bearing_, bearing_.scales.squeeze_time() / to.dt, film_content(state.film), equations);
   FilmReport report;
-  iterate_ = state;
+  iterate_ = trial_ = state;
   iterate_.speed = to.speed;
-  iterate_.foil.film.thickness = bearing_.undeformed_thickness(state.position, state.opening);
-  iterate_.foil.film.thickness.rowwise() += iterate_.foil.lift.transpose();
-  if (iterate_.foil.film.thickness.minCoeff() <= 0.0) {
+  iterate_.film.thickness = bearing_.undeformed_thickness(state.position, state.opening);
+  iterate_.film.thickness.rowwise() += iterate_.film.lift.transpose();
+  if (iterate_.film.thickness.minCoeff() <= 0.0) {
     report.status = FilmStatus::no_room;
     return report;
   }
   report.residual = find_residual(to, equations, iterate_);
   while (report.iterations < options_.max_iterations) {
     ++report.iterations;
-    if (!linearise_films(equations, iterate_) || !find_step(previous, iterate_, report)) return report;
+    if (!linearise_films(equations, iterate_) || !find_step(iterate_, report)) return report;
     move_foils(to.opening, iterate_);
     move_journal(to.law, iterate_);
     // All residuals but those of what changes are zero here: this step leads along the tangent.
     if (report.iterations == 1) take_step(1.0, iterate_, predicted_);
-    const double fraction = longest_step(options_, iterate_.foil.film, step_.foil.film);
+    const double fraction = longest_step(options_, iterate_.film, step_.film);
     const double largest =
-        std::max({step_.foil.film.pressure.cwiseAbs().maxCoeff(), step_.foil.lift.cwiseAbs().maxCoeff(),
+        std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
                   std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
     if (fraction == 1.0 && largest < aim.tolerance) {
       take_step(1.0, iterate_, trial_);
-      const bool touches = trial_.foil.film.thickness.minCoeff() < options_.thickness_floor;
+      const bool touches = trial_.film.thickness.minCoeff() < options_.thickness_floor;
       report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
       if (to.law.holds_position()) trial_.position = to.law.position;
       trial_.opening = to.opening;

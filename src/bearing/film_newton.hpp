@@ -7,19 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "bearing/journal_law.hpp"
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 
 namespace bumpfoil {
-
-/// Where a solve leads.
-struct NewtonTarget {
-  JournalLaw law;
-  double speed{};    ///< Omega, rad/s
-  double opening{};  ///< of the clearance, m
-};
 
 /// What a solve looks for.
 struct NewtonAim {
@@ -32,31 +24,28 @@ class FilmNewton {
  public:
   FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
 
-  /// Takes `state` to a target: the journal moves with the film from where it is.
-  /// @param equations  at the speed there; with a squeeze term, for a step in time
-  /// @param previous   state that friction refers to
-  /// @param state      first guess, whose position, pressure and lift count; receives the result, and stays as it was
-  ///                   unless the status is converged
-  [[nodiscard]] FilmReport solve(const NewtonTarget& to, const FilmEquations& equations, const NewtonAim& aim,
-                                 const ContactState& previous, FilmBearingState& state);
+  /// Takes `state` to the end of a move: the journal goes with the film from where it is.
+  /// @param state  first guess, whose position, pressure and lift count, and whose slip_origin friction refers to;
+  ///               receives the result, and stays as it was unless the status is converged
+  [[nodiscard]] FilmReport solve(const Move& to, const NewtonAim& aim, BearingState& state);
 
   /// With contacts in the modes of `state`, or with all closed ones stuck.
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck);
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const BearingState& state, bool stuck);
 
   /// The same for motions e^{s t}, at rates s (1/s), N/m.
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck);
 
   /// Largest difference of P, U and position over c.
-  [[nodiscard]] double distance(const FilmBearingState& a, const FilmBearingState& b) const;
+  [[nodiscard]] double distance(const BearingState& a, const BearingState& b) const;
 
  private:
   /// Change of all unknowns.
   struct Step {
-    FoilFilmState foil;
+    FoilFilmState film;
     ContactState contact;  ///< x as its change, the rest as it is at the end of the step
     Eigen::Vector2d displacement{Eigen::Vector2d::Zero()};
     double opening{};
@@ -74,22 +63,22 @@ class FilmNewton {
   };
 
   Vector& find_bump_forces(const ContactState& state);
-  double find_residual(const NewtonTarget& to, const FilmEquations& equations, const FilmBearingState& state);
+  double find_residual(const Move& to, const FilmEquations& equations, const BearingState& state);
   void assemble();
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);
-  bool find_step(const ContactState& previous, const FilmBearingState& state, FilmReport& report);
-  bool linearise_films(const FilmEquations& equations, const FilmBearingState& state);
-  bool linearise(const FilmEquations& equations, const FilmBearingState& state, bool stuck);
+  bool find_step(const BearingState& state, FilmReport& report);
+  bool linearise_films(const FilmEquations& equations, const BearingState& state);
+  bool linearise(const FilmEquations& equations, const BearingState& state, bool stuck);
   void answer(Step& change);
   [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
   Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
   Eigen::Matrix2d find_rates();
-  void move_journal(const JournalLaw& law, const FilmBearingState& state);
-  void move_foils(double opening, const FilmBearingState& state);
+  void move_journal(const JournalLaw& law, const BearingState& state);
+  void move_foils(double opening, const BearingState& state);
   void add_to_step(double way, const Step& rate);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
-  void take_step(double fraction, const FilmBearingState& from, FilmBearingState& to) const;
+  void take_step(double fraction, const BearingState& from, BearingState& to) const;
   /// Calls visit(place in the block of contacts, row of the film's block) for the unknowns of block b of a pad that the
   /// film knows.
   template <typename Visitor>
@@ -108,8 +97,8 @@ class FilmNewton {
   Step step_;
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
   Step opening_rate_;          ///< per opening of the clearance, m
-  FilmBearingState iterate_, trial_;
-  FilmBearingState predicted_;  ///< where the tangent leads from the first guess
+  BearingState iterate_, trial_;
+  BearingState predicted_;  ///< where the tangent leads from the first guess
 };
 
 }  // namespace bumpfoil

@@ -46,11 +46,11 @@ std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, c
   return make_increment_follower(std::make_unique<UzawaSolver>(*problem, options));
 }
 
-FoilState FoilState::unstressed(const Foils& foils) {
-  FoilState state;
+BearingState BearingState::unstressed(const Foils& foils) {
+  BearingState state;
   state.loading = ContactLoading::none(foils.problem);
   state.contacts = ContactState::unstressed(foils.problem);
-  state.slip_origin = state.contacts.x;
+  state.begin_increment();
   return state;
 }
 
@@ -71,9 +71,9 @@ bool FoilStepper::set_foils(const SharedFoils& foils) {
 }
 
 void FoilStepper::assemble(const Excitation& excitation, Step& step) {
-  const FoilState unstressed = FoilState::unstressed(*foils_);
+  const BearingState unstressed = BearingState::unstressed(*foils_);
   step.state = unstressed;
-  step.state.excitation = excitation;
+  static_cast<Excitation&>(step.state) = excitation;
   step.state.loading = loading_under(*foils_, excitation);
   step.events.clear();
   step.waypoints.clear();
@@ -83,26 +83,25 @@ void FoilStepper::assemble(const Excitation& excitation, Step& step) {
   step.status = solve.status;
   step.cost = solve.cost;
   if (!step.converged()) return;
-  step.state.dissipated_energy = dissipation_.of(step.state.contacts.normal_force,
-                                                      unstressed.contacts.x, step.state.contacts.x);
+  step.state.dissipated_energy =
+      dissipation_.of(step.state.contacts.normal_force, unstressed.contacts.x, step.state.contacts.x);
 }
 
-void FoilStepper::set_out(const FoilState& from, const Excitation& end) {
-  path_begin_ = from.excitation;
+void FoilStepper::set_out(const BearingState& from, const Excitation& end) {
+  path_begin_ = from;
   path_end_ = end;
   follower_->set_out({.begin = from.loading, .end = loading_under(*foils_, end)}, from.contacts);
   gap_change_ = follower_->path().end.initial_gap - follower_->path().begin.initial_gap;
   followed_ = 0.0;
 }
 
-void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step) {
+void FoilStepper::advance_to(double fraction, const BearingState& from, Step& step) {
   BUMPFOIL_ASSERT(&from != &step.state);
   step.state = from;
-  step.state.excitation = between(path_begin_, path_end_, fraction);
+  static_cast<Excitation&>(step.state) = between(path_begin_, path_end_, fraction);
   step.events.clear();
   step.waypoints.clear();
   step.is_linear = true;
-  const ContactProblem& problem = foils_->problem;
   const auto position_at = [&](double part) -> Eigen::Vector2d {
     return (1.0 - part) * path_begin_.position + part * path_end_.position;
   };
@@ -117,8 +116,7 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
     mean_force_ = 0.5 * (begin + end);
     step.state.work += (part.fraction - followed_) * gap_work(mean_force_, gap_change_);
     followed_ = part.fraction;
-    step.state.dissipated_energy +=
-        dissipation_.of(part.linear ? mean_force_ : end, part.begin.x, part.end.x);
+    step.state.dissipated_energy += dissipation_.of(part.linear ? mean_force_ : end, part.begin.x, part.end.x);
   };
   events_.clear();
   const FollowReport report = follower_->follow_to(fraction, step.state.contacts, visit, events_);
@@ -132,12 +130,12 @@ void FoilStepper::advance_to(double fraction, const FoilState& from, Step& step)
   if (step.converged()) follower_->path().at(fraction, step.state.loading);
 }
 
-void FoilStepper::advance(const FoilState& from, const Excitation& to, Step& step) {
+void FoilStepper::advance(const BearingState& from, const Excitation& to, Step& step) {
   set_out(from, to);
   advance_to(1.0, from, step);
 }
 
-TangentMatrices FoilStepper::tangents(const FoilState& state) {
+TangentMatrices FoilStepper::tangents(const BearingState& state) {
   const ContactProblem& problem = foils_->problem;
   if (problem.law) modes_->set_elasticity(problem.law->tangent(state.contacts.x));
   const Vector at_rest = Vector::Zero(problem.K.rows());

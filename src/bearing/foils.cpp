@@ -33,13 +33,13 @@ Foils make_foils(const PadDesign& pad, const FoilDesign& design) {
   std::vector<ContactSite> pattern;
   if (design.top_foil) pattern.push_back({.plus = dofs.top_u});
   pattern.push_back({.plus = dofs.crest_v,
-                                 .minus = dofs.top_u,
-                                 .tangential = dofs.crest_u,
-                                 .friction_coefficient = pad.friction.top_bump});
+                     .minus = dofs.top_u,
+                     .tangential = dofs.crest_u,
+                     .friction_coefficient = pad.friction.top_bump});
   for (std::size_t foot = 0; foot < dofs.foot_u.size(); ++foot) {
     pattern.push_back({.minus = dofs.foot_v[foot],
-                                   .tangential = dofs.foot_u[foot],
-                                   .friction_coefficient = pad.friction.bump_sleeve});
+                       .tangential = dofs.foot_u[foot],
+                       .friction_coefficient = pad.friction.bump_sleeve});
   }
   foils.problem.sites = in_every_block(pattern, foils.problem.K.blocks());
 
@@ -113,6 +113,21 @@ void append(const Foils& pad, Foils& foils) {
 
 }  // namespace
 
+int Foils::block(int of_structure) const {
+  if (!under_film) return of_structure;
+  const auto behind = std::upper_bound(structure.pads.begin(), structure.pads.end(), of_structure);
+  return of_structure + static_cast<int>(behind - structure.pads.begin()) - 1;  // the free ends of the pads before
+}
+
+Vector Foils::foil_unknowns(const Vector& x) const {
+  const Eigen::Index size = structure.dofs.size;
+  Vector known(structure.K.rows());
+  for (int b = 0; b < structure.K.blocks(); ++b) {
+    known.segment(b * size, size) = x.segment(Eigen::Index{block(b)} * problem.K.block_size(), size);
+  }
+  return known;
+}
+
 std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
   if (!structure.large_displacements) return std::nullopt;
   const auto shared = std::make_shared<const FoilStructure>(structure);
@@ -165,7 +180,7 @@ Eigen::Vector2d holding_force(const Foils& foils, const Vector& normal_force) {
 }
 
 Eigen::Matrix2Xd pad_forces(const Foils& foils, const Vector& normal_force) {
-  Eigen::Matrix2Xd forces(2, foils.pads() > 1 ? foils.pads() : 0);
+  Eigen::Matrix2Xd forces(2, foils.pad_count() > 1 ? foils.pad_count() : 0);
   if (forces.cols() == 0) return forces;
   const Vector loads = pressing_loads(foils, normal_force);
   for (Eigen::Index k = 0; k < forces.cols(); ++k) {

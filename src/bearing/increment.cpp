@@ -9,7 +9,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// What is known of every increment.
 Increment place(const Step& step, const Eigen::Vector2d& direction) {
-  const Eigen::Vector2d& position = step.state.excitation.position;
+  const Eigen::Vector2d& position = step.state.position;
   Increment increment;
   increment.displacement = position.dot(direction);
   increment.x = position.x();
@@ -41,7 +41,7 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
   return increment;
 }
 
-void judge(const Foils& foils, const FoilState& state, Increment& increment) {
+void judge(const Foils& foils, const BearingState& state, Increment& increment) {
   const ElasticResponse elastic = elastic_response(foils.structure, state.contacts.x);
   increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
   increment.residuals =

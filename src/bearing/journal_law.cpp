@@ -1,4 +1,4 @@
-#include "bearing/journal_law.hpp"
+#include "bumpfoil/bearing/journal_law.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -16,23 +16,24 @@ constexpr double least_distance = 1e-14;
 
 }  // namespace
 
-JournalLaw journal_law(const OperatingPoint& point, const FilmScales& scales) {
+JournalLaw held_journal(const Eigen::Vector2d& position, const FilmScales& scales) {
   const double c = scales.thickness;
-  if (point.control == OperatingPoint::Control::position) {
-    return {.by_position = Eigen::Matrix2d::Identity(),
-            .by_force = Eigen::Matrix2d::Zero(),
-            .position = point.journal,
-            .force = Eigen::Vector2d::Zero(),
-            .unit = c / weight_of_distance,
-            .round_off = least_distance * c,
-            .longest_step = longest_step_held * c};
-  }
+  return {.by_position = Eigen::Matrix2d::Identity(),
+          .by_force = Eigen::Matrix2d::Zero(),
+          .position = position,
+          .force = Eigen::Vector2d::Zero(),
+          .unit = c / weight_of_distance,
+          .round_off = least_distance * c,
+          .longest_step = longest_step_held * c};
+}
+
+JournalLaw loaded_journal(const Eigen::Vector2d& load, const FilmScales& scales) {
   return {.by_position = Eigen::Matrix2d::Zero(),
           .by_force = Eigen::Matrix2d::Identity(),
           .position = Eigen::Vector2d::Zero(),
-          .force = point.journal,
+          .force = load,
           .unit = scales.force(),
-          .longest_step = longest_step_loaded * c};
+          .longest_step = longest_step_loaded * scales.thickness};
 }
 
 }  // namespace bumpfoil

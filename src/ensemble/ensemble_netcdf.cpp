@@ -73,7 +73,7 @@ class EnsembleWriter {
                   numbers);
     put("speed", "rad/s", "speed of the journal, positive from X to Y",
         [](const OperatingPoint& point) { return point.speed; });
-    const bool by_load = std::get<OperatingPoint>(layout_.places.front().at).control == OperatingPoint::Control::load;
+    const bool by_load = std::get<OperatingPoint>(layout_.places.front().at).by_load();
     const char* const unit = by_load ? "N" : "m";
     put(by_load ? "load_x" : "position_x", unit, by_load ? "load on the journal, X" : "position of the journal, X",
         [](const OperatingPoint& point) { return point.journal.x(); });

@@ -128,6 +128,15 @@ FilmSolver::FilmSolver(const FilmMesh& mesh, const Foundation& foundation, const
 
 FilmSolver::~FilmSolver() = default;
 
+FilmReport& FilmReport::operator+=(const FilmReport& next) {
+  status = next.status;
+  iterations += next.iterations;
+  factorisations += next.factorisations;
+  residual = next.residual;
+  jumps += next.jumps;
+  return *this;
+}
+
 FilmReport FilmSolver::solve(const ReynoldsEquation& equation, const Matrix& rigid_thickness, FilmState& film) {
   return workspace_->solve(equation, rigid_thickness, film);
 }
@@ -139,9 +148,7 @@ FilmReport FilmSolver::follow(const ReynoldsEquation& equation, const Matrix& fr
   while (reached < 1.0) {
     const double next = std::min(1.0, reached + step);
     const FilmReport report = workspace_->solve(equation, from + next * (to - from), film);
-    total.iterations += report.iterations;
-    total.residual = report.residual;
-    total.status = report.status;
+    total += report;
     if (report.status == FilmStatus::converged) {
       reached = next;
       if (report.iterations <= easy_iterations) step *= step_growth;

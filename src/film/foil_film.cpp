@@ -23,9 +23,7 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
 }
 
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness) {
-  return {.film = {foil.mesh.field(1.0), thickness},
-          .lift = Vector::Zero(foil.mesh.nodes()),
-          .moment = Vector::Zero(foil.mesh.nodes())};
+  return {{foil.mesh.field(1.0), thickness}, Vector::Zero(foil.mesh.nodes()), Vector::Zero(foil.mesh.nodes())};
 }
 
 void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual) {
@@ -40,7 +38,7 @@ void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmRes
     const double M_before = k > 0 ? M[k - 1] : 0.0;
     if (k > 0) {
       double excess = 0.0;
-      for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (state.film.pressure(j, k) - 1.0);
+      for (int j = 0; j <= mesh.rows; ++j) excess += mesh.row_weight(j) * (state.pressure(j, k) - 1.0);
       residual.balance[k] = column.kink_before * (M_before - M[k]) + column.arc * M[k] - column.load * excess;
     }
     if (k == mesh.columns) continue;
@@ -54,7 +52,7 @@ void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmRes
 
 void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, const FoilFilmState& state,
                         FoilFilmResidual& residual) {
-  reynolds_residual(equation, state.film, residual.film);
+  reynolds_residual(equation, state, residual.film);
   foil_residual(foil, state, residual);
 }
 
@@ -186,7 +184,7 @@ const FoilFilmSystem::Block& FoilFilmSystem::upper(int i) const {
 
 bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmState& state) {
   Workspace& w = *workspace_;
-  linearise_reynolds(equation, state.film, w.film_residual, w.jacobian);
+  linearise_reynolds(equation, state, w.film_residual, w.jacobian);
   const std::size_t blocks = w.columns.size();
   for (std::size_t i = 0; i < blocks; ++i) {
     w.assemble(w.columns[i], w.spans[i].columns->of_after(), w.diagonal[i],
@@ -240,11 +238,11 @@ void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
   Workspace& w = *workspace_;
   const FilmMesh& mesh = w.foil.mesh;
   const int n = mesh.unknown_rows();
-  step.film.pressure.setZero(mesh.rows + 1, mesh.nodes());
+  step.pressure.setZero(mesh.rows + 1, mesh.nodes());
   step.lift.setZero(mesh.nodes());
   step.moment.setZero(mesh.nodes());
   const auto set_column = [&](int k, const auto& values) {
-    step.film.pressure.col(k).head(n) = values.head(n);
+    step.pressure.col(k).head(n) = values.head(n);
     step.lift[k] = values[n];
     step.moment[k] = values[n + 1];
   };
@@ -257,7 +255,7 @@ void FoilFilmSystem::expand(const Matrix& support_step, FoilFilmState& step) {
     span.columns->expand(span.before, span.after, span.solution);
     for (int c = 0; c < span.columns->columns(); ++c) set_column(span.first + c, span.solution.col(c));
   }
-  step.film.thickness = step.lift.transpose().replicate(mesh.rows + 1, 1);
+  step.thickness = step.lift.transpose().replicate(mesh.rows + 1, 1);
 }
 
 }  // namespace bumpfoil

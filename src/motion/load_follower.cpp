@@ -41,7 +41,7 @@ class LoadFollower {
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d force(const FoilState& state) const {
+  [[nodiscard]] Eigen::Vector2d force(const BearingState& state) const {
     return holding_force(stepper_.foils(), state.contacts.normal_force);
   }
 
@@ -60,7 +60,7 @@ class LoadFollower {
 
 /// Goes from where the foils are along a part of a move.
 bool LoadFollower::try_move(const Eigen::Vector2d& move, double part) {
-  Excitation end = step_.state.excitation;
+  Excitation end = step_.state;
   end.position += move;
   stepper_.set_out(step_.state, end);
   stepper_.advance_to(part, step_.state, piece_);
@@ -71,7 +71,7 @@ bool LoadFollower::try_move(const Eigen::Vector2d& move, double part) {
 /// The part of a move, which was just tried, that lies before the first change of contact on it.
 double LoadFollower::first_part(const Eigen::Vector2d& move) const {
   for (const Waypoint& point : piece_.waypoints) {
-    const double part = (point.position - step_.state.excitation.position).dot(move) / move.squaredNorm();
+    const double part = (point.position - step_.state.position).dot(move) / move.squaredNorm();
     if (part > no_part) return std::min(part, 1.0);
   }
   return 1.0;
@@ -102,7 +102,7 @@ class Bracket {
 
 /// On towards a load, no further than to the next change of contact.
 bool LoadFollower::take_piece(const Eigen::Vector2d& lacking) {
-  const Eigen::Vector2d here = step_.state.excitation.position;
+  const Eigen::Vector2d here = step_.state.position;
   TangentMatrices tangents = stepper_.tangents(step_.state);
   Bracket bracket;
   for (int guess = 0; guess < most_guesses; ++guess) {
@@ -140,7 +140,7 @@ void append(const Foils& foils, const Step& part, Step& whole) {
   whole.is_linear = whole.is_linear && part.is_linear;
   whole.waypoints.insert(whole.waypoints.end(), part.waypoints.begin(), part.waypoints.end());
   const Vector& loads = part.state.contacts.normal_force;
-  whole.waypoints.push_back({part.state.excitation.position, holding_force(foils, loads), pad_forces(foils, loads)});
+  whole.waypoints.push_back({part.state.position, holding_force(foils, loads), pad_forces(foils, loads)});
   whole.events.insert(whole.events.end(), part.events.begin(), part.events.end());
   whole.state = part.state;
 }

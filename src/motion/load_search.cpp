@@ -39,11 +39,11 @@ double load_tolerance(const FoilStepper& stepper, const Eigen::Vector2d& load) {
 
 class LoadSearch {
  public:
-  LoadSearch(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double reach, Step& step)
+  LoadSearch(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, double reach, Step& step)
       : stepper_(stepper), from_(from), load_(load), reach_(reach), step_(step) {
     tolerance_ = load_tolerance(stepper, load);
     step_.state = from;
-    step_.state.slip_origin = from.contacts.x;
+    step_.state.begin_increment();
     step_.events.clear();
   }
 
@@ -67,7 +67,7 @@ class LoadSearch {
   }
   /// One increment from the start. @return whether it converged
   bool try_at(const Eigen::Vector2d& position) {
-    Excitation to = from_.excitation;
+    Excitation to = from_;
     to.position = position;
     stepper_.advance(from_, to, step_);
     cost_ += step_.cost;
@@ -76,7 +76,7 @@ class LoadSearch {
   }
 
   FoilStepper& stepper_;
-  const FoilState& from_;
+  const BearingState& from_;
   Eigen::Vector2d load_;
   double reach_;
   Step& step_;
@@ -86,7 +86,7 @@ class LoadSearch {
 };
 
 void LoadSearch::along(const Eigen::Vector2d& direction) {
-  const Eigen::Vector2d start = from_.excitation.position;
+  const Eigen::Vector2d start = from_.position;
   const double most = reach_ - start.dot(direction);
   double below = -HUGE_VAL;  // lengths that end with less load, and with more
   double above = HUGE_VAL;
@@ -150,7 +150,7 @@ void LoadSearch::in_plane() {
       return;
     }
     if (!tangents.loading || !tangents.unloading) break;
-    const Eigen::Vector2d here = step_.state.excitation.position;
+    const Eigen::Vector2d here = step_.state.position;
     Eigen::Vector2d move = newton_move(tangents, lacking, longest_move * reach_);
     if ((here + move).norm() > reach_) {
       const double room = reach_ - here.norm();
@@ -175,7 +175,7 @@ bool is_strip(const Foils& foils) {
 }
 
 /// One try to meet the load in one increment.
-void try_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none, double reach,
+void try_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, bool is_none, double reach,
               Step& step) {
   const SolveCost before = step.cost;
   const int substeps_before = step.substeps;
@@ -191,7 +191,7 @@ void try_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d
 }
 
 /// Meets the load in one increment, or in two of half the load, and so on.
-void meet_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, bool is_none, double reach,
+void meet_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, bool is_none, double reach,
                int halvings, Step& step) {
   try_load(stepper, from, load, is_none, reach, step);
   if (step.status != Status::load_not_met || halvings == 0 || is_strip(stepper.foils())) return;
@@ -199,7 +199,7 @@ void meet_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2
   ++step.substeps;
   meet_load(stepper, from, 0.5 * (carried + load), false, reach, halvings - 1, step);
   if (!step.converged()) return;
-  const FoilState middle = step.state;
+  const BearingState middle = step.state;
   ++step.substeps;
   meet_load(stepper, middle, load, is_none, reach, halvings - 1, step);
 }
@@ -218,12 +218,12 @@ double least_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
 }
 
 /// Meets the load by the way that the body goes while it grows.
-void grow_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double none, double reach,
+void grow_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, double none, double reach,
                Step& step) {
   const Eigen::Vector2d carried = holding_force(stepper.foils(), from.contacts.normal_force);
   const bool is_none = load.norm() <= none;
   step.state = from;
-  step.state.slip_origin = from.contacts.x;
+  step.state.begin_increment();
   step.status = Status::converged;
   step.is_linear = true;
   step.events.clear();
@@ -250,7 +250,7 @@ void grow_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2
 
 }  // namespace
 
-void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double none,
+void advance_to_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, double none,
                      double reach, Step& step) {
   step.cost = {};
   step.substeps = 0;

@@ -1,7 +1,5 @@
 #include "bumpfoil/motion/march.hpp"
-
-#include <utility>
-
+#include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 
 namespace bumpfoil {
@@ -13,7 +11,7 @@ constexpr double least_load = 1e-6;
 /// A load that keeps the body on the side that it is on, or is to be on next.
 /// @param largest  load of the program
 Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Leg& leg, const Foils& foils,
-                           const FoilState& state) {
+                           const BearingState& state) {
   const double least = least_load * largest;
   if (load.norm() >= least) return load;
   const Eigen::Vector2d begin = leg.line.place(leg.begin);
@@ -24,36 +22,44 @@ Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Le
   return least * (carried.norm() > 0.0 ? Eigen::Vector2d(carried.normalized()) : Eigen::Vector2d::UnitX());
 }
 
+/// Leg after leg. @param program  outlives the schedule
+Schedule schedule_of(const Program& program) {
+  return [&program, next = program.begin()]() mutable { return next == program.end() ? nullptr : &*next++; };
+}
+
 }  // namespace
 
-bool march(FoilStepper& stepper, const Program& program, double reach, FoilState& state, Step& step,
+bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe) {
   const double largest = largest_place(program);
-  for (const Leg& leg : program) {
-    if (leg.control == Control::displacement) {
-      Excitation end = state.excitation;
+  const auto take = [&](const Leg& leg, int taken, const BearingState& from) {
+    const Eigen::Vector2d place = leg.line.place(leg.target(taken));
+    if (leg.control == Control::load) {
+      const Eigen::Vector2d load = never_zero(place, largest, leg, stepper.foils(), from);
+      const double none = least_load * largest * (1.0 + 1e-9);  // round-off of the least load included
+      advance_to_load(stepper, from, load, none, reach, step);
+      return;
+    }
+    if (taken == 1) {
+      Excitation end = from;
       end.position = leg.line.place(leg.end);
-      stepper.set_out(state, end);
+      stepper.set_out(from, end);
     }
-    for (int taken = 1; taken <= leg.steps; ++taken) {
-      const double target = leg.target(taken);
-      const Eigen::Vector2d place = leg.line.place(target);
-      if (leg.control == Control::load) {
-        const Eigen::Vector2d load = never_zero(place, largest, leg, stepper.foils(), state);
-        const double none = least_load * largest * (1.0 + 1e-9);  // round-off of the least load included
-        advance_to_load(stepper, state, load, none, reach, step);
-      } else {
-        stepper.advance_to(static_cast<double>(taken) / leg.steps, state, step);
-        step.state.excitation.position = place;
-      }
-      const Verdict verdict =
-          observe({.from = state, .step = step, .leg = leg, .ends_leg = taken == leg.steps, .target = target});
-      if (verdict == Verdict::refuse) return false;
-      std::swap(state, step.state);
-      if (verdict == Verdict::stop) return false;
-    }
-  }
-  return true;
+    stepper.advance_to(static_cast<double>(taken) / leg.steps, from, step);
+    step.state.position = place;
+  };
+  return march(schedule_of(program), take, state, step, observe);
+}
+
+bool march(FilmStepper& stepper, const Program& program, BearingState& state, FilmStep& step,
+           const FilmObserver& observe) {
+  const auto take = [&](const Leg& leg, int taken, const BearingState& from) {
+    step.state = from;
+    const OperatingPoint to = leg.point(taken);
+    step.report =
+        leg.dt > 0.0 ? stepper.advance(stepper.move_to(to, leg.dt), step.state) : follow(stepper, to, step.state);
+  };
+  return march(schedule_of(program), take, state, step, observe);
 }
 
 }  // namespace bumpfoil

@@ -4,6 +4,21 @@
 
 namespace bumpfoil {
 
+OperatingPoint Leg::point(int step) const {
+  const double fraction = static_cast<double>(step) / steps;
+  return {control, line.place(target(step)), speed.at(fraction), opening.at(fraction)};
+}
+
+Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps) {
+  return {.control = to.control,
+          .line = {.base = from.journal, .direction = to.journal - from.journal},
+          .begin = 0.0,
+          .end = 1.0,
+          .steps = steps,
+          .speed = {from.speed, to.speed},
+          .opening = {from.opening, to.opening}};
+}
+
 Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {
   const Eigen::Vector2d way = to - from;
   const double length = way.norm();

@@ -87,7 +87,7 @@ CycleResult failed_at_increment_three(CycleResult result) {
   Increment& last = cycle.increments.back();
   Step failed;
   failed.status = cycle.status;
-  failed.state.excitation.position = {last.x, last.y};
+  failed.state.position = {last.x, last.y};
   last = failed_increment(failed, unit_vector(cycle.direction));
   last.index = 3;
   cycle.fields.truncate(3);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
 
 namespace bumpfoil {
 

@@ -4,23 +4,63 @@
 
 #include <algorithm>
 
+#include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_cases.hpp"
 
 namespace bumpfoil {
+
+/// The equations themselves, judged without any part of what solved them: the film, the foil with its contact forces,
+/// the bump foil, and every inequality of the contacts.
+inline void expect_solved(const FilmBearing& bearing, const BearingState& state) {
+  const FilmMesh& mesh = bearing.pads.front().foil.mesh;
+  EXPECT_GT(state.film.pressure.minCoeff(), 0.0);
+  EXPECT_GT(state.film.thickness.minCoeff(), 0.0);
+  Matrix H = bearing.undeformed_thickness(state.position);
+  H.rowwise() += state.film.lift.transpose();
+  EXPECT_LT((H - state.film.thickness).cwiseAbs().maxCoeff(), 1e-12);
+
+  FoilFilmResidual residual;
+  foil_film_residual(bearing.pads.front().foil, film_equation(bearing, bearing.pads.front(), state.speed), state.film,
+                     residual);
+  const double area = mesh.dtheta * mesh.dzeta;
+  EXPECT_LT(residual.film.block(0, 1, mesh.rows, mesh.columns - 1).cwiseAbs().maxCoeff(), 1e-9 * area);
+  EXPECT_LT(residual.compatibility.cwiseAbs().maxCoeff(), 1e-10);
+
+  // What the film and the foil leave over the crests is what the contacts bear.
+  const double unit = bearing.pads.front().foil.stiffness * bearing.scales.thickness;
+  const Vector forces = contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force);
+  const int size = bearing.problem.K.block_size();
+  Vector elastic = bearing.problem.K.multiply(state.contacts.x);
+  elastic.tail(size).setZero();
+  for (std::size_t i = 0; i < bearing.pads.front().foil.supports.size(); ++i) {
+    const Eigen::Index place = static_cast<Eigen::Index>(i) * size + bearing.dofs().top_u;
+    double& balance = residual.balance[bearing.pads.front().foil.supports[i]];
+    elastic[place] = balance * unit;
+    balance = 0.0;
+    EXPECT_NEAR(state.contacts.x[place],
+                state.film.lift[bearing.pads.front().foil.supports[i]] * bearing.scales.thickness, 1e-15);
+  }
+  EXPECT_LT(residual.balance.cwiseAbs().maxCoeff() * unit, 1e-8);  // N
+  const ContactLoading loading{.initial_gap = bearing.assembled_gap, .load = Vector::Zero(forces.size())};
+  const ContactResiduals residuals =
+      contact_residuals(bearing.problem, elastic, loading, state.slip_origin, state.contacts);
+  EXPECT_TRUE(residuals.within(1e-7, 1e-11)) << residuals.equilibrium << ' ' << residuals.penetration;
+}
 
 /// Expects a run of the prototype on one of its meshes: cold start at 0.7 C_r at most, then along the ray.
 inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level) {
   SCOPED_TRACE(testing::Message() << run.position.transpose() << ", " << level.resolution.columns_per_pitch << 'x'
                                   << level.resolution.rows);
   const FilmBearing bearing = film_reference_bearing(level.resolution);
-  FilmBearingSolver solver(bearing);
-  FilmBearingState state;
+  FilmStepper stepper(bearing);
+  BearingState state;
   const Eigen::Vector2d position = run.position * bearing.clearance;
-  ASSERT_EQ(solver.cold_start(std::min(1.0, 0.7 / run.position.norm()) * position, run.speed, state).status,
+  ASSERT_EQ(cold_start(stepper, std::min(1.0, 0.7 / run.position.norm()) * position, run.speed, state).status,
             FilmStatus::converged);
-  ASSERT_EQ(solver.follow(OperatingPoint::held_at(position, run.speed), state.contact, state).status,
-            FilmStatus::converged);
+  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, run.speed), state).status, FilmStatus::converged);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   // Both solve the same equations on the same mesh, the prototype to 1e-8.
   constexpr double same = 1e-6;

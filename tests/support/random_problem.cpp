@@ -53,6 +53,25 @@ RandomProblem make_random_problem(std::uint64_t seed, int blocks, int block_size
   return random;
 }
 
+RandomProblem make_irregular_problem(std::uint64_t seed, int blocks, int block_size, double friction) {
+  RandomProblem random = make_random_problem(seed, blocks, block_size, friction);
+  Uniform uniform(seed + 1'000'000);
+  std::vector<ContactSite> sites;
+  std::vector<Eigen::Index> kept;
+  for (std::size_t c = 0; c < random.problem.sites.size(); ++c) {
+    // The first one stays, so that there is one at all.
+    if (c > 0 && uniform(0.0, 1.0) < 0.3) continue;
+    kept.push_back(static_cast<Eigen::Index>(c));
+    sites.push_back(random.problem.sites[c]);
+    sites.back().friction_coefficient *= uniform(0.5, 1.5);
+  }
+  random.problem.sites = sites;
+  for (ContactLoading* loading : {&random.first, &random.second}) {
+    loading->initial_gap = Vector(loading->initial_gap(kept));
+  }
+  return random;
+}
+
 std::vector<ContactMode> random_modes(std::uint64_t seed, const ContactProblem& problem) {
   Uniform uniform(seed);
   std::vector<ContactMode> mode;

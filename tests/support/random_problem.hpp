@@ -18,6 +18,9 @@ struct RandomProblem {
 /// @param friction    coefficient of contacts 1 and 2
 RandomProblem make_random_problem(std::uint64_t seed, int blocks, int block_size, double friction);
 
+/// The same without some of its contacts, and with friction coefficients that differ from block to block.
+RandomProblem make_irregular_problem(std::uint64_t seed, int blocks, int block_size, double friction);
+
 /// Modes drawn at random for all contacts of a problem; frictionless contacts are open or stick.
 std::vector<ContactMode> random_modes(std::uint64_t seed, const ContactProblem& problem);
 

@@ -81,7 +81,7 @@ TEST_P(EventCycles, AgreeWithIncrementsPlacedAtTheEvents) {
       std::sort(stops.begin(), stops.end());
       if (branch == Branch::unloading) std::reverse(stops.begin(), stops.end());
       for (const double stop : stops) {
-        const FoilState state = step.state;
+        const BearingState state = step.state;
         newton.advance(state, {.position = stop * n}, step);
         ASSERT_TRUE(step.converged());
       }

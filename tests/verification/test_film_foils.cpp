@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_runs.hpp"
 
@@ -20,21 +21,20 @@ TEST(FilmOverFoils, MeetsThePrototypeOnTheCoarsestMesh) {
 TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
   const ReferencePath& path = reference_friction_path();
   const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
-  FilmBearingSolver solver(bearing);
-  FilmBearingState state = resting(bearing, Eigen::Vector2d::Zero(), path.speed);
+  FilmStepper stepper(bearing);
+  BearingState state = resting(bearing, Eigen::Vector2d::Zero(), path.speed);
   double dissipated = 0.0;
   bool first = true;
   for (const ReferenceIncrement& increment : path.increments) {
     SCOPED_TRACE(increment.eccentricity);
     const Eigen::Vector2d position(increment.eccentricity * bearing.clearance, 0.0);
-    const ContactState previous = state.contact;
-    const FilmReport report = first ? solver.cold_start(position, path.speed, state)
-                                    : solver.solve(OperatingPoint::held_at(position, path.speed), previous, state);
+    const FilmReport report = first ? cold_start(stepper, position, path.speed, state)
+                                    : stepper.advance(OperatingPoint::held_at(position, path.speed), state);
     first = false;
     ASSERT_EQ(report.status, FilmStatus::converged);
-    const Vector slip = tangential_displacements(bearing.problem, state.contact.x) -
-                        tangential_displacements(bearing.problem, previous.x);
-    dissipated += state.contact.friction_force.cwiseProduct(slip).cwiseAbs().sum();
+    const Vector slip = tangential_displacements(bearing.problem, state.contacts.x) -
+                        tangential_displacements(bearing.problem, state.slip_origin);
+    dissipated += state.contacts.friction_force.cwiseProduct(slip).cwiseAbs().sum();
     const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
     // The prototype's contacts give way by a proximal term: five digits of what it prints.
     EXPECT_LT((outcome.force - increment.force).norm(), 1e-5 * increment.force.norm());
@@ -44,7 +44,7 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
     EXPECT_EQ(outcome.loaded_bumps, increment.loaded_bumps);
   }
   for (std::size_t i = 0; i < path.last_bump_loads.size(); ++i) {
-    EXPECT_NEAR(state.contact.normal_force[static_cast<Eigen::Index>(2 * i)], path.last_bump_loads[i], 1e-4);  // N
+    EXPECT_NEAR(state.contacts.normal_force[static_cast<Eigen::Index>(2 * i)], path.last_bump_loads[i], 1e-4);  // N
   }
 }
 
@@ -63,7 +63,7 @@ TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
     const auto& K = state.stiffness;
     ASSERT_TRUE(K.has_value());
     EXPECT_LT((*K - reference.stiffness).norm(), derivative_tolerance * reference.stiffness.norm());
-    const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, reference.speed}});
+    const auto Z = FilmStepper(*result.bearing).impedances(*state.last, {{0.0, reference.speed}});
     ASSERT_TRUE(Z.has_value());
     EXPECT_LT(((*Z)[0] - reference.impedance).norm(), derivative_tolerance * reference.impedance.norm());
   }
@@ -73,18 +73,16 @@ TEST(FilmOverFoils, CarriesLoadsWhereThePrototypeDoes) {
 TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
   const ReferencePath& path = reference_friction_path();
   const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
-  FilmBearingSolver solver(bearing);
-  FilmBearingState state;
-  ASSERT_EQ(solver.cold_start({0.1 * bearing.clearance, 0.0}, path.speed, state).status, FilmStatus::converged);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, path.speed, state).status, FilmStatus::converged);
   for (int i = 2; i <= 8; ++i) {
     const Eigen::Vector2d position(0.1 * i * bearing.clearance, 0.0);
-    const ContactState previous = state.contact;
-    ASSERT_EQ(solver.solve(OperatingPoint::held_at(position, path.speed), previous, state).status,
-              FilmStatus::converged);
+    ASSERT_EQ(stepper.advance(OperatingPoint::held_at(position, path.speed), state).status, FilmStatus::converged);
   }
   for (const ReferenceWhirl& reference : reference_friction_whirls()) {
     SCOPED_TRACE(reference.frequency);
-    const auto Z = solver.impedances(state, {{0.0, reference.frequency}}, reference.stuck);
+    const auto Z = stepper.impedances(state, {{0.0, reference.frequency}}, reference.stuck);
     ASSERT_TRUE(Z.has_value());
     EXPECT_LT(((*Z)[0] - reference.impedance).norm(), derivative_tolerance * reference.impedance.norm());
   }
@@ -106,11 +104,11 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
   bearing.pads.front().foil.top_foil.compliance_off /= stiffer;
   bearing.pads.front().foil.stiffness *= stiffer;
   bearing.pads.front().foil.load_scale /= stiffer;
-  FilmBearingSolver solver(bearing);
-  FilmBearingState state;
-  ASSERT_EQ(solver.cold_start(position, speed, state).status, FilmStatus::converged);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
   const FilmIntegrals wall = film_integrals(rigid.equation, rigid.film);
-  const FilmIntegrals foils = film_integrals(rigid.equation, state.foil.film);
+  const FilmIntegrals foils = film_integrals(rigid.equation, state.film);
   const double load = std::hypot(wall.cosine, wall.sine);
   // The free end, which nothing presses on the sleeve, still moves by some 1e-6 of the clearance.
   EXPECT_NEAR(foils.cosine, wall.cosine, 5e-6 * load);
@@ -126,9 +124,10 @@ TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
   mirrored.normals.row(1) *= -1.0;  // the weld is at -X
   const double speed = speed_of_rpm(45000.0);
   const double c = bearing.clearance;
-  FilmBearingState there, here;
-  ASSERT_EQ(FilmBearingSolver(bearing).cold_start({0.5 * c, 0.3 * c}, speed, there).status, FilmStatus::converged);
-  ASSERT_EQ(FilmBearingSolver(mirrored).cold_start({0.5 * c, -0.3 * c}, -speed, here).status, FilmStatus::converged);
+  BearingState there, here;
+  FilmStepper over_there(bearing), over_here(mirrored);
+  ASSERT_EQ(cold_start(over_there, {0.5 * c, 0.3 * c}, speed, there).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(over_here, {0.5 * c, -0.3 * c}, -speed, here).status, FilmStatus::converged);
   const FilmBearingOutcome a = film_bearing_outcome(bearing, there);
   const FilmBearingOutcome b = film_bearing_outcome(mirrored, here);
   EXPECT_EQ(a.force.x(), b.force.x());
@@ -142,21 +141,21 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
   for (const int i : {0, 1}) {
     const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
     const double speed = speed_of_rpm(45000.0);
-    FilmBearingState state;
-    ASSERT_EQ(FilmBearingSolver(bearing).cold_start({0.6 * bearing.clearance, 0.0}, speed, state).status,
-              FilmStatus::converged);
+    BearingState state;
+    FilmStepper stepper(bearing);
+    ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
     const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
     EXPECT_NEAR(outcome.flows.start, outcome.flows.end + outcome.flows.sides, 1e-12 * std::abs(outcome.flows.start));
     energy[i] = outcome.dissipation / outcome.power - 1.0;
 
     // T = Couette part - (x F_y - y F_x) / 2 - (sigma / 2) integral of (p - pa) du_t/dtheta.
     const FilmMesh& mesh = bearing.pads.front().foil.mesh;
-    const FilmIntegrals sums = film_integrals(film_equation(bearing, bearing.pads.front(), speed), state.foil.film);
+    const FilmIntegrals sums = film_integrals(film_equation(bearing, bearing.pads.front(), speed), state.film);
     double turning = 0.0;
     for (int k = 0; k < mesh.columns; ++k) {
       for (int j = 0; j < mesh.rows; ++j) {
-        const double excess = 0.5 * (state.foil.film.pressure(j, k) + state.foil.film.pressure(j, k + 1)) - 1.0;
-        turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.foil.lift[k + 1] - state.foil.lift[k]);
+        const double excess = 0.5 * (state.film.pressure(j, k) + state.film.pressure(j, k + 1)) - 1.0;
+        turning += 2.0 * mesh.row_weight(j) * mesh.dzeta * excess * (state.film.lift[k + 1] - state.film.lift[k]);
       }
     }
     turning *= bearing.scales.force() * bearing.scales.thickness;

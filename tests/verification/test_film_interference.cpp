@@ -25,7 +25,7 @@ TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
     const RunningState state = state_of(clearance, 50.0, {.columns_per_pitch = 6, .rows = 8});
     ASSERT_TRUE(state.found()) << clearance;
     EXPECT_EQ(state.last->opening, 0.0) << clearance;
-    const double h = film_thickness_scale(clearance) * state.last->foil.film.thickness.minCoeff();
+    const double h = film_thickness_scale(clearance) * state.last->film.thickness.minCoeff();
     if (before > 0.0) {
       EXPECT_GT(h, before) << clearance;
       EXPECT_LT(h, 1.1 * before) << clearance;
@@ -38,7 +38,7 @@ TEST(FilmInterference, StatesGoOnFromInterferenceToClearance) {
 TEST(FilmInterference, FilmsAreAsThinAsWhatEntersAndThePressureMakeThem) {
   const RunningState state = state_of(-2e-6, 100.0, {.columns_per_pitch = 6, .rows = 8});
   ASSERT_TRUE(state.found());
-  const FilmState& film = state.last->foil.film;
+  const FilmState& film = state.last->film;
   const double entering = film.thickness(0, 0);  // P = 1 there
   EXPECT_LT(std::abs(film.pressure.row(0).maxCoeff() * film.thickness.minCoeff() / entering - 1.0), 0.05);
   // The journal is off the weld by more than it is too large.
@@ -53,7 +53,7 @@ TEST(FilmInterference, FreeEndsLetInNoMoreThanTheClearance) {
   for (const double clearance : {2e-6, 1e-6}) {
     const RunningState state = state_of(clearance, 50.0, coarse, 45000.0);
     ASSERT_TRUE(state.found()) << clearance;
-    const FilmState& film = state.last->foil.film;
+    const FilmState& film = state.last->film;
     const double c = film_thickness_scale(clearance);
     EXPECT_NEAR(c * film.thickness(0, film.thickness.cols() - 1), clearance, 1e-3 * clearance);
     EXPECT_LT(std::abs(film.pressure.maxCoeff() * c * film.thickness.minCoeff() / clearance - 1.0), 0.05);

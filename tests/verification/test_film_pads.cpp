@@ -10,6 +10,8 @@
 
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
+#include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/film_cases.hpp"
@@ -46,12 +48,12 @@ Case unlike_pads(const FilmResolution& resolution = coarse) {
 
 /// A bearing with its journal held, from a cold start.
 struct Running {
-  Running(const Case& input, const Eigen::Vector2d& position, double rate = speed) : solver(make_film_bearing(input)) {
-    EXPECT_EQ(solver.cold_start(position, rate, state).status, FilmStatus::converged);
-    outcome = film_bearing_outcome(solver.bearing(), state);
+  Running(const Case& input, const Eigen::Vector2d& position, double rate = speed) : stepper(make_film_bearing(input)) {
+    EXPECT_EQ(cold_start(stepper, position, rate, state).status, FilmStatus::converged);
+    outcome = film_bearing_outcome(stepper.bearing(), state);
   }
-  FilmBearingSolver solver;
-  FilmBearingState state;
+  FilmStepper stepper;
+  BearingState state;
   FilmBearingOutcome outcome;
 };
 
@@ -61,8 +63,8 @@ TEST(FilmPads, OneIsTheBearingWithoutPads) {
   padded.pads.resize(1);
   const Running a(plain, {15e-6, 4e-6});
   const Running b(padded, {15e-6, 4e-6});
-  EXPECT_EQ(a.state.foil.film.pressure, b.state.foil.film.pressure);
-  EXPECT_EQ(a.state.contact.x, b.state.contact.x);
+  EXPECT_EQ(a.state.film.pressure, b.state.film.pressure);
+  EXPECT_EQ(a.state.contacts.x, b.state.contacts.x);
   EXPECT_EQ(a.outcome.force, b.outcome.force);
   EXPECT_EQ(a.outcome.torque, b.outcome.torque);
   EXPECT_EQ(b.outcome.pad_forces.cols(), 0);
@@ -83,12 +85,11 @@ TEST(FilmPads, TurnWithTheLoadWhereTheyAreEqual) {
     EXPECT_LT((turn * here.outcome.pad_forces.col((k + 1) % 3) - there.outcome.pad_forces.col(k)).norm(), 1e-9 * size);
   }
   const Eigen::Vector2d load(20.0, -30.0);
-  ASSERT_EQ(here.solver.follow(OperatingPoint::loaded_by(load, speed), here.state.contact, here.state).status,
+  ASSERT_EQ(follow(here.stepper, OperatingPoint::loaded_by(load, speed), here.state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(there.stepper, OperatingPoint::loaded_by(turn * load, speed), there.state).status,
             FilmStatus::converged);
-  ASSERT_EQ(there.solver.follow(OperatingPoint::loaded_by(turn * load, speed), there.state.contact, there.state).status,
-            FilmStatus::converged);
-  EXPECT_LT((film_force(here.solver.bearing(), here.state.foil.film.pressure) - load).norm(), 1e-7 * load.norm());
-  EXPECT_LT((turn * here.state.position - there.state.position).norm(), 1e-9 * here.solver.bearing().clearance);
+  EXPECT_LT((film_force(here.stepper.bearing(), here.state.film.pressure) - load).norm(), 1e-7 * load.norm());
+  EXPECT_LT((turn * here.state.position - there.state.position).norm(), 1e-9 * here.stepper.bearing().clearance);
 }
 
 TEST(FilmPads, ALobeIsAShiftedJournal) {
@@ -128,8 +129,8 @@ TEST(FilmPads, AddUp) {
   const Eigen::Vector2d position(9e-6, -8e-6);
   Running all(input, position);
   const std::vector<std::complex<double>> rates{{0.0, 0.5 * speed}, {0.0, speed}};
-  const auto stiffness = all.solver.stiffness(all.state);
-  const auto impedances = all.solver.impedances(all.state, rates);
+  const auto stiffness = all.stepper.stiffness(all.state);
+  const auto impedances = all.stepper.impedances(all.state, rates);
   ASSERT_TRUE(stiffness && impedances);
   Eigen::Vector2d force(0.0, 0.0);
   double torque = 0.0;
@@ -138,18 +139,18 @@ TEST(FilmPads, AddUp) {
   Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
   Eigen::Matrix2cd Z = Eigen::Matrix2cd::Zero();
   const double size = all.outcome.force.norm();
-  const Vector loads = bump_loads(all.solver.bearing(), all.state);
+  const Vector loads = bump_loads(all.stepper.bearing(), all.state);
   Eigen::Index bump = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     Running one(pad_alone(input, k), position);
     force += one.outcome.force;
     torque += one.outcome.torque;
     sides += one.outcome.flows.sides;
-    K += *one.solver.stiffness(one.state);
-    Z += one.solver.impedances(one.state, rates)->back();
+    K += *one.stepper.stiffness(one.state);
+    Z += one.stepper.impedances(one.state, rates)->back();
     // Newton's last step is below 1e-9 of c in each.
     EXPECT_LT((all.outcome.pad_forces.col(static_cast<Eigen::Index>(k)) - one.outcome.force).norm(), 1e-7 * size) << k;
-    const Vector own = bump_loads(one.solver.bearing(), one.state);
+    const Vector own = bump_loads(one.stepper.bearing(), one.state);
     EXPECT_LT((loads.segment(bump, own.size()) - own).cwiseAbs().maxCoeff(), 1e-6 * loads.maxCoeff()) << k;
     bump += own.size();
     if (one.outcome.thinnest.thickness < thinnest) {
@@ -173,20 +174,18 @@ TEST(FilmPads, CarryALoad) {
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
   Running pads(input, {6e-6, -6e-6});
   const Eigen::Vector2d load(25.0, -10.0);
-  ASSERT_EQ(pads.solver.follow(OperatingPoint::loaded_by(load, speed), pads.state.contact, pads.state).status,
-            FilmStatus::converged);
-  EXPECT_LT((film_bearing_outcome(pads.solver.bearing(), pads.state).force - load).norm(), 1e-7 * load.norm());
-  const auto K = pads.solver.stiffness(pads.state);
+  ASSERT_EQ(follow(pads.stepper, OperatingPoint::loaded_by(load, speed), pads.state).status, FilmStatus::converged);
+  EXPECT_LT((film_bearing_outcome(pads.stepper.bearing(), pads.state).force - load).norm(), 1e-7 * load.norm());
+  const auto K = pads.stepper.stiffness(pads.state);
   ASSERT_TRUE(K);
   const double step = 1e-9;
   for (const int axis : {0, 1}) {
     std::array<Eigen::Vector2d, 2> forces;
     for (const int side : {0, 1}) {
-      FilmBearingState moved = pads.state;
+      BearingState moved = pads.state;
       const Eigen::Vector2d there = pads.state.position + (side == 0 ? -step : step) * Eigen::Vector2d::Unit(axis);
-      ASSERT_EQ(pads.solver.solve(OperatingPoint::held_at(there, speed), pads.state.contact, moved).status,
-                FilmStatus::converged);
-      forces[static_cast<std::size_t>(side)] = film_force(pads.solver.bearing(), moved.foil.film.pressure);
+      ASSERT_EQ(pads.stepper.advance(OperatingPoint::held_at(there, speed), moved).status, FilmStatus::converged);
+      forces[static_cast<std::size_t>(side)] = film_force(pads.stepper.bearing(), moved.film.pressure);
     }
     const Eigen::Vector2d rate = (forces[1] - forces[0]) / (2.0 * step);
     // Roundings of differences of 25 N over 2 nm, and the curvature.
@@ -230,11 +229,12 @@ TEST(FilmPads, TendToRigidArcs) {
   }
   for (Matrix& block : bearing.problem.K.diagonal) block *= stiffer;
   for (Matrix& block : bearing.problem.K.upper) block *= stiffer;
-  FilmBearingState state;
+  BearingState state;
   // Heights differ: crests that stand back are out of reach of stiff foils.
-  bearing.initial_gap.setZero();
-  ASSERT_EQ(FilmBearingSolver(bearing).cold_start(position, speed, state).status, FilmStatus::converged);
-  const Eigen::Vector2d found = film_force(bearing, state.foil.film.pressure);
+  bearing.assembled_gap.setZero();
+  FilmStepper stepper(bearing);
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  const Eigen::Vector2d found = film_force(bearing, state.film.pressure);
   EXPECT_LT((found - force).norm(), 5e-6 * force.norm());
   EXPECT_GT((found - force).norm(), 1e-12 * force.norm());
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bumpfoil/experiments/film/wall_film.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -16,8 +17,9 @@ const double speed = speed_of_rpm(45000.0);
 /// From a cold start.
 FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position) {
   const FilmBearing bearing = make_film_bearing(input);
-  FilmBearingState state;
-  EXPECT_EQ(FilmBearingSolver(bearing).cold_start(position, speed, state).status, FilmStatus::converged);
+  BearingState state;
+  FilmStepper stepper(bearing);
+  EXPECT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
   return film_bearing_outcome(bearing, state);
 }
 

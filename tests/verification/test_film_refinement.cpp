@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/film_cases.hpp"
 #include "support/film_runs.hpp"
 
@@ -45,15 +47,14 @@ TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
     Eigen::Vector2d force[3];
     for (const int i : {0, 1, 2}) {
       const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6 << i, .rows = 8 << i});
-      FilmBearingSolver solver(bearing);
-      FilmBearingState state;
+      FilmStepper stepper(bearing);
+      BearingState state;
       const double speed = speed_of_rpm(45000.0);
       const Eigen::Vector2d position(limit.eccentricity * bearing.clearance, 0.0);
       const Eigen::Vector2d start = std::min(1.0, 0.7 / limit.eccentricity) * position;
-      ASSERT_EQ(solver.cold_start(start, speed, state).status, FilmStatus::converged);
-      ASSERT_EQ(solver.follow(OperatingPoint::held_at(position, speed), state.contact, state).status,
-                FilmStatus::converged);
-      force[i] = film_force(bearing, state.foil.film.pressure);
+      ASSERT_EQ(cold_start(stepper, start, speed, state).status, FilmStatus::converged);
+      ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, speed), state).status, FilmStatus::converged);
+      force[i] = film_force(bearing, state.film.pressure);
     }
     const double ratio = (force[1] - force[0]).norm() / (force[2] - force[1]).norm();
     EXPECT_GT(ratio, 3.4);

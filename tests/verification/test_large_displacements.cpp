@@ -93,7 +93,7 @@ TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
   double force = 0.0;
   for (int i = 0; i <= 25; ++i) force = push(79.5e-6 * i / 25.0);
   const auto tangents_of = [&](const SharedFoils& of) {
-    FoilState where = FoilState::unstressed(foils);
+    BearingState where = BearingState::unstressed(foils);
     where.contacts = state;
     return FoilStepper(of, {}).tangents(where).along(n);
   };

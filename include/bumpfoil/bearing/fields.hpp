@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "bumpfoil/bearing/foil_state.hpp"
+#include "bumpfoil/bearing/bearing_state.hpp"
 
 namespace bumpfoil {
 
@@ -41,7 +41,7 @@ struct FoilFields {
   FieldMatrix foot_u, foot_v;            ///< m, per foot
   FieldMatrix compression;               ///< m, per bump: how far its crest came nearer to its feet
   FieldMatrix pad_force_x, pad_force_y;  ///< N, per pad of several: what each takes of the force on the journal
-  InterfaceFields journal_top;           ///< per bump
+  InterfaceFields journal_top;           ///< per bump; without columns under a film
   InterfaceFields top_bump;              ///< per bump
   InterfaceFields bump_sleeve;           ///< per foot
   StressFields stress;
@@ -66,6 +66,6 @@ FoilFields make_fields(const Foils& foils, int increments);
 Vector bump_compression(const FoilStructure& structure, const Vector& x);
 
 /// Writes the fields of a state into row `increment`.
-void record(const Foils& foils, const FoilState& state, Eigen::Index increment, FoilFields& fields);
+void record(const Foils& foils, const BearingState& state, Eigen::Index increment, FoilFields& fields);
 
 }  // namespace bumpfoil

@@ -4,10 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "bumpfoil/bearing/foils.hpp"
-#include "bumpfoil/contact/problem.hpp"
+#include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/film/film_integrals.hpp"
-#include "bumpfoil/film/foil_film.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -48,15 +46,13 @@ struct FilmPad {
 /// the places of its foils' unknowns, with the top foil over the crest among them, and after them the pressures of the
 /// column over the crest, c (P_j - 1) (m). The block of the free end keeps the displacement of the top foil in the
 /// place of its first pressure; all else there stays zero.
-struct FilmBearing {
-  SharedFoils foils;  ///< none where a wall takes their place
+///
+/// K of the contact problem is that of the bump foils alone, which holds what means nothing in the last blocks.
+struct FilmBearing : Foils {
   FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;
-  ContactProblem problem;  ///< K of the bump foils alone, which holds what means nothing in the last blocks
-  Vector initial_gap;      ///< of each contact, m
-  double clearance{};      ///< C_r, m
   double room{};  ///< C_r less the largest lobe, m: what a journal at the centre has everywhere in a round sleeve
-  Eigen::Matrix2Xd normals;  ///< outward at all columns
+  Eigen::Matrix2Xd column_normals;  ///< outward at all columns
   Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
                   ///< the sleeve is wider there, and the lobe of the pad
 
@@ -66,15 +62,15 @@ struct FilmBearing {
   }
   /// Columns of nodes of all pads.
   [[nodiscard]] int columns() const;
-  /// Bumps of all pads.
-  [[nodiscard]] int bumps() const;
+  /// Not where a wall takes the place of the foils.
+  [[nodiscard]] bool has_foils() const { return bumps() > 0; }
   /// A field that is `value` everywhere.
   [[nodiscard]] Matrix field(double value) const;
   /// H of the undeformed foils with the journal at `position` (m), at all nodes, where the foils stand farther out than
   /// they do by `opening` (m).
   [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position, double opening = 0.0) const;
   /// Places in the block of a bump. Only where there are foils.
-  [[nodiscard]] const BumpDofs& dofs() const { return foils->structure.dofs; }
+  [[nodiscard]] const BumpDofs& dofs() const { return structure.dofs; }
 };
 
 using SharedFilmBearing = std::shared_ptr<const FilmBearing>;
@@ -92,25 +88,15 @@ void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& al
 /// @throws Error (input) if the case cannot be built.
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
 
-/// The same of foils that are there already.
-FilmBearing make_film_bearing(const BearingDesign& input, SharedFoils foils, const Gas& gas,
+/// The same of foils that are there already, under a film or not.
+FilmBearing make_film_bearing(const BearingDesign& input, const Foils& foils, const Gas& gas,
                               const FilmResolution& resolution);
 
 /// The bearing in the gas and on the mesh of the case.
 FilmBearing make_film_bearing(const Case& input);
 
-/// What is known of a bearing that runs: a plain value, all that a next state needs.
-struct FilmBearingState {
-  Eigen::Vector2d position{Eigen::Vector2d::Zero()};  ///< of the journal, m
-  double speed{};                                     ///< Omega, rad/s
-  double opening{};                                   ///< by which the clearance is wider than that of the bearing, m
-  FoilFilmState foil;                                 ///< of all columns, without dimension, see FilmScales
-  ContactState contact;                               ///< of the unknowns of the blocks
-};
-
 /// P = 1, unstressed foils; H is positive where the journal leaves room.
-FilmBearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed,
-                         double opening = 0.0);
+BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening = 0.0);
 
 /// What a state is good for.
 struct FilmBearingOutcome {
@@ -141,9 +127,9 @@ Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure);
 Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure);
 
 /// Compressions between top foils and crests, N, one per bump, pad after pad.
-Vector bump_loads(const FilmBearing& bearing, const FilmBearingState& state);
+Vector bump_loads(const FilmBearing& bearing, const BearingState& state);
 
-FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const FilmBearingState& state);
+FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const BearingState& state);
 
 /// The Reynolds equation of a pad at a speed, steady.
 ReynoldsEquation film_equation(const FilmBearing& bearing, const FilmPad& pad, double speed);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/bearing/energy.hpp"
-#include "bumpfoil/bearing/foil_state.hpp"
 #include "bumpfoil/bearing/tangents.hpp"
 #include "bumpfoil/model/case.hpp"
 
@@ -39,19 +39,19 @@ class FoilStepper {
   void assemble(const Excitation& excitation, Step& step);
 
   /// One increment from `from` straight to the excitation `to`.
-  void advance(const FoilState& from, const Excitation& to, Step& step);
+  void advance(const BearingState& from, const Excitation& to, Step& step);
 
   /// Begins the straight path from `from` to the excitation `end`. Increments of one path cost the event-driven solver
   /// less than paths of one increment.
-  void set_out(const FoilState& from, const Excitation& end);
+  void set_out(const BearingState& from, const Excitation& end);
 
   /// One increment, on to `fraction` of the path that was set out on.
   /// @param from      where the last increment ended, or the path began; to leave the path, set out again
   /// @param fraction  beyond the last
-  void advance_to(double fraction, const FoilState& from, Step& step);
+  void advance_to(double fraction, const BearingState& from, Step& step);
 
   /// From the contact modes of `state` and the tangent of the foils.
-  [[nodiscard]] TangentMatrices tangents(const FoilState& state);
+  [[nodiscard]] TangentMatrices tangents(const BearingState& state);
 
   [[nodiscard]] const Foils& foils() const { return *foils_; }
   /// Whether increments are followed from one change of contact to the next.

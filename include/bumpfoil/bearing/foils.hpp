@@ -35,7 +35,8 @@ inline double cleared(double value, double rounding) {
 /// The foils of a bearing of several pads follow each other, bump after bump, pad after pad.
 ///
 /// Contacts of the block of a bump, in this order: journal/top foil, top foil/crest, then one per foot with the sleeve.
-/// Without a top foil the first is missing, and the second is that of the plate with the crest.
+/// Without a top foil the first is missing, and the second is that of the plate with the crest. Under a film the first
+/// is missing, and the blocks of the problem are those of FilmBearing.
 struct Foils {
   FoilStructure structure;
   std::vector<StressModel> stress;  ///< of each pad
@@ -45,16 +46,21 @@ struct Foils {
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;
   Vector assembled_gap;  ///< g0 of each contact without the pressing body, m: height errors, sleeve gaps and waviness
+  bool under_film{};     ///< a film presses, and nothing else
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {
-    return has_top_foil() ? 1 : 0;
+    return has_top_foil() && !under_film ? 1 : 0;
   }  ///< place of the contact in the block of a bump
   [[nodiscard]] int first_foot() const { return top_bump() + 1; }
   [[nodiscard]] int contacts_per_block() const { return problem.contacts() / problem.K.blocks(); }
   [[nodiscard]] int bumps() const { return structure.bumps(); }
-  [[nodiscard]] int pads() const { return static_cast<int>(structure.pads.size()); }
+  [[nodiscard]] int pad_count() const { return static_cast<int>(structure.pads.size()); }
   [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }
+  /// Block of the problem that holds a block of the structure.
+  [[nodiscard]] int block(int of_structure) const;
+  /// The unknowns that the structure knows among those of the problem.
+  [[nodiscard]] Vector foil_unknowns(const Vector& x) const;
   /// Contacts of the pressing body, the first of each bump: entries of a vector of all contacts.
   [[nodiscard]] auto pressed() const {
     return Eigen::seqN(Eigen::Index{structure.first_bump} * contacts_per_block(), Eigen::Index{bumps()},

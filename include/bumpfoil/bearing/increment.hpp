@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bumpfoil/bearing/foil_state.hpp"
+#include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/bearing/tangents.hpp"
 #include "bumpfoil/contact/residual.hpp"
 
@@ -36,7 +36,7 @@ struct Increment {
 Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vector2d& direction);
 
 /// Fills in elastic energy and residuals of a state.
-void judge(const Foils& foils, const FoilState& state, Increment& increment);
+void judge(const Foils& foils, const BearingState& state, Increment& increment);
 
 /// An increment that failed on its way to `step`'s place: everything that is not known is not a number.
 Increment failed_increment(const Step& step, const Eigen::Vector2d& direction);

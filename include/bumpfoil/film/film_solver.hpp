@@ -57,6 +57,9 @@ struct FilmReport {
   /// Of a solve with foils that started at a state: the largest change of P, U and position over c that the tangent
   /// there predicts, and the largest difference between the state that was found and the predicted one.
   double predicted_change{}, departure{};
+
+  /// Adds what comes after it, whose status and residual count.
+  FilmReport& operator+=(const FilmReport& next);
 };
 
 /// Newton's method for the pressure over a rigid bearing surface or an elastic (Winkler) foundation. Steps are cut so

@@ -37,8 +37,7 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
                         std::vector<int> supports);
 
 /// State of a film and the foil under it: a plain value.
-struct FoilFilmState {
-  FilmState film;
+struct FoilFilmState : FilmState {
   Vector lift;    ///< U of all columns, outward; part of H
   Vector moment;  ///< M of all columns
 };

@@ -20,7 +20,7 @@ namespace bumpfoil {
 /// @param reach  the load is not looked for beyond this displacement from the origin, m
 /// @param step   receives the result; statuses load_out_of_reach, load_not_met, unstable, not_unique and those of the
 ///               increments
-void advance_to_load(FoilStepper& stepper, const FoilState& from, const Eigen::Vector2d& load, double none,
+void advance_to_load(FoilStepper& stepper, const BearingState& from, const Eigen::Vector2d& load, double none,
                      double reach, Step& step);
 
 }  // namespace bumpfoil

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/model/case.hpp"
 
@@ -11,9 +12,17 @@ namespace bumpfoil {
 /// Where increments are counted from and which way they go: place(s) = base + s direction, a position or a load.
 struct Line {
   Eigen::Vector2d base{0.0, 0.0};
-  Eigen::Vector2d direction{1.0, 0.0};  ///< unit vector
+  Eigen::Vector2d direction{1.0, 0.0};  ///< unit vector; of a ramp the whole way
 
   [[nodiscard]] Eigen::Vector2d place(double s) const { return base + s * direction; }
+};
+
+/// From one value to another, in proportion to the way along a leg.
+struct Ramp {
+  double from{};
+  double to{};
+
+  [[nodiscard]] double at(double fraction) const { return from + fraction * (to - from); }
 };
 
 /// A straight part of a program, in equal increments.
@@ -24,10 +33,18 @@ struct Leg {
   double begin{};  ///< s on the line, m or N: where the leg before ends
   double end{};
   int steps{};
+  Ramp speed{};    ///< Omega of a bearing that runs, rad/s
+  Ramp opening{};  ///< of its clearance, m
+  double dt{};     ///< time that each increment takes, s; 0: quasi-static
 
   /// s where increment 0..steps leads.
   [[nodiscard]] double target(int step) const { return (begin * (steps - step) + end * step) / steps; }
+  /// The same of a bearing that runs.
+  [[nodiscard]] OperatingPoint point(int step) const;
 };
+
+/// From one operating point to another in equal steps.
+Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps);
 
 /// What is done to foils, leg after leg.
 using Program = std::vector<Leg>;

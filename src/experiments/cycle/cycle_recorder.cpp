@@ -41,7 +41,7 @@ class CycleRecorder {
   }
 
   /// The turning point is where the foils are now.
-  void turn(const FoilState& state, Control control) {
+  void turn(const BearingState& state, Control control) {
     if (control == Control::load) cycle_.amplitude = cycle_.turns.front().displacement - cycle_.start->displacement;
     const auto loads = [&](Interface interface) { return interface_loads(foils(), state.contacts, interface); };
     TurningPoint response;
@@ -94,21 +94,20 @@ Cycle run_cycle(FoilStepper& stepper, const CyclePlan& plan, Cycle cycle, Step& 
   if (cycle.course == Course::push && step.converged()) {
     const Foils& foils = stepper.foils();
     cycle.first_contact = first_contact_displacement(step.state.contacts.gap(foils.pressed()), foils.normals, normal);
-    if (cycle.first_contact) *cycle.first_contact += step.state.excitation.position.dot(normal);
+    if (cycle.first_contact) *cycle.first_contact += step.state.position.dot(normal);
   }
   CycleRecorder recorder(stepper, plan.recording, std::move(cycle));
   int done = 0;
   const auto stopped = [&] { return progress && !progress(static_cast<double>(++done) / due); };
 
   step.state.work = step.state.dissipated_energy = 0.0;
-  FoilState state = step.state;
-  const bool good = recorder.add(step, plan.program.front().branch, false, state.excitation.position.dot(normal));
+  BearingState state = step.state;
+  const bool good = recorder.add(step, plan.program.front().branch, false, state.position.dot(normal));
   bool interrupted = good && stopped();
   if (good && !interrupted) {
     march(stepper, plan.program, plan.reach, state, step, [&](const Passage& at) {
-      const double displacement = at.leg.control == Control::displacement
-                                      ? at.leg.line.base.dot(normal) + at.target
-                                      : at.step.state.excitation.position.dot(normal);
+      const double displacement = at.leg.control == Control::displacement ? at.leg.line.base.dot(normal) + at.target
+                                                                          : at.step.state.position.dot(normal);
       if (!recorder.add(at.step, at.leg.branch, at.ends_leg, displacement)) return Verdict::refuse;
       if (at.ends_leg && !recorder.turned()) recorder.turn(at.step.state, at.leg.control);
       const bool is_last = at.ends_leg && &at.leg == &plan.program.back();

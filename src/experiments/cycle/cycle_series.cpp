@@ -15,10 +15,10 @@ namespace {
 /// The state in which a cycle ended, or the preload was reached, as the start of the next: nothing happened on the way
 /// there.
 void start_anew(Step& step) {
-  FoilState state = std::move(step.state);
+  BearingState state = std::move(step.state);
   step = Step{};
   step.state = std::move(state);
-  step.state.slip_origin = step.state.contacts.x;
+  step.state.begin_increment();
 }
 
 /// Adds what came before a cycle to what it tells of the whole run.
@@ -42,7 +42,7 @@ double approach(FoilStepper& stepper, const Approach& way, Step& step) {
   const Eigen::Vector2d from = control == Control::displacement ? way.centre.position : Eigen::Vector2d::Zero();
   const Eigen::Vector2d distance = value - from;
   if (distance.isZero(0.0)) return assembly_dissipation;
-  FoilState state = step.state;
+  BearingState state = step.state;
   const Program lead_in{{.branch = Branch::loading,
                          .control = control,
                          .line = {.base = from, .direction = distance.normalized()},
@@ -66,7 +66,7 @@ Program CycleSeries::program() const {
   if (course_.amplitude.control == Control::load) {
     line.base = course_.preload ? course_.preload->value : Eigen::Vector2d(0.0, 0.0);
   } else if (course_.preload) {
-    const Eigen::Vector2d& position = step_.state.excitation.position;
+    const Eigen::Vector2d& position = step_.state.position;
     origin = position.dot(line.direction);
     line.base = position - origin * line.direction;
   }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "bumpfoil/bearing/film_fields.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/march.hpp"
+#include "bumpfoil/motion/rest.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -44,13 +46,13 @@ std::vector<double> frequencies_of(const EquilibriumSettings& settings, double s
   return settings.frequencies.empty() ? std::vector{std::abs(speed)} : settings.frequencies;
 }
 
-std::vector<FilmWhirl> whirls_at(FilmBearingSolver& solver, const FilmBearingState& state,
+std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state,
                                  const std::vector<double>& frequencies) {
   std::vector<std::complex<double>> rates;
   rates.reserve(frequencies.size());
   for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
-  const auto moving = solver.impedances(state, rates);
-  const auto stuck = solver.impedances(state, rates, true);
+  const auto moving = stepper.impedances(state, rates);
+  const auto stuck = stepper.impedances(state, rates, true);
   std::vector<FilmWhirl> whirls(frequencies.size());
   for (std::size_t i = 0; i < whirls.size(); ++i) {
     whirls[i].frequency = frequencies[i];
@@ -70,7 +72,7 @@ class PathWalker {
         states_(states),
         settings_(settings),
         opening_(opening_to_begin(*result.bearing, thickness_floor)),
-        solver_(result.bearing, options(thickness_floor)) {}
+        stepper_(result.bearing, options(thickness_floor)) {}
 
   /// The states at `points`, one after the other.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
@@ -114,30 +116,29 @@ class PathWalker {
   void judge(RunningState& found) {
     found.last = state_;
     found.outcome = film_bearing_outcome(*result_.bearing, *state_);
-    const auto moving = solver_.slow_motion(*state_);
-    const auto stuck = solver_.slow_motion(*state_, true);
+    const auto moving = stepper_.slow_motion(*state_);
+    const auto stuck = stepper_.slow_motion(*state_, true);
     if (moving) found.stiffness = moving->stiffness;
     if (stuck) found.stuck_stiffness = stuck->stiffness;
     if (moving || stuck) {
       found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
     }
-    found.whirls = whirls_at(solver_, *state_, frequencies_of(settings_, state_->speed));
+    found.whirls = whirls_at(stepper_, *state_, frequencies_of(settings_, state_->speed));
     find_stresses(found);
   }
 
   /// The largest ones of all pads.
   void find_stresses(RunningState& found) const {
     const FilmBearing& bearing = *result_.bearing;
-    const Foils& foils = *bearing.foils;
-    const Vector x = foil_state(bearing, *state_).contacts.x;
-    const Eigen::Index size = foils.structure.dofs.size;
+    const Vector x = bearing.foil_unknowns(state_->contacts.x);
+    const Eigen::Index size = bearing.dofs().size;
     for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
       const FilmPad& pad = bearing.pads[k];
-      const StressModel& model = foils.stress[k];
+      const StressModel& model = bearing.stress[k];
       const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
-      const double top = moment * state_->foil.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+      const double top = moment * state_->film.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
       found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
-      const auto [first, count] = foils.structure.blocks_of(static_cast<int>(k));
+      const auto [first, count] = bearing.structure.blocks_of(static_cast<int>(k));
       const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
       if (stress.bump_largest.size() == 0) continue;
       found.bump_foil_stress = std::max(
@@ -145,17 +146,9 @@ class PathWalker {
     }
   }
 
-  static void add(FilmReport& total, const FilmReport& more) {
-    total.status = more.status;
-    total.iterations += more.iterations;
-    total.factorisations += more.factorisations;
-    total.residual = more.residual;
-    total.jumps += more.jumps;
-  }
-
   /// From rest to the first state of a path: with a clearance that is opened where it has to be, and closes at the end.
   void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
-    const bool by_load = point.control == OperatingPoint::Control::load;
+    const bool by_load = point.by_load();
     OperatingPoint opened = point;
     opened.opening = opening_;
     switch (path) {
@@ -180,7 +173,7 @@ class PathWalker {
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
         if (by_load && total.status == FilmStatus::converged) {
-          add(total, solver_.settle(opened, state_->contact, *state_));
+          total += settle(stepper_, opened, *state_);
         }
         break;
     }
@@ -197,8 +190,8 @@ class PathWalker {
   }
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
-    FilmBearingState started;
-    add(total, solver_.cold_start(position, speed, started, opening_));
+    BearingState started;
+    total += cold_start(stepper_, position, speed, started, opening_);
     if (total.status == FilmStatus::converged) state_ = std::move(started);
   }
 
@@ -213,26 +206,18 @@ class PathWalker {
   /// On to a point in equal increments; a point that is there already takes none.
   void ramp(const OperatingPoint& point, FilmReport& total) {
     if (total.status != FilmStatus::converged) return;
-    OperatingPoint from = point;
-    from.speed = state_->speed;
-    from.opening = state_->opening;
-    from.journal = point.control == OperatingPoint::Control::load
-                       ? film_force(*result_.bearing, state_->foil.film.pressure)
-                       : state_->position;
+    const OperatingPoint from = point_of(*result_.bearing, *state_, point.control);
     if (from == point) return;
-    for (int i = 1; i <= settings_.steps && total.status == FilmStatus::converged; ++i) {
-      const double part = static_cast<double>(i) / settings_.steps;
-      OperatingPoint to = point;
-      to.journal = from.journal + part * (point.journal - from.journal);
-      to.speed = from.speed + part * (point.speed - from.speed);
-      to.opening = from.opening + part * (point.opening - from.opening);
-      done_of_state_ = part - 1.0 / settings_.steps;
-      go(to, total);
-    }
+    int taken = 0;
+    march(stepper_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const FilmPassage& at) {
+      total += at.step.report;
+      done_of_state_ = static_cast<double>(++taken % settings_.steps) / settings_.steps;
+      return at.step.converged() ? Verdict::go_on : Verdict::stop;
+    });
   }
 
   /// One increment.
-  void go(const OperatingPoint& to, FilmReport& total) { add(total, solver_.follow(to, state_->contact, *state_)); }
+  void go(const OperatingPoint& to, FilmReport& total) { total += follow(stepper_, to, *state_); }
 
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
@@ -241,8 +226,9 @@ class PathWalker {
   double opening_;  ///< of the clearance where a path begins, m
   double done_of_state_{};
   bool reached_{true};
-  FilmBearingSolver solver_;
-  std::optional<FilmBearingState> state_;  ///< where the path is
+  FilmStepper stepper_;
+  std::optional<BearingState> state_;  ///< where the path is
+  FilmStep step_;
 };
 
 /// All loads or positions, at speed 0.
@@ -322,13 +308,13 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
 }
 
 void tabulate_whirls(const Case& input, EquilibriumResult& result) {
-  FilmBearingSolver solver(result.bearing);
+  FilmStepper stepper(result.bearing);
   const bool given = !input.equilibrium->frequencies.empty();
   const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
   for (RunningState& state : result.states) {
     if (!state.found()) continue;
     if (given) {
-      state.synchronous = whirls_at(solver, *state.last, {std::abs(state.last->speed)}).front();
+      state.synchronous = whirls_at(stepper, *state.last, {std::abs(state.last->speed)}).front();
       state.tabulated.clear();
       for (const double frequency : frequencies) {
         state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
@@ -336,7 +322,7 @@ void tabulate_whirls(const Case& input, EquilibriumResult& result) {
       }
     } else {
       state.synchronous = state.whirls.front();
-      state.tabulated = whirls_at(solver, *state.last, frequencies);
+      state.tabulated = whirls_at(stepper, *state.last, frequencies);
     }
   }
 }

@@ -52,7 +52,7 @@ Json equilibrium_lists(const Case& input, const EquilibriumResult& result) {
 
 std::vector<ResultFile> texts_of(const Case& input, const EquilibriumResult& result, const std::string& run_id) {
   std::vector<ResultFile> texts{{fmt::format("{}.csv", command_of(result)), equilibrium_csv(result)}};
-  if (!result.bearing->foils) return texts;
+  if (!result.bearing->has_foils()) return texts;
   texts.push_back({"coefficients.csv", film_coefficients_csv(result)});
   texts.push_back({"coefficients.toml", film_ross_toml(input, result, run_id)});
   return texts;
@@ -88,7 +88,7 @@ std::string film_coefficients_csv(const EquilibriumResult& result) {
   for (const WhirlQuantity& quantity : whirl_quantities()) out += ',' + key_of(quantity.name(), quantity.unit);
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
-    const bool by_load = state.asked.control == OperatingPoint::Control::load;
+    const bool by_load = state.asked.by_load();
     for (const FilmWhirl& whirl : state.whirls) {
       append_csv(out += '\n', state.asked.speed);
       for (const int axis : {0, 1}) append_csv(out += ',', by_load ? state.asked.journal[axis] : absent);

@@ -22,7 +22,7 @@ std::string times_text(int count) {
 }  // namespace
 
 std::string_view command_of(const EquilibriumResult& result) {
-  return result.bearing->foils ? "equilibrium" : "film";
+  return result.bearing->has_foils() ? "equilibrium" : "film";
 }
 
 RunStatus status_of(const EquilibriumResult& result) {

@@ -20,7 +20,7 @@ double relative(double part, double whole_of_it) {
   return whole_of_it == 0.0 ? 0.0 : part / std::abs(whole_of_it);
 }
 
-template <OperatingPoint::Control control, int axis>
+template <Control control, int axis>
 double asked_journal(const FilmBearing&, const RunningState& state) {
   return state.asked.control == control ? state.asked.journal[axis] : absent;
 }
@@ -90,7 +90,7 @@ const FilmMesh& thinnest_mesh(const FilmBearing& bearing, const RunningState& st
 
 using B = FilmBearing;
 using S = RunningState;
-using By = OperatingPoint::Control;
+using By = Control;
 
 constexpr auto table = std::to_array<RunningQuantity>({
     {"speed", "rad/s", "speed of the journal, positive from X to Y",
@@ -274,25 +274,25 @@ constexpr auto table = std::to_array<RunningQuantity>({
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
     {"film_thickness", "m", "film thickness, the same over the width",
-     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
-       return bearing.scales.thickness * state.foil.film.thickness.row(0).transpose();
+     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
+       return bearing.scales.thickness * state.film.thickness.row(0).transpose();
      }},
     {"line_load", "N/m", "pressure beyond the ambient one, integrated over the width",
-     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
+     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
        Vector load = Vector::Zero(bearing.columns());
        for (int j = 0; j <= mesh.rows; ++j) {
-         load.array() += mesh.row_weight(j) * (state.foil.film.pressure.row(j).transpose().array() - 1.0);
+         load.array() += mesh.row_weight(j) * (state.film.pressure.row(j).transpose().array() - 1.0);
        }
        return 2.0 * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
      }},
     {"film_top_displacement", "m", "radial displacement of the top foil, positive outward",
-     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
-       return bearing.scales.thickness * state.foil.lift;
+     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
+       return bearing.scales.thickness * state.film.lift;
      }},
     {"film_top_moment", "N m", "bending moment of the top foil",
-     [](const FilmBearing& bearing, const FilmBearingState& state) -> Vector {
-       Vector moment = bearing.scales.thickness * state.foil.moment;
+     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
+       Vector moment = bearing.scales.thickness * state.film.moment;
        for (const FilmPad& pad : bearing.pads) moment(pad.columns()) *= pad.foil.stiffness * pad.foil.pitch;
        return moment;
      }},
@@ -348,8 +348,8 @@ double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, con
   return quantity.is(asked) || state.found() ? quantity.value(bearing, state) : absent;
 }
 
-Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state) {
-  return bearing.scales.gas.ambient_pressure * state.foil.film.pressure;
+Matrix film_pressure(const FilmBearing& bearing, const BearingState& state) {
+  return bearing.scales.gas.ambient_pressure * state.film.pressure;
 }
 
 std::string running_bump_text(const FilmBearing& bearing, int bump) {
@@ -369,7 +369,7 @@ std::string speed_text(const OperatingPoint& point) {
 }
 
 std::string journal_text(const OperatingPoint& point) {
-  const bool by_load = point.control == OperatingPoint::Control::load;
+  const bool by_load = point.by_load();
   const double unit = by_load ? 1.0 : 1e-6;
   return fmt::format("{} ({:.6g}, {:.6g}) {}", by_load ? "load" : "position", point.journal.x() / unit,
                      point.journal.y() / unit, by_load ? "N" : "um");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
@@ -20,10 +21,10 @@ constexpr double last_step = 1e-3;
 /// Looks for one limit along a path. What is asked of the film is a demand, 1 at the start: load, or one over speed.
 class LimitSearch {
  public:
-  LimitSearch(FilmBearingSolver& solver, double threshold, FilmLimitKind kind, const OperatingPoint& start)
-      : solver_(solver), threshold_(threshold), kind_(kind), start_(start) {}
+  LimitSearch(FilmStepper& stepper, double threshold, FilmLimitKind kind, const OperatingPoint& start)
+      : stepper_(stepper), threshold_(threshold), kind_(kind), start_(start) {}
 
-  FilmLimit find(const FilmBearingState& state) {
+  FilmLimit find(const BearingState& state) {
     Place here{1.0, thickness(state), state, 0};
     Place there = here;
     const bool begins_thick = is_thick(here);
@@ -69,7 +70,7 @@ class LimitSearch {
   struct Place {
     double demand{};
     double h{};  ///< least film thickness, m; not a number where there is no film
-    FilmBearingState state;
+    BearingState state;
     int jumps{};  ///< on the way from the start
   };
 
@@ -89,21 +90,21 @@ class LimitSearch {
     return kind_ == FilmLimitKind::lift_off_speed ? std::abs(point.speed) : point.journal.norm();
   }
 
-  [[nodiscard]] double thickness(const FilmBearingState& state) const {
-    return solver_.bearing().scales.thickness * state.foil.film.thickness.minCoeff();
+  [[nodiscard]] double thickness(const BearingState& state) const {
+    return stepper_.bearing().scales.thickness * state.film.thickness.minCoeff();
   }
 
   /// One increment.
   Place go(const Place& from, double demand) {
     Place to{demand, std::numeric_limits<double>::quiet_NaN(), from.state, from.jumps};
-    const FilmReport report = solver_.follow(point(demand), from.state.contact, to.state);
+    const FilmReport report = follow(stepper_, point(demand), to.state);
     to.jumps += report.jumps;
     interrupted_ = report.status == FilmStatus::interrupted;
     if (report.status == FilmStatus::converged) to.h = thickness(to.state);
     return to;
   }
 
-  FilmBearingSolver& solver_;
+  FilmStepper& stepper_;
   double threshold_;
   FilmLimitKind kind_;
   OperatingPoint start_;
@@ -119,9 +120,9 @@ FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLi
   const EquilibriumResult begin =
       find_states(bearing, at_start, input.film.h_floor, {FilmPath::load_ramp}, [&](double) { return keep_going(); });
   const RunningState& start = begin.states.front();
-  FilmBearingSolver solver(bearing, {.newton = {.thickness_floor = input.film.h_floor / bearing->scales.thickness},
-                                     .keep_going = keep_going});
-  LimitSearch search(solver, *input.film.h_lift_off, kind, start.asked);
+  FilmStepper stepper(bearing, {.newton = {.thickness_floor = input.film.h_floor / bearing->scales.thickness},
+                                .keep_going = keep_going});
+  LimitSearch search(stepper, *input.film.h_lift_off, kind, start.asked);
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
 }
 

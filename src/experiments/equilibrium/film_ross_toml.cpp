@@ -120,8 +120,7 @@ std::string film_ross_toml(const Case& input, const EquilibriumResult& result, s
       if (states.empty()) continue;
       const OperatingPoint& asked = states.front()->asked;
       out += fmt::format("\n[[bearing]]\npath = \"{}\"\n{} = {}\n", name_of(states.front()->path),
-                         asked.control == OperatingPoint::Control::load ? "load_N" : "position_m",
-                         toml_list({asked.journal.x(), asked.journal.y()}));
+                         asked.by_load() ? "load_N" : "position_m", toml_list({asked.journal.x(), asked.journal.y()}));
       out += fmt::format("turns = \"{}\"\ncontacts = \"{}\"\n", asked.speed > 0.0 ? "from X to Y" : "from Y to X",
                          contacts);
       if (states.size() == 1) out += fmt::format("speed_rad_per_s = {}\n", toml_number(std::abs(asked.speed)));

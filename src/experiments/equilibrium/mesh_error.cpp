@@ -44,12 +44,12 @@ Matrix resampled(const Matrix& field, Eigen::Index rows, Eigen::Index columns) {
 }
 
 /// A state of `from` on the mesh of `to`: not yet one of its equations, but near.
-FilmBearingState transferred(const FilmBearing& from, const FilmBearing& to, const FilmBearingState& state) {
-  FilmBearingState found = resting(to, state.position, state.speed, state.opening);
-  found.contact.gap = state.contact.gap;
-  found.contact.normal_force = state.contact.normal_force;
-  found.contact.friction_force = state.contact.friction_force;
-  found.contact.mode = state.contact.mode;
+BearingState transferred(const FilmBearing& from, const FilmBearing& to, const BearingState& state) {
+  BearingState found = resting(to, state.position, state.speed, state.opening);
+  found.contacts.gap = state.contacts.gap;
+  found.contacts.normal_force = state.contacts.normal_force;
+  found.contacts.friction_force = state.contacts.friction_force;
+  found.contacts.mode = state.contacts.mode;
   const Eigen::Index from_size = from.problem.K.block_size();
   const Eigen::Index to_size = to.problem.K.block_size();
   const Eigen::Index shared = from.dofs().size;
@@ -57,23 +57,22 @@ FilmBearingState transferred(const FilmBearing& from, const FilmBearing& to, con
     const FilmPad& pad = from.pads[k];
     const FilmPad& other = to.pads[k];
     const Eigen::Index columns = other.foil.mesh.nodes();
-    found.foil.film.pressure(Eigen::all, other.columns()) =
-        resampled(part_of(pad, state.foil.film.pressure), other.foil.mesh.rows + 1, columns);
-    found.foil.lift(other.columns()) = resampled(Vector(state.foil.lift(pad.columns())), columns);
-    found.foil.moment(other.columns()) = resampled(Vector(state.foil.moment(pad.columns())), columns);
+    found.film.pressure(Eigen::all, other.columns()) =
+        resampled(part_of(pad, state.film.pressure), other.foil.mesh.rows + 1, columns);
+    found.film.lift(other.columns()) = resampled(Vector(state.film.lift(pad.columns())), columns);
+    found.film.moment(other.columns()) = resampled(Vector(state.film.moment(pad.columns())), columns);
     // The last block has one unknown more than those of a bump foil, the displacement of the free end.
     for (Eigen::Index b = 0; b <= pad.bumps(); ++b) {
       const Eigen::Index block = pad.first_block + b;
-      found.contact.x.segment(block * to_size, shared + 1) = state.contact.x.segment(block * from_size, shared + 1);
+      found.contacts.x.segment(block * to_size, shared + 1) = state.contacts.x.segment(block * from_size, shared + 1);
       if (b == pad.bumps()) continue;
       const int crest = other.first_column + other.foil.supports[static_cast<std::size_t>(b)];
       for (int j = 0; j < other.foil.mesh.rows; ++j) {
-        found.contact.x[block * to_size + shared + j] =
-            to.scales.thickness * (found.foil.film.pressure(j, crest) - 1.0);
+        found.contacts.x[block * to_size + shared + j] = to.scales.thickness * (found.film.pressure(j, crest) - 1.0);
       }
     }
   }
-  found.foil.film.thickness.rowwise() += found.foil.lift.transpose();
+  found.film.thickness.rowwise() += found.film.lift.transpose();
   return found;
 }
 
@@ -84,17 +83,17 @@ class MeshComparison {
       : bearing_(bearing),
         own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
         other_(other_resolution(own_)),
-        solver_(make_film_bearing(input, bearing.foils, bearing.scales.gas, other_),
-                {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
+        stepper_(make_film_bearing(input, bearing, bearing.scales.gas, other_),
+                 {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
 
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {
-    const FilmBearing& other = solver_.bearing();
-    FilmBearingState found = transferred(bearing_, other, *state.last);
-    if (solver_.solve(state.asked, ContactState(found.contact), found).status != FilmStatus::converged) return {};
+    const FilmBearing& other = stepper_.bearing();
+    BearingState found = transferred(bearing_, other, *state.last);
+    if (stepper_.advance(state.asked, found).status != FilmStatus::converged) return {};
     const double thickness =
-        (found.foil.film.thickness.minCoeff() - state.last->foil.film.thickness.minCoeff()) * bearing_.scales.thickness;
-    Eigen::Vector2d force = film_force(other, found.foil.film.pressure) - state.outcome->force;
-    if (state.asked.control == OperatingPoint::Control::load) {
+        (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_.scales.thickness;
+    Eigen::Vector2d force = film_force(other, found.film.pressure) - state.outcome->force;
+    if (state.asked.by_load()) {
       if (!state.stiffness) return {};
       force = *state.stiffness * (state.last->position - found.position);
     }
@@ -111,7 +110,7 @@ class MeshComparison {
 
   const FilmBearing& bearing_;
   FilmResolution own_, other_;
-  FilmBearingSolver solver_;
+  FilmStepper stepper_;
 };
 
 }  // namespace

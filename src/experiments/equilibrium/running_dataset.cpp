@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "bumpfoil/bearing/film_fields.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -141,7 +140,7 @@ void add_asked_positions(const EquilibriumResult& result, Dataset& data) {
     data.add({fmt::format("position_{}", letter), "m",
               fmt::format("position of the journal that was asked for, {}", axis == 0 ? 'X' : 'Y')},
              {"state"}, each(result.states, [axis](const RunningState& state) {
-               return state.asked.control == OperatingPoint::Control::position ? state.asked.journal[axis] : absent;
+               return state.asked.control == Control::displacement ? state.asked.journal[axis] : absent;
              }));
   }
 }
@@ -152,12 +151,12 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
       .add({"pressure", "Pa", "pressure of the film"}, {"row", "column"},
            [&bearing](const RunningState& state) { return film_pressure(bearing, *state.last); })
       .compressed = true;
-  if (!bearing.foils) {
+  if (!bearing.has_foils()) {
     // Over a wall that yields it is not the same over the width.
     states
         .add({"film_thickness", "m", "film thickness"}, {"row", "column"},
              [&bearing](const RunningState& state) -> Matrix {
-               return bearing.scales.thickness * state.last->foil.film.thickness;
+               return bearing.scales.thickness * state.last->film.thickness;
              })
         .compressed = true;
     return;
@@ -174,11 +173,11 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
 /// What is known of the foils without a film, too, but for the contact with the journal, which there is none of.
 void add_fields(const EquilibriumResult& result, const ResultLayout& layout, const Wording& wording,
                 StateDataset& states) {
-  const Foils& foils = *result.bearing->foils;
+  const Foils& foils = *result.bearing;
   const auto fields = std::make_shared<FoilFields>(make_fields(foils, static_cast<int>(result.states.size())));
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     if (!result.states[i].found()) continue;
-    record(foils, foil_state(*result.bearing, *result.states[i].last), static_cast<Eigen::Index>(i), *fields);
+    record(foils, *result.states[i].last, static_cast<Eigen::Index>(i), *fields);
   }
   for (const FieldQuantity& quantity : field_quantities()) {
     if (quantity.name.ends_with("journal_top") || quantity.node == Node::pad) continue;
@@ -208,7 +207,7 @@ Dataset state_dataset(const Case& input, const EquilibriumResult& result) {
   states.add_motions(*input.equilibrium);
   states.add_pads();
   add_film(result, states);
-  if (result.bearing->foils) add_fields(result, layout, wording_of(input, Experiment::cycle), states);
+  if (result.bearing->has_foils()) add_fields(result, layout, wording_of(input, Experiment::cycle), states);
   return states.take();
 }
 

@@ -28,16 +28,12 @@ Foundation foundation_of(const Case& input, const FilmScales& scales) {
 
 /// One film, from the centred journal on.
 FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const FilmBearing& bearing,
-                     FilmBearingState& state) {
+                     BearingState& state) {
   const Matrix centred = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
   const Matrix there = bearing.undeformed_thickness(state.position);
-  FilmReport report = solver.solve(equation, centred, state.foil.film);
+  FilmReport report = solver.solve(equation, centred, state.film);
   if (report.status != FilmStatus::converged) return report;
-  const FilmReport followed = solver.follow(equation, centred, there, state.foil.film);
-  report.status = followed.status;
-  report.iterations += followed.iterations;
-  report.residual = followed.residual;
-  return report;
+  return report += solver.follow(equation, centred, there, state.film);
 }
 
 }  // namespace
@@ -64,7 +60,7 @@ FilmBearing make_wall_bearing(const Case& input) {
   pad.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   bearing.clearance = input.bearing.radial_clearance;
   const Vector angles = pad.foil.mesh.angles();
-  bearing.normals = outward_normals(polar_angles(input.bearing, angles));
+  bearing.column_normals = outward_normals(polar_angles(input.bearing, angles));
   bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
 }
@@ -91,12 +87,11 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
         return result;
       }
       const auto begin = std::chrono::steady_clock::now();
-      FilmBearingState state;
+      BearingState state;
       state.position = found.asked.journal;
       state.speed = speed;
-      state.foil.film = {bearing.field(1.0), {}};
-      state.foil.lift.setZero(bearing.columns());
-      state.foil.moment.setZero(bearing.columns());
+      const Vector undeformed = Vector::Zero(bearing.columns());
+      state.film = {{bearing.field(1.0), {}}, undeformed, undeformed};
       found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (!found.found()) continue;

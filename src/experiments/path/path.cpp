@@ -94,7 +94,7 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
 
   Step step;
   const auto add = [&](bool judged) {
-    const Eigen::Vector2d& position = step.state.excitation.position;
+    const Eigen::Vector2d& position = step.state.position;
     const Eigen::Vector2d direction = outward(position);
     Increment next = log.make(step, Branch::loading, direction, position.norm(), true);
     next.orbit = orbits.orbit_of(next.index);
@@ -113,7 +113,7 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
   stepper.assemble({}, step);
   cycle.assembly_dissipation = step.state.dissipated_energy;
   step.state.work = step.state.dissipated_energy = 0.0;
-  FoilState state = step.state;
+  BearingState state = step.state;
   bool goes_on = add(true);
   if (step.converged()) {
     cycle.initial_journal_load = interface_loads(stepper.foils(), step.state.contacts, Interface::journal_top).sum();

@@ -68,7 +68,7 @@ class VibrationRunner {
              loaded_);
     out.status = loaded_.status;
     if (!loaded_.converged()) return out;
-    out.position = loaded_.state.excitation.position;
+    out.position = loaded_.state.position;
     out.tangents = stepper_.tangents(loaded_.state);
     out.pad_forces = pad_forces(stepper_.foils(), loaded_.state.contacts.normal_force);
     return out;
@@ -109,7 +109,7 @@ class VibrationRunner {
     if (!cycle.converged()) return out;
     const auto begin = std::chrono::steady_clock::now();
     const Program orbit = circle(about.position, radius, sense, 4 * vibration_.steps);
-    FoilState state = loaded_.state;
+    BearingState state = loaded_.state;
     const Program way{straight_leg(Control::displacement, about.position, orbit.front().line.base, vibration_.steps)};
     take(way, state, cycle, nullptr);
     for (int loop = 0; loop < most_vibration_loops && cycle.converged() && !cycle.settled; ++loop) {
@@ -139,13 +139,13 @@ class VibrationRunner {
 
   /// Takes foils through a program.
   /// @param forces  receives those at the begin of each increment; may be null
-  void take(const Program& program, FoilState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
+  void take(const Program& program, BearingState& state, Cycle& cycle, std::vector<Eigen::Vector2d>* forces) {
     Step step;
     march(stepper_, program, reach_, state, step, [&](const Passage& at) {
       if (forces != nullptr) {
         const Vector& loads = at.from.contacts.normal_force;
         forces->push_back(holding_force(stepper_.foils(), loads));
-        cycle.curve.push_back({at.from.excitation.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
+        cycle.curve.push_back({at.from.position.x(), forces->back(), pad_forces(stepper_.foils(), loads)});
       }
       cycle.cost += at.step.cost;
       cycle.substeps += at.step.substeps;

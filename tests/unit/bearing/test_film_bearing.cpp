@@ -58,10 +58,10 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
 /// A pressure by hand: the forces are those of its integral over the foil.
 TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 12, .rows = 8});
-  FilmBearingState state = resting(bearing, Eigen::Vector2d::Zero(), 100.0);
-  state.contact.normal_force[4] = 3.0;  // top_bump of the third bump
+  BearingState state = resting(bearing, Eigen::Vector2d::Zero(), 100.0);
+  state.contacts.normal_force[4] = 3.0;  // top_bump of the third bump
   const int n = bearing.pads.front().foil.mesh.columns;
-  for (int k = 0; k <= n; ++k) state.foil.film.pressure.col(k).array() += 0.1 * bearing.normals(1, k);
+  for (int k = 0; k <= n; ++k) state.film.pressure.col(k).array() += 0.1 * bearing.column_normals(1, k);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   const double area = 101325.0 * 19.05e-3 * 38.1e-3;
   // 0.1 pa sin(phi) over the foil, which lacks 2.5 degrees at the weld where the sine is small.
@@ -111,10 +111,11 @@ TEST(FilmBearing, HasTheColumnsAndBlocksOfItsPadsInARow) {
   EXPECT_EQ(bearing.problem.K.diagonal[8](bearing.dofs().size, bearing.dofs().size), 0.0);
   // Clockwise from X; the second begins opposite, and ends at its weld.
   const double pitch_angle = 4.572e-3 / 19.05e-3;
-  EXPECT_NEAR(bearing.normals(0, 0), 1.0, 1e-14);
-  EXPECT_NEAR(std::atan2(bearing.normals(1, 32), bearing.normals(0, 32)), -8.0 * pitch_angle, 1e-12);
-  EXPECT_NEAR(std::atan2(bearing.normals(1, 33), bearing.normals(0, 33)), std::numbers::pi - 6.0 * pitch_angle, 1e-12);
-  EXPECT_NEAR(bearing.normals(0, 57), -1.0, 1e-14);
+  EXPECT_NEAR(bearing.column_normals(0, 0), 1.0, 1e-14);
+  EXPECT_NEAR(std::atan2(bearing.column_normals(1, 32), bearing.column_normals(0, 32)), -8.0 * pitch_angle, 1e-12);
+  EXPECT_NEAR(std::atan2(bearing.column_normals(1, 33), bearing.column_normals(0, 33)),
+              std::numbers::pi - 6.0 * pitch_angle, 1e-12);
+  EXPECT_NEAR(bearing.column_normals(0, 57), -1.0, 1e-14);
   // A lobe takes its size in the middle.
   const Matrix H = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
   EXPECT_NEAR(H(0, 16) * bearing.clearance, 31.8e-6 - 8e-6, 1e-12);
@@ -128,8 +129,8 @@ TEST(FilmBearing, FindsTheThinnestPlaceOfAllPads) {
   input.bearing.weld_angle = 0.0;
   input.pads.resize(2);
   const FilmBearing bearing = make_film_bearing(input);
-  FilmBearingState state = resting(bearing, {0.0, 0.5 * bearing.clearance}, 100.0);  // to the second pad
-  state.contact.normal_force[2 * (9 + 2)] = 3.0;                                     // top_bump of its third bump
+  BearingState state = resting(bearing, {0.0, 0.5 * bearing.clearance}, 100.0);  // to the second pad
+  state.contacts.normal_force[2 * (9 + 2)] = 3.0;                                // top_bump of its third bump
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   EXPECT_EQ(outcome.thinnest_pad, 1);
   EXPECT_NEAR(outcome.thinnest.thickness, 0.5, 1e-2);

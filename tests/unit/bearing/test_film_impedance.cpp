@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "bearing/film_newton.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -61,10 +61,10 @@ TEST(FilmForces, AreNotGivenWhereTheSpaceCannotHoldThem) {
 TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const double speed = speed_of_rpm(45000.0);
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
-  FilmBearingSolver solver(bearing);
-  FilmBearingState rest;
+  FilmStepper stepper(bearing, {.marching_tolerance = 1e-10});
+  BearingState rest;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.2 * bearing.clearance);
-  ASSERT_EQ(solver.cold_start(position, speed, rest).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, position, speed, rest).status, FilmStatus::converged);
 
   constexpr int steps = 24;
   constexpr int turns = 6;
@@ -72,22 +72,19 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   const double dt = 2.0 * std::numbers::pi / (steps * speed);
   const Complex turn = std::polar(1.0, speed * dt);
   const Complex s = (1.0 - 1.0 / turn) / dt;
-  const auto Z = solver.impedances(rest, {s});
+  const auto Z = stepper.impedances(rest, {s});
   ASSERT_TRUE(Z.has_value());
 
   const Eigen::Vector2cd motion(amplitude, Complex(0.0, -amplitude));  // round from X to Y
   const Eigen::Vector2d still = film_bearing_outcome(bearing, rest).force;
-  FilmNewton newton(std::make_shared<const FilmBearing>(bearing), {});
-  FilmEquations equations = film_equations(bearing, speed);
-  FilmBearingState state = rest;
+  BearingState state = rest;
   Complex phase = 1.0;
   double largest = 0.0;
   for (int i = 1; i <= steps * turns; ++i) {
     phase *= turn;
-    squeeze(bearing, bearing.scales.squeeze_time() / dt, film_content(state.foil.film), equations);
-    const Eigen::Vector2d there = position + (motion * phase).real();
-    const NewtonTarget held{journal_law(OperatingPoint::held_at(there, speed), bearing.scales), speed};
-    ASSERT_EQ(newton.solve(held, equations, {.tolerance = 1e-10}, rest.contact, state).status, FilmStatus::converged);
+    const OperatingPoint held = OperatingPoint::held_at(position + (motion * phase).real(), speed);
+    ASSERT_EQ(stepper.advance(stepper.move_to(held, dt), state).status, FilmStatus::converged);
+    EXPECT_NEAR(state.time - rest.time, i * dt, 1e-12 * state.time);
     if (i <= steps * (turns - 1)) continue;
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();
     largest = std::max(largest, (film_bearing_outcome(bearing, state).force - still - expected).norm());

@@ -27,7 +27,7 @@ Excitation at(const Eigen::Vector2d& position) {
   return {.position = position};
 }
 
-double direct_force(const Foils& foils, const FoilState& state) {
+double direct_force(const Foils& foils, const BearingState& state) {
   return holding_force(foils, state.contacts.normal_force).dot(push);
 }
 
@@ -48,12 +48,12 @@ class PushedStepper : public testing::TestWithParam<SolverName> {
 
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
   FoilStepper stepper{foils, solver(GetParam())};
-  FoilState state;
+  BearingState state;
   Step step;
 };
 
 TEST_P(PushedStepper, TellsWhereAStepLedAndWhatItTook) {
-  EXPECT_EQ(step.state.excitation.position, Eigen::Vector2d(60e-6 * push));
+  EXPECT_EQ(step.state.position, Eigen::Vector2d(60e-6 * push));
   EXPECT_EQ(step.state.loading.initial_gap, loading_under(*foils, at(60e-6 * push)).initial_gap);
   EXPECT_GT(direct_force(*foils, step.state), 100.0);
   EXPECT_GT(step.state.work, state.work);
@@ -62,14 +62,14 @@ TEST_P(PushedStepper, TellsWhereAStepLedAndWhatItTook) {
   EXPECT_EQ(step.substeps, 0);
   EXPECT_EQ(step.events.empty(), GetParam() != SolverName::events);
   for (const StepEvent& event : step.events) {
-    EXPECT_GE(event.position.dot(push), state.excitation.position.dot(push));
-    EXPECT_LE(event.position.dot(push), step.state.excitation.position.dot(push));
+    EXPECT_GE(event.position.dot(push), state.position.dot(push));
+    EXPECT_LE(event.position.dot(push), step.state.position.dot(push));
   }
 }
 
 /// The caller may drop what came out and take another step from the state that it kept.
 TEST_P(PushedStepper, LeavesTheOldStateToGoBackTo) {
-  const FoilState kept = step.state;
+  const BearingState kept = step.state;
   Step far, again;
   stepper.advance(kept, at(75e-6 * push), far);
   ASSERT_TRUE(far.converged());
@@ -87,7 +87,7 @@ TEST_P(PushedStepper, MovesTheSameWayAlongOnePathOrMany) {
   FoilStepper other(foils, solver(GetParam()));
   Step one;
   other.assemble({}, one);
-  FoilState from = one.state;
+  BearingState from = one.state;
   other.advance(from, at(40e-6 * push), one);
   from = one.state;
   other.set_out(from, at(60e-6 * push));
@@ -98,7 +98,7 @@ TEST_P(PushedStepper, MovesTheSameWayAlongOnePathOrMany) {
   }
   const double solved = GetParam() == SolverName::uzawa ? 1e-6 : 1e-9;  // that of the multipliers
   const double force = direct_force(*foils, step.state);
-  EXPECT_NEAR((one.state.excitation.position - step.state.excitation.position).norm(), 0.0, 1e-19);
+  EXPECT_NEAR((one.state.position - step.state.position).norm(), 0.0, 1e-19);
   EXPECT_NEAR(direct_force(*foils, one.state), force, solved * force);
   EXPECT_NEAR(one.state.work, step.state.work, solved * step.state.work);
   EXPECT_NEAR(one.state.dissipated_energy, step.state.dissipated_energy, solved * step.state.work);
@@ -213,7 +213,7 @@ class Pushed : public testing::TestWithParam<double> {
   const Eigen::Vector2d n = unit_vector(GetParam());
   NewtonSolver solver{foils->problem};
   FoilStepper stepper{foils, {}};
-  FoilState state = FoilState::unstressed(*foils);
+  BearingState state = BearingState::unstressed(*foils);
 };
 
 TEST_P(Pushed, TangentsAreTheSlopesOfSmallSteps) {
@@ -252,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(TangentStiffnesses, Pushed, testing::Values(0.0, pi, 1.
 
 TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilState state = FoilState::unstressed(*foils);
+  BearingState state = BearingState::unstressed(*foils);
   state.contacts.mode.assign(78, ContactMode::stick);
   for (std::size_t i = 0; i < 26; ++i) state.contacts.mode[3 * i] = ContactMode::open;
   const TangentStiffnesses tangent = FoilStepper(foils, {}).tangents(state).along(unit_vector(0.0));
@@ -269,7 +269,7 @@ TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
   loose.problem.K.upper[7].row(0).setZero();
   loose.structure.K = loose.problem.K;
   const auto foils = std::make_shared<const Foils>(loose);
-  FoilState state = FoilState::unstressed(*foils);
+  BearingState state = BearingState::unstressed(*foils);
   state.contacts.mode.assign(78, ContactMode::open);
   const TangentStiffnesses tangent = FoilStepper(foils, {}).tangents(state).along(unit_vector(0.0));
   EXPECT_EQ(tangent.loading, std::nullopt);

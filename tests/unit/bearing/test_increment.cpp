@@ -18,8 +18,8 @@ struct Example {
   Step step;
 
   Example() {
-    step.state = FoilState::unstressed(*foils);
-    step.state.excitation.position = {1e-6, 2e-6};
+    step.state = BearingState::unstressed(*foils);
+    step.state.position = {1e-6, 2e-6};
     step.state.contacts.normal_force[6] = 20.0;
     step.state.work = 3.0;
     step.state.dissipated_energy = 2.0;

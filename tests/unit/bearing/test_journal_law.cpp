@@ -1,10 +1,10 @@
-#include "bearing/journal_law.hpp"
+#include "bumpfoil/bearing/journal_law.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "bearing/film_newton.hpp"
+#include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -15,11 +15,11 @@ TEST(JournalLaw, IsAPositionOrALoad) {
   const Eigen::Vector2d q(3e-6, -1e-6);
   const Eigen::Vector2d F(20.0, 5.0);
   const Eigen::Vector2d target(5e-6, 2e-6);
-  const JournalLaw held = journal_law(OperatingPoint::held_at(target, 1.0), scales);
+  const JournalLaw held = held_journal(target, scales);
   EXPECT_EQ(held.residual(q, F), target - q);
   EXPECT_TRUE(held.holds_position());
   const Eigen::Vector2d load(50.0, 0.0);
-  const JournalLaw loaded = journal_law(OperatingPoint::loaded_by(load, 1.0), scales);
+  const JournalLaw loaded = loaded_journal(load, scales);
   EXPECT_EQ(loaded.residual(q, F), load - F);
   EXPECT_FALSE(loaded.holds_position());
   Eigen::Matrix2d K;
@@ -32,17 +32,14 @@ TEST(JournalLaw, IsAPositionOrALoad) {
 TEST(JournalLaw, MayBeThatOfASpring) {
   const auto bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 3}));
   const double speed = speed_of_rpm(45000.0);
-  FilmBearingSolver solver(bearing);
-  FilmBearingState state;
-  ASSERT_EQ(solver.cold_start({0.5 * bearing->clearance, 0.0}, speed, state).status, FilmStatus::converged);
-  JournalLaw spring = journal_law(OperatingPoint::loaded_by({10.0, 2.0}, speed), bearing->scales);
+  FilmStepper stepper(bearing, {.newton = {.step_tolerance = 1e-10}});
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  JournalLaw spring = loaded_journal({10.0, 2.0}, bearing->scales);
   spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, of the order of the bearing's stiffness
   spring.position = state.position;
-  FilmNewton newton(bearing, {});
-  const FilmReport report = newton.solve({spring, speed}, film_equations(*bearing, speed), {.tolerance = 1e-10},
-                                         ContactState(state.contact), state);
-  ASSERT_EQ(report.status, FilmStatus::converged);
-  const Eigen::Vector2d carried = film_force(*bearing, state.foil.film.pressure);
+  ASSERT_EQ(stepper.advance(Move{spring, speed}, state).status, FilmStatus::converged);
+  const Eigen::Vector2d carried = film_force(*bearing, state.film.pressure);
   EXPECT_GT((state.position - spring.position).norm(), 0.01e-6);  // it moved
   // To the tolerance of a step, 1e-10 c, times the stiffness of both.
   EXPECT_LT((spring.force + 2e6 * (spring.position - state.position) - carried).norm(), 1e-7);

@@ -41,7 +41,8 @@ void expect_near(const Vector& found, const Vector& expected, double tolerance, 
 TEST(ContactTableau, LeadsWhereTheLinearSystemDoes) {
   constexpr int blocks = 7;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    const RandomProblem random = make_random_problem(seed, blocks, 6, seed % 3 == 0 ? 0.0 : 0.3);
+    const auto make = seed % 4 == 3 ? make_irregular_problem : make_random_problem;
+    const RandomProblem random = make(seed, blocks, 6, seed % 3 == 0 ? 0.0 : 0.3);
     const LoadingPath path{random.first, random.second};
     const std::shared_ptr<ModeSystem> system = make_mode_system(random.problem);
     ContactTableau tableau(random.problem, make_mode_system(random.problem));

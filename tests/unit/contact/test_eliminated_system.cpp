@@ -7,29 +7,44 @@
 namespace bumpfoil {
 namespace {
 
+/// Of contacts of one block.
+std::vector<Elimination> order_of(const std::vector<ContactSite>& sites) {
+  return elimination_order({.K = BlockTridiagonal(1, 6), .sites = sites});
+}
+
 /// Contact 0 presses on unknown 4, which contact 1 lies on: 1 goes first, by the unknown that it alone touches.
 TEST(EliminationOrder, TakesOwnersThatNoLaterContactTouches) {
-  const std::vector<Elimination> order = elimination_order({{.plus = 4}, {.plus = 1, .minus = 4}, {.minus = 3}});
+  const std::vector<Elimination> order = order_of({{.plus = 4}, {.plus = 1, .minus = 4}, {.minus = 3}});
   ASSERT_EQ(order.size(), 3U);
-  EXPECT_EQ(order[0].pair, 1U);
+  EXPECT_EQ(order[0].site, 1U);
   EXPECT_EQ(order[0].owner, 1);
   EXPECT_EQ(order[0].owner_sign, 1.0);
   EXPECT_EQ(order[0].other, 4);
-  EXPECT_EQ(order[1].pair, 2U);
+  EXPECT_EQ(order[1].site, 2U);
   EXPECT_EQ(order[1].owner, 3);
   EXPECT_EQ(order[1].owner_sign, -1.0);
   EXPECT_EQ(order[1].other, -1);
-  EXPECT_EQ(order[2].pair, 0U);
+  EXPECT_EQ(order[2].site, 0U);
   EXPECT_EQ(order[2].owner, 4);
 }
 
 /// An unknown along which a contact rubs belongs to no other, even after that contact.
 TEST(EliminationOrder, TakesNoOwnerThatAnotherRubsAlong) {
-  const std::vector<Elimination> order = elimination_order({{.plus = 0, .minus = 1}, {.plus = 2, .tangential = 0}});
-  EXPECT_EQ(order[0].pair, 0U);
+  const std::vector<Elimination> order = order_of({{.plus = 0, .minus = 1}, {.plus = 2, .tangential = 0}});
+  EXPECT_EQ(order[0].site, 0U);
   EXPECT_EQ(order[0].owner, 1);
   EXPECT_EQ(order[0].owner_sign, -1.0);
   EXPECT_EQ(order[0].other, 0);
+}
+
+TEST(EliminationOrder, GoesBlockByBlockThroughWhatEachHas) {
+  const std::vector<Elimination> order = elimination_order(
+      {.K = BlockTridiagonal(3, 6),
+       .sites = {{.block = 0, .plus = 4}, {.block = 0, .plus = 1, .minus = 4}, {.block = 2, .minus = 3}}});
+  ASSERT_EQ(order.size(), 3U);
+  EXPECT_EQ(order[0].site, 1U);
+  EXPECT_EQ(order[1].site, 0U);
+  EXPECT_EQ(order[2].site, 2U);
 }
 
 TEST(Stiffness, MultipliesAndCopiesRows) {

@@ -22,7 +22,8 @@ class ModeSystemSizes : public testing::TestWithParam<int> {};
 /// Answers to unit changes add up to the answer to a loading.
 TEST_P(ModeSystemSizes, UnitAnswersAddUp) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const RandomProblem random = make_random_problem(seed, 5, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
+    const auto make = seed % 4 > 1 ? make_irregular_problem : make_random_problem;
+    const RandomProblem random = make(seed, 5, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
     const ContactProblem& problem = random.problem;
     const std::vector<ContactMode> mode = random_modes(seed, problem);
     const std::unique_ptr<ModeSystem> system = make_mode_system(problem);
@@ -46,9 +47,9 @@ TEST_P(ModeSystemSizes, UnitAnswersAddUp) {
       if (contact.f == 0.0) return;
       changes.push_back(m == ContactMode::stick ? 2e-6 * change : -change);
       if (m == ContactMode::stick) {
-        previous_x[contact.row + contact.pair.tangential] = 2e-6 * change;
+        previous_x[contact.row + contact.site.tangential] = 2e-6 * change;
       } else {
-        loading.load[contact.row + contact.pair.tangential] -= change;
+        loading.load[contact.row + contact.site.tangential] -= change;
       }
     });
     ASSERT_EQ(x.cols(), std::ssize(changes));
@@ -69,7 +70,8 @@ TEST_P(ModeSystemSizes, UnitAnswersAddUp) {
 
 TEST_P(ModeSystemSizes, SolvesLikeDenseMultipliers) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const RandomProblem random = make_random_problem(seed, 5, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
+    const auto make = seed % 4 > 1 ? make_irregular_problem : make_random_problem;
+    const RandomProblem random = make(seed, 5, GetParam(), seed % 2 == 0 ? 0.3 : 0.0);
     const std::vector<ContactMode> mode = random_modes(seed, random.problem);
     const Vector previous_x = 1e-5 * Vector::LinSpaced(random.problem.K.rows(), -1.0, 1.0);
     const std::unique_ptr<ModeSystem> system = make_mode_system(random.problem);

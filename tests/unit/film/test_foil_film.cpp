@@ -30,17 +30,17 @@ FoilFilmState wavy(const FoilFilm& foil) {
   for (int k = 1; k <= n; ++k) {
     state.lift[k] = 0.3 * std::sin(0.7 * k * k);
     if (k < n) {
-      for (int j = 0; j < foil.mesh.rows; ++j) state.film.pressure(j, k) += 0.4 * std::sin(1.0 + j + 2.0 * k * k);
+      for (int j = 0; j < foil.mesh.rows; ++j) state.pressure(j, k) += 0.4 * std::sin(1.0 + j + 2.0 * k * k);
     }
   }
   for (int k = 0; k < n; ++k) state.moment[k] = std::cos(1.3 * k * k);
-  state.film.thickness.rowwise() += state.lift.transpose();
+  state.thickness.rowwise() += state.lift.transpose();
   return state;
 }
 
 void add(const FoilFilmState& step, double factor, FoilFilmState& state) {
-  state.film.pressure += factor * step.film.pressure;
-  state.film.thickness += factor * step.film.thickness;
+  state.pressure += factor * step.pressure;
+  state.thickness += factor * step.thickness;
   state.lift += factor * step.lift;
   state.moment += factor * step.moment;
 }
@@ -123,7 +123,7 @@ FoilFilmState pressed(const FoilFilm& foil, double excess) {
   FoilFilmState state = undeformed(foil, mesh.field(1.0));
   state.lift.tail(mesh.columns) = u / scales.thickness;
   state.moment.head(mesh.columns) = top_foil_moments(foil.top_foil, u) * pitch * pitch / (stiffness * scales.thickness);
-  state.film.pressure.block(0, 1, mesh.rows, mesh.columns - 1).array() += excess;
+  state.pressure.block(0, 1, mesh.rows, mesh.columns - 1).array() += excess;
   return state;
 }
 

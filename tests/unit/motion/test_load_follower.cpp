@@ -44,7 +44,7 @@ class FollowedLoad : public testing::TestWithParam<BumpFoilModel> {
     return step;
   }
 
-  [[nodiscard]] Eigen::Vector2d force(const FoilState& at) const {
+  [[nodiscard]] Eigen::Vector2d force(const BearingState& at) const {
     return holding_force(*foils, at.contacts.normal_force);
   }
 
@@ -56,7 +56,7 @@ TEST_P(FollowedLoad, DoesNotDependOnTheIncrements) {
   const Step often = through({first_load, side_load, first_load}, 7);
   EXPECT_LT((force(once.state) - first_load).norm(), 1e-7);
   // A load is met to 1e-9 of it, against a stiffness of some MN/m.
-  EXPECT_LT((once.state.excitation.position - often.state.excitation.position).norm(), 1e-12);
+  EXPECT_LT((once.state.position - often.state.position).norm(), 1e-12);
   EXPECT_NEAR(once.state.work, often.state.work, 1e-8 * once.state.work);
   EXPECT_NEAR(once.state.dissipated_energy, often.state.dissipated_energy, 1e-8 * once.state.work);
   const double largest = once.state.contacts.normal_force.maxCoeff();
@@ -70,7 +70,7 @@ TEST_P(FollowedLoad, TurnsRoundWhateverTheIncrements) {
     const Step once = through({side_load, back}, 1);
     const Step often = through({side_load, back}, 5);
     EXPECT_LT((force(once.state) - back).norm(), 1e-7);
-    EXPECT_LT((once.state.excitation.position - often.state.excitation.position).norm(), met);
+    EXPECT_LT((once.state.position - often.state.position).norm(), met);
     EXPECT_NEAR(once.state.dissipated_energy, often.state.dissipated_energy, met / 1e-6 * once.state.dissipated_energy);
   }
 }
@@ -78,10 +78,10 @@ TEST_P(FollowedLoad, TurnsRoundWhateverTheIncrements) {
 TEST_P(FollowedLoad, KeepsTheEnergyAndTheLine) {
   Step step = through({first_load}, 1);
   FoilStepper stepper(foils, {.name = SolverName::events, .uzawa = {}});
-  const FoilState begin = step.state;
+  const BearingState begin = step.state;
   advance_to_load(stepper, begin, side_load, least, reach, step);
   ASSERT_TRUE(step.converged());
-  const auto elastic = [&](const FoilState& state) {
+  const auto elastic = [&](const BearingState& state) {
     Increment increment;
     judge(*foils, state, increment);
     EXPECT_TRUE(increment.residuals.within(1e-9, 1e-12));
@@ -101,15 +101,15 @@ TEST_P(FollowedLoad, KeepsTheEnergyAndTheLine) {
     EXPECT_GT(more.dot(line), gone - 1e-6);
     gone = more.dot(line);
   }
-  EXPECT_LT((step.waypoints.back().position - step.state.excitation.position).norm(), 1e-5);
-  EXPECT_NE(step.waypoints.back().position, step.state.excitation.position);
+  EXPECT_LT((step.waypoints.back().position - step.state.position).norm(), 1e-5);
+  EXPECT_NE(step.waypoints.back().position, step.state.position);
 }
 
 TEST_P(FollowedLoad, IsTheLimitOfManySmallIncrements) {
-  const Eigen::Vector2d exact = through({first_load, side_load}, 1).state.excitation.position;
+  const Eigen::Vector2d exact = through({first_load, side_load}, 1).state.position;
   const auto error = [&](int increments) {
     const Step step = through({first_load, side_load}, increments, SolverName::newton);
-    return (step.state.excitation.position - exact).norm();
+    return (step.state.position - exact).norm();
   };
   // Of first order.
   const double coarse = error(10);
@@ -126,8 +126,8 @@ TEST(FollowLoad, SaysWhereNothingDeterminesTheWay) {
   Step step;
   stepper.assemble({}, step);
   EXPECT_FALSE(follow_load(stepper, {0.0, -5.0}, 1e-9, reach, step));
-  EXPECT_EQ(step.state.excitation.position, Eigen::Vector2d(0.0, 0.0));
-  advance_to_load(stepper, FoilState(step.state), {0.0, -5.0}, least, reach, step);
+  EXPECT_EQ(step.state.position, Eigen::Vector2d(0.0, 0.0));
+  advance_to_load(stepper, BearingState(step.state), {0.0, -5.0}, least, reach, step);
   ASSERT_TRUE(step.converged());
   EXPECT_FALSE(follow_load(stepper, {0.0, -1e6}, 1e-9, reach, step));
 }

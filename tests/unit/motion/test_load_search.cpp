@@ -26,13 +26,13 @@ class LoadedBearing : public testing::TestWithParam<SolverName> {
     state = step.state;
   }
 
-  [[nodiscard]] Eigen::Vector2d force(const FoilState& at) const {
+  [[nodiscard]] Eigen::Vector2d force(const BearingState& at) const {
     return holding_force(*foils, at.contacts.normal_force);
   }
 
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
   FoilStepper stepper{foils, {.name = GetParam(), .uzawa = {}}};
-  FoilState state;
+  BearingState state;
 };
 
 TEST_P(LoadedBearing, FindsALoadWhereMovingThereMeetsIt) {
@@ -49,7 +49,7 @@ TEST_P(LoadedBearing, FindsALoadWhereMovingThereMeetsIt) {
     EXPECT_LT((force(by_load.state) - load).norm(), met);
     if (GetParam() == SolverName::events) continue;  // goes there by its own way
     FoilStepper fresh(foils, {.name = GetParam(), .uzawa = {}});
-    fresh.advance(state, by_load.state.excitation, by_place);
+    fresh.advance(state, by_load.state, by_place);
     ASSERT_TRUE(by_place.converged());
     // Both are solved to the same bound, by a solver that has seen other increments: 1e-6 is that of the multipliers.
     const double solved = GetParam() == SolverName::uzawa ? 1e-6 : 1e-9;
@@ -78,7 +78,7 @@ TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
   advance_to_load(stepper, first.state, 5.0 * push, least, reach, step);
   ASSERT_TRUE(step.converged());
   EXPECT_LT((holding_force(*foils, step.state.contacts.normal_force) - 5.0 * push).norm(), 1e-8);
-  EXPECT_GT(step.state.excitation.position.norm(), 31.8e-6);
+  EXPECT_GT(step.state.position.norm(), 31.8e-6);
 }
 
 TEST(LoadSearch, StandsStillWhereTheLoadIsThere) {
@@ -91,7 +91,7 @@ TEST(LoadSearch, StandsStillWhereTheLoadIsThere) {
   advance_to_load(stepper, loaded.state, 50.0 * push, least, reach, again);
   EXPECT_TRUE(again.converged());
   EXPECT_EQ(again.cost, SolveCost{});
-  EXPECT_EQ(again.state.excitation.position, loaded.state.excitation.position);
+  EXPECT_EQ(again.state.position, loaded.state.position);
 }
 
 }  // namespace

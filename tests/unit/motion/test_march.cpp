@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/motion/rest.hpp"
+#include "support/film_bearing_cases.hpp"
 #include "support/reference_cycles.hpp"
 
 namespace bumpfoil {
@@ -22,7 +24,7 @@ class March : public ::testing::Test {
   SharedFoils foils_{make_bearing_foils(case_with_given_constants())};
   FoilStepper stepper_{foils_, {}};
   Step step_;
-  FoilState state_;
+  BearingState state_;
 };
 
 const Program push{{Branch::loading, Control::displacement, {}, 0.0, 60e-6, 3}};
@@ -31,11 +33,11 @@ TEST_F(March, TakesLegsOfBothKinds) {
   Program program = push;
   program.push_back({Branch::loading, Control::load, {}, 300.0, 400.0, 2});
   int taken = 0;
-  Eigen::Vector2d before = state_.excitation.position;
+  Eigen::Vector2d before = state_.position;
   const bool all = take(program, [&](const Passage& at) {
     EXPECT_TRUE(at.step.converged()) << taken;
-    EXPECT_EQ(at.from.excitation.position, before);
-    before = at.step.state.excitation.position;
+    EXPECT_EQ(at.from.position, before);
+    before = at.step.state.position;
     if (at.leg.control == Control::displacement) {
       EXPECT_EQ(before, Eigen::Vector2d(at.target, 0.0));
     } else {
@@ -48,7 +50,7 @@ TEST_F(March, TakesLegsOfBothKinds) {
   });
   EXPECT_TRUE(all);
   EXPECT_EQ(taken, 5);
-  EXPECT_EQ(state_.excitation.position, before);
+  EXPECT_EQ(state_.position, before);
 }
 
 TEST_F(March, KeepsTheStateOfAnIncrementThatStopsItAndNotOfOneThatIsRefused) {
@@ -58,7 +60,7 @@ TEST_F(March, KeepsTheStateOfAnIncrementThatStopsItAndNotOfOneThatIsRefused) {
     int taken = 0;
     EXPECT_FALSE(take(push, [&](const Passage&) { return ++taken == 2 ? verdict : Verdict::go_on; }));
     EXPECT_EQ(taken, 2);
-    EXPECT_DOUBLE_EQ(state_.excitation.position.x(), verdict == Verdict::stop ? 40e-6 : 20e-6);
+    EXPECT_DOUBLE_EQ(state_.position.x(), verdict == Verdict::stop ? 40e-6 : 20e-6);
   }
 }
 
@@ -68,6 +70,54 @@ TEST_F(March, ALoadOfZeroIsAMillionthOfTheLargest) {
                         {Branch::unloading, Control::load, {}, 100.0, 0.0, 1}};
   ASSERT_TRUE(take(program, [](const Passage& at) { return at.step.converged() ? Verdict::go_on : Verdict::refuse; }));
   EXPECT_NEAR(holding_force(*foils_, state_.contacts.normal_force).x(), 1e-4, 1e-8);
+}
+
+TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
+  FilmStepper stepper(bearing);
+  const double speed = speed_of_rpm(45000.0);
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.5 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  state.time = 0.0;
+  const OperatingPoint begin = point_of(bearing, state, Control::displacement);
+  const OperatingPoint further = OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, 0.9 * speed);
+  const OperatingPoint loaded = OperatingPoint::loaded_by({30.0, 0.0}, 0.9 * speed);
+  constexpr double dt = 1e-5;  // s
+  Program program{ramp(begin, further, 2), ramp(loaded, loaded, 5)};
+  program.back().dt = dt;
+  FilmStep step;
+  int taken = 0;
+  BearingState before = state;
+  ASSERT_TRUE(march(stepper, program, state, step, [&](const FilmPassage& at) {
+    EXPECT_TRUE(at.step.converged());
+    EXPECT_EQ(at.from.contacts.x, before.contacts.x);
+    EXPECT_EQ(at.step.state.slip_origin, at.from.contacts.x);
+    EXPECT_DOUBLE_EQ(at.step.state.time - at.from.time, at.leg.dt);
+    before = at.step.state;
+    if (++taken == 2) {
+      EXPECT_EQ(before.position, further.journal);
+    }
+    return Verdict::go_on;
+  }));
+  EXPECT_EQ(taken, 7);
+  EXPECT_NEAR(state.time, 5.0 * dt, 1e-18);
+  EXPECT_EQ(state.speed, 0.9 * speed);
+  EXPECT_LT((film_force(bearing, state.film.pressure) - loaded.journal).norm(), 1e-3);  // N, of P to 1e-6
+}
+
+TEST(FilmMarch, ARetryGoesByTheSchedule) {
+  const Leg leg = ramp(OperatingPoint::held_at({0.0, 0.0}, 0.0), OperatingPoint::held_at({1.0, 0.0}, 0.0), 2);
+  int legs = 0;
+  BearingState state;
+  Step step;
+  const auto take = [&](const Leg& of, int taken, const BearingState& from) {
+    EXPECT_EQ(from.position.x(), legs == 1 ? 0.0 : 0.5 * (taken - 1));
+    step.state.position = of.point(taken).journal;
+  };
+  const bool all = march([&]() -> const Leg* { return ++legs == 3 ? nullptr : &leg; }, take, state, step,
+                         [&](const Passage&) { return legs == 1 ? Verdict::retry : Verdict::go_on; });
+  EXPECT_TRUE(all);
+  EXPECT_EQ(state.position.x(), 1.0);
 }
 
 }  // namespace

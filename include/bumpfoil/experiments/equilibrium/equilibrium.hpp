@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
-/// How a state answers to small motions of the journal at a frequency, as FilmBearingSolver::impedances() tells: K = Re
+/// How a state answers to small motions of the journal at a frequency, as FilmStepper::impedances() tells: K = Re
 /// Z, C = Im Z / frequency. Of further motion, and with all closed contacts stuck; absent where the system is singular.
 struct FilmWhirl {
   double frequency{};  ///< rad/s
@@ -35,7 +35,7 @@ struct RunningState {
   double wall_time{};  ///< s
   /// Where the path came to: the state that was asked for if the report says so, else the last one that was found on
   /// the way, if any was; its opening is not zero where the clearance had not closed yet.
-  std::optional<FilmBearingState> last;
+  std::optional<BearingState> last;
   std::optional<FilmBearingOutcome> outcome;  ///< of it
   /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
   std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;

@@ -43,11 +43,11 @@ std::span<const RunningQuantity> all_running_quantities();
 double value_of(const RunningQuantity& quantity, const FilmBearing& bearing, const RunningState& state);
 
 /// Of every column of the mesh at one state.
-using ColumnQuantity = Quantity<Vector (*)(const FilmBearing&, const FilmBearingState&)>;
+using ColumnQuantity = Quantity<Vector (*)(const FilmBearing&, const BearingState&)>;
 std::span<const ColumnQuantity> column_quantities();
 
 /// p at all nodes, Pa: rows from the mid-plane to the side, columns from the weld to the free end, pad after pad.
-Matrix film_pressure(const FilmBearing& bearing, const FilmBearingState& state);
+Matrix film_pressure(const FilmBearing& bearing, const BearingState& state);
 
 /// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.
 std::string running_bump_text(const FilmBearing& bearing, int bump);

@@ -54,7 +54,7 @@ TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
   EXPECT_LT((*again.impedance - *of_rotation.impedance).norm(), 1e-8 * again.impedance->norm());
   EXPECT_LT((*again.stuck_impedance - *of_rotation.stuck_impedance).norm(), 1e-8 * again.impedance->norm());
   EXPECT_GT((*again.stuck_impedance - *again.impedance).norm(), 1e-3 * again.impedance->norm());
-  const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, 0.1 * speed}}, true);
+  const auto Z = FilmStepper(*result.bearing).impedances(*state.last, {{0.0, 0.1 * speed}}, true);
   ASSERT_TRUE(Z && state.whirls[0].stuck_impedance);
   EXPECT_LT(((*Z)[0] - *state.whirls[0].stuck_impedance).norm(), 1e-8 * (*Z)[0].norm());
 }
@@ -90,7 +90,7 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
   EXPECT_EQ(state.synchronous->frequency, speed);
   const std::vector<double> frequencies = tabulated_frequencies(settings);
   ASSERT_EQ(state.tabulated.size(), frequencies.size());
-  const auto Z = FilmBearingSolver(*result.bearing).impedances(*state.last, {{0.0, frequencies[2]}});
+  const auto Z = FilmStepper(*result.bearing).impedances(*state.last, {{0.0, frequencies[2]}});
   ASSERT_TRUE(Z && state.tabulated[2].impedance);
   EXPECT_LT(((*Z)[0] - *state.tabulated[2].impedance).norm(), 1e-8 * (*Z)[0].norm());
 
@@ -185,7 +185,7 @@ TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
         ASSERT_EQ(state.report.status, FilmStatus::converged) << static_cast<int>(path);
         EXPECT_EQ(state.last->opening, 0.0);
         EXPECT_GT(state.last->position.x(), 2e-6);
-        EXPECT_GT(state.last->foil.film.thickness.minCoeff(), 0.0);
+        EXPECT_GT(state.last->film.thickness.minCoeff(), 0.0);
       }
       // Without friction all paths come to the same state here.
       const Eigen::Vector2d& first = result.states.front().last->position;

@@ -184,13 +184,13 @@ TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
   EXPECT_EQ(speed[1], example(true).states[1].asked.speed);
   std::vector<double> p(2 * 4 * 105);
   file.getVar("pressure").getVar(p.data());
-  EXPECT_DOUBLE_EQ(p[1 * 105 + 50], 101325.0 * found.last->foil.film.pressure(1, 50));
+  EXPECT_DOUBLE_EQ(p[1 * 105 + 50], 101325.0 * found.last->film.pressure(1, 50));
   EXPECT_EQ(p[4 * 105], NC_FILL_DOUBLE);
   std::vector<double> loads(2 * 26);
   file.getVar("normal_force_top_bump").getVar(loads.data());
   double sum = 0.0;
   for (std::size_t b = 0; b < 26; ++b) sum += loads[b];
-  EXPECT_NEAR(sum, found.last->contact.normal_force(Eigen::seqN(0, 26, 2)).sum(), 1e-9);
+  EXPECT_NEAR(sum, found.last->contacts.normal_force(Eigen::seqN(0, 26, 2)).sum(), 1e-9);
   EXPECT_EQ(loads[26], NC_FILL_DOUBLE);
   // Loads of the columns integrate to the force.
   std::vector<double> q(2 * 105), phi(105);

@@ -19,8 +19,8 @@ struct Example {
     state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
     state.report.status = FilmStatus::converged;
     state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
-    state.last->foil.film.pressure.block(0, 40, 4, 2).setConstant(1.5);
-    state.last->contact.normal_force[2 * 3] = 4.0;  // top_bump of bump 4
+    state.last->film.pressure.block(0, 40, 4, 2).setConstant(1.5);
+    state.last->contacts.normal_force[2 * 3] = 4.0;  // top_bump of bump 4
     state.outcome = film_bearing_outcome(bearing, *state.last);
     state.stiffness = (Eigen::Matrix2d() << 1.0, 2.0, 3.0, 4.0).finished();
   }
@@ -108,14 +108,14 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
   state.report.status = FilmStatus::converged;
   state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
-  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);  // neither presses any
-  state.last->contact.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1
-  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 8);  // all of pad 2
-  state.last->contact.normal_force[2 * (9 + 4)] = 1.0;  // bump 5 of pad 2
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);   // neither presses any
+  state.last->contacts.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1
+  EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 8);   // all of pad 2
+  state.last->contacts.normal_force[2 * (9 + 4)] = 1.0;  // bump 5 of pad 2
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
   state.asked.speed = -1000.0;
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 4);
-  state.last->contact.normal_force[2 * 1] = 1.0;  // bump 2 of pad 1
+  state.last->contacts.normal_force[2 * 1] = 1.0;  // bump 2 of pad 1
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 3);
   EXPECT_EQ(running_bump_text(bearing, 8 + 4), "2.5");
 }

@@ -24,12 +24,12 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   const EquilibriumResult result = run_wall_films(input);
   ASSERT_EQ(result.states.size(), 2U);
   EXPECT_TRUE(result.converged());
-  EXPECT_FALSE(result.bearing->foils);
+  EXPECT_FALSE(result.bearing->has_foils());
   for (const RunningState& state : result.states) {
     const FilmBearing& bearing = *result.bearing;
     const SolvedFilm film = solve_rigid_film(film_equation(bearing, bearing.pads.front(), state.asked.speed),
                                              bearing.undeformed_thickness(state.asked.journal));
-    EXPECT_LT((film.film.pressure - state.last->foil.film.pressure).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_LT((film.film.pressure - state.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-3 * state.outcome->torque);
     EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 1e-3 * state.outcome->power);
     EXPECT_FALSE(state.stiffness);
@@ -64,9 +64,9 @@ TEST(WallFilm, SpringsYield) {
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 2e-3 * state.outcome->torque);
     // H - H_rigid = (p - pa)/k, at the mid-plane of a column, or on the mean over it.
     const FilmBearing& bearing = *result.bearing;
-    const Matrix yield = bearing.scales.thickness *
-                         (state.last->foil.film.thickness - bearing.undeformed_thickness(state.asked.journal));
-    const auto p = state.last->foil.film.pressure.col(50);
+    const Matrix yield =
+        bearing.scales.thickness * (state.last->film.thickness - bearing.undeformed_thickness(state.asked.journal));
+    const auto p = state.last->film.pressure.col(50);
     const double mean = (0.5 * p[0] + p.segment(1, 5).sum() + 0.5 * p[6]) / 6.0;
     const double pressing = wall == FilmWall::springs ? p[0] : mean;
     EXPECT_NEAR(yield(0, 50), 101325.0 * (pressing - 1.0) / 5e9, 1e-12);

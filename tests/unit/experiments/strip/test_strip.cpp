@@ -176,7 +176,7 @@ TEST_P(FreeStrip, DoesNotDependOnTheSpringsThatKeepItInPlace) {
     Step step;
     stepper.assemble({}, step);
     for (int k = 1; k <= 8; ++k) {
-      const FoilState state = step.state;
+      const BearingState state = step.state;
       stepper.advance(state, {.position = k * 1.25e-6 * down}, step);
       EXPECT_TRUE(step.converged());
     }

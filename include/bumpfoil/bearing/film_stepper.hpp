@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "bumpfoil/bearing/film_bearing.hpp"
+#include "bumpfoil/bearing/journal_law.hpp"
 #include "bumpfoil/film/film_solver.hpp"
 
 namespace bumpfoil {
+
+class FilmNewton;
 
 /// Settings of the search for states of a bearing that runs.
 struct FilmBearingOptions {
@@ -34,22 +37,42 @@ struct FilmBearingOptions {
   std::function<bool()> keep_going{};  ///< asked before every solve; false ends the search
 };
 
-/// What the journal is held by at a speed. A plain value.
+/// What is asked of a bearing that runs: where the journal is held, or what it carries, at a speed. A plain value.
 struct OperatingPoint {
-  enum class Control { position, load } control{Control::position};
+  Control control{Control::displacement};
   Eigen::Vector2d journal{Eigen::Vector2d::Zero()};  ///< its position, m, or the load on it, N
   double speed{};                                    ///< Omega, rad/s
   double opening{};                                  ///< by which the clearance is wider than that of the bearing, m
 
   bool operator==(const OperatingPoint&) const = default;
+  [[nodiscard]] bool by_load() const { return control == Control::load; }
 
   static OperatingPoint held_at(const Eigen::Vector2d& position, double speed, double opening = 0.0) {
-    return {Control::position, position, speed, opening};
+    return {Control::displacement, position, speed, opening};
   }
   static OperatingPoint loaded_by(const Eigen::Vector2d& load, double speed, double opening = 0.0) {
     return {Control::load, load, speed, opening};
   }
 };
+
+/// What an increment of a bearing that runs is to do.
+struct Move {
+  JournalLaw law;    ///< what holds the journal
+  double speed{};    ///< Omega, rad/s
+  double opening{};  ///< of the clearance, m
+  double dt{};       ///< time that it takes, by implicit Euler, journal and foils without mass, s; 0: quasi-static
+};
+
+/// An increment of a bearing that runs as it was taken: where it led, and how it ended.
+struct FilmStep {
+  BearingState state;
+  FilmReport report;
+
+  [[nodiscard]] bool converged() const { return report.status == FilmStatus::converged; }
+};
+
+/// Where a state is: its position, or the load that it carries.
+OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control);
 
 /// How a state responds to slow motions of the journal.
 struct SlowMotion {
@@ -59,49 +82,46 @@ struct SlowMotion {
   double foil_response{};
 };
 
-/// Finds states of a bearing that runs: gas film, sagging top foil, bump foil, unilateral contact and Coulomb friction
-/// in one system, and the position of the journal with them where it carries a load. Newton's method on the film; in
-/// each step the contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver).
-/// Film and foils are never iterated in turn: a foil that has lifted off its bumps is held by the film alone, and only
-/// the joint matrix knows that.
+/// Takes a bearing that runs from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
+/// friction in one system, and the position of the journal with them. Newton's method on the film; in each step the
+/// contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver). Film and foils
+/// are never iterated in turn: a foil that has lifted off its bumps is held by the film alone, and only the joint
+/// matrix knows that.
 ///
 /// There may be several states at one operating point, even without friction: which one is found is decided by the path
-/// that leads there. Every function says what its path is. In all of them friction refers to `previous`: each is one
-/// increment, however many steps it takes. `state` receives the result; after a failure it holds the last state that
-/// was found on the way, or stays as it was.
-class FilmBearingSolver {
+/// that leads there. Here it is one step of Newton's method; follow() and settle() in motion/ go further. The stepper
+/// holds nothing of the states: those belong to the caller. One thread at a time; steppers may share the bearing.
+class FilmStepper {
  public:
-  explicit FilmBearingSolver(SharedFilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
-  explicit FilmBearingSolver(FilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
-  ~FilmBearingSolver();
+  explicit FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  explicit FilmStepper(FilmBearing bearing, const FilmBearingOptions& options = FilmBearingOptions());
+  ~FilmStepper();
 
-  /// The state near `state` at another operating point, all in one step.
-  [[nodiscard]] FilmReport solve(const OperatingPoint& to, const ContactState& previous, FilmBearingState& state);
+  /// The move that leads to an operating point, in the time `dt` (s).
+  [[nodiscard]] Move move_to(const OperatingPoint& point, double dt = 0.0) const;
 
-  /// In a straight line of speed, opening and position, or load, by steps of adapted length. Under a load the states
-  /// stay on their branch: each must lie near where the tangent of the one before leads
-  /// (FilmBearingOptions::largest_departure). Where even the smallest step fails the branch ends (at a fold, or where a
-  /// contact changes and the branch turns back): from the last state before that the film is marched in time at the
-  /// point behind it, and the line followed on from where that comes to rest (FilmReport::jumps).
-  [[nodiscard]] FilmReport follow(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
+  /// The state near `state` at the end of a move, all in one step. Friction refers to BearingState::slip_origin, so
+  /// that several moves can make one increment.
+  /// @param state       receives the result, later by `dt`; stays as it was unless the status is converged
+  /// @param stays_near  gives up where no part of a step makes the residuals smaller; else it goes on from there
+  [[nodiscard]] FilmReport solve(const Move& move, BearingState& state, bool stays_near = false);
 
-  /// From one moment to the next: with `state` at the begin, the film is marched in time by implicit Euler, journal and
-  /// foils without mass, until nothing moves.
-  [[nodiscard]] FilmReport settle(const OperatingPoint& to, ContactState previous, FilmBearingState& state);
+  /// One increment: the same with friction that refers to `state` as it was handed over.
+  [[nodiscard]] FilmReport advance(const Move& move, BearingState& state);
+  [[nodiscard]] FilmReport advance(const OperatingPoint& to, BearingState& state) {
+    return advance(move_to(to), state);
+  }
 
-  /// settle() with the journal at `position`, where it must not touch the undeformed foils, and at `speed`, from
-  /// unstressed foils and ambient pressure. Friction refers to the unstressed foils. With an `opening` (m) in a
-  /// clearance wider by that, which follow() closes.
-  [[nodiscard]] FilmReport cold_start(const Eigen::Vector2d& position, double speed, FilmBearingState& state,
-                                      double opening = 0.0);
+  /// Largest difference of P, U and position over c.
+  [[nodiscard]] double distance(const BearingState& a, const BearingState& b) const;
 
   /// Linearised about `state`: consistent, closed contacts rigid, every contact keeping its mode; with `stuck` slipping
   /// contacts stick, as under a small whirl.
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<SlowMotion> slow_motion(const FilmBearingState& state, bool stuck = false);
+  [[nodiscard]] std::optional<SlowMotion> slow_motion(const BearingState& state, bool stuck = false);
 
   /// Its stiffness.
-  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const FilmBearingState& state, bool stuck = false);
+  [[nodiscard]] std::optional<Eigen::Matrix2d> stiffness(const BearingState& state, bool stuck = false);
 
   /// Impedance Z = dF/d(x, y) of the bearing to motions of the journal by q e^{s t} about `state`, at every rate s
   /// (1/s): N/m, rows x and y. The film squeezes, foils and journal have no mass, contacts keep their modes or stick
@@ -110,15 +130,17 @@ class FilmBearingSolver {
   /// One factorisation serves all rates (docs/theory/gas_film.md).
   /// @param rates  s, real parts not negative
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const FilmBearingState& state,
+  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck = false);
 
-  [[nodiscard]] const FilmBearing& bearing() const;
+  [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
+  [[nodiscard]] const FilmBearingOptions& options() const { return options_; }
 
  private:
-  struct Workspace;
-  std::unique_ptr<Workspace> workspace_;
+  SharedFilmBearing bearing_;
+  FilmBearingOptions options_;
+  std::unique_ptr<FilmNewton> newton_;
 };
 
 }  // namespace bumpfoil

@@ -1,4 +1,4 @@
-#include "bumpfoil/bearing/foil_state.hpp"
+#include "bumpfoil/bearing/bearing_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 namespace bumpfoil {
 namespace {
 
-TEST(FoilState, OfUnstressedFoilsIsAllZeroAndOpen) {
+TEST(BearingState, OfUnstressedFoilsIsAllZeroAndOpen) {
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  const FoilState state = FoilState::unstressed(*foils);
+  const BearingState state = BearingState::unstressed(*foils);
   EXPECT_EQ(state.contacts.x, Vector::Zero(foils->problem.K.rows()));
   EXPECT_EQ(state.slip_origin, state.contacts.x);
   EXPECT_EQ(state.contacts.normal_force, Vector::Zero(78));

@@ -4,20 +4,28 @@
 
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
+#include "bumpfoil/film/foil_film.hpp"
 
 namespace bumpfoil {
 
-/// All that an increment leaves to the next: a plain value, to be copied, kept and gone back to.
-struct FoilState {
-  Excitation excitation;       ///< that the foils are in balance with
-  ContactLoading loading;      ///< the same as it was solved for: gaps and loads of the contact problem
+/// All that an increment leaves to the next, with a film or without: a plain value, to be copied, kept and gone back
+/// to. Its excitation is the one that the foils are in balance with.
+struct BearingState : Excitation {
+  double time{};               ///< s; quasi-static increments take none
+  double speed{};              ///< Omega of the journal under a film, rad/s
+  double opening{};            ///< by which the clearance of a film is wider than that of the bearing, m
+  ContactLoading loading;      ///< gaps and loads that the contact problem was solved for; none under a film
   ContactState contacts;       ///< displacements, forces and modes; friction refers to them
   Vector slip_origin;          ///< unknowns that the slip of the last part of the last increment is measured from
+  FoilFilmState film;          ///< of all columns, without dimension, see FilmScales; no columns: no film
   double work{};               ///< of the pressing body since the count began, see gap_work(), J
   double dissipated_energy{};  ///< by friction since then, J
 
   /// Unstressed foils before their assembly.
-  static FoilState unstressed(const Foils& foils);
+  static BearingState unstressed(const Foils& foils);
+
+  /// Friction refers to where the contacts are now.
+  void begin_increment() { slip_origin = contacts.x; }
 };
 
 /// A place inside an increment where parts of the response join.
@@ -38,7 +46,7 @@ struct StepEvent {
 /// An increment as it was taken: where it led, what happened on the way, what it cost and how it ended.
 struct Step {
   Status status{Status::converged};
-  FoilState state;                  ///< new; after a failure it means nothing but where the increment was to lead
+  BearingState state;               ///< new; after a failure it means nothing but where the increment was to lead
   std::vector<StepEvent> events;    ///< only where they are followed
   std::vector<Waypoint> waypoints;  ///< between its ends: forces are linear from one to the next, as far as is known
   SolveCost cost;

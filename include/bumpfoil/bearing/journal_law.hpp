@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "bumpfoil/bearing/film_bearing_solver.hpp"
+#include "bumpfoil/film/gas.hpp"
 
 namespace bumpfoil {
 
@@ -31,7 +31,10 @@ struct JournalLaw {
   [[nodiscard]] bool holds_position() const { return by_force.isZero(0.0); }
 };
 
-/// The law of an operating point.
-JournalLaw journal_law(const OperatingPoint& point, const FilmScales& scales);
+/// The journal is held at a position, m.
+JournalLaw held_journal(const Eigen::Vector2d& position, const FilmScales& scales);
+
+/// The journal carries a load, N, and goes where the bearing balances it.
+JournalLaw loaded_journal(const Eigen::Vector2d& load, const FilmScales& scales);
 
 }  // namespace bumpfoil

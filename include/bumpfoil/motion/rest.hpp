@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bumpfoil/bearing/film_stepper.hpp"
+
+namespace bumpfoil {
+
+/// From one moment to the next: with `state` at the begin, the film is marched in time by implicit Euler, journal and
+/// foils without mass, until nothing moves. One increment: friction refers to BearingState::slip_origin throughout.
+/// @param state  receives the result; stays as it was unless the film comes to rest
+[[nodiscard]] FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, BearingState& state);
+
+/// The same as an increment of its own: friction refers to `state` as it was handed over.
+[[nodiscard]] FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& state);
+
+/// settle() with the journal at `position`, where it must not touch the undeformed foils, and at `speed`, from
+/// unstressed foils and ambient pressure. Friction refers to the unstressed foils. With an `opening` (m) in a clearance
+/// wider by that, which follow() closes.
+[[nodiscard]] FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed,
+                                    BearingState& state, double opening = 0.0);
+
+}  // namespace bumpfoil

@@ -1,0 +1,64 @@
+#include "bumpfoil/bearing/film_stepper.hpp"
+
+#include <utility>
+
+#include "bearing/film_newton.hpp"
+
+namespace bumpfoil {
+
+OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control) {
+  return {control, control == Control::load ? film_force(bearing, state.film.pressure) : state.position, state.speed,
+          state.opening};
+}
+
+FilmStepper::FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options)
+    : bearing_(std::move(bearing)),
+      options_(options),
+      newton_(std::make_unique<FilmNewton>(bearing_, options.newton)) {}
+
+FilmStepper::FilmStepper(FilmBearing bearing, const FilmBearingOptions& options)
+    : FilmStepper(std::make_shared<const FilmBearing>(std::move(bearing)), options) {}
+
+FilmStepper::~FilmStepper() = default;
+
+Move FilmStepper::move_to(const OperatingPoint& point, double dt) const {
+  const FilmScales& scales = bearing_->scales;
+  return {.law = point.by_load() ? loaded_journal(point.journal, scales) : held_journal(point.journal, scales),
+          .speed = point.speed,
+          .opening = point.opening,
+          .dt = dt};
+}
+
+FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_near) {
+  if (options_.keep_going && !options_.keep_going()) return {.status = FilmStatus::interrupted};
+  const double tolerance = move.dt > 0.0 ? options_.marching_tolerance : options_.newton.step_tolerance;
+  const FilmReport report = newton_->solve(move, {.tolerance = tolerance, .stays_near = stays_near}, state);
+  if (report.status == FilmStatus::converged) state.time += move.dt;
+  return report;
+}
+
+FilmReport FilmStepper::advance(const Move& move, BearingState& state) {
+  state.begin_increment();
+  return solve(move, state);
+}
+
+double FilmStepper::distance(const BearingState& a, const BearingState& b) const {
+  return newton_->distance(a, b);
+}
+
+std::optional<SlowMotion> FilmStepper::slow_motion(const BearingState& state, bool stuck) {
+  return newton_->slow_motion(state, stuck);
+}
+
+std::optional<Eigen::Matrix2d> FilmStepper::stiffness(const BearingState& state, bool stuck) {
+  const std::optional<SlowMotion> motion = slow_motion(state, stuck);
+  return motion ? std::optional(motion->stiffness) : std::nullopt;
+}
+
+std::optional<std::vector<Eigen::Matrix2cd>> FilmStepper::impedances(const BearingState& state,
+                                                                     const std::vector<std::complex<double>>& rates,
+                                                                     bool stuck) {
+  return newton_->impedances(state, rates, stuck);
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,150 @@
+#include "bumpfoil/motion/branch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bumpfoil/motion/rest.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Steps that take no more iterations than this let the next one grow.
+constexpr int easy_iterations = 12;
+/// Of steps that look for another branch, and of those that begin behind the end of one.
+constexpr double step_growth_off_branch = 8.0;
+
+/// Takes a state along a line of operating points, in parts of the line.
+class BranchFollower {
+ public:
+  BranchFollower(FilmStepper& stepper, const OperatingPoint& to, BearingState& state)
+      : stepper_(stepper),
+        options_(stepper.options()),
+        from_(point_of(stepper.bearing(), state, to.control)),
+        to_(to),
+        state_(state),
+        longest_(1.0 / steps()),
+        shortest_((to.by_load() ? options_.smallest_load_fraction : options_.smallest_fraction) / steps()) {}
+
+  FilmReport follow();
+
+ private:
+  [[nodiscard]] double steps() const;
+  [[nodiscard]] OperatingPoint at(double fraction) const;
+  FilmReport solve_on_branch(const OperatingPoint& to);
+  void jump();
+
+  FilmStepper& stepper_;
+  const FilmBearingOptions& options_;
+  OperatingPoint from_, to_;
+  BearingState& state_;
+  double longest_, shortest_;  ///< steps
+  double reached_{};           ///< by the last state
+  double leap_{shortest_};     ///< from the end of a branch to the next state behind it
+  bool comes_to_rest_{true};   ///< where the film was marched in time so far
+  FilmReport total_;
+};
+
+/// Of first length on the way, at least one.
+double BranchFollower::steps() const {
+  const double c = stepper_.bearing().scales.thickness;
+  const double speed = std::max(std::abs(from_.speed), std::abs(to_.speed));
+  double steps = std::max(1.0, std::abs(to_.speed - from_.speed) / (options_.speed_step * speed));
+  steps = std::max(steps, std::abs(to_.opening - from_.opening) / (options_.position_step * c));
+  if (!to_.by_load()) steps = std::max(steps, (to_.journal - from_.journal).norm() / (options_.position_step * c));
+  return steps;
+}
+
+OperatingPoint BranchFollower::at(double fraction) const {
+  return {to_.control, from_.journal + fraction * (to_.journal - from_.journal),
+          from_.speed + fraction * (to_.speed - from_.speed), from_.opening + fraction * (to_.opening - from_.opening)};
+}
+
+/// The next state, under a load on the same branch: one that lies off the tangent's prediction by more than curvature
+/// and contacts explain is not accepted, as Newton's method has reached another branch.
+FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to) {
+  BearingState found = state_;
+  FilmReport report = stepper_.solve(stepper_.move_to(to), found, to.by_load());
+  if (report.status != FilmStatus::converged) return report;
+  if (to.by_load() &&
+      report.departure > std::max(options_.largest_departure * report.predicted_change, options_.resolved_departure)) {
+    report.status = FilmStatus::not_converged;
+    return report;
+  }
+  state_ = std::move(found);
+  return report;
+}
+
+/// From the last state of a branch to where the film comes to rest in time behind the end. Under a load, if it rests
+/// nowhere, to the state that Newton's method reaches in the shortest step that it converges in. It counts as a jump
+/// unless it is but a corner of the branch, at which Newton's method failed.
+void BranchFollower::jump() {
+  const BearingState last = state_;
+  const double begin = reached_;
+  const auto behind = [&](double leap) {
+    reached_ = std::min(1.0, begin + std::min(leap, longest_));
+    return at(reached_);
+  };
+  const bool marches_first = comes_to_rest_ || !to_.by_load();
+  if (marches_first) {
+    total_ += march_to_rest(stepper_, behind(leap_), state_);
+    comes_to_rest_ = total_.status == FilmStatus::converged;
+  }
+  FilmStatus rested = total_.status;
+  if (rested == FilmStatus::interrupted) return;
+  for (double leap = leap_; total_.status != FilmStatus::converged && to_.by_load(); leap *= step_growth_off_branch) {
+    total_ += stepper_.solve(stepper_.move_to(behind(leap)), state_);
+    if (total_.status == FilmStatus::interrupted) return;
+    if (leap >= longest_) break;
+  }
+  if (total_.status != FilmStatus::converged && !marches_first) {
+    total_ += march_to_rest(stepper_, behind(leap_), state_);
+    rested = total_.status;
+    if (rested == FilmStatus::interrupted) return;
+  }
+  if (total_.status == FilmStatus::converged) {
+    if (stepper_.distance(last, state_) > options_.resolved_departure) ++total_.jumps;
+  } else {
+    total_.status = rested == FilmStatus::not_converged ? FilmStatus::fold : rested;
+  }
+}
+
+FilmReport BranchFollower::follow() {
+  int ends = 0;
+  double step = longest_;
+  while (reached_ < 1.0) {
+    const double next = std::min(1.0, reached_ + step);
+    const FilmReport report = solve_on_branch(at(next));
+    total_ += report;
+    if (report.status == FilmStatus::interrupted) return total_;
+    if (report.status == FilmStatus::converged) {
+      reached_ = next;
+      leap_ = shortest_;
+      if (report.iterations < easy_iterations) step *= options_.time_growth;
+      continue;
+    }
+    step *= 0.5;
+    if (step >= leap_) continue;
+    if (report.status != FilmStatus::not_converged) return total_;
+    // The branch ends: no state near the last one goes on.
+    if (ends++ == options_.max_ends) {
+      total_.status = FilmStatus::fold;
+      return total_;
+    }
+    jump();
+    if (total_.status != FilmStatus::converged) return total_;
+    // Where the next step fails at once the end has not been left yet.
+    leap_ = std::min(step_growth_off_branch * leap_, longest_);
+    step = leap_;
+  }
+  return total_;
+}
+
+}  // namespace
+
+FilmReport follow(FilmStepper& stepper, const OperatingPoint& to, BearingState& state) {
+  state.begin_increment();
+  return BranchFollower(stepper, to, state).follow();
+}
+
+}  // namespace bumpfoil

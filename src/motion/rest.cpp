@@ -1,0 +1,124 @@
+#include "bumpfoil/motion/rest.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "bumpfoil/motion/march.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Time steps are given up below this part of the first.
+constexpr double smallest_time_step = 1e-6;
+/// As long as a march in time is near its start (largest difference of P, U and position over c) a step changes the
+/// state by no more than this many times what the step before did. Where a state is left at the rate s, implicit Euler
+/// multiplies the distance from it by 1 / (1 - s dt): longer steps blow it up, those beyond s dt = 1 turn its sign, and
+/// the march ends in whatever state lies on that side. Not below this part of the first step: foils that snap over do
+/// so at once.
+constexpr double near_start = 0.1;
+constexpr double largest_change_ratio = 4.0;
+constexpr double shortest_bounded_step = 1e-3;
+
+/// Time steps of adapted length until nothing moves, and then one that takes no time.
+class RestSearch {
+ public:
+  RestSearch(const FilmStepper& stepper, const OperatingPoint& to, const BearingState& start)
+      : stepper_(stepper),
+        options_(stepper.options()),
+        start_(start),
+        first_(options_.first_time_step * stepper.bearing().scales.squeeze_time()),
+        dt_(first_),
+        leg_(ramp(to, to, 1)) {}
+
+  /// The schedule.
+  const Leg* next() {
+    if (!rests_ && steps_++ == options_.max_time_steps) {
+      total_.status = FilmStatus::not_converged;
+      return nullptr;
+    }
+    leg_.dt = rests_ ? 0.0 : dt_;
+    return &leg_;
+  }
+
+  Verdict see(const FilmPassage& at) {
+    total_ += at.step.report;
+    if (total_.status == FilmStatus::interrupted) return Verdict::refuse;
+    return rests_ ? see_rest() : see_step(at);
+  }
+
+  [[nodiscard]] const FilmReport& report() const { return total_; }
+
+ private:
+  Verdict see_rest() {
+    rests_ = false;
+    if (total_.status == FilmStatus::converged) return Verdict::stop;
+    if (total_.status != FilmStatus::not_converged) return Verdict::refuse;
+    grow();
+    return Verdict::retry;
+  }
+
+  Verdict see_step(const FilmPassage& at) {
+    if (!at.step.converged()) {
+      dt_ *= 0.25;
+      return dt_ < smallest_time_step * first_ ? Verdict::refuse : Verdict::retry;
+    }
+    change_ = stepper_.distance(at.from, at.step.state);
+    if (change_ > largest_change_ratio * last_change_ && stepper_.distance(start_, at.from) < near_start &&
+        dt_ > shortest_bounded_step * first_) {
+      dt_ *= 0.25;
+      return Verdict::retry;
+    }
+    // A drift that grows with the step is no rest: the march passes by the end of a branch.
+    rests_ = dt_ > options_.last_time_step && change_ < options_.resting_change && change_ <= last_change_;
+    if (!rests_) grow();
+    return Verdict::go_on;
+  }
+
+  void grow() {
+    last_change_ = std::max(change_, options_.marching_tolerance);
+    dt_ *= options_.time_growth;
+  }
+
+  const FilmStepper& stepper_;
+  const FilmBearingOptions& options_;
+  const BearingState& start_;
+  double first_;  ///< time step, s
+  double dt_;
+  Leg leg_;  ///< of one increment
+  int steps_{};
+  bool rests_{};  ///< what comes next takes no time
+  double change_{};
+  double last_change_{std::numeric_limits<double>::infinity()};
+  FilmReport total_;
+};
+
+}  // namespace
+
+FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, BearingState& state) {
+  RestSearch search(stepper, to, state);
+  BearingState moving = state;
+  FilmStep step;
+  const auto take = [&](const Leg& leg, int taken, const BearingState& from) {
+    step.state = from;
+    step.report = stepper.solve(stepper.move_to(leg.point(taken), leg.dt), step.state);
+  };
+  march([&] { return search.next(); }, take, moving, step, [&](const FilmPassage& at) { return search.see(at); });
+  if (search.report().status == FilmStatus::converged) state = std::move(moving);
+  return search.report();
+}
+
+FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& state) {
+  state.begin_increment();
+  return march_to_rest(stepper, to, state);
+}
+
+FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, BearingState& state,
+                      double opening) {
+  BearingState start = resting(stepper.bearing(), position, speed, opening);
+  const FilmReport report = settle(stepper, OperatingPoint::held_at(position, speed, opening), start);
+  if (report.status == FilmStatus::converged) state = std::move(start);
+  return report;
+}
+
+}  // namespace bumpfoil

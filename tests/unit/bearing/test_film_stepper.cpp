@@ -1,0 +1,95 @@
+#include "bumpfoil/bearing/film_stepper.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/motion/rest.hpp"
+#include "support/film_runs.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
+
+TEST(FilmStepper, KeepsTheHistoryOfFriction) {
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  const double speed = speed_of_rpm(45000.0);
+  const auto at = [&](double e) { return Eigen::Vector2d(e * bearing.clearance, 0.0); };
+  ASSERT_EQ(cold_start(stepper, at(0.5), speed, state).status, FilmStatus::converged);
+  expect_solved(bearing, state);
+  const double loaded = film_bearing_outcome(bearing, state).force.x();
+  for (const double e : {0.8, 0.5}) {
+    ASSERT_EQ(stepper.advance(OperatingPoint::held_at(at(e), speed), state).status, FilmStatus::converged);
+    expect_solved(bearing, state);
+  }
+  EXPECT_LT(film_bearing_outcome(bearing, state).force.x(),
+            0.95 * loaded);  // there and back: friction holds bumps down
+}
+
+TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  const auto motion = stepper.slow_motion(state);
+  const auto K = stepper.stiffness(state);
+  ASSERT_TRUE(motion && K && motion->stiffness == *K);
+  double response = 0.0;      // of the foil
+  constexpr double h = 1e-9;  // m; no contact changes its mode over so little
+  for (const int axis : {0, 1}) {
+    Eigen::Vector2d force[2];
+    Vector lift[2];
+    for (const int side : {0, 1}) {
+      BearingState moved = state;
+      const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
+      ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, FilmStatus::converged);
+      force[side] = film_bearing_outcome(bearing, moved).force;
+      lift[side] = bearing.scales.thickness * moved.film.lift;
+    }
+    response = std::max(response, (lift[1] - lift[0]).cwiseAbs().maxCoeff() / (2.0 * h));
+    // Forces of tens of newtons are good to 1e-9 N: 1e-6 of a few MN/m.
+    EXPECT_LT(((force[1] - force[0]) / (2.0 * h) - K->col(axis)).norm(), 3e-6 * K->norm());
+  }
+  EXPECT_NEAR(motion->foil_response, response, 1e-5 * response);
+}
+
+TEST(FilmStepper, StuckContactsAreStiffer) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  const auto slipping = stepper.stiffness(state);
+  const auto stuck = stepper.stiffness(state, true);
+  ASSERT_TRUE(slipping.has_value() && stuck.has_value());
+  EXPECT_GT((*stuck)(0, 0), 1.1 * (*slipping)(0, 0));
+}
+
+TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
+  const double speed = speed_of_rpm(45000.0);
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmStepper stepper(bearing);
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  for (const bool stuck : {false, true}) {
+    const auto K = stepper.stiffness(state, stuck);
+    const std::complex<double> whirl(0.0, speed);
+    const auto Z = stepper.impedances(state, {0.0, whirl, std::conj(whirl)}, stuck);
+    ASSERT_TRUE(K.has_value() && Z.has_value() && Z->size() == 3);
+    EXPECT_LT(((*Z)[0] - *K).norm(), 1e-8 * K->norm());
+    EXPECT_LT(((*Z)[1] - (*Z)[2].conjugate()).norm(), 1e-12 * K->norm());
+    EXPECT_GT((*Z)[1].imag()(0, 0), 0.0);
+    // What else is asked for decides where the equations are factored.
+    const auto alone = stepper.impedances(state, {whirl / 7.0}, stuck);
+    const auto with_others = stepper.impedances(state, {whirl / 7.0, 5.0 * whirl}, stuck);
+    ASSERT_TRUE(alone.has_value() && with_others.has_value());
+    EXPECT_LT(((*alone)[0] - (*with_others)[0]).norm(), 1e-8 * K->norm());
+    EXPECT_GT(((*alone)[0] - (*Z)[0]).norm(), 1e-3 * K->norm());
+  }
+}
+
+}  // namespace
+}  // namespace bumpfoil

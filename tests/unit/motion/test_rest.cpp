@@ -1,0 +1,41 @@
+#include "bumpfoil/motion/rest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/film_runs.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
+
+/// Let go, the journal comes to rest where it carries its load. Time passes on the way, as long as the film takes.
+TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
+  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  FilmStepper stepper(bearing);
+  BearingState start;
+  const double speed = speed_of_rpm(45000.0);
+  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, FilmStatus::converged);
+  EXPECT_GT(start.time, FilmBearingOptions().last_time_step);
+  const Eigen::Vector2d load(40.0, 0.0);
+  BearingState released = start;
+  ASSERT_EQ(settle(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), released).status, FilmStatus::converged);
+  // Newton's last step moved P by less than 1e-9: some 1e-8 N.
+  EXPECT_LT((film_bearing_outcome(bearing, released).force - load).norm(), 1e-7);
+  EXPECT_EQ(released.speed, 0.8 * speed);
+  EXPECT_EQ(released.slip_origin, start.contacts.x);
+  EXPECT_GT(released.time, start.time);
+  expect_solved(bearing, released);
+}
+
+TEST(Rest, StopsWhenTold) {
+  const FilmBearing bearing = film_reference_bearing(coarse);
+  int solves = 0;
+  FilmStepper stepper(bearing, {.keep_going = [&] { return ++solves < 5; }});
+  BearingState state;
+  EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, FilmStatus::interrupted);
+  EXPECT_EQ(solves, 5);
+}
+
+}  // namespace
+}  // namespace bumpfoil
