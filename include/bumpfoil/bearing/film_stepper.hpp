@@ -37,7 +37,7 @@ struct FilmBearingOptions {
   std::function<bool()> keep_going{};  ///< asked before every solve; false ends the search
 };
 
-/// What is asked of a bearing that runs: where the journal is held, or what it carries, at a speed. A plain value.
+/// Operating conditions of a running bearing: a prescribed journal position or load, at a speed. A plain value.
 struct OperatingPoint {
   Control control{Control::displacement};
   Eigen::Vector2d journal{Eigen::Vector2d::Zero()};  ///< its position, m, or the load on it, N
@@ -55,15 +55,15 @@ struct OperatingPoint {
   }
 };
 
-/// What an increment of a bearing that runs is to do.
+/// What an increment of a running bearing leads to, and in what time. A plain value.
 struct Move {
   JournalLaw law;    ///< what holds the journal
   double speed{};    ///< Omega, rad/s
   double opening{};  ///< of the clearance, m
-  double dt{};       ///< time that it takes, by implicit Euler, journal and foils without mass, s; 0: quasi-static
+  double dt{};       ///< time step of implicit Euler, journal and foils without mass, s; 0: quasi-static
 };
 
-/// An increment of a bearing that runs as it was taken: where it led, and how it ended.
+/// An increment of a running bearing as it was taken: where it led, and how it ended.
 struct FilmStep {
   BearingState state;
   FilmReport report;
@@ -71,7 +71,7 @@ struct FilmStep {
   [[nodiscard]] bool converged() const { return report.status == FilmStatus::converged; }
 };
 
-/// Where a state is: its position, or the load that it carries.
+/// The operating point of a state, by the position of its journal or by the load that it carries.
 OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control);
 
 /// How a state responds to slow motions of the journal.
@@ -82,7 +82,7 @@ struct SlowMotion {
   double foil_response{};
 };
 
-/// Takes a bearing that runs from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
+/// Takes a running bearing from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
 /// friction in one system, and the position of the journal with them. Newton's method on the film; in each step the
 /// contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver). Film and foils
 /// are never iterated in turn: a foil that has lifted off its bumps is held by the film alone, and only the joint

@@ -4,8 +4,8 @@
 
 namespace bumpfoil {
 
-/// From one moment to the next: with `state` at the begin, the film is marched in time by implicit Euler, journal and
-/// foils without mass, until nothing moves. One increment: friction refers to BearingState::slip_origin throughout.
+/// Marches the film in time by implicit Euler, journal and foils without mass, from `state` until nothing moves. This
+/// is one increment: friction refers to BearingState::slip_origin throughout.
 /// @param state  receives the result; stays as it was unless the film comes to rest
 [[nodiscard]] FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, BearingState& state);
 
