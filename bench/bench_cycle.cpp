@@ -4,6 +4,7 @@
 
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "support/long_bearing.hpp"

@@ -6,6 +6,7 @@
 
 #include "alternating.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "support/long_bearing.hpp"
 
 namespace bumpfoil {

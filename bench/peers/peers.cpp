@@ -11,6 +11,7 @@
 #include "bumpfoil/contact/mode_system.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #ifdef BUMPFOIL_PEERS_SICONOS
 #include <Eigen/Eigenvalues>
 

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/status.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 #include "cycle_views.hpp"
 #include "run.hpp"

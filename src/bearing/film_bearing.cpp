@@ -129,19 +129,15 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 
 }  // namespace
 
-FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  return make_film_bearing(input, *make_bearing_foils(input, {"equilibrium"}), gas, resolution);
-}
-
-FilmBearing make_film_bearing(const BearingDesign& input, const Foils& foils, const Gas& gas,
+FilmBearing make_film_bearing(const BearingDesign& design, const Foils& foils, const Gas& gas,
                               const FilmResolution& resolution) {
   FilmBearing bearing;
   static_cast<Foils&>(bearing) = foils;
   bearing.under_film = true;
   bearing.room = foils.clearance;
-  for (const Pad& pad : input.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
-  bearing.scales = {gas, input.bearing.radius, film_thickness_scale(foils.clearance)};
-  for (const PlacedPad& placed : place_pads(input)) append(placed, resolution, bearing);
+  for (const Pad& pad : design.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
+  bearing.scales = {gas, design.bearing.radius, film_thickness_scale(foils.clearance)};
+  for (const PlacedPad& placed : place_pads(design)) append(placed, resolution, bearing);
   BlockTridiagonal K = bump_foils_alone(foils.structure, bearing.pads);
   const auto own = foils.problem.sites.begin();  // of a block, without the journal's
   std::vector<ContactSite> sites =
@@ -156,11 +152,6 @@ FilmBearing make_film_bearing(const BearingDesign& input, const Foils& foils, co
         Eigen::Index{foils.block(b)} * foils.contacts_per_block() + foils.top_bump(), per_block);
   }
   return bearing;
-}
-
-FilmBearing make_film_bearing(const Case& input) {
-  return make_film_bearing(input, gas_of(input.gas),
-                           {.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows});
 }
 
 BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {

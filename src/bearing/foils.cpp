@@ -6,17 +6,15 @@
 #include <utility>
 
 #include "bumpfoil/core/assert.hpp"
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
-#include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
 
 namespace bumpfoil {
 namespace {
 
 /// @param input  its gaps and friction, of the bumps of `design`
-Foils make_foils(const PadDesign& pad, const FoilDesign& design) {
+Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
   Foils foils;
   foils.structure = make_foil_structure(design);
   foils.stress = {make_stress_model(design)};
@@ -80,7 +78,7 @@ void add_profiles(const PadDesign& pad, Foils& foils) {
 
 /// The foils of a bearing that has no pads.
 Foils make_whole_foils(const PadDesign& pad) {
-  Foils foils = make_foils(pad, make_bearing_design(pad));
+  Foils foils = make_flat_foils(pad, make_bearing_design(pad));
   foils.clearance = pad.bearing.radial_clearance;
   foils.normals = outward_normals(polar_angles(pad.bearing, crest_angles(pad)));
   if (!pad.bearing.is_round()) add_profiles(pad, foils);
@@ -136,22 +134,19 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
                     .stable_tangent = [shared](const Vector& x) { return stable_tangent_stiffness(*shared, x); }};
 }
 
-SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands) {
-  require_bearing(input, commands);
-  const std::vector<PlacedPad> pads = place_pads(input);
+Foils make_foils(const BearingDesign& design) {
+  const std::vector<PlacedPad> pads = place_pads(design);
   Foils foils = make_pad_foils(pads.front());
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
   foils.problem.law = elastic_law(foils.structure);
-  return std::make_shared<const Foils>(std::move(foils));
+  return foils;
 }
 
-SharedFoils make_strip_foils(const Case& input) {
-  require_valid(input, {"strip"});
-  if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
-  Foils foils = make_foils(cut_to(input, input.strip->bumps), make_strip_design(input, *input.strip));
+Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
+  Foils foils = make_flat_foils(cut_to(whole, strip.bumps), make_strip_design(whole, strip));
   foils.normals = outward_normals(Vector::Zero(foils.bumps()));
   foils.problem.law = elastic_law(foils.structure);
-  return std::make_shared<const Foils>(std::move(foils));
+  return foils;
 }
 
 ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {

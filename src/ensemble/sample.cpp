@@ -6,6 +6,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 

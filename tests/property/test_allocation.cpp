@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/random_problem.hpp"
 

@@ -10,6 +10,7 @@
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"

@@ -10,6 +10,7 @@
 #include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/ensemble/draws.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {

@@ -1,5 +1,7 @@
 #include "support/film_bearing_cases.hpp"
 
+#include "bumpfoil/experiments/build.hpp"
+
 #include <numbers>
 
 #include "support/json_data.hpp"

@@ -8,6 +8,7 @@
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
+#include "bumpfoil/experiments/build.hpp"
 
 namespace bumpfoil {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"

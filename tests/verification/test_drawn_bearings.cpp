@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "support/drawn_bearings.hpp"
 

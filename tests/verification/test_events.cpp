@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/motion/branch.hpp"

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/film/wall_film.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"

@@ -6,6 +6,7 @@
 
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/uzawa.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/uzawa_comparison.hpp"
 

@@ -84,16 +84,9 @@ void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part
 /// Puts what a pad has in its place in the state of all.
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all);
 
-/// The bearing of a case, in gas.
-/// @throws Error (input) if the case cannot be built.
-FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution);
-
-/// The same of foils that are there already, under a film or not.
-FilmBearing make_film_bearing(const BearingDesign& input, const Foils& foils, const Gas& gas,
+/// Foils under a film, whether they are under one already or not. @param design  that they are of
+FilmBearing make_film_bearing(const BearingDesign& design, const Foils& foils, const Gas& gas,
                               const FilmResolution& resolution);
-
-/// The bearing in the gas and on the mesh of the case.
-FilmBearing make_film_bearing(const Case& input);
 
 /// P = 1, unstressed foils; H is positive where the journal leaves room.
 BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening = 0.0);

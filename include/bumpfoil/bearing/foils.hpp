@@ -88,14 +88,11 @@ struct Excitation {
 /// The law that a contact problem of the foils needs: absent where K says all.
 std::optional<ElasticLaw> elastic_law(const FoilStructure& structure);
 
-/// The foils of a bearing, pressed by its journal.
-/// @param commands  that are to run them
-/// @throws Error (input) if the case cannot be built, or run by one of them
-SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>& commands = {});
+/// The foils of a bearing, pressed by its journal. The design must be valid.
+Foils make_foils(const BearingDesign& design);
 
-/// The strip of a case between its plate and the base: flat foils, without clearance.
-/// @throws Error (input) if the case cannot be built, or has no strip, or is of the former model.
-SharedFoils make_strip_foils(const Case& input);
+/// A strip of foils between its plate and the base: flat, without clearance. Both must be valid.
+Foils make_foils(const PadDesign& whole, const StripSettings& strip);
 
 /// Gaps and loads under an excitation with the pressing body at `position`:
 ///

@@ -1,5 +1,7 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 
+#include "bumpfoil/experiments/build.hpp"
+
 #include <algorithm>
 #include <utility>
 

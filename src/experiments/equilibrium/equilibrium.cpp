@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/march.hpp"

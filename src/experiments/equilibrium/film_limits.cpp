@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/results/quantity.hpp"

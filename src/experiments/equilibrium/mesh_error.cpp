@@ -1,5 +1,7 @@
 #include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
 
+#include "bumpfoil/experiments/build.hpp"
+
 #include <algorithm>
 #include <cmath>
 

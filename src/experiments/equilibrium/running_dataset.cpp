@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"

@@ -10,6 +10,7 @@
 
 #include "bearing/settling.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/increment_log.hpp"

@@ -1,5 +1,7 @@
 #include "bumpfoil/experiments/strip/strip.hpp"
 
+#include "bumpfoil/experiments/build.hpp"
+
 #include "experiments/cycle/cycle_series.hpp"
 #include "experiments/cycle/run_each_cycle.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "bearing/settling.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/cycle_series.hpp"

@@ -1,5 +1,7 @@
 #include "bumpfoil/bearing/bearing_state.hpp"
 
+#include "bumpfoil/experiments/build.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/reference_cycles.hpp"

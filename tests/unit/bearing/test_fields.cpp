@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/motion/rest.hpp"
+#include "support/bearing_cases.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/reference_cycles.hpp"
 
@@ -141,9 +143,7 @@ TEST(FieldsUnderAFilm, HaveTheBumpsOfAllPadsInARow) {
     };
     const FoilFields all = fields_of(input);
     for (std::size_t k = 0; k < 3; ++k) {
-      Case alone = place_pads(input)[k].alone;
-      alone.pads.push_back({.lobe = 8e-6});
-      const FoilFields one = fields_of(alone);
+      const FoilFields one = fields_of(pad_alone(input, k));
       const auto first = static_cast<Eigen::Index>(8 * k);
       const Eigen::Index feet = one.foot_v.cols();
       // Newton's last step is below 1e-9 of c in each.

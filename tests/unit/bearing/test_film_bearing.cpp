@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/bearing/increment.hpp"
 #include "bumpfoil/contact/newton.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/span_loads.hpp"
 #include "support/dense_contacts.hpp"

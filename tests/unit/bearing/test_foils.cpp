@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/reference_cycles.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/reference_cycles.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_runs.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bumpfoil/bearing/increment.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 #include "support/reference_cycles.hpp"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/reference_cycles.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 #include "support/reference_cycles.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/reference_cycles.hpp"
 

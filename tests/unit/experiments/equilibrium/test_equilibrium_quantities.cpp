@@ -1,5 +1,7 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 
+#include "bumpfoil/experiments/build.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -7,6 +7,7 @@
 
 #include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
 #include "support/full_increment.hpp"
 
 namespace bumpfoil {
