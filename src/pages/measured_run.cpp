@@ -56,7 +56,7 @@ Json increments_json(const Cycle& cycle, double at) {
 
 Json summary_of(const Cycle& cycle, double at, Experiment experiment) {
   Json json{{"at", at}, {"steps", cycle.steps}, {"amplitude_m", cycle.amplitude}, {"converged", true}};
-  const Case unknown{};
+  static const Case unknown;
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.is(tag::measured)) {
       json[quantity.key()] = value_json(quantity.value(cycle, unknown), quantity.form);
