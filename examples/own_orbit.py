@@ -17,5 +17,5 @@ axes = plt.subplots(1, 2, layout="constrained", figsize=(8, 4))[1]
 axes[0].plot(1e6 * path.x[1:], 1e6 * path.y[1:])
 axes[0].set(xlabel="x (µm)", ylabel="y (µm)", title="way of the journal")
 axes[1].plot(path.force_x[1:], path.force_y[1:])
-axes[1].set(xlabel="x (N)", ylabel="y (N)", title="force that holds it")
+axes[1].set(xlabel="x (N)", ylabel="y (N)", title="applied force")
 axes[0].figure.savefig("own_orbit.svg")

@@ -14,7 +14,7 @@ for number, coefficient in enumerate(friction):
 
 axes = plt.subplots(2, sharex=True, layout="constrained")[1]
 axes[0].plot(friction, pushes.loaded_stiffness / 1e6, "o-")
-axes[0].set_ylabel("loaded stiffness (MN/m)")
+axes[0].set_ylabel("structural stiffness (MN/m)")
 axes[1].plot(friction, pushes.loss_factor, "o-")
 axes[1].set(xlabel="coefficient of friction", ylabel="loss factor")
 axes[0].figure.savefig("sweep.svg")

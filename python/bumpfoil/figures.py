@@ -156,7 +156,7 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
 
 @styled
 def ensemble(result: Result, *, width: str = "double") -> Figure:
-    """Distributions of maximum force, loaded stiffness, loss factor and estimated clearance, by direction, and their means.
+    """Distributions of maximum force, structural stiffness, loss factor and estimated clearance, by direction, and their means.
 
     For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state.
 
@@ -171,13 +171,13 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
     data = result.to_xarray()
     quantities: list[tuple[str, str, float]] = [
         ("max_force", "maximum force (N)", 1),
-        ("loaded_stiffness", "loaded stiffness (MN/m)", 1e6),
+        ("loaded_stiffness", "structural stiffness (MN/m)", 1e6),
         ("loss_factor", "loss factor", 1),
         ("clearance_5N", "clearance at 5 N (µm)", 1e-6),
     ]
     if place_of(data) == "state":
         quantities = [
-            ("h_min", "least film thickness (µm)", 1e-6),
+            ("h_min", "minimum film thickness (µm)", 1e-6),
             ("eccentricity_ratio", "eccentricity ratio", 1),
             ("power", "power loss (W)", 1),
             ("max_stress_top_foil", "stress, top foil (MPa)", 1e6),

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 _HEADLINES = (
     ("max_force", "maximum force", "N", 1.0),
     ("cross_force_at_max", "cross force", "N", 1.0),
-    ("loaded_stiffness", "loaded stiffness", "MN/m", 1e6),
+    ("loaded_stiffness", "structural stiffness", "MN/m", 1e6),
     ("loop_energy", "loop energy", "mJ", 1e-3),
     ("loss_factor", "loss factor", "", 1.0),
     ("first_contact", "first contact", "µm", 1e-6),
@@ -24,11 +24,11 @@ _HEADLINES = (
 
 #: Of running bearings.
 _RUNNING = (
-    ("h_min", "least film thickness", "um", 1e-6),
+    ("h_min", "minimum film thickness", "um", 1e-6),
     ("eccentricity_ratio", "eccentricity ratio", "", 1.0),
     ("attitude_angle", "attitude angle", "deg", 1.0),
     ("power", "power loss", "W", 1.0),
-    ("highest_bump_load", "highest bump load", "N", 1.0),
+    ("highest_bump_load", "maximum bump load", "N", 1.0),
 )
 
 #: Of a path, whose cycle has no turning point: series at its last increment.

@@ -11,11 +11,12 @@
 namespace bumpfoil {
 namespace {
 
+/// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
 constexpr int max_halvings = 8;
-/// Part of a step that is taken where no halving lets the residual fall.
+/// Fraction of a step that is taken where no halving reduces the residual.
 constexpr double forced_fraction = 0.25;
-/// As those of a journal that is held, see journal_law.cpp: longest change of the clearance in one step, in units of c,
-/// and what is left of it among the residuals, per c.
+/// Longest change of the clearance in one step, in units of c, and weight of the remaining change among the residuals,
+/// per c. Both dimensionless, with the values of a journal at a given position, see journal_law.cpp.
 constexpr double longest_opening = 0.00625;
 constexpr double weight_of_opening = 30.0;
 

@@ -7,7 +7,7 @@ namespace bumpfoil {
 
 void require_no_checkpoint(const std::filesystem::path& checkpoint, const std::string& advice) {
   if (!std::filesystem::exists(checkpoint)) return;
-  throw Error(ErrorKind::file, {{checkpoint.string(), 0, "", "", "is of a run that was not finished", advice}});
+  throw Error(ErrorKind::file, {{checkpoint.string(), 0, "", "", "is of an unfinished run", advice}});
 }
 
 EnsembleLog open_ensemble_log(const std::filesystem::path& checkpoint, bool resumes, const Case& input,

@@ -64,7 +64,7 @@ void require_same_ensemble(const std::string& identity, const Case& input, const
   std::string_view their_text = identity;
   std::string_view our_text = ours;
   std::vector<Fault> faults;
-  constexpr std::string_view advice = "go on with what it was begun with, or begin anew with --force";
+  constexpr std::string_view advice = "continue with the original settings, or restart with --force";
   for (const char* const what : {"program", "instruction set"}) {
     const std::string theirs = take_line(their_text);
     const std::string now = take_line(our_text);

@@ -46,8 +46,8 @@ EnsembleColumn clearance_column(VariableMeaning meaning, std::size_t i) {
 EnsembleColumn largest_load_column() {
   return {.meaning = {.name = "largest_bump_load",
                       .unit = "N",
-                      .long_name = "largest load of a bump at full displacement",
-                      .label = "largest bump load",
+                      .long_name = "maximum load of a bump at full displacement",
+                      .label = "maximum bump load",
                       .shown = shown::newtons},
           .value = of_cycle([](const Cycle& cycle, const Case&) {
             return cycle.turning_point ? cycle.turning_point->bump_loads.maxCoeff() : absent;
@@ -125,7 +125,7 @@ std::string_view EnsembleLayout::status_name(int status) const {
 }
 
 std::string_view EnsembleLayout::status_reason(int status) const {
-  if (status == no_bearing()) return "what was drawn makes no bearing";
+  if (status == no_bearing()) return "invalid sample";
   return command == EnsembleCommand::cycle ? explanation(static_cast<Status>(status))
                                            : reason_of(static_cast<FilmStatus>(status));
 }

@@ -41,15 +41,15 @@ class EnsembleWriter {
   void write_coordinates() {
     std::vector<double> samples(log_.samples());
     std::iota(samples.begin(), samples.end(), 0.0);
-    file_.put_all({"sample", "1", "number of the sample; its bearing is a function of seed and number", {Form::whole}},
+    file_.put_all({"sample", "1", "number of the sample; its bearing depends on seed and number only", {Form::whole}},
                   {sample_}, samples);
     write_places();
     std::vector<double> bumps(layout_.bumps);
     std::iota(bumps.begin(), bumps.end(), 1.0);
     file_.put_all({"bump",
                    "1",
-                   count_pads(input_) > 1 ? "number of the bump from the weld on, pad after pad"
-                                          : "number of the bump from the weld on",
+                   count_pads(input_) > 1 ? "number of the bump from the weld, pad after pad"
+                                          : "number of the bump from the weld",
                    {Form::whole}},
                   {bump_}, bumps);
     for (const NamedNumbers& geometry : make_result_layout(input_, Experiment::cycle).at_bumps) {
@@ -180,10 +180,11 @@ void require_room(const fs::path& path, const EnsembleLayout& layout, std::size_
   std::error_code code;
   const fs::space_info space = fs::space(path.parent_path(), code);
   if (code || space.available >= needed) return;
-  throw Error(ErrorKind::file, {{path.filename().string(), 0, "", "",
-                                 fmt::format("takes up to {} MB, and the disk has room for {} MB", needed / 1'000'000,
-                                             space.available / 1'000'000),
-                                 "make room, or give another place"}});
+  throw Error(
+      ErrorKind::file,
+      {{path.filename().string(), 0, "", "",
+        fmt::format("takes up to {} MB, but the disk has {} MB free", needed / 1'000'000, space.available / 1'000'000),
+        "free some space, or use another folder"}});
 }
 
 }  // namespace
@@ -208,7 +209,7 @@ void write_ensemble_netcdf(const fs::path& path, const Case& input, const Ensemb
     writer.write_quantities();
     file.close_file();
   } catch (const netCDF::exceptions::NcException& error) {
-    throw unbuilt("ensemble.nc", error, "fewer samples take less");
+    throw unbuilt("ensemble.nc", error, "use fewer samples");
   }
 }
 

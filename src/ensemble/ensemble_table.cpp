@@ -65,7 +65,7 @@ std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& 
     if (!(jumped.deviation > 0.0) && !(most - fewest > 1.0)) continue;
     lines.push_back(fmt::format(
         "{}: the samples lie on several branches of states, and the statistics mix them: {:.3g} jumps per sample, foil "
-        "lifted off {:.3g} to {:.3g} bumps at the entry (1 % and 99 %); see jumps and lifted_bumps_at_entry",
+        "detached from {:.3g} to {:.3g} bumps at the inlet (1 % and 99 %); see jumps and lifted_bumps_at_entry",
         layout.places[place].name, jumped.mean, fewest, most));
   }
   return lines;

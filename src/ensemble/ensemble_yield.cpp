@@ -45,7 +45,7 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
       if (column.meaning.form.kind == Form::real) names.push_back(column.meaning.name);
     }
     const auto nearest = nearest_name(name, names);
-    refuse("is of no quantity of an ensemble",
+    refuse("does not name a quantity of the ensemble",
            nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "ensemble.nc has their names");
   }
   EnsembleLimit limit{text, static_cast<std::size_t>(found - layout.columns.begin()), text[sign] == '>', 0.0};

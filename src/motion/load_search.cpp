@@ -10,7 +10,8 @@
 namespace bumpfoil {
 namespace {
 
-/// Many more than a function with a bracket needs that is linear, or under large displacements smooth, in pieces.
+/// Maximum trials: far more than a bracketed search needs on a piecewise linear (large displacements: piecewise smooth)
+/// function.
 constexpr int most_tries = 100;
 /// The first step towards a load where nothing is touched yet, as part of the reach.
 constexpr double first_part = 1e-3;

@@ -44,7 +44,7 @@ Case read(const Json& request, std::vector<std::string> commands) {
   Case input =
       parse_case(request.at("text").get<std::string>(), no_name, {.overrides = {}, .commands = std::move(commands)});
   if (input.pads.empty()) return input;
-  throw Error(ErrorKind::input, {{"", 0, "pad", "", "are more than this page can show: it knows one foil all around",
+  throw Error(ErrorKind::input, {{"", 0, "pad", "", "are not supported by this page: it shows one foil all around",
                                   "remove [[pad]], or run `bumpfoil cycle`"}});
 }
 
@@ -260,7 +260,7 @@ Json answer_json(const Json& request) {
   if (what == "vibration") return answer_vibration(request);
   if (what == "equilibrium") return answer_equilibrium(request);
   if (what == "samples") return answer_samples(request);
-  throw Error(ErrorKind::input, {{"", 0, "what", what, "is no request", ""}});
+  throw Error(ErrorKind::input, {{"", 0, "what", what, "is not a request", ""}});
 }
 
 }  // namespace

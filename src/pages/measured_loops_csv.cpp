@@ -80,7 +80,8 @@ class LoopsReader {
     if (at.empty()) return;
     given_at_ = place(at);
     numbers_ = {};  // the decimal sign of the file may be another
-    if (!given_at_) rows_.fault(fmt::format("is to be of the {} {}, which is none", at_column_, at), at_advice());
+    if (!given_at_)
+      rows_.fault(fmt::format("is assigned to the {} {}, which does not exist", at_column_, at), at_advice());
   }
 
   void read_line(std::size_t line, std::string_view text) {
@@ -108,7 +109,7 @@ class LoopsReader {
   /// @throws Error (input) if there was a fault
   std::vector<MeasuredLoop> finish() {
     if (points_.empty() && !rows_.faulty()) {
-      rows_.fault("holds no loop", "write displacement_um,force_N and a line for each point of the loop");
+      rows_.fault("contains no loop", "write displacement_um,force_N and a line for each point of the loop");
     }
     std::vector<MeasuredLoop> loops;
     const bool faulty = rows_.faulty();
@@ -136,10 +137,10 @@ class LoopsReader {
       if (is_column(names[i], at_name) || is_column(names[i], at_name + "_deg")) at_ = i;
     }
     if (!at_ && !given_.at.empty())
-      rows_.fault(line, text, missing(given_.at, names), "give --columns a name of these");
+      rows_.fault(line, text, missing(given_.at, names), "name one of these in --columns");
     if (at_ && given_at_) {
       rows_.fault(line, text, fmt::format("has a column {}", names[*at_]),
-                  fmt::format("leave out the {} behind the name of the file", at_column_));
+                  fmt::format("leave out the {} after the file name", at_column_));
     }
   }
 
@@ -159,15 +160,15 @@ class LoopsReader {
     const std::string choice = fmt::format("--columns '{}=NAME [{}]'", wanted.key, wanted.unit);
     if (!found.empty()) {
       rows_.fault(line, text, fmt::format("has {} columns of the {}", found.size(), wanted.key),
-                  fmt::format("say which it is: {}", choice));
+                  fmt::format("specify which one: {}", choice));
     } else if (!given.empty()) {
       rows_.fault(line, text, missing(given, columns),
-                  fmt::format("give a name of these, with its unit behind it where the file has none: {}", choice));
+                  fmt::format("give one of these names, followed by its unit if the file has none: {}", choice));
     } else {
       std::vector<std::string> understood;
       for (const std::string_view name : wanted.names) understood.push_back(fmt::format("{}_{}", name, wanted.unit));
       rows_.fault(line, text, missing(understood.front(), columns),
-                  fmt::format("{}; names that are understood, with any unit behind them: {}; of another name say {}",
+                  fmt::format("{}; recognised names, followed by any unit: {}; for another name use {}",
                               column_advice(columns, understood, wanted.dimension,
                                             fmt::format("name a column {}", understood.front())),
                               fmt::join(wanted.names, ", "), choice));
@@ -220,8 +221,8 @@ MeasuredColumns parse_measured_columns(std::string_view text) {
     } else if (value) {
       *value += fmt::format(",{}", part);  // the name of a column has a comma
     } else {
-      throw Error(ErrorKind::input, {{"", 0, "--columns", std::string(text), "does not begin with what a column is",
-                                      "write displacement=NAME,force=NAME,direction=NAME, each or some of them"}});
+      throw Error(ErrorKind::input, {{"", 0, "--columns", std::string(text), "does not start with the kind of column",
+                                      "write displacement=NAME,force=NAME,direction=NAME, or some of these"}});
     }
     text.remove_prefix(std::min(text.size(), text.find(',')));
     if (!text.empty()) text.remove_prefix(1);

@@ -78,10 +78,10 @@ std::string cycle_name(double at, bool strip) {
 std::vector<std::string> remarks_on(const LastCycle& loop) {
   std::vector<std::string> remarks;
   if (loop.found > 1) remarks.push_back(fmt::format("{} cycles found, the last is used", loop.found));
-  if (loop.rest) remarks.emplace_back("goes on after its last whole cycle; the rest is left out");
+  if (loop.rest) remarks.emplace_back("continues after its last complete cycle; the rest is ignored");
   if (loop.gap) {
     remarks.push_back(
-        fmt::format("does not close: it ends {:.3g} um and {:.3g} N from where it begins; a straight line closes it",
+        fmt::format("does not close: it ends {:.3g} um and {:.3g} N from its start; a straight line closes it",
                     1e6 * std::abs(loop.gap->displacement), std::abs(loop.gap->force)));
   }
   return remarks;
@@ -95,8 +95,8 @@ double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::ve
   for (const double at : cycles) names.push_back(cycle_name(at, strip));
   if (!loop.at) {
     if (cycles.size() == 1) return cycles.front();
-    refuse(path, fmt::format("does not say of which {} its loop is", column),
-           fmt::format("add a column {0}, or name it behind the file, FILE:{1}: the results have {2}", column,
+    refuse(path, fmt::format("does not give the {} of its loop", column),
+           fmt::format("add a column {0}, or name it after the file, FILE:{1}: the results have {2}", column,
                        names.front(), fmt::join(names, ", ")));
   }
   // Of directions a turn more is the same.
@@ -106,7 +106,7 @@ double cycle_of(const std::string& path, const MeasuredLoop& loop, const std::ve
   };
   const auto found = std::find_if(cycles.begin(), cycles.end(), same);
   if (found == cycles.end()) {
-    refuse(path, fmt::format("has a loop of the {} {}, which the results have not", column, *loop.at),
+    refuse(path, fmt::format("has a loop of the {} {}, which the results do not have", column, *loop.at),
            fmt::format("they have {}", fmt::join(names, ", ")));
   }
   return *found;

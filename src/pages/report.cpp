@@ -43,7 +43,7 @@ constexpr std::array shown_of_summary{"schema", "command", "case", "version", "c
 constexpr std::array ensemble_summary_parts{"samples_due",   "samples", "statistics", "bump_loads",
                                             "sensitivities", "limits",  "yield"};
 
-constexpr const char* advice_on_damage = "take it from a backup or run again; --unchecked reads what can be read";
+constexpr const char* advice_on_damage = "restore it from a backup or rerun; --unchecked reads what is readable";
 
 /// What a variable is, in the words of the file that it is in.
 std::string meaning_of(const Json& result, const std::string& name) {
@@ -162,7 +162,7 @@ Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOpti
   };
   std::error_code code;
   if (!fs::exists(folder, code)) refuse("does not exist");
-  if (!fs::is_directory(folder, code)) refuse("is no folder");
+  if (!fs::is_directory(folder, code)) refuse("is not a folder");
   const char* result_name = result_name_in(folder);
   const fs::path result_path = folder / result_name;
   auto [summary, bytes] = read_stored_result(folder, result_name, {options.checked, advice_on_damage});
@@ -201,7 +201,7 @@ std::string report_json(const std::vector<fs::path>& folders, const ReadingOptio
     } catch (const Error& error) {
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
     } catch (const std::bad_alloc&) {
-      faults.push_back({folder.string(), 0, "", "", "takes more memory than is to be had", ""});
+      faults.push_back({folder.string(), 0, "", "", "needs more than the available memory", ""});
     }
   }
   if (!faults.empty()) throw Error(ErrorKind::file, std::move(faults));

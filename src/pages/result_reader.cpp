@@ -57,7 +57,7 @@ class CycleReader {
     if (increments_ == 0) file_.refuse("increment", "is empty");
     if (cycles_.empty()) file_.refuse(cycle_, "is empty");
     if (std::any_of(cycles_.begin(), cycles_.end(), [](double at) { return std::isnan(at); })) {
-      file_.refuse(cycle_, "has a value that is no number");
+      file_.refuse(cycle_, "has a value that is not numeric");
     }
   }
 
@@ -112,7 +112,7 @@ class CycleReader {
 
   /// Every n-th increment of each branch; those at which branches end are kept themselves, and so is the last one.
   [[nodiscard]] std::vector<std::size_t> kept_of(std::size_t reached, std::size_t branch) const {
-    if (reached > 0 && branch == 0) file_.refuse("steps", "is missing for a cycle that was begun");
+    if (reached > 0 && branch == 0) file_.refuse("steps", "is missing for a started cycle");
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < reached; ++i) {
       if (i % branch % stride_ == 0 || i + 1 == reached) kept.push_back(i);
@@ -195,7 +195,7 @@ std::string kind_of(const NetcdfImage& file) {
     const auto found = texts.find(name);
     return found != texts.end() ? found->second : std::string();
   };
-  if (text("schema") != "bumpfoil-result/2") file.refuse("", "is no result of this program");
+  if (text("schema") != "bumpfoil-result/2") file.refuse("", "is not a result of this program");
   std::string kind = text("bumpfoil_command");
   if (!is_shown(kind)) {
     file.refuse("", fmt::format("is a result of `bumpfoil {}`, which reports cannot show", printable(kind)));

@@ -93,11 +93,11 @@ Json geometry_of(const ResultLayout& layout) {
 
 /// Of quantities that have no label of their own, those whose names are no words.
 constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"h_min_theta", "angle of the least film thickness"},
-    {"h_min_pad", "pad of the least film thickness"},
-    {"h_min_vertex", "least film thickness, by a parabola"},
-    {"h_min_vertex_theta", "angle of the least film thickness, by a parabola"},
-    {"h_min_crest", "least film thickness over a crest"},
+    {"h_min_theta", "angle of the minimum film thickness"},
+    {"h_min_pad", "pad of the minimum film thickness"},
+    {"h_min_vertex", "minimum film thickness, by a parabola"},
+    {"h_min_vertex_theta", "angle of the minimum film thickness, by a parabola"},
+    {"h_min_crest", "minimum film thickness over a crest"},
     {"couette_torque", "Couette torque"},
     {"poiseuille_torque", "Poiseuille torque"},
     {"couette_dissipation", "Couette dissipation"},
@@ -105,10 +105,10 @@ constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::s
     {"flow_weld", "flow past the weld"},
     {"flow_free_end", "flow past the free end"},
     {"flow_sides", "flow out at the sides"},
-    {"lifted_bumps_at_entry", "lifted bumps where gas enters"},
-    {"highest_loaded_bump", "bump with the highest load"},
+    {"lifted_bumps_at_entry", "detached bumps at the inlet"},
+    {"highest_loaded_bump", "bump with the maximum load"},
     {"jumps", "jumps to other branches"},
-    {"foil_response", "displacement of the foil per that of the journal"},
+    {"foil_response", "foil displacement per journal displacement"},
     {"stiffness_cross", "stiffness across the direction"},
     {"loss_stiffness_cross", "loss stiffness across the direction"},
 });
@@ -144,7 +144,7 @@ std::string shown_label(std::string_view label, std::string_view name) {
   if (!own && (name.starts_with("kx") || name.starts_with("ky") || name.starts_with("cx") || name.starts_with("cy"))) {
     return fmt::format("{}{}, {}{}", name.find("_whirl") == std::string_view::npos ? "" : "whirl ",
                        name.front() == 'k' ? "stiffness" : "damping", name.substr(1, 2),
-                       name.ends_with("_stuck") ? ", all stuck" : "");
+                       name.ends_with("_stuck") ? ", full stick" : "");
   }
   const auto named =
       std::find_if(names_in_words.begin(), names_in_words.end(), [name](const auto& one) { return one.first == name; });

@@ -6,7 +6,7 @@
 namespace bumpfoil {
 
 /// All bytes of a file, whatever they are.
-/// @throws Error (file) if it cannot be read, is no ordinary file, or is larger than the memory that is to be had
+/// @throws Error (file) if it cannot be read, is not a regular file, or is larger than the memory that is to be had
 std::string read_binary_file(const std::filesystem::path& path);
 
 }  // namespace bumpfoil

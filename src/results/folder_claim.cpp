@@ -59,7 +59,7 @@ FileDescriptor FolderClaim::open_locked() const {
     if (try_to_lock(file) == Lock::held_by_another) {
       throw Error(ErrorKind::file, {{folder_.string(), 0, "", "",
                                      fmt::format("another run writes to this folder ({})", printable(read_start(file))),
-                                     "wait for its end, or give another folder"}});
+                                     "wait until it ends, or use another folder"}});
     }
     if (file.is_at(path_)) return file;  // otherwise the one before has removed it
   }

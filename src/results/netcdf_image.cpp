@@ -58,7 +58,7 @@ bool StoredVariable::has_dims(const std::vector<std::string_view>& names) const 
 
 NetcdfImage::NetcdfImage(std::string bytes, std::string name) : bytes_(std::move(bytes)), name_(std::move(name)) {
   // netCDF would try its other formats, which results never have.
-  if (!bytes_.starts_with(hdf5_signature)) refuse("", "is no result: it is no netCDF-4 file");
+  if (!bytes_.starts_with(hdf5_signature)) refuse("", "is not a result: not a netCDF-4 file");
   check(nc_open_mem("result.nc", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_));
   try {
     read_dimensions();
@@ -145,13 +145,13 @@ StoredVariable NetcdfImage::read_variable(int id) const {
   check(nc_inq_varname(id_, id, name.data()));
   variable.name = name.data();
   check(nc_inq_vartype(id_, id, &variable.type), variable.name);
-  if (size_of_type(variable.type) == 0) refuse(variable.name, "holds no numbers of a type that results have");
+  if (size_of_type(variable.type) == 0) refuse(variable.name, "does not contain numbers of a type used in results");
   check(nc_inq_varndims(id_, id, &rank), variable.name);
   std::vector<int> dims(static_cast<std::size_t>(rank));
   check(nc_inq_vardimid(id_, id, dims.data()), variable.name);
   for (const int dimension : dims) {
     const auto found = dimension_names_.find(dimension);
-    if (found == dimension_names_.end()) refuse(variable.name, "has a dimension that is none of the file");
+    if (found == dimension_names_.end()) refuse(variable.name, "has a dimension that the file does not declare");
     variable.dims.push_back(found->second);
     variable.extents.push_back(dimensions_.at(found->second));
   }
@@ -181,7 +181,7 @@ std::optional<double> NetcdfImage::read_fill(const StoredVariable& variable) con
   if (status == NC_ENOTATT) return std::nullopt;
   check(status, variable.name);
   if (type != variable.type || size != 1) {
-    refuse(variable.name, fmt::format("has {} values of {} in {}, where one of its own type is due", size,
+    refuse(variable.name, fmt::format("has {} values of {} in {}, expected one of its own type", size,
                                       type == variable.type ? "its type" : "another type", fill_attribute));
   }
   double fill = 0.0;
@@ -194,7 +194,7 @@ const StoredVariable& NetcdfImage::variable(const std::string& name, const std::
   const auto found = variables_.find(name);
   if (found == variables_.end()) refuse(name, "is missing");
   if (!found->second.has_dims(dims)) {
-    refuse(name, fmt::format("has the dimensions ({}), where ({}) are due", fmt::join(found->second.dims, ", "),
+    refuse(name, fmt::format("has the dimensions ({}), expected ({})", fmt::join(found->second.dims, ", "),
                              fmt::join(dims, ", ")));
   }
   return found->second;

@@ -36,7 +36,7 @@ Error unbuilt(std::string_view name, const netCDF::exceptions::NcException& erro
   const std::string_view reason = error.what();
   return {ErrorKind::file,
           {{std::string(name), 0, "", "", fmt::format("cannot be built: {}", reason.substr(0, reason.find('\n'))),
-            fmt::format("the memory may not suffice: {}", advice)}}};
+            fmt::format("possibly not enough memory: {}", advice)}}};
 }
 
 }  // namespace bumpfoil

@@ -24,13 +24,13 @@ std::string advice_for(int code) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "make room, or give another place";
+      return "free some space, or use another folder";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "give another place, or mend its permissions";
+      return "use another folder, or fix its permissions";
     default:
-      return "give another place";
+      return "use another folder";
   }
 }
 

@@ -93,7 +93,7 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
   return files;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorKind::file,
-              {{"summary.json", 0, "", "", "cannot be built: the memory does not suffice", std::string(advice)}});
+              {{"summary.json", 0, "", "", "cannot be built: not enough memory", std::string(advice)}});
 }
 
 }  // namespace bumpfoil

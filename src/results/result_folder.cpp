@@ -101,8 +101,8 @@ void ResultFolder::discard(const std::string& name) {
 
 void ResultFolder::publish(const std::function<void()>& before) {
   if (!claimed_->claim.is_held()) {
-    throw Error(ErrorKind::file, {{path_.string(), 0, "", "", "another run has taken over this folder meanwhile",
-                                   "give each run a folder of its own"}});
+    throw Error(ErrorKind::file, {{path_.string(), 0, "", "", "another run has meanwhile taken over this folder",
+                                   "use a separate folder for each run"}});
   }
   check_places();
   publish_staged(claimed_->staging, path_, staged_, before);
@@ -118,7 +118,7 @@ void ResultFolder::check_places() const {
                   {{(path_ / name).string(), 0, "", "", "is a folder", "move it away, or give another folder"}});
     }
     if (existing_ == Existing::refuse) {
-      throw Error(ErrorKind::file, {{path_.string(), 0, "", "", fmt::format("holds results already ({})", name),
+      throw Error(ErrorKind::file, {{path_.string(), 0, "", "", fmt::format("already contains results ({})", name),
                                      "give another folder, or --force to replace them"}});
     }
   };

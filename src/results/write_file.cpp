@@ -77,7 +77,7 @@ void write_file(const fs::path& path, std::string_view contents, Existing existi
                 {{path.string(), 0, "", "", "exists already", "give another name, or --force to replace it"}});
   }
   if (fs::exists(path, code) && !fs::is_regular_file(path, code)) {
-    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is no ordinary file", "give the name of a file"}});
+    throw Error(ErrorKind::file, {{path.string(), 0, "", "", "is not a regular file", "give the name of a file"}});
   }
   TemporaryFile(path).become_target(contents);
 }

@@ -93,10 +93,10 @@ class OptionReader {
       }
       std::vector<std::string> likely = keys_with_words(key, paths);
       if (const auto nearest = nearest_name(key, paths); likely.empty() && nearest) likely = {*nearest};
-      return fault(key, "is no known key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
+      return fault(key, "unknown key", likely.empty() ? "`bumpfoil init --keys` lists them" : did_you_mean(likely));
     }
     const bool is_list = listed->path == swept_list;
-    if (!is_list && !holds_number(*listed)) return fault(key, "holds no number", "sweep over keys that do");
+    if (!is_list && !holds_number(*listed)) return fault(key, "is not numeric", "sweep over numeric keys");
     const auto same = [&key](const SweepAxis& axis) { return axis.swept.key == key; };
     if (std::any_of(axes_.begin(), axes_.end(), same)) return fault(key, "is swept twice", "give it once");
     for (const std::string& one : request_.overrides) {
@@ -118,7 +118,8 @@ class OptionReader {
     for (const std::string& value : swept.values) {
       const std::optional<Dimension> dimension = dimension_of_either(value);
       if (dimension && dimension == first) continue;
-      fault(swept.key, fmt::format("is \"{}\" where {}", value, first ? "others are of another kind" : "a unit is due"),
+      fault(swept.key,
+            fmt::format("is \"{}\", {}", value, first ? "but others are of another kind" : "expected a unit"),
             "write lengths or forces, all with their units: 10 um:50 um:10 um");
       return {};
     }
@@ -151,7 +152,7 @@ class GridFaults {
     for (const Found& found : faults_) {
       if (told.size() == most_faults) {
         told.push_back(
-            {"", 0, "", "", fmt::format("and {} more faults", faults_.size() - most_faults), "mend the first ones"});
+            {"", 0, "", "", fmt::format("and {} more errors", faults_.size() - most_faults), "fix the first ones"});
         break;
       }
       Fault& fault = told.emplace_back(found.fault);

@@ -104,7 +104,7 @@ std::vector<ResultFile> sweep_files(const Sweep& sweep, const std::vector<SweepP
        .message = message_of(sweep, points),
        .warnings = warning_lines(sweep, points),
        .provenance = provenance},
-      "sweep.nc", "fewer points take less", [&](const std::string& /*run_id*/) {
+      "sweep.nc", "use fewer points", [&](const std::string& /*run_id*/) {
         std::vector<ResultFile> texts{{"sweep.csv", sweep_csv(sweep, points, &SweepPoint::rows)}};
         if (has_coefficients(sweep)) {
           texts.push_back({"coefficients.csv", sweep_csv(sweep, points, &SweepPoint::coefficients)});

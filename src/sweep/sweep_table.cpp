@@ -117,7 +117,7 @@ class Block {
 
   [[nodiscard]] std::string extreme_line(std::string_view heading, std::string_view which, const Column& column,
                                          std::optional<std::size_t> point) const {
-    constexpr std::size_t heading_width = 26;
+    constexpr std::size_t heading_width = 30;
     return fmt::format("{:<{}}{:<9}{:>{}}  {}\n", heading, heading_width, which,
                        point ? number_text(value(column.number, *point), column.size) : "-", number_width,
                        point ? "at " + point_name(sweep_, *point) : "");

@@ -81,7 +81,7 @@ def heights(data):
     rows = []
     for name, digits, scale, quantity in (
         ("maximum force (N)", 0, 1.0, "max_force_N"),
-        ("loaded stiffness (MN/m)", 2, 1e-6, "loaded_stiffness_N_per_m"),
+        ("structural stiffness (MN/m)", 2, 1e-6, "loaded_stiffness_N_per_m"),
         ("tangent stiffness, loading (MN/m)", 2, 1e-6, "tangent_stiffness_loading_N_per_m"),
         ("take-up (µm)", 1, 1e6, "take_up_m"),
         ("loop energy (mJ)", 2, 1e3, "loop_energy_J"),
@@ -132,7 +132,7 @@ def bumps(data):
             data.leading("heights_10um", quantity, direction)
             for quantity in ("max_force", "loaded_stiffness", "clearance_5N")
         )])
-    return table(["", "maximum force", "loaded stiffness", "clearance at 5 N"], rows)
+    return table(["", "maximum force", "structural stiffness", "clearance at 5 N"], rows)
 
 
 def alone(data):
@@ -143,7 +143,7 @@ def alone(data):
             for quantity in ("max_force_N", "loaded_stiffness_N_per_m", "loop_energy_J", "loss_factor")
         ), data.shift(ensemble, "loaded_stiffness_N_per_m"), data.width(ensemble, "clearance_5N_m")])
     return table(
-        ["scatters alone", "std", "on a drawing", "force (%)", "loaded stiffness (%)", "loop energy (%)",
+        ["scatters alone", "std", "on a drawing", "force (%)", "structural stiffness (%)", "loop energy (%)",
          "loss factor (%)", "mean stiffness (%)", "clearance at 5 N (µm)"],
         rows,
     )
@@ -183,7 +183,7 @@ It falls. Normal distributions, independent bumps, +X:
 
 {heights(data)}
 
-The mean loaded stiffness changes by {data.shift("heights_10um", stiffness)} % at 10 µm and by
+The mean structural stiffness changes by {data.shift("heights_10um", stiffness)} % at 10 µm and by
 {data.shift("heights_20um", stiffness)} % at 20 µm, while the mean maximum force rises by
 {data.shift("heights_10um", force)} and {data.shift("heights_20um", force)} %. Both have one cause. The tallest bumps
 touch the journal first: the load is taken up earlier, over a longer displacement on which few bumps carry. In the end

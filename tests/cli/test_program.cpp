@@ -471,7 +471,7 @@ TEST_F(Program, ReproducesAFigure) {
 
   const Outcome refused = run(reproduce);
   EXPECT_EQ(refused.exit_code, 4);
-  EXPECT_NE(refused.errors.find("holds results already (study.json)"), std::string::npos);
+  EXPECT_NE(refused.errors.find("already contains results (study.json)"), std::string::npos);
   const Outcome replaced = run(reproduce + std::vector<std::string>{"--force", "--quiet"});
   EXPECT_EQ(replaced.exit_code, 0);
   EXPECT_EQ(replaced.output + replaced.errors, "");

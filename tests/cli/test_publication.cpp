@@ -98,7 +98,7 @@ TEST_F(RunInShell, OfTwoRunsIntoOneFolderOneWinsAndTheOtherSaysWhy) {
     ASSERT_TRUE(codes == "0 4\n" || codes == "4 0\n") << codes;
     const std::string reason = folder_.read(codes == "4 0\n" ? "a" : "b");
     EXPECT_TRUE(reason.find("another run writes to this folder") != std::string::npos ||
-                reason.find("holds results already") != std::string::npos)
+                reason.find("already contains results") != std::string::npos)
         << reason;
     consistent_summary("twice");
     EXPECT_EQ(listing("twice"), set);
@@ -164,7 +164,7 @@ TEST_F(RunInShell, ReproduceReplacesNothingUnlessForced) {
     const std::filesystem::path path = std::filesystem::path("paper/figure16") / name;
     folder_.write(path.string(), "mine");
     EXPECT_EQ(run("$bumpfoil reproduce -o paper --figure 16"), 4) << log();
-    EXPECT_NE(log().find("holds results already (" + path.filename().string() + ")"), std::string::npos) << log();
+    EXPECT_NE(log().find("already contains results (" + path.filename().string() + ")"), std::string::npos) << log();
     EXPECT_EQ(folder_.read(path.string()), "mine");
     std::filesystem::remove_all(folder_.path() / "paper");
   }

@@ -95,7 +95,7 @@ test('the running bearing is that of the program, beside the design before', () 
       await view.getByLabel('Load along X, N').fill('5000');
       await view.getByLabel('Load along X, N').press('Tab');
     });
-    assert.match(await view.locator('.remarks').textContent(), /load \(5000, 0\) N: the journal touches: the film is thinner than film\.h_floor; the last state/);
+    assert.match(await view.locator('.remarks').textContent(), /load \(5000, 0\) N: touchdown: the film is thinner than the contact threshold film\.h_floor; last state/);
     await answeredIn(page, '.running', () => page.locator('[data-key="solver.name"] select').selectOption('events', { force: true }));
     assert.match(await view.locator('.remarks').textContent(), /solver\.name = events: cannot solve contacts under a film; use newton/);
     // A case that says where it runs is run there.

@@ -127,9 +127,9 @@ class Site(unittest.TestCase):
         page = (self.html / "docs/reference/variables.html").read_text(encoding="utf-8")
         rows = [re.findall(r"<td>(.*?)</td>", row, re.S) for row in re.findall(r"<tr.*?</tr>", page, re.S)]
         rows = {tuple(re.sub("<.*?>", "", cell).strip() for cell in row) for row in rows}
-        self.assertIn(("force_x_N", "N", "force that holds the journal, X"), rows)
+        self.assertIn(("force_x_N", "N", "applied force on the journal, X"), rows)
         self.assertIn(("cycles[].max_force_N", "N", "force along the direction at full displacement"), rows)
-        stuck = "dF_x/d(dy/dt) at the frequency, all closed contacts sticking"
+        stuck = "dF_x/d(dy/dt) at the frequency, full stick"
         self.assertIn(("cxy_stuck_N_s_per_m", "N s/m", stuck), rows)
 
     def test_shows_what_notebooks_give(self):

@@ -91,7 +91,7 @@ def test_ensemble_of_running_bearings(program):
     assert list(table.h_min_m) == list(data.h_min.values.ravel()) and set(table.state) == {1, 2}
     texts = [text.get_text() for text in result.plot_ensemble().get_legend().get_texts()]
     assert texts == ["45000 rpm, load (10, 0) N", "45000 rpm, load (20, 0) N"]
-    assert "least film thickness" in figures.ensemble(result, width="single").axes[0].get_xlabel()
+    assert "minimum film thickness" in figures.ensemble(result, width="single").axes[0].get_xlabel()
     assert "power loss (W)" in result._repr_html_()
 
 

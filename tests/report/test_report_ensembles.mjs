@@ -31,7 +31,7 @@ test('histograms count every bearing, and say mean and percentiles of the direct
   withReport('many.html', async (page) => {
     assert.equal(await page.locator('h1').textContent(), '</script><b>many</b>');
     const { statistics } = summaryOf('many');
-    for (const [name, key, unit] of [['Maximum force', 'max_force_N', 'N'], ['Loaded stiffness', 'loaded_stiffness_N_per_m', 'N/m'], ['Largest bump load', 'largest_bump_load_N', 'N']]) {
+    for (const [name, key, unit] of [['Maximum force', 'max_force_N', 'N'], ['Structural stiffness', 'loaded_stiffness_N_per_m', 'N/m'], ['Maximum bump load', 'largest_bump_load_N', 'N']]) {
       for (const direction of ['+X', '+Y']) {
         await directionChooser(page).selectOption(direction);
         const found = statistics[direction][key];
@@ -166,18 +166,18 @@ test('running bearings are looked at state by state', () =>
     assert.deepEqual(Object.keys(statistics), states);
     for (const state of states) {
       await page.getByRole('combobox', { name: 'State shown' }).selectOption(state);
-      const subject = await panelOf(page, 'Least film thickness').locator('.subject').textContent();
+      const subject = await panelOf(page, 'Minimum film thickness').locator('.subject').textContent();
       assert.ok(subject.includes(` · ${state} · `), subject);
       near(quantity(subject.match(/mean (\S+ \S+) ±/)[1], 'm'), statistics[state].h_min_m.mean, 1e-3, 'mean');
       const shown = await page.locator('tr[data-key="power_W"] > *').allTextContents();
       near(quantity(`${shown[2]} ${shown[1]}`, 'W'), statistics[state].power_W.mean, 1e-3, 'mean');
     }
-    const [head, ...bars] = (await saved(page, 'Least film thickness', /CSV/)).bytes.toString().trimEnd().split('\n');
+    const [head, ...bars] = (await saved(page, 'Minimum film thickness', /CSV/)).bytes.toString().trimEnd().split('\n');
     assert.match(head, /^state,/);
     assert.ok(bars.every((bar) => bar.startsWith(`"${states[1]}",`)));
     assert.equal(bars.reduce((sum, bar) => sum + Number(bar.slice(bar.lastIndexOf(',') + 1)), 0), 12);
     // Of a truss that is not known, and has no picture.
-    assert.equal(await panelOf(page, 'Highest stress, bump foil').count(), 0);
+    assert.equal(await panelOf(page, 'Maximum stress, bump foil').count(), 0);
     assert.equal(await page.getByRole('region', { name: /^The first/ }).count(), 0);
     assert.ok((await panelOf(page, 'Bump loads').locator('.subject').textContent()).startsWith('Mean and standard deviation · '));
   }));

@@ -32,7 +32,7 @@ const rpm = (row) => Math.round((Number(row.speed_rad_per_s) * 30) / Math.PI);
 
 test('curves over speed and load are those of equilibrium.csv', () =>
   withReport('grid.html', async (page) => {
-    for (const [panel, text, key] of [['Least film thickness', 'Least film thickness', 'h_min'], ['Journal position', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Kxx', 'kxx']]) {
+    for (const [panel, text, key] of [['Minimum film thickness', 'Minimum film thickness', 'h_min'], ['Journal position', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Kxx', 'kxx']]) {
       await page.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(text);
       const shown = await shownIn(page, panel);
       assert.equal(shown.length, 6, panel);
@@ -44,7 +44,7 @@ test('curves over speed and load are those of equilibrium.csv', () =>
     }
     // Over the load, a line for each speed.
     await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Load to +X');
-    assert.deepEqual(await panelOf(page, 'Least film thickness').locator('.legend li').allTextContents(), ['Speed 30000 rpm', 'Speed 45000 rpm']);
+    assert.deepEqual(await panelOf(page, 'Minimum film thickness').locator('.legend li').allTextContents(), ['Speed 30000 rpm', 'Speed 45000 rpm']);
   }));
 
 test('columns of the table are called as in equilibrium.csv and summary.json', () =>
@@ -65,11 +65,11 @@ test('film, bumps and journal are those of the state looked at', () =>
       const index = csvOf('grid').findIndex((row) => rpm(row) === speed && Number(row.load_x_N) === load);
       const state = states[index];
       const pressure = (await shownIn(page, 'Pressure over the unwrapped foil')).map((row) => Number(row.pressure_Pa));
-      near(Math.max(...pressure), state.p_max_Pa, 1e-6, 'highest pressure');
-      near(Math.min(...pressure), state.p_min_Pa, 1e-6, 'lowest pressure');
+      near(Math.max(...pressure), state.p_max_Pa, 1e-6, 'maximum pressure');
+      near(Math.min(...pressure), state.p_min_Pa, 1e-6, 'minimum pressure');
       const film = await shownIn(page, 'Film thickness and sag of the top foil');
       const thin = film.reduce((least, row) => (Number(row.film_thickness_m) < Number(least.film_thickness_m) ? row : least));
-      near(Number(thin.film_thickness_m), state.h_min_m, 1e-6, 'least thickness');
+      near(Number(thin.film_thickness_m), state.h_min_m, 1e-6, 'minimum thickness');
       near(Number(thin.theta_deg), state.h_min_theta_deg, 1e-5, 'its place');
       const loads = await shownIn(page, 'Bump loads');
       const sizes = loads.map((row) => Number(row.load_N));
@@ -136,7 +136,7 @@ test('no row of panels is left half empty', () =>
 test('the way there and back shows both states at a load', () =>
   withReport('back.html', async (page) => {
     assert.deepEqual(await chooser(page, 'Load to +X').locator('option').allTextContents(), ['(20, 0) N', '(50, 0) N', '(20, 0) N, time 2']);
-    const shown = await shownIn(page, 'Least film thickness');
+    const shown = await shownIn(page, 'Minimum film thickness');
     // However fine the mesh, the map has both halves of every node before it is printed or saved.
     const nodes = await shownIn(page, 'Pressure over the unwrapped foil');
     assert.ok(nodes.length > 2000);
@@ -157,7 +157,7 @@ test('paths to one state are compared', () =>
     assert.deepEqual(await chooser(page, 'Path').locator('option').allTextContents(), names);
     const table = page.getByRole('region', { name: 'Results by state' });
     const heads = await table.locator('thead th').allTextContents();
-    const column = heads.findIndex((head) => head.startsWith('Least film thickness'));
+    const column = heads.findIndex((head) => head.startsWith('Minimum film thickness'));
     const unit = heads[column].split(' ').pop();
     const cells = await table.locator('tbody tr').evaluateAll((lines) => lines.map((line) => [...line.children].map((cell) => cell.textContent)));
     cells.forEach((row, i) => near(quantity(`${row[column]} ${unit}`, 'm'), Number(rows[i].h_min_m), 1e-3, names[i]));
@@ -178,7 +178,7 @@ test('a film between walls has no foils to show', () =>
     await chooser(page, 'Position to +X').selectOption('(10, 0) µm');
     const [state] = summaryOf('rigid').states;
     const film = await shownIn(page, 'Film thickness');
-    near(Math.min(...film.map((row) => Number(row.film_thickness_m))), state.h_min_m, 1e-6, 'least thickness');
+    near(Math.min(...film.map((row) => Number(row.film_thickness_m))), state.h_min_m, 1e-6, 'minimum thickness');
     for (const name of ['Bump loads', 'Bearing in operation']) assert.equal(await panelOf(page, name).count(), 0);
     assert.doesNotMatch(await page.locator('main').innerHTML(), /NaN|undefined/);
   }));
@@ -198,7 +198,7 @@ test('what was not found is told', () =>
 
 test('a click on a curve looks at its state, and pictures are complete', () =>
   withReport('grid.html', async (page) => {
-    const panel = panelOf(page, 'Least film thickness');
+    const panel = panelOf(page, 'Minimum film thickness');
     await chooser(page, 'Speed').selectOption('30000 rpm');
     await panel.scrollIntoViewIfNeeded();
     const there = await panel.locator('.cursor.point').boundingBox();

@@ -179,13 +179,13 @@ test('films of pads lie one after the other, each from its weld', () =>
     const film = await shownIn('Film thickness and sag of the top foil');
     assert.equal(film.length, 3 * 33);
     const thin = film.reduce((least, row) => (Number(row.film_thickness_m) < Number(least.film_thickness_m) ? row : least));
-    near(Number(thin.film_thickness_m), state.h_min_m, 1e-6, 'least thickness');
+    near(Number(thin.film_thickness_m), state.h_min_m, 1e-6, 'minimum thickness');
     assert.equal(Number(thin.pad), state.h_min_pad);
     near(Number(thin.theta_deg), state.h_min_theta_deg, 1e-5, 'its place');
     assert.match(await panelOf('Film thickness and sag of the top foil').locator('.subject').textContent(), new RegExp(`° from the weld of pad ${state.h_min_pad} `));
     const pressure = await shownIn('Pressure over the unwrapped pads');
     assert.equal(pressure.length, 7 * film.length);
-    near(Math.max(...pressure.map((row) => Number(row.pressure_Pa))), state.p_max_Pa, 1e-6, 'highest pressure');
+    near(Math.max(...pressure.map((row) => Number(row.pressure_Pa))), state.p_max_Pa, 1e-6, 'maximum pressure');
     await (await plotsIn(panelOf('Pressure over the unwrapped pads'))).locator('text', { hasText: 'pad 3' }).first().waitFor();
     // No line leads from pad to pad.
     const lines = await piecesOf(panelOf('Film around the journal').locator('path[stroke-width="2.4"]:not([stroke-dasharray])'));

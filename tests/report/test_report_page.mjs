@@ -126,21 +126,21 @@ test('results have differences from the reference that was chosen', () =>
     near(quantity(`${demo} ${unit}`, 'N'), summaryOf('demo').cycles[2].max_force_N, 1e-3, '+Y');
   }));
 
-test('tiles lead with the loaded stiffness, and tables have the clearances asked for', async () => {
+test('tiles lead with the structural stiffness, and tables have the clearances asked for', async () => {
   cycle('clearances', 'cycle.steps=40', 'cycle.amplitude=95 um', 'cycle.clearance_forces=["2 N", "5 N", "5 kN"]');
   report('clearances.html', 'clearances');
   await withReport('clearances.html', async (page) => {
     const { cycles } = summaryOf('clearances');
     const tile = page.locator('.card').first();
     near(quantity(await tile.locator('strong').textContent(), 'N/m'), cycles[0].loaded_stiffness_N_per_m, 6e-3, 'headline');
-    assert.match(await tile.textContent(), /loaded stiffness.*secant with free travel/);
+    assert.match(await tile.textContent(), /structural stiffness.*secant with free travel/);
     for (const [i, { force_N: force, displacement_m: displacement }] of cycles[0].clearances.entries()) {
       const row = page.locator('.results tr', { hasText: `Clearance at ${['2 N', '5 N', '5 kN'][i]}` });
       const [unit, shown] = await row.locator('td').allTextContents();
       if (displacement === null) assert.equal(shown, '–', String(force));
       else near(quantity(`${shown} ${unit}`, 'm'), displacement, 1e-3, String(force));
     }
-    for (const name of ['Take-up point', 'Specific damping capacity', 'Loaded stiffness']) assert.equal(await page.locator('.results th', { hasText: name }).count(), 1, name);
+    for (const name of ['Take-up point', 'Specific damping capacity', 'Structural stiffness']) assert.equal(await page.locator('.results th', { hasText: name }).count(), 1, name);
     // An eighth of the rise is passed here.
     assert.match(await page.locator('.warnings').textContent(), /\+X: bump \d+ is compressed by .* of its rise/);
   });

@@ -53,7 +53,7 @@ const chooser = (page, name) => page.getByRole('combobox', { name: `${name} show
 test('the chart shows the quantity chosen over the key, a line for each value of the other', () =>
   withReport('grid.html', async (page) => {
     assert.equal(await page.locator('h1').textContent(), hostileTitle);
-    for (const [text, key] of [['Loaded stiffness', 'loaded_stiffness_N_per_m'], ['Loss factor', 'loss_factor'], ['Clearance at 5 N', 'clearance_5N_m']]) {
+    for (const [text, key] of [['Structural stiffness', 'loaded_stiffness_N_per_m'], ['Loss factor', 'loss_factor'], ['Clearance at 5 N', 'clearance_5N_m']]) {
       await quantityChooser(page).selectOption(text);
       await chooser(page, 'Direction').selectOption('+Y');
       const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString());
@@ -95,7 +95,7 @@ test('a click on a point looks at it, and its loop is the thick one', () =>
     await page.mouse.move(there.x + there.width / 2 + 2, there.y + there.height / 2);
     const tip = await panel.locator('.tip').textContent();
     const row = rowsIn('grid').find((one) => one.direction_deg === '0' && Math.abs(one.cycle_amplitude_m - 7e-5) < 1e-9 && Number(one.friction_coefficient) > 0.25);
-    near(quantity(tip.split('Loaded stiffness').pop(), 'N/m'), Number(row.loaded_stiffness_N_per_m), 1e-3, tip);
+    near(quantity(tip.split('Structural stiffness').pop(), 'N/m'), Number(row.loaded_stiffness_N_per_m), 1e-3, tip);
     const widths = await (await plotsIn(loops)).locator('path[fill=none]').evaluateAll((paths) => paths.map((path) => Number(path.getAttribute('stroke-width'))));
     assert.equal(widths.filter((width) => width === 3).length, 1);
     assert.equal(widths.filter((width) => width === 1.3).length, 3);
@@ -240,7 +240,7 @@ test('running bearings are drawn over the key, speed and load', () =>
     for (const [along, lines, count] of [['Bearing: Radial clearance', 'Load', 6], ['Speed', 'Bearing: Radial clearance', 6], ['Load', 'Speed', 4]]) {
       await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption(along);
       await page.getByRole('combobox', { name: 'Lines' }).selectOption(lines);
-      for (const [text, key] of [['Least film thickness', 'h_min_m'], ['Power loss', 'power_W'], ['Stiffness, xx', 'kxx_N_per_m']]) {
+      for (const [text, key] of [['Minimum film thickness', 'h_min_m'], ['Power loss', 'power_W'], ['Stiffness, xx', 'kxx_N_per_m']]) {
         await quantityChooser(page).selectOption(text);
         const shown = rowsOf((await saved(page, over, /CSV/)).bytes.toString().replaceAll(/"\(([0-9]*), 0\) N"/g, '$1'));
         assert.equal(shown.length, count, along);
@@ -266,7 +266,7 @@ test('running bearings are drawn over the key, speed and load', () =>
 test('saved pictures say what they are of', () =>
   withReport('grid.html', async (page) => {
     for (const [panel, name, texts] of [
-      [over, 'Loaded_stiffness-grid.svg', [over, 'Loaded stiffness over Cycle: Amplitude', 'Both coefficients 0.3', '+X']],
+      [over, 'Structural_stiffness-grid.svg', [over, 'Structural stiffness over Cycle: Amplitude', 'Both coefficients 0.3', '+X']],
       ['Loops', 'loops-force_direct-grid.svg', ['Direct force vs. displacement', 'thick: Amplitude 90 µm', 'Amplitude 60 µm']],
     ]) {
       const picture = await saved(page, panel, /SVG/);

@@ -98,7 +98,7 @@ struct FilmBearingOutcome {
   double
       attitude_angle{};  ///< from the force to the displacement, positive in the sense of rotation, in (-pi, pi], rad
   double torque{};       ///< against rotation for Omega > 0, N m
-  double couette_torque{};       ///< of which the moving surface alone makes this much, N m; the rest is the pressure's
+  double couette_torque{};       ///< Couette part of it, N m; the rest is the Poiseuille part
   double torque_of_moments{};    ///< the same torque by the balance of moments: equal but for the discretisation
   double power{};                ///< torque times Omega, W
   double couette_dissipation{};  ///< of the moving surface, W
@@ -108,7 +108,7 @@ struct FilmBearingOutcome {
   int thinnest_pad{};            ///< from 0
   double thinnest_crest{};       ///< least H over a crest
   double max_pressure{}, min_pressure{};  ///< P
-  int loaded_bumps{};                     ///< bumps that the top foil presses
+  int loaded_bumps{};                     ///< bumps loaded by the top foil
   int first_loaded{-1}, last_loaded{-1};  ///< of them, from 0 through all pads; -1 where there is none
   Eigen::Matrix2Xd pad_forces;            ///< part of the force that each of several pads takes, N; one has no column
 };

@@ -49,7 +49,7 @@ struct EnsembleLayout {
 
   /// What a place is, the dimension of ensemble.nc: "direction" or "state".
   [[nodiscard]] std::string_view dimension() const { return command == EnsembleCommand::cycle ? "direction" : "state"; }
-  /// The quantity whose mean EnsembleRun is asked to know: the maximum force, or the least film thickness.
+  /// The quantity whose mean EnsembleRun is asked to know: the maximum force, or the minimum film thickness.
   [[nodiscard]] std::string_view leading() const { return command == EnsembleCommand::cycle ? "max_force" : "h_min"; }
   /// The status of samples that make no bearing: "not_physical".
   [[nodiscard]] int no_bearing() const { return static_cast<int>(columns.front().meaning.form.words.size()) - 1; }

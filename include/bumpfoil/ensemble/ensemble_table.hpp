@@ -15,8 +15,8 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
 std::vector<std::string> failure_lines(const EnsembleLayout& layout, const EnsembleStatistics& statistics);
 
 /// Remarks on the case, and a line for each state of running bearings whose samples lie on several branches: some
-/// jumped to another branch on the way and others did not, or the number of bumps that the foil is lifted off at the
-/// entry differs by more than one.
+/// jumped to another branch on the path and others did not, or the number of detached bumps at the inlet differs by
+/// more than one.
 std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
                                        const EnsembleStatistics& statistics);
 

@@ -16,11 +16,11 @@ struct SampleRange {
   std::size_t first{}, count{};
 };
 
-/// Samples on their way through those who run them: numbers go out in their order, rows come back in any, and leave in
+/// Distributes samples to the threads that run them: numbers go out in their order, rows come back in any, and leave in
 /// the order of their numbers again. For several threads at once.
 ///
-/// Nobody waits for anybody but where a sample takes so long that others would be a window ahead of it: that bounds
-/// the memory.
+/// Threads run independently: one waits only where a sample takes so long that others would be a window ahead of it.
+/// That bounds the memory.
 class SampleFlow : public RunQueue {
  public:
   /// @param begin, end  numbers of the samples: end is none of them

@@ -70,8 +70,7 @@ class CycleDataset {
   void add_clearances() {
     const std::vector<double>& forces = input_.cycle.clearance_forces;
     if (result_.experiment != Experiment::cycle || forces.empty()) return;
-    data_.add_dimension({"clearance_force", "N", "force at which a push test would take the journal for touching"},
-                        forces);
+    data_.add_dimension({"clearance_force", "N", "force at which a push test would report contact"}, forces);
     data_.add({"clearance", "m", "displacement at which the direct force first reaches the threshold"},
               of_cycles_and({"clearance_force"}), blocks(forces.size(), [](const Cycle& cycle) {
                 return each(cycle.clearances, [](const Clearance& one) { return one.displacement.value_or(absent); });

@@ -27,7 +27,7 @@ std::vector<ResultFile> cycle_files(const Case& input, const CycleResult& result
                             .message = message_of(failure_lines(input, result), status),
                             .warnings = warning_lines(input, result),
                             .provenance = provenance},
-                           "result.nc", "fewer steps or directions take less", [&](const std::string& /*run_id*/) {
+                           "result.nc", "use fewer steps or directions", [&](const std::string& /*run_id*/) {
                              return ResultContents{.texts = {{fmt::format("{}.csv", command), cycle_csv(result)}},
                                                    .dataset = cycle_dataset(input, result, status, Extent::everything),
                                                    .lists = [&] { return cycle_lists(input, result); }};

@@ -23,7 +23,7 @@ constexpr std::size_t name_width = 30;
 constexpr std::size_t unit_width = 7;
 constexpr std::size_t least_column_width = 13;
 
-/// Cycles that are shown: all directions; of many of a strip the first and the last, which tell how it settles.
+/// Cycles that are shown: all directions; of many cycles of a strip the first and the last, which show how it settles.
 std::vector<std::size_t> shown_cycles(const CycleResult& result) {
   std::vector<std::size_t> shown(result.cycles.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
@@ -57,7 +57,7 @@ std::vector<Row> rows_of_clearances(const Case& input) {
   return rows;
 }
 
-/// Rows of the quantities that say how the cycle was computed, or of the others.
+/// Rows of the quantities of the solver, or of the results.
 std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solver) {
   std::vector<Row> rows;
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
@@ -89,7 +89,7 @@ std::vector<Row> rows_of_highest_load(const Case& input) {
     const bool any = known(cycle) && cycle.turning_point->bump_loads.maxCoeff(&highest) > 0.0;
     return any ? bump_text(input, static_cast<int>(highest)) : "-";
   };
-  return {{"highest bump load", "N", load}, {"on bump", "", bump}};
+  return {{"maximum bump load", "N", load}, {"on bump", "", bump}};
 }
 
 Vector pad_forces_at_turn(const Cycle& cycle) {
@@ -98,14 +98,14 @@ Vector pad_forces_at_turn(const Cycle& cycle) {
   return (turn.pad_forces_x.array().square() + turn.pad_forces_y.array().square()).sqrt();
 }
 
-/// What each of several pads takes of the force at full displacement; of a path, at most.
+/// Part of the force that each of several pads carries at full displacement; of a path, the maximum.
 std::vector<Row> rows_of_pads(const Case& input, Experiment experiment) {
   const bool turns = experiment != Experiment::path;
   std::vector<Row> rows;
   if (count_pads(input) == 1) return rows;
   rows.reserve(count_pads(input));
   for (std::size_t k = 0; k < count_pads(input); ++k) {
-    rows.push_back({fmt::format("{}force of pad {}", turns ? "" : "highest ", k + 1), "N",
+    rows.push_back({fmt::format("{}force of pad {}", turns ? "" : "maximum ", k + 1), "N",
                     [turns, pad = static_cast<Eigen::Index>(k)](const Cycle& cycle) {
                       const Vector forces = turns ? pad_forces_at_turn(cycle) : largest_pad_forces(cycle.fields);
                       return pad < forces.size() ? number_text(forces[pad], 1.0) : std::string("-");

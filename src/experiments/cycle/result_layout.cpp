@@ -77,7 +77,7 @@ void add_pads(const Case& input, const std::vector<PlacedPad>& pads, ResultLayou
   layout.pads = pads.size();
   NamedNumbers weld{"pad_weld_angle", "rad", "polar angle of the weld of the pad from X towards Y", {}};
   NamedNumbers end{"pad_end_angle", "rad", "polar angle of the free end of the pad from X towards Y", {}};
-  NamedNumbers lobe{"pad_lobe", "m", "displacement of the centre of the pad away from its middle", {}};
+  NamedNumbers lobe{"pad_lobe", "m", "preload: offset of the centre of the pad away from its middle", {}};
   NamedNumbers of_bumps{"bump_pad", "1", "pad that the bump belongs to", {}};
   NamedNumbers of_feet{"foot_pad", "1", "pad that the foot belongs to", {}};
   for (const PlacedPad& pad : pads) {
@@ -156,10 +156,10 @@ ResultLayout layout_of_strip(const Case& input) {
   std::iota(layout.places.begin(), layout.places.end(), std::size_t{0});
   layout.increments = std::size_t{strip.preload ? 4U : 2U} * static_cast<std::size_t>(strip.steps) + 1;
   layout.feet = static_cast<std::size_t>(feet.size());
-  layout.at_bumps.push_back({"crest_position", "m", "place of the crest along the strip, from the weld or its like",
+  layout.at_bumps.push_back({"crest_position", "m", "position of the crest along the strip, from the weld or the start",
                              to_vector(crest_positions(foils))});
   layout.at_feet = {
-      {"foot_position", "m", "place of the foot along the strip, from the weld or its like", to_vector(feet)}};
+      {"foot_position", "m", "position of the foot along the strip, from the weld or the start", to_vector(feet)}};
   layout.bump_coordinates = "crest_position";
   layout.foot_coordinates = "foot_position";
   return layout;

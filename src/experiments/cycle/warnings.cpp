@@ -13,14 +13,14 @@
 namespace bumpfoil {
 namespace {
 
-/// Parts of the rise of a bump. Up to the first, linear foils are at most some 5 % too stiff; past the second nothing
-/// has been compared with finite elements.
+/// Parts of the rise of a bump. Up to the first, linear foils are at most about 5 % too stiff; beyond the second,
+/// nothing has been compared with finite elements.
 constexpr double linear_limit = 1.0 / 8.0;
 constexpr double checked_limit = 1.0 / 2.0;
-/// By which part large displacements soften the foils, per compression over rise: frames of the reference bearing,
+/// Relative softening of the foils by large displacements, per compression over rise: frames of the reference bearing,
 /// linear and nonlinear, compressed by 0.12, 0.14 and 0.19 of the rise are 4.5, 5.5 and 7.5 % apart.
 constexpr double softening = 0.4;
-/// A truss is made for rows longer than this.
+/// The truss is meant for rows of at least this many bumps.
 constexpr int shortest_row = 4;
 
 double rise_of(const Case& input, int bump) {
@@ -36,11 +36,10 @@ std::optional<std::string> compression_warning(const Case& input, const Cycle& c
   if (part <= (linear ? linear_limit : checked_limit)) return std::nullopt;
   std::string text = fmt::format("bump {} is compressed by {:.3g} um, {:.2g} of its rise (increment {})",
                                  bump_text(input, peak.bump), 1e6 * peak.compression, part, peak.increment);
-  if (part > checked_limit) return text + ": nothing has been checked past half the rise; push less far";
+  if (part > checked_limit) return text + ": not verified beyond half the rise; reduce the displacement";
   return fmt::format(
-      "{}: large displacements, which are left out, soften the foils by some {:.0f} %; bump_foil.model = \"frame\" "
-      "with "
-      "bump_foil.geometry = \"nonlinear\" follows them",
+      "{}: large displacements, which are not modelled, would soften the foils by about {:.0f} %; use bump_foil.model "
+      "= \"frame\" with bump_foil.geometry = \"nonlinear\"",
       text, 100.0 * softening * part);
 }
 
@@ -54,8 +53,7 @@ std::optional<std::string> contact_warning(const CycleResult& result, const Cycl
   }
   if (!cycle.first_contact) return "the journal never touches the foils: no bump faces this direction";
   return fmt::format(
-      "the journal, pushed to {:.4g} um, never touches the foils, which begin at {:.4g} um: raise "
-      "cycle.amplitude",
+      "the journal, pushed to {:.4g} um, never touches the foils, which start at {:.4g} um: raise cycle.amplitude",
       1e6 * cycle.amplitude, 1e6 * *cycle.first_contact);
 }
 
@@ -73,8 +71,7 @@ std::optional<std::string> truss_warning(const Case& input, const CycleResult& r
   if (result.experiment == Experiment::strip) bumps = input.strip->bumps;
   if (input.bump_foil.model != BumpFoilModel::truss || bumps >= shortest_row) return std::nullopt;
   return fmt::format(
-      "the truss is made for long rows of bumps, and for {} it may be up to 26 % too stiff: bump_foil.model = "
-      "\"frame\" "
+      "the truss is meant for long rows of bumps; for {} it may be up to 26 % too stiff: bump_foil.model = \"frame\" "
       "stays within 1 %",
       bumps == 1 ? "one bump" : fmt::format("{} bumps", bumps));
 }
@@ -94,7 +91,7 @@ std::string unsettled(const Cycle& cycle, std::string_view loops) {
   const double last = cycle.loop_energies.back();
   const double before = *(cycle.loop_energies.end() - 2);
   return fmt::format(
-      "the loop has not settled after {} {}: the energy of the last, {:.4g} mJ, is by {:.2g} % {} than that before",
+      "the loop has not settled after {} {}: its energy, {:.4g} mJ, is {:.2g} % {} than that of the previous loop",
       cycle.loop_energies.size(), loops, 1e3 * last, 100.0 * std::abs(last / before - 1.0),
       last < before ? "smaller" : "larger");
 }

@@ -128,7 +128,7 @@ std::vector<ResultFile> equilibrium_files(const Case& input, const EquilibriumRe
                             .message = message_of(failure_lines(result), status),
                             .warnings = warning_lines(input, result),
                             .provenance = provenance},
-                           "result.nc", "fewer states or a coarser mesh take less", [&](const std::string& run_id) {
+                           "result.nc", "use fewer states or a coarser mesh", [&](const std::string& run_id) {
                              return ResultContents{.texts = texts_of(input, result, run_id),
                                                    .dataset = state_dataset(input, result),
                                                    .lists = [&] { return equilibrium_lists(input, result); }};

@@ -56,8 +56,8 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     if (!state.found()) continue;
     if (state.report.jumps > 0) {
       lines.push_back(
-          fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another one; "
-                      "other states exist at this point: compare with --paths",
+          fmt::format("{}: the branch of states ended {} on the path, and the foil jumped to another one; several "
+                      "states exist at this point: compare with --paths",
                       name_of_state(state), times_text(state.report.jumps)));
     }
     if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
@@ -65,9 +65,8 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     }
     if (state.foil_response.value_or(0.0) > most_foil_response) {
       lines.push_back(
-          fmt::format("{}: the state is nearly singular: the top foil moves {:.3g} times as far as the "
-                      "journal; stiffness and coefficients at low frequencies hold for motions below {:.2g} "
-                      "nm alone",
+          fmt::format("{}: the state is nearly singular: the top foil moves {:.3g} times as far as the journal; "
+                      "stiffness and coefficients at low frequencies hold only for motions below {:.2g} nm",
                       name_of_state(state), *state.foil_response,
                       1e9 * linear_part * state.outcome->thinnest.thickness * result.bearing->scales.thickness /
                           *state.foil_response));
@@ -84,7 +83,7 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
   }
   for (const FilmLimit& limit : result.limits) {
     if (!limit.found() || limit.jumps == 0) continue;
-    lines.push_back(fmt::format("{}: the branch of states ended {} on the way, and the foil jumped to another one",
+    lines.push_back(fmt::format("{}: the branch of states ended {} on the path, and the foil jumped to another one",
                                 name_of_limit(limit), times_text(limit.jumps)));
   }
   for (const OtherBranch& other : result.other_branches) {
@@ -98,8 +97,8 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
   // One line for all: on most paths it is all states or none.
   if (lifted > 0) {
     lines.push_back(
-        fmt::format("in {} of {} states the foil is lifted where gas enters ({}); how far it is may depend "
-                    "on the path: compare with --paths",
+        fmt::format("in {} of {} states the foil is detached at the inlet ({}); the extent may depend on the path: "
+                    "compare with --paths",
                     lifted, result.states.size(), first_lifted));
   }
   return lines;

@@ -95,179 +95,173 @@ using By = Control;
 constexpr auto table = std::to_array<RunningQuantity>({
     {"speed", "rad/s", "speed of the journal, positive from X to Y",
      [](const B&, const S& state) { return state.asked.speed; }, csv | asked | demand, "speed", shown::revolutions},
-    {"load_x", "N", "load on the journal that was asked for, X", asked_journal<By::load, 0>, csv | asked | demand,
-     "load, X", shown::newtons},
-    {"load_y", "N", "load on the journal that was asked for, Y", asked_journal<By::load, 1>, csv | asked | demand,
-     "load, Y", shown::newtons},
+    {"load_x", "N", "requested load on the journal, X", asked_journal<By::load, 0>, csv | asked | demand, "load, X",
+     shown::newtons},
+    {"load_y", "N", "requested load on the journal, Y", asked_journal<By::load, 1>, csv | asked | demand, "load, Y",
+     shown::newtons},
     {"x", "m", "journal centre, X", position<0>, csv | sampled, "journal, X", shown::micrometres},
     {"y", "m", "journal centre, Y", position<1>, csv | sampled, "journal, Y", shown::micrometres},
-    {"force_x", "N", "force that holds the journal against the film, X", force<0>, csv | sampled, "force, X",
-     shown::newtons},
-    {"force_y", "N", "force that holds the journal against the film, Y", force<1>, csv | sampled, "force, Y",
-     shown::newtons},
+    {"force_x", "N", "applied force on the journal, X", force<0>, csv | sampled, "force, X", shown::newtons},
+    {"force_y", "N", "applied force on the journal, Y", force<1>, csv | sampled, "force, Y", shown::newtons},
     {"eccentricity_ratio", "1", "distance of the journal from the centre over the radial clearance",
      of<&FilmBearingOutcome::eccentricity>, csv | headline | sampled, "eccentricity", shown::unitless},
     {"attitude_angle", "degree",
      "angle from the force to the displacement of the journal, positive in the sense of rotation",
      [](const B&, const S& state) { return to_degrees(state.outcome->attitude_angle); }, csv | headline | sampled,
      "attitude angle", shown::degrees},
-    {"h_min", "m", "least film thickness of all nodes",
+    {"h_min", "m", "minimum film thickness of all nodes",
      [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
-     csv | headline | sampled, "least film thickness", shown::micrometres},
-    {"h_min_theta", "degree", "where that is, from the weld along the foil",
+     csv | headline | sampled, "minimum film thickness", shown::micrometres},
+    {"h_min_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
      [](const B& bearing, const S& state) {
        return to_degrees(state.outcome->thinnest.column * thinnest_mesh(bearing, state).dtheta);
      },
      csv | sampled, "  at, from the weld", shown::degrees},
-    {"h_min_pad", "1", "pad where that is", [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; },
-     csv | of_pads | sampled, "  of pad", shown::unitless, whole_number},
-    {"h_min_mesh_error", "m", "estimated error of the least film thickness by the mesh, from a mesh of another size",
+    {"h_min_pad", "1", "pad with the minimum film thickness",
+     [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, csv | of_pads | sampled, "  of pad",
+     shown::unitless, whole_number},
+    {"h_min_mesh_error", "m",
+     "estimated discretisation error of the minimum film thickness, from a mesh of another size",
      [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->minimum_film_thickness : absent; },
-     none, "film, error of the mesh", shown::micrometres},
+     none, "film, mesh error", shown::micrometres},
     {"force_mesh_error", "N",
-     "estimated error of the force by the mesh: at the position, or under a load what the error of the position makes",
+     "estimated discretisation error of the force at the position, or under a load the effect of the position error",
      [](const B&, const S& state) { return state.mesh_error ? state.mesh_error->force : absent; }, none,
-     "force, error of the mesh", shown::newtons},
-    {"h_min_vertex", "m", "least film thickness by the parabola through its node and the two beside",
+     "force, mesh error", shown::newtons},
+    {"h_min_vertex", "m", "minimum film thickness by a parabola through its node and both neighbours",
      [](const B& bearing, const S& state) {
        return state.outcome->thinnest.vertex_thickness * bearing.scales.thickness;
      },
      sampled},
-    {"h_min_vertex_theta", "degree", "where that is, from the weld along the foil",
+    {"h_min_vertex_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.vertex_theta); }},
-    {"h_min_crest", "m", "least film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>,
+    {"h_min_crest", "m", "minimum film thickness over a crest", length<&FilmBearingOutcome::thinnest_crest>,
      of_foils | sampled},
-    {"p_max", "Pa", "highest pressure", pressure<&FilmBearingOutcome::max_pressure>, csv | shown_first | sampled,
-     "highest pressure", shown::bars},
-    {"p_min", "Pa", "lowest pressure", pressure<&FilmBearingOutcome::min_pressure>, csv | sampled, "lowest pressure",
+    {"p_max", "Pa", "maximum pressure", pressure<&FilmBearingOutcome::max_pressure>, csv | shown_first | sampled,
+     "maximum pressure", shown::bars},
+    {"p_min", "Pa", "minimum pressure", pressure<&FilmBearingOutcome::min_pressure>, csv | sampled, "minimum pressure",
      shown::bars},
     {"torque", "N m", "torque of the film on the journal against a positive speed", of<&FilmBearingOutcome::torque>,
      csv | sampled, "torque", shown::newton_millimetres},
-    {"couette_torque", "N m", "part of the torque that the moving surface alone makes",
-     of<&FilmBearingOutcome::couette_torque>},
-    {"poiseuille_torque", "N m", "part of the torque that the pressure gradient makes",
+    {"couette_torque", "N m", "Couette part of the torque", of<&FilmBearingOutcome::couette_torque>},
+    {"poiseuille_torque", "N m", "Poiseuille part of the torque",
      [](const B&, const S& state) { return state.outcome->torque - state.outcome->couette_torque; }},
-    {"power", "W", "power that the journal takes", of<&FilmBearingOutcome::power>, csv | headline | sampled,
-     "power loss", shown::watts},
-    {"couette_dissipation", "W", "power that the moving surface dissipates",
-     of<&FilmBearingOutcome::couette_dissipation>},
-    {"poiseuille_dissipation", "W", "power that the pressure flow dissipates",
+    {"power", "W", "power loss", of<&FilmBearingOutcome::power>, csv | headline | sampled, "power loss", shown::watts},
+    {"couette_dissipation", "W", "Couette dissipation", of<&FilmBearingOutcome::couette_dissipation>},
+    {"poiseuille_dissipation", "W", "Poiseuille dissipation",
      [](const B&, const S& state) { return state.outcome->dissipation - state.outcome->couette_dissipation; }},
     {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
     {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
     {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled},
-    {"energy_imbalance", "1",
-     "dissipated power over that of the journal, less one: what the mesh leaves of the balance",
-     [](const B&, const S& state) {
-       return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power);
-     }},
-    {"torque_imbalance", "1",
-     "torque by the balance of moments over that of the shear, less one: what the mesh leaves of it",
+    {"energy_imbalance", "1", "relative imbalance of dissipated and supplied power",
+     [](const B&,
+        const S& state) { return relative(state.outcome->dissipation - state.outcome->power, state.outcome->power); }},
+    {"torque_imbalance", "1", "relative difference between the torque by the balance of moments and that by shear",
      [](const B&, const S& state) {
        return relative(state.outcome->torque_of_moments - state.outcome->torque, state.outcome->torque);
      }},
-    {"mass_imbalance", "1", "what flows in less what flows out, over the larger flow past an end: a rounding",
+    {"mass_imbalance", "1", "relative imbalance of the mass flow, over the larger flow past an end: round-off",
      [](const B&, const S& state) {
        const FilmFlows& flows = state.outcome->flows;
        return relative(flows.start - flows.end - flows.sides, std::max(std::abs(flows.start), std::abs(flows.end)));
      }},
-    {"loaded_bumps", "1", "bumps that the top foil presses",
+    {"loaded_bumps", "1", "bumps loaded by the top foil",
      [](const B&, const S& state) { return static_cast<double>(state.outcome->loaded_bumps); },
      csv | of_foils | shown_first | sampled, "loaded bumps", shown::unitless, whole_number},
     {"first_loaded_bump", "1", "first of them, counted from the weld, pad after pad",
      bump_number<&FilmBearingOutcome::first_loaded>, of_foils | is_bump, "", shown::in_files, whole_number},
     {"last_loaded_bump", "1", "last of them, counted from the weld, pad after pad",
      bump_number<&FilmBearingOutcome::last_loaded>, of_foils | is_bump, "", shown::in_files, whole_number},
-    {"lifted_bumps_at_entry", "1",
-     "bumps in a row, from where gas enters, that the foil is lifted off; of several pads, where that is most",
+    {"lifted_bumps_at_entry", "1", "detached bumps at the inlet; with several pads, the maximum",
      [](const B& bearing, const S& state) { return static_cast<double>(lifted_bumps_at_entry(bearing, state)); },
      of_foils | sampled, "", shown::in_files, whole_number},
-    {"highest_bump_load", "N", "largest compression between top foil and crest",
+    {"highest_bump_load", "N", "maximum compression between top foil and crest",
      [](const B& bearing, const S& state) { return bump_loads(bearing, *state.last).maxCoeff(); }, of_foils | sampled,
-     "highest bump load", shown::newtons},
-    {"highest_loaded_bump", "1", "bump that bears it, counted from the weld, pad after pad",
+     "maximum bump load", shown::newtons},
+    {"highest_loaded_bump", "1", "bump with the maximum load, counted from the weld, pad after pad",
      [](const B& bearing, const S& state) {
        Eigen::Index place = 0;
        return bump_loads(bearing, *state.last).maxCoeff(&place) > 0.0 ? static_cast<double>(place + 1) : absent;
      },
      of_foils | is_bump, "  on bump", shown::unitless, whole_number},
-    {"max_stress_top_foil", "Pa", "largest bending stress of the top foil",
+    {"max_stress_top_foil", "Pa", "maximum bending stress of the top foil",
      [](const B&, const S& state) { return state.top_foil_stress.value_or(absent); }, of_foils | sampled,
-     "highest stress, top foil", shown::megapascals},
-    {"max_stress_bump_foil", "Pa", "largest bending stress of the bump foil; frame only",
+     "maximum stress, top foil", shown::megapascals},
+    {"max_stress_bump_foil", "Pa", "maximum bending stress of the bump foil; frame only",
      [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); }, of_foils | sampled,
-     "highest stress, bump foil", shown::megapascals},
+     "maximum stress, bump foil", shown::megapascals},
     {"status", "", "how the search for the state ended",
      [](const B&, const S& state) { return static_cast<double>(state.report.status); },
      of_solver | csv | asked | shown_first | sampled, "status", shown::unitless, flags<FilmStatus>},
     {"path", "", "path that leads to the state",
      [](const B&, const S& state) { return static_cast<double>(state.path); }, of_solver | csv | asked, "path",
      shown::unitless, flags<FilmPath>},
-    {"kxx", "N/m", "dF_x/dx, contacts going on in their modes", entry<&S::stiffness, 0, 0>,
+    {"kxx", "N/m", "dF_x/dx, sliding contacts keep sliding", entry<&S::stiffness, 0, 0>,
      csv | of_foils | shown_first | sampled, "stiffness, xx", shown::stiffness},
-    {"kxy", "N/m", "dF_x/dy, contacts going on in their modes", entry<&S::stiffness, 0, 1>, csv | of_foils | sampled,
+    {"kxy", "N/m", "dF_x/dy, sliding contacts keep sliding", entry<&S::stiffness, 0, 1>, csv | of_foils | sampled,
      "stiffness, xy", shown::stiffness},
-    {"kyx", "N/m", "dF_y/dx, contacts going on in their modes", entry<&S::stiffness, 1, 0>, csv | of_foils | sampled,
+    {"kyx", "N/m", "dF_y/dx, sliding contacts keep sliding", entry<&S::stiffness, 1, 0>, csv | of_foils | sampled,
      "stiffness, yx", shown::stiffness},
-    {"kyy", "N/m", "dF_y/dy, contacts going on in their modes", entry<&S::stiffness, 1, 1>,
+    {"kyy", "N/m", "dF_y/dy, sliding contacts keep sliding", entry<&S::stiffness, 1, 1>,
      csv | of_foils | shown_first | sampled, "stiffness, yy", shown::stiffness},
-    {"kxx_stuck", "N/m", "dF_x/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 0>, csv | of_foils},
-    {"kxy_stuck", "N/m", "dF_x/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 0, 1>, csv | of_foils},
-    {"kyx_stuck", "N/m", "dF_y/dx, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 0>, csv | of_foils},
-    {"kyy_stuck", "N/m", "dF_y/dy, all closed contacts sticking", entry<&S::stuck_stiffness, 1, 1>, csv | of_foils},
+    {"kxx_stuck", "N/m", "dF_x/dx, full stick", entry<&S::stuck_stiffness, 0, 0>, csv | of_foils},
+    {"kxy_stuck", "N/m", "dF_x/dy, full stick", entry<&S::stuck_stiffness, 0, 1>, csv | of_foils},
+    {"kyx_stuck", "N/m", "dF_y/dx, full stick", entry<&S::stuck_stiffness, 1, 0>, csv | of_foils},
+    {"kyy_stuck", "N/m", "dF_y/dy, full stick", entry<&S::stuck_stiffness, 1, 1>, csv | of_foils},
     {"foil_response", "1",
      "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
      "singular",
      [](const B&, const S& state) { return state.foil_response.value_or(absent); }, of_foils},
-    {"whirl_frequency", "rad/s", "first of the frequencies of small motions, that of the rotation unless given",
+    {"whirl_frequency", "rad/s", "first frequency of small motions; default: that of the rotation (synchronous)",
      [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; }, of_foils,
      "whirl frequency", shown::revolutions},
-    {"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, contacts going on in their modes",
+    {"kxx_whirl", "N/m", "dF_x/dx at whirl_frequency, sliding contacts keep sliding",
      whirl_stiffness<&FilmWhirl::impedance, 0, 0>, of_foils | sampled, "whirl stiffness, xx", shown::stiffness},
-    {"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, contacts going on in their modes",
+    {"kxy_whirl", "N/m", "dF_x/dy at whirl_frequency, sliding contacts keep sliding",
      whirl_stiffness<&FilmWhirl::impedance, 0, 1>, of_foils | sampled, "whirl stiffness, xy", shown::stiffness},
-    {"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, contacts going on in their modes",
+    {"kyx_whirl", "N/m", "dF_y/dx at whirl_frequency, sliding contacts keep sliding",
      whirl_stiffness<&FilmWhirl::impedance, 1, 0>, of_foils | sampled, "whirl stiffness, yx", shown::stiffness},
-    {"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, contacts going on in their modes",
+    {"kyy_whirl", "N/m", "dF_y/dy at whirl_frequency, sliding contacts keep sliding",
      whirl_stiffness<&FilmWhirl::impedance, 1, 1>, of_foils | sampled, "whirl stiffness, yy", shown::stiffness},
-    {"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+    {"cxx_whirl", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, sliding contacts keep sliding",
      whirl_damping<&FilmWhirl::impedance, 0, 0>, of_foils | sampled, "whirl damping, xx", shown::damping},
-    {"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+    {"cxy_whirl", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, sliding contacts keep sliding",
      whirl_damping<&FilmWhirl::impedance, 0, 1>, of_foils | sampled, "whirl damping, xy", shown::damping},
-    {"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, contacts going on in their modes",
+    {"cyx_whirl", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, sliding contacts keep sliding",
      whirl_damping<&FilmWhirl::impedance, 1, 0>, of_foils | sampled, "whirl damping, yx", shown::damping},
-    {"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, contacts going on in their modes",
+    {"cyy_whirl", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, sliding contacts keep sliding",
      whirl_damping<&FilmWhirl::impedance, 1, 1>, of_foils | sampled, "whirl damping, yy", shown::damping},
-    {"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, all closed contacts sticking",
+    {"kxx_whirl_stuck", "N/m", "dF_x/dx at whirl_frequency, full stick",
      whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 0>, of_foils},
-    {"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, all closed contacts sticking",
+    {"kxy_whirl_stuck", "N/m", "dF_x/dy at whirl_frequency, full stick",
      whirl_stiffness<&FilmWhirl::stuck_impedance, 0, 1>, of_foils},
-    {"kyx_whirl_stuck", "N/m", "dF_y/dx at whirl_frequency, all closed contacts sticking",
+    {"kyx_whirl_stuck", "N/m", "dF_y/dx at whirl_frequency, full stick",
      whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 0>, of_foils},
-    {"kyy_whirl_stuck", "N/m", "dF_y/dy at whirl_frequency, all closed contacts sticking",
+    {"kyy_whirl_stuck", "N/m", "dF_y/dy at whirl_frequency, full stick",
      whirl_stiffness<&FilmWhirl::stuck_impedance, 1, 1>, of_foils},
-    {"cxx_whirl_stuck", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+    {"cxx_whirl_stuck", "N s/m", "dF_x/d(dx/dt) at whirl_frequency, full stick",
      whirl_damping<&FilmWhirl::stuck_impedance, 0, 0>, of_foils},
-    {"cxy_whirl_stuck", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+    {"cxy_whirl_stuck", "N s/m", "dF_x/d(dy/dt) at whirl_frequency, full stick",
      whirl_damping<&FilmWhirl::stuck_impedance, 0, 1>, of_foils},
-    {"cyx_whirl_stuck", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, all closed contacts sticking",
+    {"cyx_whirl_stuck", "N s/m", "dF_y/d(dx/dt) at whirl_frequency, full stick",
      whirl_damping<&FilmWhirl::stuck_impedance, 1, 0>, of_foils},
-    {"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, all closed contacts sticking",
+    {"cyy_whirl_stuck", "N s/m", "dF_y/d(dy/dt) at whirl_frequency, full stick",
      whirl_damping<&FilmWhirl::stuck_impedance, 1, 1>, of_foils},
-    {"jumps", "1", "jumps on the way to the state: from a branch of states that ends to another one",
+    {"jumps", "1", "jumps on the path to the state: from a branch of states that ends to another one",
      cost<&FilmReport::jumps>, of_solver | asked | of_foils | sampled, "", shown::in_files, whole_number},
-    {"iterations", "1", "Newton steps on the way to the state", cost<&FilmReport::iterations>, of_solver | asked, "",
+    {"iterations", "1", "Newton steps on the path to the state", cost<&FilmReport::iterations>, of_solver | asked, "",
      shown::in_files, whole_number},
-    {"factorisations", "1", "factorisations of contact systems on the way to the state",
+    {"factorisations", "1", "factorisations of contact systems on the path to the state",
      cost<&FilmReport::factorisations>, of_solver | asked | of_foils, "", shown::in_files, whole_number},
     {"residual", "1", "norm of all scaled residuals before the last Newton step",
      [](const B&, const S& state) { return state.report.residual; }, of_solver | sampled},
     {"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; },
      of_solver | asked},
-    {"lift_off_speed", "rad/s", "speed at which the film under the load is film.h_lift_off thin",
+    {"lift_off_speed", "rad/s", "speed at which the minimum film thickness under the load is film.h_lift_off",
      [](const B&, const S& state) { return state.lift_off_speed.value_or(absent); },
      csv | asked | of_foils | of_limits | headline | sampled, "lift-off speed", shown::revolutions},
-    {"load_capacity", "N", "load, along the first one, at which the film at the speed is film.h_lift_off thin",
+    {"load_capacity", "N",
+     "load, along the first one, at which the minimum film thickness at the speed is film.h_lift_off",
      [](const B&, const S& state) { return state.load_capacity.value_or(absent); },
      csv | asked | of_foils | of_limits | headline | sampled, "load capacity", shown::newtons},
 });
@@ -277,7 +271,7 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.thickness.row(0).transpose();
      }},
-    {"line_load", "N/m", "pressure beyond the ambient one, integrated over the width",
+    {"line_load", "N/m", "gauge pressure, integrated over the width",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        const FilmMesh& mesh = bearing.pads.front().foil.mesh;  // its rows are those of all
        Vector load = Vector::Zero(bearing.columns());
@@ -286,7 +280,7 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
        }
        return 2.0 * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
      }},
-    {"film_top_displacement", "m", "radial displacement of the top foil, positive outward",
+    {"film_top_displacement", "m", "deflection of the top foil, positive outward",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.lift;
      }},
@@ -305,15 +299,15 @@ std::string_view reason_of(FilmStatus status) {
     case FilmStatus::converged:
       break;
     case FilmStatus::not_converged:
-      return "Newton's method finds no state, however small the steps";
+      return "Newton's method finds no state, even with the smallest steps";
     case FilmStatus::touchdown:
-      return "the journal touches: the film is thinner than film.h_floor";
+      return "touchdown: the film is thinner than the contact threshold film.h_floor";
     case FilmStatus::no_room:
-      return "there is no room for the journal between the undeformed foils where the path starts";
+      return "the journal does not fit between the undeformed foils where the path starts";
     case FilmStatus::fold:
-      return "the branch of states ends, and from its end the film comes to rest nowhere";
+      return "the branch of states ends, and the film does not settle to another state";
     case FilmStatus::not_reached:
-      return "not looked for, since an earlier state of its path was not found";
+      return "not computed, since an earlier state of its path was not found";
     case FilmStatus::interrupted:
       return "interrupted";
   }
@@ -396,13 +390,13 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
   std::string text = fmt::format("{}: {}", name_of_state(state), reason_of(state.report.status));
   if (state.outcome) {
     text += fmt::format(
-        "; the last state that was found: {:.6g} rpm, journal ({:.5g}, {:.5g}) um, force ({:.5g}, "
-        "{:.5g}) N, least film thickness {:.4g} um",
+        "; last state found: {:.6g} rpm, journal ({:.5g}, {:.5g}) um, force ({:.5g}, "
+        "{:.5g}) N, minimum film thickness {:.4g} um",
         state.last->speed / shown::revolutions.size, 1e6 * state.last->position.x(), 1e6 * state.last->position.y(),
         state.outcome->force.x(), state.outcome->force.y(),
         1e6 * state.outcome->thinnest.thickness * bearing.scales.thickness);
     if (state.last->opening > 0.0) {
-      text += fmt::format(", with the clearance at {:.5g} um on its way to {:.5g} um",
+      text += fmt::format(", with the clearance at {:.5g} um, closing to {:.5g} um",
                           1e6 * (bearing.clearance + state.last->opening), 1e6 * bearing.clearance);
     }
   }

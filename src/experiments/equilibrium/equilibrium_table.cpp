@@ -26,7 +26,7 @@ std::string cell(const FilmBearing& bearing, const RunningQuantity& quantity, do
   if (quantity.is(tag::is_bump)) return running_bump_text(bearing, static_cast<int>(value) - 1);
   if (!quantity.form.words.empty()) return std::string(quantity.form.words[static_cast<std::size_t>(value)]);
   if (quantity.form.kind == Form::whole) return fmt::format("{}", value);
-  // Roundings of what is nought by symmetry, or by the load.
+  // Round-off of values that are zero by symmetry, or under the load.
   if (std::abs(value) < 1e-9 * quantity.shown.size) value = 0.0;
   return number_text(value, quantity.shown.size);
 }
@@ -38,12 +38,12 @@ bool is_known(const EquilibriumResult& result, const RunningQuantity& quantity) 
   });
 }
 
-/// What each of several pads takes of the force.
+/// Part of the force that each of several pads carries.
 std::string pad_rows(const EquilibriumResult& result, std::size_t first, std::size_t end) {
   std::string out;
   const std::size_t pads = result.bearing->pads.size();
   for (std::size_t k = 0; pads > 1 && k < pads; ++k) {
-    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, size", k + 1), name_width, "N", unit_width);
+    out += fmt::format("{:<{}}{:<{}}", fmt::format("  of pad {}, magnitude", k + 1), name_width, "N", unit_width);
     for (std::size_t i = first; i < end; ++i) {
       const RunningState& state = result.states[i];
       out += fmt::format(
@@ -117,9 +117,10 @@ std::string limit_lines(const EquilibriumResult& result) {
       return (speed ? std::abs(point.speed) : point.journal.norm()) / unit;
     };
     const auto film = [](double h) { return std::isnan(h) ? "none" : fmt::format("{:.4g} um", 1e6 * h); };
-    out += fmt::format("\n{}: {:.5g} {} (least film thickness {} at {:.5g} {}, {} at {:.5g} {})", name_of_limit(limit),
-                       limit.value / unit, speed ? "rpm" : "N", film(limit.h_thick), size_of(limit.thick),
-                       speed ? "rpm" : "N", film(limit.h_thin), size_of(limit.thin), speed ? "rpm" : "N");
+    out +=
+        fmt::format("\n{}: {:.5g} {} (minimum film thickness {} at {:.5g} {}, {} at {:.5g} {})", name_of_limit(limit),
+                    limit.value / unit, speed ? "rpm" : "N", film(limit.h_thick), size_of(limit.thick),
+                    speed ? "rpm" : "N", film(limit.h_thin), size_of(limit.thin), speed ? "rpm" : "N");
   }
   return out.empty() ? out : out + '\n';
 }

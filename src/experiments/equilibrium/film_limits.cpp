@@ -70,7 +70,7 @@ class LimitSearch {
  private:
   struct Place {
     double demand{};
-    double h{};  ///< least film thickness, m; not a number where there is no film
+    double h{};  ///< minimum film thickness, m; not a number where there is no film
     BearingState state;
     int jumps{};  ///< on the way from the start
   };

@@ -21,8 +21,8 @@ constexpr std::string_view film_head =
 #     bearing = tomllib.load(open("coefficients.toml", "rb"))["bearing"][0]
 #     ross.BearingElement(n=0, **bearing["element"])
 #
-# kxy = dF_x/dy (N/m), cxy = dF_x/d(dy/dt) (N s/m), F the force that holds the journal, X and Y those of the case file.
-# contacts = "stuck": too small a motion to make any bump slip; "slipping": contacts that slipped slip on.
+# kxy = dF_x/dy (N/m), cxy = dF_x/d(dy/dt) (N s/m), F the applied force on the journal, X and Y those of the case file.
+# contacts = "stuck": too small a motion to make any bump slip; "slipping": sliding contacts keep sliding.
 )";
 
 /// What the axes are.
@@ -30,7 +30,7 @@ constexpr std::string_view axes_2 = R"(# frequency is the speed of the rotor (ra
 )";
 constexpr std::string_view axes_3 =
     R"(# speed is that of the rotor, frequency that of a small harmonic motion about the state (rad/s); tables over both have
-# a row for each speed. [bearing.synchronous] has the same arguments at the frequency of the rotation alone.
+# a row for each speed. [bearing.synchronous] has the same arguments at the frequency of the rotation only.
 )";
 constexpr std::string_view synchronous_only = "\n# synchronous: for unbalance response, not for stability";
 

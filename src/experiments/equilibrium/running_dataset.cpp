@@ -61,12 +61,12 @@ class StateDataset {
 
   void add_motions(const EquilibriumSettings& settings) { add_whirls(settings, result_, dims_, places_, data_); }
 
-  /// What each of several pads takes of the force.
+  /// Part of the force that each of several pads carries.
   void add_pads() {
     if (result_.bearing->pads.size() == 1) return;
     for (const int axis : {0, 1}) {
       const char letter = axis == 0 ? 'x' : 'y';
-      add({fmt::format("pad_force_{}", letter), "N", fmt::format("part of force_{} that the pad takes", letter)},
+      add({fmt::format("pad_force_{}", letter), "N", fmt::format("part of force_{} carried by the pad", letter)},
           {"pad"}, [axis](const RunningState& state) -> RowMajor { return state.outcome->pad_forces.row(axis); });
     }
   }
@@ -96,7 +96,7 @@ class StateDataset {
   Dataset data_;
 };
 
-/// Where the columns are, and whose.
+/// Positions of the columns, and the pads that they belong to.
 void add_columns(const Case& input, const FilmBearing& bearing, Dataset& data) {
   const std::vector<PlacedPad> placed = place_pads(input);
   Vector theta(bearing.columns());
@@ -120,9 +120,8 @@ void add_columns(const Case& input, const FilmBearing& bearing, Dataset& data) {
 
 void add_geometry(const Case& input, const EquilibriumResult& result, const ResultLayout& layout, Dataset& data) {
   const FilmBearing& bearing = *result.bearing;
-  data.add_dimension(
-      {"state", "1", "state of the running bearing, in the order in which they were looked for", {Form::whole}},
-      numbers_from(1.0, result.states.size()));
+  data.add_dimension({"state", "1", "state of the running bearing, in the order of computation", {Form::whole}},
+                     numbers_from(1.0, result.states.size()));
   add_foils(layout, "sleeve", data);
   add_columns(input, bearing, data);
   const int rows = bearing.pads.front().foil.mesh.rows + 1;
@@ -139,7 +138,7 @@ void add_asked_positions(const EquilibriumResult& result, Dataset& data) {
   for (const int axis : {0, 1}) {
     const char letter = axis == 0 ? 'x' : 'y';
     data.add({fmt::format("position_{}", letter), "m",
-              fmt::format("position of the journal that was asked for, {}", axis == 0 ? 'X' : 'Y')},
+              fmt::format("requested position of the journal, {}", axis == 0 ? 'X' : 'Y')},
              {"state"}, each(result.states, [axis](const RunningState& state) {
                return state.asked.control == Control::displacement ? state.asked.journal[axis] : absent;
              }));
@@ -153,7 +152,7 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
            [&bearing](const RunningState& state) { return film_pressure(bearing, *state.last); })
       .compressed = true;
   if (!bearing.has_foils()) {
-    // Over a wall that yields it is not the same over the width.
+    // Over an elastic surface it varies over the width.
     states
         .add({"film_thickness", "m", "film thickness"}, {"row", "column"},
              [&bearing](const RunningState& state) -> Matrix {
@@ -232,11 +231,11 @@ Dataset equilibrium_dataset(const EquilibriumSettings& settings, const Equilibri
   data.add_dimension({"speed", "rad/s", "speed of the journal, positive from X to Y"}, settings.speeds);
   data.add_dimension({journal, "1", what + ", in the order of the case", {Form::whole}},
                      numbers_from(1.0, journals.size()));
-  data.add_coordinate({journal + "_x", unit, what + " that was asked for, X"}, {journal},
+  data.add_coordinate({journal + "_x", unit, "requested " + what + ", X"}, {journal},
                       each(journals, [](const Eigen::Vector2d& vector) { return vector.x(); }));
-  data.add_coordinate({journal + "_y", unit, what + " that was asked for, Y"}, {journal},
+  data.add_coordinate({journal + "_y", unit, "requested " + what + ", Y"}, {journal},
                       each(journals, [](const Eigen::Vector2d& vector) { return vector.y(); }));
-  // What was asked for is the same for whole rows and columns: coordinates.
+  // Requested values are the same for whole rows and columns: coordinates.
   states.add_quantities(tag::demand);
   if (const std::size_t pads = result.bearing->pads.size(); pads > 1) {
     data.add_dimension({"pad", "1", "pad, in the order of the case", {Form::whole}}, numbers_from(1.0, pads));

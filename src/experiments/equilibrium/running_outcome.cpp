@@ -55,35 +55,36 @@ Outcome running_outcome(const Case& input, EquilibriumResult result) {
 }
 
 ExperimentInfo equilibrium_experiment() {
-  return {.name = "equilibrium",
-          .summary = "Find where the journal of a running bearing is, with gas film, foils and friction",
-          .examples =
-              "  bumpfoil equilibrium examples/running.toml -o running\n"
-              "  bumpfoil equilibrium examples/running.toml -o coasting --set equilibrium.path=speed_ramp\n"
-              "Several states may exist at one speed and load, even without friction: the path decides which is "
-              "found.\n"
-              "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
-          .files = equilibrium_file_names("equilibrium"),
-          .switches = {{.name = "paths",
-                        .help = "Reach every state by every path that leads there, and report the spread",
-                        .key = "equilibrium.paths",
-                        .value = "all"},
-                       {.name = "limits",
-                        .help = "Find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin",
-                        .key = "equilibrium.limits",
-                        .value = "true"},
-                       {.name = "ross-version",
-                        .help = "Version of ROSS that coefficients.toml is for: 2 has synchronous coefficients alone",
-                        .key = "equilibrium.ross_version",
-                        .values = {"3", "2"}}},
-          .sampled = EnsembleCommand::equilibrium,
-          .run =
-              [](const Case& input, const ProgressCallback& progress) {
-                return running_outcome(input, analyse_running_bearing(input, progress));
-              },
-          .sweeping = Sweeping{.run = run_swept, .not_begun = [](const Case& input) {
-                                 return running_outcome(input, equilibrium_not_begun(input));
-                               }}};
+  return {
+      .name = "equilibrium",
+      .summary = "Compute equilibria of the running bearing, with gas film, foils and friction",
+      .examples =
+          "  bumpfoil equilibrium examples/running.toml -o running\n"
+          "  bumpfoil equilibrium examples/running.toml -o coasting --set equilibrium.path=speed_ramp\n"
+          "Several states may exist at one speed and load, even without friction: the path decides which is "
+          "found.\n"
+          "coefficients.toml holds the arguments of BearingElement of the rotor dynamics program ROSS.\n",
+      .files = equilibrium_file_names("equilibrium"),
+      .switches = {{.name = "paths",
+                    .help = "Compute every state by every path that leads there, and report the spread",
+                    .key = "equilibrium.paths",
+                    .value = "all"},
+                   {.name = "limits",
+                    .help = "Also compute lift-off speeds and load capacities at a film thickness of film.h_lift_off",
+                    .key = "equilibrium.limits",
+                    .value = "true"},
+                   {.name = "ross-version",
+                    .help = "Version of ROSS for coefficients.toml; 2 has synchronous coefficients only",
+                    .key = "equilibrium.ross_version",
+                    .values = {"3", "2"}}},
+      .sampled = EnsembleCommand::equilibrium,
+      .run =
+          [](const Case& input, const ProgressCallback& progress) {
+            return running_outcome(input, analyse_running_bearing(input, progress));
+          },
+      .sweeping = Sweeping{.run = run_swept, .not_begun = [](const Case& input) {
+                             return running_outcome(input, equilibrium_not_begun(input));
+                           }}};
 }
 
 }  // namespace bumpfoil

@@ -15,7 +15,7 @@ std::vector<WhirlQuantity> make_whirl_quantities() {
   std::vector<WhirlQuantity> quantities;
   for (const bool stuck : {false, true}) {
     const auto impedance = stuck ? &FilmWhirl::stuck_impedance : &FilmWhirl::impedance;
-    const char* contacts = stuck ? "all closed contacts sticking" : "contacts going on in their modes";
+    const char* contacts = stuck ? "full stick" : "sliding contacts keep sliding";
     for (const bool damping : {false, true}) {
       for (const auto& [axes, row, column] : matrix_entries) {
         const std::string motion = damping ? fmt::format("d(d{}/dt)", axes[1]) : fmt::format("d{}", axes[1]);

@@ -6,13 +6,13 @@ namespace bumpfoil {
 
 ExperimentInfo film_experiment() {
   return {.name = "film",
-          .summary = "Find the gas film over a rigid wall, or one of springs, in place of the foils",
+          .summary = "Compute the gas film over a rigid or elastic bearing surface instead of the foils",
           .examples =
               "  bumpfoil film case.toml -o rigid --set 'equilibrium.speeds=[\"45000 rpm\"]' --set "
               "'equilibrium.positions=[[\"15 um\", \"0 um\"]]'\n"
-              "  bumpfoil film case.toml -o winkler --set film.wall=springs --set "
-              "film.wall_stiffness=\"5 GPa/m\" --set film.closed=true\n"
-              "With positions alone: there is one film for each.\n",
+              "  bumpfoil film case.toml -o winkler --set film.wall=springs --set film.wall_stiffness=\"5 GPa/m\" "
+              "--set film.closed=true\n"
+              "With positions only: one film for each.\n",
           .files = equilibrium_file_names("film"),
           .run = [](const Case& input, const ProgressCallback& progress) {
             return running_outcome(input, run_wall_films(input, progress));

@@ -41,11 +41,12 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
 FilmBearing make_wall_bearing(const Case& input) {
   require_bearing(input, {"film"});
   if (!input.pads.empty()) {
-    throw Error(ErrorKind::input, {{"", 0, "pad", "", "are parts of the sleeve: a wall in place of the foils has none",
-                                    "remove them, or run equilibrium, whose film knows pads"}});
+    throw Error(ErrorKind::input,
+                {{"", 0, "pad", "", "are parts of the sleeve: a bearing surface without foils has none",
+                  "remove them, or run equilibrium, which supports pads"}});
   }
   if (input.film.closed && input.bearing.taper != 0.0) {
-    throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a wall without a slot",
+    throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a surface without a slot",
                                     "remove it, or set film.closed = false"}});
   }
   const double R = input.bearing.radius;
@@ -69,8 +70,8 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
   EquilibriumResult result;
   result.bearing = std::make_shared<const FilmBearing>(make_wall_bearing(input));
   if (!input.equilibrium || input.equilibrium->positions.empty()) {
-    throw Error(ErrorKind::input, {{"", 0, "equilibrium.positions", "", "there is no position of the journal",
-                                    "give a list such as [[\"15 um\", \"0 um\"]] in place of loads"}});
+    throw Error(ErrorKind::input, {{"", 0, "equilibrium.positions", "", "no position specified",
+                                    "give a list such as [[\"15 um\", \"0 um\"]] instead of loads"}});
   }
   const FilmBearing& bearing = *result.bearing;
   const std::size_t count = input.equilibrium->speeds.size() * input.equilibrium->positions.size();

@@ -6,7 +6,7 @@ namespace bumpfoil {
 
 ExperimentInfo path_experiment() {
   return {.name = "path",
-          .summary = "Take the journal along the path of [path]: positions, loads, orbits",
+          .summary = "Move the journal along a prescribed path: positions, loads, orbits",
           .examples =
               "  bumpfoil path case.toml -o orbit --set 'path.centre=[\"0 um\",\"-45 um\"]' --set "
               "'path.semi_axes=[\"10 um\",\"5 um\"]'\n"

@@ -75,7 +75,7 @@ std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpPropert
        {length("rise_m", "rise", p.arc.rise), length("radius_m", "radius", p.arc.radius),
         angle("half_angle_rad", "half angle", p.arc.half_angle), length("flat_m", "flat between bumps", p.arc.flat)}},
       {"truss",
-       "Constants of the truss",
+       "Truss constants",
        {spring("k1_N_per_m", "k1, rods", given.k1, p.identified.k1),
         spring("k2_N_per_m", "k2, foot to foot", given.k2, p.identified.k2),
         spring("k3_N_per_m", "k3, crest to crest", given.k3, p.identified.k3),
@@ -145,11 +145,11 @@ std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpP
                        number_text(p.cell.crest_stiffness(), 1e6), number_text(p.sliding_bump, 1e6));
   }
   return out +
-         "k1 to theta_d: constants of the truss for a row of such bumps; where one is negative there is none, and "
-         "only\n"
-         "the frame has such bumps; row: crest of the frame of such a row, feet free to slide; alone: one isolated "
+         "k1 to theta_d: constants of the truss for a row of such bumps; where one is negative no truss exists,\n"
+         "use the frame for such bumps; row: crest of the frame of such a row, feet free to slide; alone: one isolated "
          "bump,\n"
-         "feet free to slide\n\n";
+         "feet free to slide\n"
+         "\n";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ ExperimentInfo strip_experiment() {
     return cycle_outcome(input, run_strip(input, progress));
   };
   return {.name = "strip",
-          .summary = "Compress a flat strip of the foils between two plates, as [strip] says",
+          .summary = "Compress a flat strip of the foils between two plates, as specified in [strip]",
           .examples =
               "  bumpfoil strip examples/strip.toml -o strip\n"
               "  bumpfoil strip examples/strip.toml -o pressed --set strip.preload=\"100 N\"\n"

@@ -24,12 +24,12 @@ constexpr std::string_view head =
 #     bearing = tomllib.load(open("coefficients.toml", "rb"))["bearing"][0]
 #     ross.BearingElement(n=0, **bearing["element"])
 #
-# These are the foils at rest, about one static load and with one amplitude of vibration. In a running machine they are in
-# series with the gas film, which is not in these numbers: they are no bearing by themselves.
+# These are the foils at rest, about one static load and with one amplitude of vibration. In a running machine they are
+# in series with the gas film, which is not included: they do not describe a complete bearing.
 #
-# kxy = dF_x/dy (N/m), cxy = dF_x/d(dy/dt) (N s/m), F the force that holds the journal, X and Y those of the case file;
-# frequency is that of the vibration (rad/s), not the speed of the rotor. Friction knows no rate: k are the same at all
-# frequencies, c are proportional to 1/frequency.
+# kxy = dF_x/dy (N/m), cxy = dF_x/d(dy/dt) (N s/m), F the applied force on the journal, X and Y those of the case file;
+# frequency is that of the vibration (rad/s), not the speed of the rotor. Friction is independent of the rate: k are the
+# same at all frequencies, c are proportional to 1/frequency.
 )";
 
 RossElement element_of(const LinearFoils& foils, const std::vector<double>& frequencies) {
@@ -62,14 +62,14 @@ std::string ross_toml(const VibrationSettings& settings, const std::vector<Linea
   std::string out(head);
   if (frequencies.size() > settings.frequencies.size()) {
     out += fmt::format(
-        "# The case asks for {}; the others are added for interpolation: at least {} are needed.\n",
+        "# The case gives {}; the others are added for interpolation, which needs at least {}.\n",
         settings.frequencies.size() == 1 ? "one frequency" : fmt::format("{} frequencies", settings.frequencies.size()),
         fewest_frequencies);
   }
   out += fmt::format("\nsource = \"bumpfoil {} ({})\"\nrun_id = \"{}\"\n", version(), commit(), run_id);
   for (const LinearFoils& foils : all) {
     if (!foils.stiffness.allFinite()) {
-      out += fmt::format("\n# Load ({:.6g}, {:.6g}) N, amplitude {:.6g} m: not all coefficients are known.\n",
+      out += fmt::format("\n# Load ({:.6g}, {:.6g}) N, amplitude {:.6g} m: some coefficients are missing.\n",
                          foils.load.x(), foils.load.y(), foils.amplitude);
       continue;
     }

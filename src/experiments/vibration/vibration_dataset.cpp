@@ -31,7 +31,7 @@ class VibrationDataset {
     const auto add_load = [this](const VariableMeaning& meaning, const auto& value) {
       data_.add(meaning, {"load"}, each(result_.loads, value));
     };
-    add_load({"load_status", "", "how the way to the static load ended", flags<Status>},
+    add_load({"load_status", "", "how the ramp to the static load ended", flags<Status>},
              [](const StaticLoad& load) { return static_cast<double>(load.status); });
     const auto reached = [](const StaticLoad& load, double value) {
       return load.status == Status::converged ? value : absent;
@@ -44,9 +44,9 @@ class VibrationDataset {
       const auto entry = [i = row, j = column](const std::optional<Eigen::Matrix2d>& K) {
         return K ? (*K)(i, j) : absent;
       };
-      add_load({fmt::format("k{}_stuck", axes), "N/m", "tangent stiffness there, all closed contacts sticking"},
+      add_load({fmt::format("k{}_stuck", axes), "N/m", "tangent stiffness there, full stick"},
                [&](const StaticLoad& load) { return entry(load.tangents.unloading); });
-      add_load({fmt::format("k{}_further", axes), "N/m", "tangent stiffness there, slipping contacts going on to slip"},
+      add_load({fmt::format("k{}_further", axes), "N/m", "tangent stiffness there, sliding contacts keep sliding"},
                [&](const StaticLoad& load) { return entry(load.tangents.loading); });
     }
   }
@@ -75,16 +75,16 @@ class VibrationDataset {
     }
   }
 
-  /// What each of several pads takes.
+  /// Forces that each of several pads carries.
   void add_pads() {
     if (pads_ == 0) return;
     for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}}) {
-      data_.add({fmt::format("load_pad_force_{}", name), "N", fmt::format("part of load_{} that the pad takes", name)},
+      data_.add({fmt::format("load_pad_force_{}", name), "N", fmt::format("part of load_{} carried by the pad", name)},
                 {"load", "pad"}, padded_rows(result_.loads.size(), pads_, [&, axis = axis](std::size_t i) {
                   return Eigen::RowVectorXd(result_.loads[i].pad_forces.row(axis));
                 }));
     }
-    data_.add({"max_pad_forces", "N", "largest size of the force that the pad takes in the last loop"},
+    data_.add({"max_pad_forces", "N", "maximum magnitude of the pad force in the last loop"},
               {"load", motion_, "amplitude", "pad"}, padded_rows(result_.vibrations.size(), pads_, [&](std::size_t i) {
                 return largest_pad_forces(result_.vibrations[i]);
               }));
@@ -103,11 +103,11 @@ class VibrationDataset {
           .attributes["coordinates"] = coordinates;
     };
     add_loop({"displacement", "m",
-              "displacement of the journal along the direction, of an orbit along X, from the centre of the bearing"},
+              "displacement of the journal along the direction (for an orbit along X) from the centre of the bearing"},
              "", [](const LoopPoint& one) { return one.displacement; });
-    add_loop({"force_x", "N", "force that holds the journal, X"}, "displacement",
+    add_loop({"force_x", "N", "applied force on the journal, X"}, "displacement",
              [](const LoopPoint& one) { return one.force.x(); });
-    add_loop({"force_y", "N", "force that holds the journal, Y"}, "displacement",
+    add_loop({"force_y", "N", "applied force on the journal, Y"}, "displacement",
              [](const LoopPoint& one) { return one.force.y(); });
     if (pads_ > 0) add_pad_loops(longest);
   }
@@ -118,7 +118,7 @@ class VibrationDataset {
   void add_pad_loops(std::size_t longest) {
     for (const auto& [axis, name] : {std::pair{0, "x"}, std::pair{1, "y"}}) {
       data_
-          .add({fmt::format("pad_force_{}", name), "N", fmt::format("part of force_{} that the pad takes", name)},
+          .add({fmt::format("pad_force_{}", name), "N", fmt::format("part of force_{} carried by the pad", name)},
                {"load", motion_, "amplitude", "point", "pad"},
                padded_rows(result_.vibrations.size(), longest * pads_,
                            [&, axis = axis](std::size_t i) {

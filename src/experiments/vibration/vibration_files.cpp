@@ -31,7 +31,7 @@ std::vector<ResultFile> vibration_files(const Case& input, const VibrationResult
                             .message = message_of(failure_lines(settings, result), status),
                             .warnings = warning_lines(input, result),
                             .provenance = provenance},
-                           "result.nc", "fewer steps, loads or amplitudes take less", [&](const std::string& run_id) {
+                           "result.nc", "use fewer steps, loads or amplitudes", [&](const std::string& run_id) {
                              return ResultContents{.texts = {{"vibration.csv", vibration_csv(settings, result)},
                                                              {"coefficients.csv", coefficients_csv(settings, all)},
                                                              {"coefficients.toml", ross_toml(settings, all, run_id)}},

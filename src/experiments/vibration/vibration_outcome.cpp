@@ -56,7 +56,7 @@ ExperimentInfo vibration_experiment() {
     return vibration_outcome(input, run_vibration(input, progress));
   };
   return {.name = "vibration",
-          .summary = "Let the journal vibrate about static loads: stiffness, damping and loss factor",
+          .summary = "Vibrate the journal about static loads: stiffness, damping and loss factor",
           .examples =
               "  bumpfoil vibration examples/vibration.toml -o vibration\n"
               "  bumpfoil vibration examples/vibration.toml -o heavy --set "

@@ -15,7 +15,7 @@ double known(const std::optional<double>& number) {
   return number.value_or(absent);
 }
 
-/// Of the first harmonic: outward is in phase with the displacement, ahead a quarter of a turn before it.
+/// Of the first harmonic: outward is in phase with the displacement, ahead leads it by 90 degrees.
 enum class Part { outward, ahead };
 
 /// Along the direction of the vibration; of an orbit the mean along and across the radius, see orbit_harmonic().
@@ -41,14 +41,14 @@ using namespace tag;  // NOLINT(google-build-using-namespace): the table below i
 
 constexpr auto vibration_list = std::to_array<VibrationQuantity>({
     {"stiffness_direct", "N/m",
-     "first harmonic of the force along the direction in phase with the displacement, over that; of an orbit the mean "
-     "force outward over the radius",
+     "first harmonic of the force along the direction in phase with the displacement, over the amplitude; for an orbit "
+     "the mean radial force over the radius",
      direct<Part::outward>, headline, "stiffness", shown::stiffness},
     {"stiffness_cross", "N/m", "the same of the force across the direction, turned by +90 degrees",
      cross<Part::outward>},
     {"loss_stiffness_direct", "N/m",
-     "first harmonic of the force along the direction a quarter of a turn ahead of the displacement, "
-     "over that: frequency times damping; of an orbit the mean force along the way over the radius",
+     "first harmonic of the force along the direction 90 degrees ahead of the displacement, over the amplitude: "
+     "frequency times damping; for an orbit the mean tangential force over the radius",
      direct<Part::ahead>, headline, "loss", shown::stiffness},
     {"loss_stiffness_cross", "N/m", "the same of the force across the direction", cross<Part::ahead>},
     {"harmonic_residual", "1", "norm of the higher harmonics of the force over that of the first",
@@ -58,12 +58,12 @@ constexpr auto vibration_list = std::to_array<VibrationQuantity>({
      [](const Vibration& v) { return known(v.cycle.loaded_stiffness); }},
     {"loop_energy", "J", "closed integral of force over displacement",
      [](const Vibration& v) { return known(v.cycle.loop_energy); }, shown_first},
-    {"loss_factor", "1", "loop energy over (pi K X^2): K loaded stiffness, X half the range of the displacement",
+    {"loss_factor", "1", "loop energy over (pi K X^2): K structural stiffness, X half the range of the displacement",
      [](const Vibration& v) { return known(v.cycle.loss_factor); }, headline, "loss factor", shown::unitless},
-    {"loops", "1", "loops that were run, the last of which is shown",
+    {"loops", "1", "number of loops; the last is shown",
      [](const Vibration& v) { return static_cast<double>(v.cycle.loop_energies.size()); }, shown_first, "loops",
      shown::unitless, whole_number},
-    {"settled", "1", "whether the energy of the loop is that of the loop before",
+    {"settled", "1", "whether the energy of the loop equals that of the previous loop",
      [](const Vibration& v) { return v.cycle.settled ? 1.0 : 0.0; }, shown_first, "", shown::in_files, yes_or_no},
     {"status", "", "how the vibration ended", [](const Vibration& v) { return static_cast<double>(v.cycle.status); },
      shown_first, "status", shown::unitless, flags<Status>},

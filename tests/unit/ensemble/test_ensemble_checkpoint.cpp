@@ -28,7 +28,7 @@ TEST_F(EnsembleCheckpoints, AreNeitherReplacedNorGoneOnWithUnasked) {
     FAIL() << "a checkpoint was there";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::file);
-    EXPECT_NE(std::string(error.what()).find("is of a run that was not finished"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("is of an unfinished run"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("ask for it"), std::string::npos) << error.what();
   }
 }

@@ -97,7 +97,7 @@ TEST(EnsembleLayout, OfARunningBearingThatIsNoneOnlyTheStatusIsKnown) {
   const EnsembleLayout layout = make_ensemble_layout(input);
   const std::vector<double> row = make_ensemble_row(layout, input, SampleResult{});
   EXPECT_EQ(layout.status_name(static_cast<int>(row[0])), "not_physical");
-  EXPECT_EQ(layout.status_reason(static_cast<int>(row[0])), "what was drawn makes no bearing");
+  EXPECT_EQ(layout.status_reason(static_cast<int>(row[0])), "invalid sample");
   EXPECT_TRUE(std::all_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(layout.per_place()),
                           [](double value) { return std::isnan(value); }));
 }

@@ -37,7 +37,7 @@ TEST(EnsembleYield, LimitsAreQuantitiesWithUnits) {
 TEST(EnsembleYield, WrongLimitsAreRefused) {
   EXPECT_NE(refusal("clearance_5N = 20 um").find("has no < and no >"), std::string::npos);
   EXPECT_EQ(refusal("clearence_5N > 20 um"),
-            "--limit = clearence_5N > 20 um: is of no quantity of an ensemble; did you mean \"clearance_5N\"?");
+            "--limit = clearence_5N > 20 um: does not name a quantity of the ensemble; did you mean \"clearance_5N\"?");
   EXPECT_NE(refusal("clearance_5N > 20 N"), "");
   EXPECT_NE(refusal("loss_factor > 20 N").find("write a number"), std::string::npos);
   EXPECT_NE(refusal("status < 1"), "");

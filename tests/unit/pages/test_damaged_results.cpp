@@ -171,12 +171,12 @@ TEST(DamagedResult, StepsThatDoNotFitTheLoops) {
               file.dims["few"] = 1;
               file.variables["steps"] = {.type = NC_INT, .dims = {"few"}, .values = {2}};
             }),
-            "/result.nc: steps: has the dimensions (few), where (direction) are due");
+            "/result.nc: steps: has the dimensions (few), expected (direction)");
   EXPECT_EQ(fault_of([](SmallFile& file) {
               file.dims["none"] = NC_UNLIMITED;
               file.variables["steps"] = {.type = NC_INT, .dims = {"none"}};
             }),
-            "/result.nc: steps: has the dimensions (none), where (direction) are due");
+            "/result.nc: steps: has the dimensions (none), expected (direction)");
   for (const double steps : {1e300, -2.0, 0.0, 0.5, 2.5, 3.0}) {
     EXPECT_NE(fault_of([&](SmallFile& file) {
                 file.variables["steps"] = {.dims = {"direction"}, .values = {2, steps}};
@@ -191,26 +191,26 @@ TEST(DamagedResult, StepsThatDoNotFitTheLoops) {
 }
 
 TEST(DamagedResult, DimensionsThatAreNotDue) {
-  EXPECT_EQ(fault_of([](SmallFile& file) {
-              file.variables["force_direct"] = {.dims = {"direction", "increment", "bump"},
-                                                .values = std::vector<double>(30)};
-            }),
-            "/result.nc: force_direct: has the dimensions (direction, increment, bump), where (direction, increment) "
-            "are due");
+  EXPECT_EQ(
+      fault_of([](SmallFile& file) {
+        file.variables["force_direct"] = {.dims = {"direction", "increment", "bump"},
+                                          .values = std::vector<double>(30)};
+      }),
+      "/result.nc: force_direct: has the dimensions (direction, increment, bump), expected (direction, increment)");
   for (const std::string name : {"displacement", "force_direct"}) {
     EXPECT_EQ(fault_of([&](SmallFile& file) { file.variables[name] = {.dims = {}, .values = {1.0}}; }),
-              "/result.nc: " + name + ": has the dimensions (), where (direction, increment) are due");
+              "/result.nc: " + name + ": has the dimensions (), expected (direction, increment)");
   }
   EXPECT_EQ(fault_of([](SmallFile& file) {
               file.variables["direction"] = {.dims = {"bump"}, .values = {1, 2, 3}};
             }),
-            "/result.nc: direction: has the dimensions (bump), where (direction) are due");
+            "/result.nc: direction: has the dimensions (bump), expected (direction)");
   EXPECT_EQ(fault_of([](SmallFile& file) {
               file.variables["direction"].values = {0.0, std::numeric_limits<double>::infinity()};
             }),
-            "/result.nc: direction: has a value that is no number");
+            "/result.nc: direction: has a value that is not numeric");
   EXPECT_EQ(fault_of([](SmallFile& file) { file.variables["crest_v"] = {.type = NC_CHAR, .dims = {"bump"}}; }),
-            "/result.nc: crest_v: holds no numbers of a type that results have");
+            "/result.nc: crest_v: does not contain numbers of a type used in results");
   EXPECT_EQ(fault_of([](SmallFile& file) {
               file.dims.erase("foot");
               file.variables.erase("foot");
@@ -263,19 +263,19 @@ TEST(DamagedResult, FillValuesThatAreNotOne) {
   for (const char* name : {"displacement", "force_direct", "crest_v", "bump_rise"}) {
     EXPECT_EQ(fault_of([&](SmallFile& file) { file.variables[name].fill.assign(1000, 1.0); }),
               std::string("/result.nc: ") + name +
-                  ": has 1000 values of its type in _FillValue, where one of its own type is due");
+                  ": has 1000 values of its type in _FillValue, expected one of its own type");
     EXPECT_EQ(fault_of([&](SmallFile& file) {
                 file.variables[name].fill = {1.0};
                 file.variables[name].fill_type = NC_BYTE;
               }),
               std::string("/result.nc: ") + name +
-                  ": has 1 values of another type in _FillValue, where one of its own type is due");
+                  ": has 1 values of another type in _FillValue, expected one of its own type");
   }
 }
 
 TEST(DamagedResult, FilesThatAreNoResult) {
   EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["schema"] = "other/1"; }),
-            "/result.nc: is no result of this program");
+            "/result.nc: is not a result of this program");
   EXPECT_EQ(fault_of([](SmallFile& file) { file.texts["bumpfoil_command"] = "orbit\x1b[2J"; }),
             "/result.nc: is a result of `bumpfoil orbit\\x1b[2J`, which reports cannot show");
   SmallResult result;

@@ -234,7 +234,7 @@ TEST(DesignerAnswer, RunsTheBearingAtOnePoint) {
   const json touching = ask_at({{"load", {5000.0, 0.0}}});
   EXPECT_EQ(touching["state"]["status"], "touchdown");
   EXPECT_EQ(touching["state"]["reason"], touching["run"]["attributes"]["status_message"]);
-  EXPECT_NE(touching["state"]["reason"].get<std::string>().find("the journal touches"), std::string::npos);
+  EXPECT_NE(touching["state"]["reason"].get<std::string>().find("touchdown: the film is thinner"), std::string::npos);
 }
 
 TEST(DesignerAnswer, RunsWhatSaysNothingOfRunning) {
@@ -290,7 +290,7 @@ TEST(DesignerAnswer, TellsEveryFaultWithItsKey) {
   EXPECT_EQ(fault("bearing.raduis")["advice"], "did you mean \"radius\"?");
   EXPECT_EQ(fault("bump_foil")["what"], "this table is missing");
   EXPECT_EQ(fault("bearing.raduis")["message"].get<std::string>().find("bearing.raduis = 1: unknown key"), 0U);
-  EXPECT_EQ(ask({{"what", "parsnips"}})["faults"][0]["what"], "is no request");
+  EXPECT_EQ(ask({{"what", "parsnips"}})["faults"][0]["what"], "is not a request");
   // Files cannot be read in a browser; texts that are no UTF-8 are mended.
   EXPECT_EQ(ask({{"what", "cycles"}, {"text", "x = ["}})["faults"][0]["line"], 1);
 }

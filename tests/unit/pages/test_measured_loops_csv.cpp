@@ -79,7 +79,7 @@ TEST_F(MeasuredLoopsCsv, AreReadFromTheColumnsThatAreNamed) {
     EXPECT_NEAR(loops[0].cycle.points[1].force, 5.5, 1e-12) << header;
   }
   const std::string header = "displacement_mm,Force (N),Force (kN)\n0,0,0\n1,1,1\n0,0,0\n";
-  EXPECT_NE(refusal(header).find("has 2 columns of the force; say which it is: --columns 'force=NAME [N]'"),
+  EXPECT_NE(refusal(header).find("has 2 columns of the force; specify which one: --columns 'force=NAME [N]'"),
             std::string::npos)
       << refusal(header);
   EXPECT_EQ(
@@ -100,7 +100,8 @@ TEST_F(MeasuredLoopsCsv, AreOfTheDirectionThatIsGivenWithTheFile) {
   EXPECT_EQ(read_measured_loops(folder_.write("loop.csv", text), "cycle", {}, "2")[0].at, 2.0);
   const std::string commas = "displacement_um;force_N\n0;0\n1,5;1,5\n0;0\n";
   EXPECT_EQ(read_measured_loops(folder_.write("loop.csv", commas), "direction", {}, "37.5")[0].at, 37.5);
-  EXPECT_NE(refusal(text, "", "up").find("of the direction up, which is none; write +X, -X, +Y, -Y"), std::string::npos)
+  EXPECT_NE(refusal(text, "", "up").find("of the direction up, which does not exist; write +X, -X, +Y, -Y"),
+            std::string::npos)
       << refusal(text, "", "up");
   EXPECT_NE(refusal("direction," + text, "", "-X").find("has a column direction"), std::string::npos);
 }
@@ -121,7 +122,7 @@ TEST_F(MeasuredLoopsCsv, TellEveryFaultWithItsLine) {
   EXPECT_NE(refusal("x,Kraft\n0,1\n").find("say its unit: Kraft_N"), std::string::npos);
   EXPECT_NE(refusal("displacement_um,force_N\n0,0\n1,1\n").find("does not go to a displacement and back"),
             std::string::npos);
-  EXPECT_NE(refusal("").find("holds no loop"), std::string::npos);
+  EXPECT_NE(refusal("").find("contains no loop"), std::string::npos);
 }
 
 }  // namespace

@@ -213,7 +213,7 @@ TEST(Report, ShowsMeasuredLoopsAsOneMoreRun) {
     return "";
   };
   EXPECT_NE(refusal("displacement_um,force_N\n0,0\n10,100\n2,0\n")
-                .find("add a column direction, or name it behind the file, FILE:+X: the results have +X, +Y"),
+                .find("add a column direction, or name it after the file, FILE:+X: the results have +X, +Y"),
             std::string::npos);
   Case turned = short_case();
   std::swap(turned.cycle.directions[0], turned.cycle.directions[1]);
@@ -244,8 +244,8 @@ TEST(Report, SaysWhichOfSeveralMeasuredCyclesItShows) {
   EXPECT_EQ(summary.at("max_force_N"), 200.0);
   EXPECT_EQ(summary.at("warnings"),
             (std::vector<std::string>{
-                "2 cycles found, the last is used", "goes on after its last whole cycle; the rest is left out",
-                "does not close: it ends 1 um and 0 N from where it begins; a straight line closes it"}));
+                "2 cycles found, the last is used", "continues after its last complete cycle; the rest is ignored",
+                "does not close: it ends 1 um and 0 N from its start; a straight line closes it"}));
   ASSERT_EQ(warnings.size(), 3U);
   EXPECT_NE(warnings[0].find("rig.csv: +Y: 2 cycles found, the last is used"), std::string::npos) << warnings[0];
 }
@@ -385,7 +385,7 @@ TEST(Report, NamesEveryFolderThatHoldsNoResult) {
   EXPECT_EQ(faults[0].file, (empty.path() / "nowhere").string());
   EXPECT_EQ(faults[0].what, "does not exist");
   EXPECT_EQ(faults[1].what, "contains no results: result.nc is missing");
-  EXPECT_EQ(faults[2].what, "is no folder");
+  EXPECT_EQ(faults[2].what, "is not a folder");
   EXPECT_EQ(faults[3].file, (broken.path() / "result.nc").string());
   EXPECT_NE(faults[3].what.find("is damaged: it has 16 bytes"), std::string::npos);
   EXPECT_EQ(faults[4].what, "cannot be read: it is not JSON");
@@ -426,7 +426,7 @@ TEST(Report, TakesNoOtherNetcdfForAResult) {
   netCDF::NcFile((results.path() / "result.nc").string(), netCDF::NcFile::replace).putAtt("schema", "other/1");
   const std::vector<Fault> faults = faults_of({results.path()}, false);
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].what, "is no result of this program");
+  EXPECT_EQ(faults[0].what, "is not a result of this program");
 }
 
 TEST(Report, SaysWhichResultsItCannotShow) {

@@ -68,7 +68,7 @@ TEST(ResultFolder, RefusesToReplaceResults) {
   const TemporaryFolder folder;
   folder.write("ensemble.nc", "old");
   const std::string message = refusal(folder.path(), Existing::refuse);
-  EXPECT_NE(message.find("holds results already (ensemble.nc)"), std::string::npos);
+  EXPECT_NE(message.find("already contains results (ensemble.nc)"), std::string::npos);
   EXPECT_NE(message.find("--force"), std::string::npos);
   EXPECT_EQ(folder.read("ensemble.nc"), "old");
 }
@@ -79,12 +79,12 @@ TEST(ResultFolder, RefusesToReplaceAnyOfItsFiles) {
   const std::string message = message_of([&] {
     const ResultFolder results(folder.path(), Existing::refuse, {"study.json", "loads.csv"});
   });
-  EXPECT_NE(message.find("holds results already (loads.csv)"), std::string::npos);
+  EXPECT_NE(message.find("already contains results (loads.csv)"), std::string::npos);
   // Files that come later than the start are not replaced either.
   ResultFolder results(folder.path(), Existing::refuse, names);
   results.stage("summary.json", "new");
   folder.write("summary.json", "mine");
-  EXPECT_NE(message_of([&] { results.publish(); }).find("holds results already"), std::string::npos);
+  EXPECT_NE(message_of([&] { results.publish(); }).find("already contains results"), std::string::npos);
   EXPECT_EQ(folder.read("summary.json"), "mine");
 }
 
@@ -163,7 +163,8 @@ TEST(ResultFolder, AClaimThatWasLostIsNoticedBeforeAnythingChanges) {
   folder.stage("summary.json", "new");
   // As where the file system knows no locks: another one writes its name into the claim.
   outer.write(".bumpfoil/claim", "process 1 on another");
-  EXPECT_NE(message_of([&] { folder.publish(); }).find("another run has taken over this folder"), std::string::npos);
+  EXPECT_NE(message_of([&] { folder.publish(); }).find("another run has meanwhile taken over this folder"),
+            std::string::npos);
   EXPECT_EQ(outer.read("summary.json"), "old");
 }
 

@@ -94,10 +94,10 @@ TEST(Sweep, EveryWrongOptionIsTold) {
                 {"friction.coefficient=0"});
   ASSERT_EQ(faults.size(), 7U);
   EXPECT_EQ(faults[0].advice, "did you mean \"friction.coefficient\"?");
-  EXPECT_EQ(faults[1].what, "holds no number");
+  EXPECT_EQ(faults[1].what, "is not numeric");
   EXPECT_EQ(faults[2].what, "is neither a range nor a list");
-  EXPECT_EQ(faults[3].what, "is no known key");
-  EXPECT_EQ(faults[4].what, "holds no number");
+  EXPECT_EQ(faults[3].what, "unknown key");
+  EXPECT_EQ(faults[4].what, "is not numeric");
   EXPECT_EQ(faults[5].what, "is swept, and set by --set");
   EXPECT_EQ(faults[6].what, "is swept twice");
 }
@@ -124,7 +124,7 @@ TEST(Sweep, FaultsOfPointsNameTheFirstAndCountTheOthers) {
   // Of every point: it has nothing to do with the sweep.
   EXPECT_EQ(faults[0].key, "cycle.stepz");
   EXPECT_EQ(faults[0].file, "--set");
-  EXPECT_EQ(faults[0].what, "is no known key");
+  EXPECT_EQ(faults[0].what, "unknown key");
   EXPECT_EQ(faults[1].key.substr(0, 9), "friction.");
   EXPECT_EQ(faults[1].value, "-0.1");
   EXPECT_NE(faults[1].what.find(" (at friction.coefficient=-0.1, cycle.amplitude=60 um and 2 more points)"),

@@ -51,16 +51,16 @@ TEST(SweepTable, ValuesOfOneKeyStandDownAndQuantitiesAcross) {
   const std::string table = sweep_table(sweep, points_of(sweep, {result_of(100.0, 2), failed, {}}));
   EXPECT_EQ(table,
             "direction +X\n"
-            "cycle.amplitude  maximum force (N)  loaded stiffness   loop energy   loss factor  status\n"
-            "60 um                       100.00                 -             -             -  converged\n"
-            "65 um                       200.00                 -             -             -  converged\n"
-            "70 um                            -                 -             -             -  interrupted\n"
+            "cycle.amplitude  maximum force (N)  structural stiffness   loop energy   loss factor  status\n"
+            "60 um                       100.00                     -             -             -  converged\n"
+            "65 um                       200.00                     -             -             -  converged\n"
+            "70 um                            -                     -             -             -  interrupted\n"
             "\n"
             "direction -X\n"
-            "cycle.amplitude  maximum force (N)  loaded stiffness   loop energy   loss factor  status\n"
-            "60 um                       101.00                 -             -             -  converged\n"
-            "65 um                       201.00                 -             -             -  no_modes\n"
-            "70 um                            -                 -             -             -  interrupted\n");
+            "cycle.amplitude  maximum force (N)  structural stiffness   loop energy   loss factor  status\n"
+            "60 um                       101.00                     -             -             -  converged\n"
+            "65 um                       201.00                     -             -             -  no_modes\n"
+            "70 um                            -                     -             -             -  interrupted\n");
 }
 
 TEST(SweepTable, GridsShowTheirExtremes) {

@@ -256,7 +256,7 @@ export function stresses(cycles: Cycle[]): PathSection {
 
 const markers = ['circle', 'rect', 'triangle', 'diamond'] as const;
 
-/** What each of several pads takes of the force. */
+/** Part of the force that each of several pads carries. */
 export function padForces(pads: number): PathSection {
   return {
     title: 'Forces of the pads',

@@ -117,7 +117,7 @@ export function pressureMap(states: States, selection: GridSelection): HTMLEleme
           return tooltipBox(formatQuantity(value, 'Pa'), [
             ['Along the foil', whereText(0.5 * (left + right) - pad.begin, pad)],
             ['Across the width', formatQuantity((0.5 * (lower + upper)) / scale.factor, 'm', 3)],
-            ['Beyond ambient', formatQuantity((value ?? NaN) - ambient(), 'Pa', 3)],
+            ['Gauge pressure', formatQuantity((value ?? NaN) - ambient(), 'Pa', 3)],
           ]);
         },
       }),
@@ -189,7 +189,7 @@ export function thicknessChart(states: States, selection: GridSelection, before:
     what: 'film-thickness',
     told: () =>
       states.isFound(selection.place)
-        ? `least ${formatQuantity(states.numberAt('h_min', selection.place), 'm')} at ${whereText(states.numberAt('h_min_theta', selection.place), at(states.padColumns, (states.pads > 1 ? states.numberAt('h_min_pad', selection.place) : 1) - 1))}`
+        ? `minimum ${formatQuantity(states.numberAt('h_min', selection.place), 'm')} at ${whereText(states.numberAt('h_min_theta', selection.place), at(states.padColumns, (states.pads > 1 ? states.numberAt('h_min_pad', selection.place) : 1) - 1))}`
         : unknown,
     legend: () => [
       ...lines.map(({ text, colour, dash }) => ({
@@ -244,7 +244,7 @@ export function thicknessChart(states: States, selection: GridSelection, before:
   });
 }
 
-/** Loads on the bumps; those that the foil is lifted off have none. */
+/** Loads on the bumps; detached ones have none. */
 export function runningLoads(states: States, selection: GridSelection): HTMLElement {
   const loads = (): number[] => states.along('normal_force_top_bump', 'bump', selection.place);
   const scale = (): Scale => scaleFor(largest(loads()), 'N');
@@ -254,7 +254,7 @@ export function runningLoads(states: States, selection: GridSelection): HTMLElem
     what: 'bump-loads',
     told: () =>
       states.isFound(selection.place)
-        ? `at most ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps, ${states.numberAt('lifted_bumps_at_entry', selection.place)} of them at the inlet`
+        ? `maximum ${formatQuantity(largest(loads()), 'N')} on bump ${states.bumpText(loads().indexOf(largest(loads())))}; detached from ${lifted()} of ${loads().length} bumps, ${states.numberAt('lifted_bumps_at_entry', selection.place)} of them at the inlet`
         : unknown,
     legend: () => [
       { width: 12, draw: (current) => [svg('rect', { x: 2, y: 1, width: 8, height: 11, fill: current.accent })], text: 'pressed' },

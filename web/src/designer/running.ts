@@ -267,7 +267,7 @@ export class RunningView {
     const [x, y, film] = ['x_m', 'y_m', 'h_min_m'].map((key) => formatQuantity(state[key] as number | null, 'm', 3));
     const found = state['status'] === 'converged';
     this.tell(
-      `${textOf(point)}: ${found ? `the journal runs at x = ${x ?? ''}, y = ${y ?? ''}, on a film of ${film ?? ''} at least.` : 'no state was found.'}`,
+      `${textOf(point)}: ${found ? `the journal runs at x = ${x ?? ''}, y = ${y ?? ''}; minimum film thickness ${film ?? ''}.` : 'no state was found.'}`,
       [run.attributes['status_message'] ?? '', ...(run.attributes['warnings'] ?? '').split('\n')].filter((text) => text !== ''),
     );
     if (!this.views) {

@@ -34,7 +34,7 @@ function chartsOf(states: States): { title: string; measures: Measure[] }[] {
   const of = measuresOf.bind(undefined, states);
   const stiffness = (end: string): [string, string][] => entries.map((axes) => [`k${axes}${end}`, `K${axes}${end.replace('_', ', ')}`]);
   return [
-    { title: 'Least film thickness', measures: of('', 'm', [['h_min', 'Least film thickness'], ['h_min_crest', 'Least film thickness over a crest']]) },
+    { title: 'Minimum film thickness', measures: of('', 'm', [['h_min', 'Minimum film thickness'], ['h_min_crest', 'Minimum film thickness over a crest']]) },
     { title: 'Journal position', measures: [...of('', '', [['attitude_angle', 'Attitude angle (°)']]), ...of('', '', [['eccentricity_ratio', 'Eccentricity']]), ...of('Journal centre', 'm', [['x', 'X'], ['y', 'Y']])] },
     { title: 'Losses', measures: [...of('', 'W', [['power', 'Power loss']]), ...of('', 'N m', [['torque', 'Torque']])] },
     { title: 'Stiffness', measures: [...of('Stiffness K', 'N/m', stiffness('')), ...of('Stiffness K, full stick', 'N/m', stiffness('_stuck'))] },

@@ -39,7 +39,7 @@ function columnsOf(grid: Grid, value: Motions['value']): GridColumn[] {
       if (!variable) return [];
       const { unit, text } = variable;
       const key = `${letter}${axes}${stuck}_${unit.replaceAll('/', '_per_').replaceAll(' ', '_')}`;
-      return [{ key, name, label: `${symbol}${axes}${stuck.replace('_', ', ')}`, unit, whole: false, meaning: text, words: [], value: (place) => value(name, place) }];
+      return [{ key, name, label: `${symbol}${axes}${stuck === '' ? '' : ', full stick'}`, unit, whole: false, meaning: text, words: [], value: (place) => value(name, place) }];
     }),
   );
 }

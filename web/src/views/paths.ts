@@ -38,7 +38,7 @@ function vectorsOf(grid: Grid): PlaneVector[] {
   });
 }
 
-/** What each of several pads takes. */
+/** Forces that each of several pads carries. */
 function padMeasure(grid: Grid): Measure[] {
   const parts = padParts(grid, ['pad_force_x', 'pad_force_y']);
   return parts.length > 0 ? [{ text: 'Force', unit: 'N', parts }] : [];
@@ -69,8 +69,8 @@ function columnsOf(grid: Grid): { path: GridColumn[]; orbits: GridColumn[]; pads
     path: grid.data.quantities.flatMap(({ name, label }) => columnOf(grid, name, label)),
     orbits: [
       ...columnOf(grid, 'loop_energies', 'energy'),
-      ...columnOf(grid, 'force_defects', 'its forces differ by'),
-      ...columnOf(grid, 'position_defects', 'its positions differ by'),
+      ...columnOf(grid, 'force_defects', 'closure error of the force'),
+      ...columnOf(grid, 'position_defects', 'closure error of the position'),
     ],
   };
 }

@@ -125,7 +125,8 @@ struct Cycle {
   /// point to turning point. Absent unless positive.
   std::optional<double> loaded_stiffness;
   std::optional<double> secant_stiffness;  ///< of a push: maximum force over the displacement there, N/m
-  /// Loop energy / (pi K X^2), K the loaded stiffness and X half the range of the displacement that K is taken over.
+  /// Loop energy / (pi K X^2), K the structural stiffness and X half the range of the displacement that K is taken
+  /// over.
   std::optional<double> loss_factor;
   std::optional<double> specific_damping_capacity;  ///< loop energy / (E_max - E0); absent where nothing was stored
   std::optional<double> first_contact;              ///< of a push, m; absent if no bump faces the direction

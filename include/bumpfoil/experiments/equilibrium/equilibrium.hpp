@@ -65,13 +65,13 @@ enum class FilmLimitKind : std::uint8_t {
 template <>
 inline constexpr auto enum_names<FilmLimitKind> = std::to_array<std::string_view>({"lift_off_speed", "load_capacity"});
 
-/// Where the least film thickness crosses film.h_lift_off, between two neighbours on a path.
+/// Where the minimum film thickness crosses film.h_lift_off, between two neighbours on a path.
 struct FilmLimit {
   FilmLimitKind kind{};
   FilmStatus status{FilmStatus::not_converged};  ///< converged where the crossing lies between the neighbours
   OperatingPoint thick;                          ///< the neighbour whose film is thicker
   OperatingPoint thin;                           ///< the one whose film is thinner, or which has none
-  double h_thick{}, h_thin{};  ///< least film thicknesses there, m; not a number where there is no film
+  double h_thick{}, h_thin{};  ///< minimum film thicknesses there, m; not a number where there is no film
   double value{};              ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
   int jumps{};                 ///< to other branches on the way from the load ramp to the neighbours
 

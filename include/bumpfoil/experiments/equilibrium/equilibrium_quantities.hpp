@@ -52,8 +52,8 @@ Matrix film_pressure(const FilmBearing& bearing, const BearingState& state);
 /// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.
 std::string running_bump_text(const FilmBearing& bearing, int bump);
 
-/// Bumps in a row, from where gas enters, that the foil of a state is lifted off: of several pads, on that where it is
-/// most; 0 for a state that was not found, and for one that presses no bump at all.
+/// Detached bumps at the inlet: bumps in a row, from where gas enters, that the top foil does not load. With several
+/// pads, on that where they are most; 0 for a state that was not found, and where no bump is loaded at all.
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);
 
 /// What is asked for as messages call it: "45000 rpm, load (50, 0) N"; without a speed that is not a number.

@@ -37,16 +37,17 @@ TEST(Warnings, SayHowMuchLargeDisplacementsWouldSoften) {
   result.cycles[0].compression->compression = 60e-6;
   const std::vector<std::string> warnings = warnings_of(input, result, 0);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0],
-            "bump 14 is compressed by 60 um, 0.15 of its rise (increment 7): large displacements, which are left out, "
-            "soften the foils by some 6 %; bump_foil.model = \"frame\" with bump_foil.geometry = \"nonlinear\" follows "
-            "them");
+  EXPECT_EQ(
+      warnings[0],
+      "bump 14 is compressed by 60 um, 0.15 of its rise (increment 7): large displacements, which are not modelled, "
+      "would soften the foils by about 6 %; use bump_foil.model = \"frame\" with bump_foil.geometry = "
+      "\"nonlinear\"");
   EXPECT_EQ(warning_lines(input, result), std::vector<std::string>{"+X: " + warnings[0]});
   input.bump_foil.geometry = Geometry::nonlinear;
   EXPECT_TRUE(warnings_of(input, result, 0).empty());
   result.cycles[0].compression->compression = 201e-6;
   ASSERT_EQ(warnings_of(input, result, 0).size(), 1U);
-  EXPECT_NE(warnings_of(input, result, 0)[0].find("past half the rise"), std::string::npos);
+  EXPECT_NE(warnings_of(input, result, 0)[0].find("beyond half the rise"), std::string::npos);
 }
 
 TEST(Warnings, SayThatNothingWasTouched) {
@@ -57,7 +58,7 @@ TEST(Warnings, SayThatNothingWasTouched) {
   const Case input = plain_case();
   ASSERT_EQ(warnings_of(input, result, 0).size(), 1U);
   EXPECT_EQ(warnings_of(input, result, 0)[0],
-            "the journal, pushed to 20 um, never touches the foils, which begin at 30 um: raise cycle.amplitude");
+            "the journal, pushed to 20 um, never touches the foils, which start at 30 um: raise cycle.amplitude");
   result.cycles[0].first_contact.reset();
   EXPECT_EQ(warnings_of(input, result, 0)[0], "the journal never touches the foils: no bump faces this direction");
 }
@@ -67,8 +68,8 @@ TEST(Warnings, SayThatALoopStillChanges) {
   result.cycles[0].loop_energies = {5e-3, 4e-3};
   ASSERT_EQ(warnings_of(plain_case(), result, 0).size(), 1U);
   EXPECT_EQ(warnings_of(plain_case(), result, 0)[0],
-            "the loop has not settled after 2 cycles: the energy of the last, 4 mJ, is by 20 % smaller than that "
-            "before; raise cycle.cycles");
+            "the loop has not settled after 2 cycles: its energy, 4 mJ, is 20 % smaller than that of the "
+            "previous loop; raise cycle.cycles");
   result.cycles[0].settled = true;
   EXPECT_TRUE(warnings_of(plain_case(), result, 0).empty());
 }

@@ -261,7 +261,7 @@ TEST(EquilibriumFiles, HaveThePadsInARow) {
 
 TEST(EquilibriumTable, TellsPads) {
   const std::string table = equilibrium_table(padded_example());
-  for (const char* row : {"\n  of pad 1, size", "\n  of pad 3, size", "\n  of pad  "}) {
+  for (const char* row : {"\n  of pad 1, magnitude", "\n  of pad 3, magnitude", "\n  of pad  "}) {
     EXPECT_NE(table.find(row), std::string::npos) << row;
   }
   const Vector loads = bump_loads(*padded_example().bearing, *padded_example().states[0].last);
@@ -273,7 +273,7 @@ TEST(EquilibriumTable, TellsPads) {
 
 TEST(EquilibriumTable, ShowsTheStates) {
   const std::string table = equilibrium_table(example(true));
-  EXPECT_NE(table.find("least film thickness      um"), std::string::npos) << table;
+  EXPECT_NE(table.find("minimum film thickness    um"), std::string::npos) << table;
   EXPECT_NE(table.find("fold"), std::string::npos);
   EXPECT_NE(table.find("45000"), std::string::npos);
   EXPECT_EQ(table.find("paths to"), std::string::npos);
@@ -297,7 +297,7 @@ TEST(EquilibriumLines, SayWhatFailedAndWhatToKnow) {
   jumped.states[0].report.jumps = 2;
   const std::vector<std::string> warnings = warning_lines(small_case(), jumped);
   ASSERT_GE(warnings.size(), 3U);
-  EXPECT_NE(warnings[0].find("2 times on the way"), std::string::npos);
+  EXPECT_NE(warnings[0].find("2 times on the path"), std::string::npos);
   EXPECT_NE(warnings[1].find("the top foil yields: its bending stress reaches"), std::string::npos);
 }
 

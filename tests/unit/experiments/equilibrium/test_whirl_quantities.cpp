@@ -31,7 +31,7 @@ TEST(WhirlQuantities, AreTheRealAndTheImaginaryPart) {
   const WhirlQuantity& last = whirl_quantities().back();
   EXPECT_EQ(last.name("_at_frequency"), "cyy_at_frequency_stuck");
   EXPECT_EQ(last.unit, "N s/m");
-  EXPECT_EQ(last.long_name, "dF_y/d(dy/dt) at the frequency, all closed contacts sticking");
+  EXPECT_EQ(last.long_name, "dF_y/d(dy/dt) at the frequency, full stick");
 }
 
 /// Two states, of which the second was not found.
