@@ -93,6 +93,10 @@ Foils make_pad_foils(const PlacedPad& pad) {
 
 /// Puts the foils of one more pad behind those there are.
 void append(const Foils& pad, Foils& foils) {
+  for (ContactSite site : pad.problem.sites) {
+    site.block += foils.structure.K.blocks();
+    foils.problem.sites.push_back(site);
+  }
   append(pad.structure, foils.structure);
   foils.stress.push_back(pad.stress.front());
   foils.problem.K = foils.structure.K;

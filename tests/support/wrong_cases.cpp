@@ -80,7 +80,7 @@ void add_keys_and_types(std::vector<WrongCase>& table) {
            {"bump_foil.model = tress: unknown value", "did you mean \"truss\"?"}));
   add(edit("unlike any word", "wrap = \"clockwise\"", "wrap = \"left\"",
            {"bearing.wrap = left", "\"clockwise\", \"counterclockwise\""}));
-  add(edit("word as number", "name = \"newton\"", "name = 1", {"solver.name = 1: is a whole number where a word"}));
+  add(edit("word as number", "name = \"newton\"", "name = 1", {"solver.name = 1: is a whole number, expected a word"}));
   add(edit("unknown axis", "\"+X\", ", "\"+Z\", ", {"cycle.directions[1] = +Z", "\"+X\", \"+Y\", \"-X\", \"-Y\""}));
 }
 

@@ -53,7 +53,10 @@ struct Foils {
     return has_top_foil() && !under_film ? 1 : 0;
   }  ///< place of the contact in the block of a bump
   [[nodiscard]] int first_foot() const { return top_bump() + 1; }
-  [[nodiscard]] int contacts_per_block() const { return problem.contacts() / problem.K.blocks(); }
+  /// None of a wall in place of the foils.
+  [[nodiscard]] int contacts_per_block() const {
+    return problem.K.blocks() == 0 ? 0 : problem.contacts() / problem.K.blocks();
+  }
   [[nodiscard]] int bumps() const { return structure.bumps(); }
   [[nodiscard]] int pad_count() const { return static_cast<int>(structure.pads.size()); }
   [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }

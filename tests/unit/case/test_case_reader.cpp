@@ -121,7 +121,7 @@ TEST(ParseCase, ReadsRangesWhereListsAreDue) {
   expect_refused("{from=5, to=20, points=4, step=5}", ": has both points and step");
   expect_refused("{from=5, points=4}", ".to: is missing");
   expect_refused("{from=5, to=5, points=2}", ".points = 2: repeats the same value");
-  expect_refused("{from=5, to=20, points=1}", ".points = 1: is one alone");
+  expect_refused("{from=5, to=20, points=1}", ".points = 1: is 1, but the ends differ");
   expect_refused("{from=5, to=20, points=0}", ".points = 0: is not a valid number");
   expect_refused("{from=5, to=20, points=100001}", ".points = 100001: makes 100001 values; give at most 100000");
   expect_refused("{from=5, to=20, step=1e-9}", ".step = 1e-09: makes 1.5e+10 values");
@@ -271,7 +271,7 @@ TEST(ParseCase, ReadsVibrations) {
   EXPECT_NE(changed("vibration.loads=[0, -50]").find("vibration.loads[1]"), std::string::npos);
   EXPECT_NE(changed("vibration.loads=[[0, -50, 1]]").find("vibration.loads[1]"), std::string::npos);
   EXPECT_NE(changed("vibration.loads=[[0, -50, 1]]").find("has 3 entries; give two, along X and Y"), std::string::npos);
-  EXPECT_NE(changed("vibration.loads=[[5, \"5 um\"]]").find("vibration.loads[1][2] = 5 um: is a length where a force"),
+  EXPECT_NE(changed("vibration.loads=[[5, \"5 um\"]]").find("vibration.loads[1][2] = 5 um: is a length, expected a force"),
             std::string::npos);
   EXPECT_NE(changed("vibration.loads=5 N").find("write a list of vectors"), std::string::npos);
   EXPECT_NE(changed("vibration.frequencies=[\"0 Hz\"]").find("vibration.frequencies[1] = 0 Hz: must be positive"),
@@ -383,7 +383,7 @@ TEST(ParseCase, TakesAFrameForATrussThatNobodyAskedFor) {
   const Case framed = parse({});
   EXPECT_EQ(framed.bump_foil.model, BumpFoilModel::frame);
   ASSERT_EQ(framed.remarks.size(), 1U);
-  for (const char* const part : {"modelled as a frame", "k2 comes out as -", "bump_foil.model = \"frame\""}) {
+  for (const char* const part : {"modelled as a frame", "k2 is identified as -", "bump_foil.model = \"frame\""}) {
     expect_in(framed.remarks.front(), part);
   }
   EXPECT_NE(case_to_toml(framed).find("model = \"frame\""), std::string::npos);
@@ -400,7 +400,7 @@ TEST(ParseCase, TakesAFrameForATrussThatNobodyAskedFor) {
 TEST(ParseCase, ReportsATrussThatCannotBeIdentified) {
   // Flats longer than the bumps; refused where the case is read.
   const std::vector<std::string> odd{"bump_foil.pitch=7.6 mm", "bump_foil.bumps=10"};
-  EXPECT_NE(refusal_of("cycle", odd).find("bump_foil.truss.k2: comes out as -"), std::string::npos);
+  EXPECT_NE(refusal_of("cycle", odd).find("bump_foil.truss.k2: is identified as -"), std::string::npos);
   EXPECT_NO_THROW(with(odd));  // properties can still be told
   EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.truss.k2=1 MN/m"}));
   EXPECT_NO_THROW(with({odd[0], odd[1], "bump_foil.model=frame"}));

@@ -74,9 +74,9 @@ TEST(SweptKey, ListHoldsWhatWasWritten) {
 }
 
 TEST(SweptKey, SaysWhatElseIsWrong) {
-  EXPECT_EQ(fault_of("friction.coefficient").find("--over = friction.coefficient: does not say"), 0U);
+  EXPECT_EQ(fault_of("friction.coefficient").find("--over = friction.coefficient: does not give"), 0U);
   EXPECT_TRUE(has(fault_of("friction.coefficient"), "write KEY=FROM:TO:STEP or KEY=[a, b]"));
-  EXPECT_TRUE(has(fault_of("=0:1:1"), "does not say"));
+  EXPECT_TRUE(has(fault_of("=0:1:1"), "does not give"));
   EXPECT_TRUE(has(fault_of("a.b=0.1"), "neither a range nor a list"));
   EXPECT_TRUE(has(fault_of("a.b=0:1"), "neither a range nor a list"));
   EXPECT_TRUE(has(fault_of("a.b=0:1:2:3"), "neither a range nor a list"));

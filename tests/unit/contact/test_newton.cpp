@@ -111,6 +111,7 @@ TEST_P(Toys, BlockLetGoForgetsItsFriction) {
 TEST_P(Toys, TouchingContactKeepsItsMode) {
   ContactProblem problem = toy::spring_against_a_wall();
   problem.K = BlockTridiagonal(2, 1);
+  problem.sites = in_every_block(problem.sites, 2);
   problem.K.add(0, 0, 0, 0, 1e6);
   problem.K.add(1, 0, 1, 0, 3e6);
   const auto push = [](double first, double second) {
@@ -364,6 +365,7 @@ TEST(NewtonSolver, FollowsEventsOnlyWhereFewContactsContradictAtFirst) {
   constexpr int blocks = 30;
   ContactProblem problem = toy::dragged_block();
   problem.K = BlockTridiagonal(blocks, 2);
+  problem.sites = in_every_block(problem.sites, blocks);
   ContactLoading loading{.initial_gap = Vector::Zero(blocks), .load = Vector::Zero(2 * blocks)};
   for (int block = 0; block < blocks; ++block) {
     problem.K.add(block, 0, block, 0, 2e6);

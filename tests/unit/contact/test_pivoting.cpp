@@ -77,7 +77,7 @@ TEST(PivotingRule, EndsAfterItsRounds) {
 
 /// Blocks of two contacts: 0, 2, 4, ... and 1, 3, 5, ... are neighbours.
 TEST(WorstOfRuns, ChangesOneContactOfEachRun) {
-  WorstOfRuns rule(2);
+  WorstOfRuns rule(in_every_block({{.plus = 0}, {.minus = 1}}, 7));
   std::vector<ContactMode> mode(14, open);
   mode[12] = stick;
   rule.apply({{0, stick, 1.0},
@@ -94,7 +94,7 @@ TEST(WorstOfRuns, ChangesOneContactOfEachRun) {
 }
 
 TEST(WorstOfRuns, RemembersNothing) {
-  WorstOfRuns rule(1);
+  WorstOfRuns rule(in_every_block({{.plus = 0}}, 3));
   std::vector<ContactMode> mode(3, open);
   rule.apply({{0, stick, 1.0}}, mode);
   rule.apply({{1, stick, 1.0}}, mode);

@@ -327,7 +327,7 @@ TEST(DamagedSummary, KeysThatAreMissingOrOfAnotherType) {
   }
   json summary = small_summary();
   summary["cycles"][1]["status"] = "tired";
-  EXPECT_EQ(fault_of_summary(summary).find("/summary.json: status: is none of converged, no_modes, "), 0U);
+  EXPECT_EQ(fault_of_summary(summary).find("/summary.json: status: is not one of converged, no_modes, "), 0U);
   summary = small_summary();
   summary["cycles"][1]["amplitude_m"] = nullptr;  // under load control, before it is known
   EXPECT_EQ(fault_of_summary(summary), "");
@@ -343,7 +343,7 @@ TEST(DamagedSummary, KeysThatAreMissingOrOfAnotherType) {
 }
 
 TEST(DamagedSummary, OfAnotherRun) {
-  const std::string told = ": is not that of result.nc beside it: they are of two runs, or damaged";
+  const std::string told = ": differs from that of result.nc in the same folder: they are of two runs, or damaged";
   const auto fault = [](const std::function<void(json&)>& change) {
     json summary = small_summary();
     change(summary);

@@ -100,7 +100,7 @@ TEST_F(MeasuredLoopsCsv, AreOfTheDirectionThatIsGivenWithTheFile) {
   EXPECT_EQ(read_measured_loops(folder_.write("loop.csv", text), "cycle", {}, "2")[0].at, 2.0);
   const std::string commas = "displacement_um;force_N\n0;0\n1,5;1,5\n0;0\n";
   EXPECT_EQ(read_measured_loops(folder_.write("loop.csv", commas), "direction", {}, "37.5")[0].at, 37.5);
-  EXPECT_NE(refusal(text, "", "up").find("of the direction up, which does not exist; write +X, -X, +Y, -Y"),
+  EXPECT_NE(refusal(text, "", "up").find("is assigned to the direction up, which does not exist; write +X, -X, +Y, -Y"),
             std::string::npos)
       << refusal(text, "", "up");
   EXPECT_NE(refusal("direction," + text, "", "-X").find("has a column direction"), std::string::npos);

@@ -73,7 +73,7 @@ TEST_F(ReportOfEnsembles, AReportSaysWhatIsDamaged) {
     }
     return std::string();
   };
-  EXPECT_NE(fault([](json& summary) { summary["samples"] = 5; }).find("samples: is not that of ensemble.nc"),
+  EXPECT_NE(fault([](json& summary) { summary["samples"] = 5; }).find("samples: differs from that of ensemble.nc"),
             std::string::npos);
   EXPECT_NE(fault([](json& summary) { summary["limits"][0].erase("passed"); }).find("passed: is missing"),
             std::string::npos);

@@ -226,7 +226,7 @@ TEST_F(SweepFiles, AreRefusedByReportsWhereTheyAreDamagedOrMixed) {
   for (const ResultFile& file : sweep_files(sweep_, points_, {})) {
     if (file.name == "sweep.nc") folder_.write(file.name, file.contents);
   }
-  EXPECT_EQ(fault(false).find("/summary.json: run_id: is not that of sweep.nc beside it"), 0U);
+  EXPECT_EQ(fault(false).find("/summary.json: run_id: differs from that of sweep.nc in the same folder"), 0U);
 }
 
 /// Points of a strip differ in how many cycles they have, and in how many increments.

@@ -117,7 +117,7 @@ TEST(VibrationFiles, TabulateVibrationsAndSaysWhatFailed) {
   ASSERT_GT(unsettled, 0);
   const std::vector<std::string> warnings = warning_lines(run().input, run().result);
   EXPECT_EQ(std::ssize(warnings), unsettled);
-  EXPECT_EQ(warnings[0].find("load (0, -50) N, 0 deg, 1 um: the loop has not settled after 100 loops: the energy"), 0U);
+  EXPECT_EQ(warnings[0].find("load (0, -50) N, 0 deg, 1 um: the loop has not settled after 100 loops: its energy"), 0U);
   EXPECT_NE(vibration_table(run().input, run().result).find("loss factor"), std::string::npos);
   VibrationResult none = run().result;
   for (Vibration& vibration : none.vibrations) vibration.harmonic.reset();
@@ -243,7 +243,7 @@ TEST(RossToml, ReadsBackAsTheArgumentsOfABearing) {
     EXPECT_EQ(element["cyx"][i].value<double>(), foils.loss(1, 0) / frequency);
     EXPECT_EQ(element["cyy"][i].value<double>(), foils.loss(1, 1) / frequency);
   }
-  for (const char* words : {"foils at rest", "gas film", "The case asks for 2 frequencies", "1e+08"}) {
+  for (const char* words : {"foils at rest", "gas film", "The case gives 2 frequencies", "1e+08"}) {
     EXPECT_NE(run().file("coefficients.toml").find(words), std::string::npos) << words;
   }
 }
