@@ -209,7 +209,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
       "  bumpfoil cycle examples/tolerances.toml --sample tolerances/ensemble.nc:17 -o seventeen\n"
       "  bumpfoil montecarlo examples/running_tolerances.toml -o running --limit 'h_min > 3 um'\n"
       "A sample depends only on its number and the seed, not on threads or the number of samples. A sample that fails "
-      "is kept, with its status. Ctrl-C ends the run; finished samples are written, and --resume continues. Samples "
+      "is kept, with its status. Ctrl-C ends the run; finished samples are written; to continue, add --resume. Samples "
       "are saved in ensemble.checkpoint as they finish, for --resume only.");
   command->callback([options, &session] { session.exit_code = run_montecarlo(*options, session); });
 }

@@ -19,9 +19,9 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
   using Base::imbalance_;
   using Base::K_;
   using Base::lu_;
-  using Base::sites_;
   using Base::rhs_;
   using Base::rows_;
+  using Base::sites_;
 
  public:
   explicit ModeSystemOf(const ContactProblem& problem)

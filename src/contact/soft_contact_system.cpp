@@ -14,9 +14,9 @@ class SoftContactSystemOf final : public SoftContactSystem, private EliminatedSy
   using Base::imbalance_;
   using Base::K_;
   using Base::lu_;
-  using Base::sites_;
   using Base::rhs_;
   using Base::rows_;
+  using Base::sites_;
 
  public:
   explicit SoftContactSystemOf(const ContactProblem& problem)

@@ -44,7 +44,8 @@ void shift(BumpFoil& foil, PerBump BumpFoil::*dimension, std::optional<double> B
 }
 
 /// Of all pads alike.
-void shift(BearingDesign& bearing, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own, double deviation) {
+void shift(BearingDesign& bearing, PerBump BumpFoil::*dimension, std::optional<double> BumpSection::*own,
+           double deviation) {
   shift(bearing.bump_foil, dimension, own, deviation);
   for (Pad& pad : bearing.pads) {
     if (pad.bump_foil) shift(*pad.bump_foil, dimension, own, deviation);
@@ -54,7 +55,9 @@ void shift(BearingDesign& bearing, PerBump BumpFoil::*dimension, std::optional<d
 constexpr auto numbers = std::to_array<ScatteredNumber>({
     {"bump_foil_thickness", "m", "deviation of the thickness of the bump foil",
      &MonteCarloSettings::bump_foil_thickness,
-     [](BearingDesign& bearing, double deviation) { shift(bearing, &BumpFoil::thickness, &BumpSection::thickness, deviation); }},
+     [](BearingDesign& bearing, double deviation) {
+       shift(bearing, &BumpFoil::thickness, &BumpSection::thickness, deviation);
+     }},
     {"top_foil_thickness", "m", "deviation of the thickness of the top foil", &MonteCarloSettings::top_foil_thickness,
      [](BearingDesign& bearing, double deviation) {
        bearing.top_foil.thickness += deviation;
@@ -63,7 +66,9 @@ constexpr auto numbers = std::to_array<ScatteredNumber>({
        }
      }},
     {"bump_length", "m", "deviation of the chord of all bumps", &MonteCarloSettings::bump_length,
-     [](BearingDesign& bearing, double deviation) { shift(bearing, &BumpFoil::length, &BumpSection::length, deviation); }},
+     [](BearingDesign& bearing, double deviation) {
+       shift(bearing, &BumpFoil::length, &BumpSection::length, deviation);
+     }},
     {"friction_top_bump", "1", "deviation of the friction coefficient between top foil and bumps",
      &MonteCarloSettings::friction_top_bump,
      [](BearingDesign& bearing, double deviation) { bearing.friction.top_bump += deviation; }},

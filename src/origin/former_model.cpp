@@ -70,11 +70,12 @@ FormerModel make_former_model(const Case& input) {
   const BumpDofs& dofs = model.structure.dofs;
   model.problem.K = model.structure.K;
   model.problem.force_scale = bump_force_scale(foils);
-  model.problem.sites = in_every_block({
-      {.plus = dofs.crest_v, .tangential = dofs.crest_u, .friction_coefficient = input.friction.top_bump},
-      {.minus = dofs.foot_v.front(),
-       .tangential = dofs.foot_u.front(),
-       .friction_coefficient = input.friction.bump_sleeve}}, model.problem.K.blocks());
+  model.problem.sites = in_every_block(
+      {{.plus = dofs.crest_v, .tangential = dofs.crest_u, .friction_coefficient = input.friction.top_bump},
+       {.minus = dofs.foot_v.front(),
+        .tangential = dofs.foot_u.front(),
+        .friction_coefficient = input.friction.bump_sleeve}},
+      model.problem.K.blocks());
   return model;
 }
 

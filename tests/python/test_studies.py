@@ -39,7 +39,7 @@ def test_sweep_is_that_of_the_program(program):
 def test_sweep_of_another_command():
     result = bumpfoil.run_sweep(EXAMPLES / "strip.toml", {"friction.coefficient": [0.0, 0.1]}, command="strip")
     assert result.to_xarray().attrs["swept_command"] == "strip"
-    with pytest.raises(ValueError, match="give one of cycle, strip"):
+    with pytest.raises(ValueError, match="use one of cycle, strip"):
         bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0]}, command="path")
 
 

@@ -121,7 +121,7 @@ TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 4});
   FilmBearing mirrored = bearing;
   mirrored.pads.front().wrap_sign = -bearing.pads.front().wrap_sign;
-  mirrored.normals.row(1) *= -1.0;  // the weld is at -X
+  mirrored.column_normals.row(1) *= -1.0;  // the weld is at -X
   const double speed = speed_of_rpm(45000.0);
   const double c = bearing.clearance;
   BearingState there, here;

@@ -25,7 +25,7 @@ class FrictionDissipation {
   [[nodiscard]] double of(const Vector& normal_force, const Vector& begin_x, const Vector& end_x) const;
 
  private:
-  /// Contacts of one friction coefficient, and their tangential unknowns.
+  // Contacts of one friction coefficient, and their tangential unknowns.
   struct Kind {
     double coefficient{};
     std::vector<Eigen::Index> contacts, unknowns;

@@ -55,8 +55,8 @@ template <typename Visitor>
 void for_each_contact(const std::vector<ContactSite>& sites, Eigen::Index block_size, Visitor&& visit) {
   Eigen::Index index = 0;
   for (const ContactSite& site : sites) {
-    visit(CoulombContact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0, site.block * block_size,
-                         index++});
+    visit(
+        CoulombContact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0, site.block * block_size, index++});
   }
 }
 

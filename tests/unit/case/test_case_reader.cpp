@@ -271,8 +271,9 @@ TEST(ParseCase, ReadsVibrations) {
   EXPECT_NE(changed("vibration.loads=[0, -50]").find("vibration.loads[1]"), std::string::npos);
   EXPECT_NE(changed("vibration.loads=[[0, -50, 1]]").find("vibration.loads[1]"), std::string::npos);
   EXPECT_NE(changed("vibration.loads=[[0, -50, 1]]").find("has 3 entries; give two, along X and Y"), std::string::npos);
-  EXPECT_NE(changed("vibration.loads=[[5, \"5 um\"]]").find("vibration.loads[1][2] = 5 um: is a length, expected a force"),
-            std::string::npos);
+  EXPECT_NE(
+      changed("vibration.loads=[[5, \"5 um\"]]").find("vibration.loads[1][2] = 5 um: is a length, expected a force"),
+      std::string::npos);
   EXPECT_NE(changed("vibration.loads=5 N").find("write a list of vectors"), std::string::npos);
   EXPECT_NE(changed("vibration.frequencies=[\"0 Hz\"]").find("vibration.frequencies[1] = 0 Hz: must be positive"),
             std::string::npos);

@@ -57,7 +57,8 @@ TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   ContactProblem stacked;
   stacked.K = BlockTridiagonal(1, 3);
   stacked.K.add(0, 1, 0, 1, stiffness);
-  stacked.sites = in_every_block({{.plus = 2}, {.plus = 1, .minus = 2, .tangential = 0, .friction_coefficient = 0.3}}, stacked.K.blocks());
+  stacked.sites = in_every_block({{.plus = 2}, {.plus = 1, .minus = 2, .tangential = 0, .friction_coefficient = 0.3}},
+                                 stacked.K.blocks());
   EXPECT_DOUBLE_EQ(uzawa_options_for(stacked).eps_alm, 4.5e6);
 }
 
@@ -236,7 +237,8 @@ ContactProblem going_round(int blocks) {
     K(3, 3) = 1.0;
     K *= stiffness;
   }
-  problem.sites = in_every_block({{.plus = 0, .tangential = 3}, {.plus = 1, .tangential = 3}, {.plus = 2, .tangential = 3}}, problem.K.blocks());
+  problem.sites = in_every_block(
+      {{.plus = 0, .tangential = 3}, {.plus = 1, .tangential = 3}, {.plus = 2, .tangential = 3}}, problem.K.blocks());
   return problem;
 }
 
