@@ -67,8 +67,8 @@ void record_interface(const Foils& foils, const BearingState& state, Interface i
   for (Eigen::Index i = 0; i < fields.gap.cols(); ++i) {
     const Eigen::Index c = place.contact(foils, i);
     const ContactSite& site = foils.problem.sites[static_cast<std::size_t>(c)];
-    const CoulombContact contact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0, site.block * block_size,
-                                 c};
+    const CoulombContact contact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0,
+                                 Eigen::Index{site.block} * block_size, c};
     const ContactMode mode = reported_mode(foils, contact, state, threshold);
     const bool open = mode == ContactMode::open;
     fields.gap(increment, i) = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;

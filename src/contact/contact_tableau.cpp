@@ -68,7 +68,7 @@ ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<Mo
   places_.reserve(problem.sites.size());
   for (std::size_t c = 0; c < problem.sites.size(); ++c) {
     const ContactSite& site = problem.sites[c];
-    const Eigen::Index row = site.block * problem.K.block_size();
+    const Eigen::Index row = Eigen::Index{site.block} * problem.K.block_size();
     const auto unknown = [row](int i) { return i < 0 ? Eigen::Index{-1} : row + i; };
     places_.push_back({.plus = unknown(site.plus),
                        .minus = unknown(site.minus),

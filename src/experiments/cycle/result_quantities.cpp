@@ -433,6 +433,7 @@ std::vector<LoadQuantity> load_quantities(Experiment experiment) {
 
 std::vector<VariableMeaning> clearance_quantities(const std::vector<double>& forces) {
   std::vector<VariableMeaning> quantities;
+  quantities.reserve(forces.size());
   for (const double force : forces) {
     quantities.push_back(
         {.name = fmt::format("clearance_{:.6g}N", force),
