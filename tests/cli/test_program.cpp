@@ -176,7 +176,8 @@ TEST_F(Program, RunsItsPresets) {
   const std::vector<std::string> as_truss{strip, "--set", "bump_foil.model=truss"};
   const Outcome truss = run(std::vector<std::string>{"check"} + as_truss);
   EXPECT_EQ(truss.exit_code, 2);
-  EXPECT_NE(truss.errors.find("bump_foil.truss.k2: is identified as -4.801e+06 N/m"), std::string::npos) << truss.errors;
+  EXPECT_NE(truss.errors.find("bump_foil.truss.k2: is identified as -4.801e+06 N/m"), std::string::npos)
+      << truss.errors;
   EXPECT_NE(truss.errors.find("set bump_foil.model = \"frame\", or give k2, k3 and k4, with k2 + k3 = 3.187e+06 N/m"),
             std::string::npos)
       << truss.errors;
