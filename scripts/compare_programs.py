@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Compare the results of two builds of the program, for changes that must not change numbers.
 
-    scripts/compare_programs.py OLD NEW [--drawn N] [--seed S] [--tolerance T]
+    scripts/compare_programs.py OLD NEW [--examples DIR] [--drawn N] [--seed S] [--tolerance T]
 
 Runs every command on each case in examples/ that can take it, and as many of them with keys drawn at random, by both
 programs. Compares exit codes, messages, and of every number in the files of netCDF, CSV and summary.json the difference
@@ -124,7 +124,7 @@ def quantities_of(folder):
                     if name not in NOT_COMPARED:
                         found.setdefault(f"{path.name}:{name}", []).append(number_or_text(text))
     for path in sorted(folder.glob("*.toml")):
-        found[path.name] = [line for line in path.read_text().splitlines() if not line.startswith(("source =", "run_id ="))]
+        found[path.name] = [line for line in path.read_text().splitlines() if not line.startswith(("#", "source =", "run_id ="))]
     return found
 
 
@@ -165,12 +165,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("old")
     parser.add_argument("new")
+    parser.add_argument("--examples", type=Path, default=EXAMPLES, help="folder of cases, such as that of the old program")
     parser.add_argument("--drawn", type=int, default=100, help="cases drawn at random (100)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tolerance", type=float, default=1e-9, help="of the largest of each quantity (1e-9)")
     options = parser.parse_args()
 
-    known = [(case, command) for case in sorted(EXAMPLES.glob("*.toml")) for command in commands_of(options.old, case)]
+    known = [(case, command) for case in sorted(options.examples.glob("*.toml")) for command in commands_of(options.old, case)]
     rng = random.Random(options.seed)
     runs = [(case, command, SHORT.get(run_by(command), [])) for case, command in known]
     for _ in range(options.drawn):

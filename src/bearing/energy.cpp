@@ -27,22 +27,27 @@ FrictionDissipation::FrictionDissipation(const ContactProblem& problem) {
   });
   for (const std::vector<CoulombContact>& contacts : ranks) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      if (i == 0 || contacts[i].f != contacts[i - 1].f) kinds_.push_back({contacts[i].f, {}, {}});
-      kinds_.back().contacts.push_back(contacts[i].index);
-      kinds_.back().unknowns.push_back(contacts[i].row + contacts[i].site.tangential);
+      if (i == 0 || contacts[i].f != contacts[i - 1].f) {
+        coefficients_.push_back(contacts[i].f);
+        ends_.push_back(contacts_.size());
+      }
+      contacts_.push_back(contacts[i].index);
+      unknowns_.push_back(contacts[i].row + contacts[i].site.tangential);
+      ends_.back() = contacts_.size();
     }
   }
 }
 
 double FrictionDissipation::of(const Vector& normal_force, const Vector& begin_x, const Vector& end_x) const {
   double dissipation = 0.0;
-  for (const Kind& kind : kinds_) {
+  std::size_t i = 0;
+  for (std::size_t kind = 0; kind < ends_.size(); ++kind) {
     double work = 0.0;  // in units of the friction coefficient
-    for (std::size_t i = 0; i < kind.contacts.size(); ++i) {
-      const Eigen::Index x = kind.unknowns[i];
-      work += normal_force[kind.contacts[i]] * std::abs(end_x[x] - begin_x[x]);
+    for (; i < ends_[kind]; ++i) {
+      const Eigen::Index x = unknowns_[i];
+      work += normal_force[contacts_[i]] * std::abs(end_x[x] - begin_x[x]);
     }
-    dissipation += kind.coefficient * work;
+    dissipation += coefficients_[kind] * work;
   }
   return dissipation;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "bumpfoil/contact/problem.hpp"
 
 namespace bumpfoil {
@@ -25,12 +28,10 @@ class FrictionDissipation {
   [[nodiscard]] double of(const Vector& normal_force, const Vector& begin_x, const Vector& end_x) const;
 
  private:
-  // Contacts of one friction coefficient, and their tangential unknowns.
-  struct Kind {
-    double coefficient{};
-    std::vector<Eigen::Index> contacts, unknowns;
-  };
-  std::vector<Kind> kinds_;
+  // Contacts with friction and their tangential unknowns, those of one coefficient together.
+  std::vector<Eigen::Index> contacts_, unknowns_;
+  std::vector<double> coefficients_;
+  std::vector<std::size_t> ends_;  // of each coefficient among the contacts
 };
 
 }  // namespace bumpfoil
