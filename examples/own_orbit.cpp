@@ -6,10 +6,10 @@
 
 int main() {
   bumpfoil::Case bearing = bumpfoil::reference_case();
-  bearing.path.emplace();
+  bumpfoil::PathSettings& orbit = bearing.settings.set(bumpfoil::PathSettings{});
   for (int point = 0; point <= 200; ++point) {  // twice round
     const double angle = 2.0 * std::numbers::pi * point / 100.0;
-    bearing.path->points.values.emplace_back(8e-6 * std::sin(angle), -45e-6 + 4e-6 * std::sin(2.0 * angle));  // m
+    orbit.points.values.emplace_back(8e-6 * std::sin(angle), -45e-6 + 4e-6 * std::sin(2.0 * angle));  // m
   }
   const bumpfoil::Cycle path = bumpfoil::run_path(bearing).cycles.front();
   if (!path.converged()) return 3;

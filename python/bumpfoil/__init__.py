@@ -13,6 +13,7 @@ from .result import Result, write_report
 from .runs import (
     check,
     properties,
+    run,
     run_cycle,
     run_equilibrium,
     run_montecarlo,
@@ -39,6 +40,7 @@ __all__ = [
     "check",
     "load",
     "properties",
+    "run",
     "run_cycle",
     "run_equilibrium",
     "run_montecarlo",

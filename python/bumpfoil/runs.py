@@ -110,6 +110,19 @@ def properties(case: Any, /, **tables: Any) -> dict[str, Any]:
     return found
 
 
+@_documented(
+    """
+    command : str
+        The experiment, by the name of its command: ``cycle``, ``film``, ...
+    """
+)
+def run(command: str, case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Runs an experiment by its name, as the command of that name does."""
+    if command not in _native.experiments():
+        raise ValueError(f"there is no experiment {command!r}; use one of {', '.join(_native.experiments())}")
+    return _run(command, case, progress, tables)
+
+
 @_documented()
 def run_cycle(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
     """Pushes the journal in each direction of [cycle] and pulls it back."""

@@ -171,6 +171,9 @@ PYBIND11_MODULE(_native, m) {
   m.def("key_of", key_of);
   m.def("run", run);
   m.def("sweep", sweep);
+  m.def("experiments", [] {
+    return each(experiments(), [](const ExperimentInfo& experiment) { return std::string(experiment.name); });
+  });
   m.def("swept_commands", swept_commands);
   py::class_<FolderEnsemble>(m, "FolderEnsemble")
       .def(py::init(&open_ensemble))

@@ -1,33 +1,20 @@
 #include "case/case_keys.hpp"
 
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/deviations_csv.hpp"
-#include "case/film_keys.hpp"
 #include "case/height_errors_csv.hpp"
-#include "case/path_csv.hpp"
 #include "case/profile_csv.hpp"
+#include "model/case_table.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using enum Presence;
 using enum Dimension;
-
-/// A table that a case may have. @param describe_members  (visitor, members) -> void
-template <typename Table, typename Describe>
-void optional_table(CaseVisitor& keys, const Key& key, std::optional<Table>& members,
-                    const Describe& describe_members) {
-  Table inner = members.value_or(Table{});
-  keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
-    describe_members(visitor, inner);
-    members = inner;
-  });
-}
 
 /// Tables under [[name]], one for each member. @param describe_member  (visitor, member) -> void
 template <typename Member, typename Describe>
@@ -276,99 +263,6 @@ void describe(CaseVisitor& keys, SolverSettings& solver) {
              &uzawa.tau_f);
 }
 
-void describe(CaseVisitor& keys, CycleSettings& cycle) {
-  if (cycle.directions.empty()) {
-    using std::numbers::pi;
-    cycle.directions = {0.0, pi, 0.5 * pi, 1.5 * pi};
-  }
-  keys.directions({"directions", defaulted, "Directions", "of the cycles; also angles, \"37.5 deg\"",
-                   "[\"+X\", \"-X\", \"+Y\", \"-Y\"]", angle},
-                  cycle.directions);
-  keys.one_of(
-      {"amplitude", required, "Amplitude", "displacement of the journal", "79.5 um", length},
-      {"load", required, "Load", "load on the journal, instead; the journal is free to move sideways", "100 N", force},
-      cycle.amplitude);
-  keys.either({"preload", optional, "Preload",
-               "cycles run about this load (or position, [\"0 um\", \"-40 um\"]), by the amplitude each way",
-               "[\"0 N\", \"-50 N\"]"},
-              cycle.amplitude.control, cycle.preload);
-  keys.value(
-      {"swing", defaulted, "Fully reversed", "true: fully reversed, through the centre to the other side and back"},
-      &cycle.swing);
-  keys.value({"cycles", defaulted, "Cycles", "at most this many, until the loop has settled; results hold the last"},
-             &cycle.cycles);
-  keys.value({"steps", defaulted, "Increments per branch", "equal increments from the start to full amplitude"},
-             &cycle.steps);
-  keys.value({"clearance_forces", defaulted, "Clearances at", "forces at which a push test would report contact",
-              "[\"5 N\", \"10 N\"]", force},
-             &cycle.clearance_forces);
-}
-
-void describe(CaseVisitor& keys, StripSettings& strip) {
-  keys.value({"bumps", defaulted, "Bumps", "the first bumps of the foil", "10", {}, "bump_foil.bumps"}, &strip.bumps);
-  keys.choice({"weld", defaulted, "Weld", "both foils clamped before bump 1; \"none\": free at both ends"}, strip.weld);
-  keys.value({"top_foil", defaulted, "Top foil", "false: the plate presses on the crests"}, &strip.top_foil);
-  keys.one_of({"displacement", required, "Displacement", "displacement of the plate", "20 um", length},
-              {"load", required, "Load", "load on the plate, instead", "100 N", force}, strip.amplitude);
-  keys.either({"preload", optional, "Preload",
-               "cycles run about it, by the amplitude each way; also a displacement, \"10 um\"", "\"50 N\""},
-              strip.amplitude.control, strip.preload);
-  keys.value({"cycles", defaulted, "Cycles", "one after the other, with friction carried over"}, &strip.cycles);
-  keys.value({"steps", defaulted, "Increments per branch",
-              "equal increments from the start of a cycle to full displacement or load"},
-             &strip.steps);
-}
-
-void describe(CaseVisitor& keys, PathSettings& path) {
-  const bool has_file = keys.file(
-      {"file", optional, "File of the path",
-       "a file beside this one with the columns x_m,y_m (positions) or force_x_N,force_y_N (loads)", "\"path.csv\""},
-      "points", [&path](const std::string& name) { path.points = read_path(name); });
-  const bool has_points = keys.places({"points", optional, "Points", "the same as a list; or an orbit, without points",
-                                       "[[\"0 um\", \"-40 um\"], [\"10 um\", \"-40 um\"]]"},
-                                      path.points);
-  // Points that could not be read are no orbit whose keys are missing.
-  if ((has_file || has_points) && path.is_orbit()) path.points.values.emplace_back(0.0, 0.0);
-  const Presence of_orbit = path.is_orbit() ? required : optional;
-  const auto in_plane = [&keys](const Key& key, Control plain, PlaneTarget& target) {
-    std::optional<PlaneTarget> given = target;
-    keys.either(key, plain, given);
-    target = *given;
-  };
-  in_plane({"centre", of_orbit, "Centre", "of the orbit, an ellipse: a position, or a load", "[\"0 um\", \"-40 um\"]"},
-           Control::displacement, path.centre);
-  in_plane({"semi_axes", of_orbit, "Semi-axes", "of the same kind", "[\"10 um\", \"5 um\"]"}, path.centre.control,
-           path.semi_axes);
-  keys.value({"tilt", defaulted, "Tilt", "of the first axis, from X towards Y", "0 deg", angle}, &path.tilt);
-  keys.choice({"sense", defaulted, "Sense", "or \"clockwise\""}, path.sense);
-  keys.value({"orbits", defaulted, "Orbits", "one after the other, with friction carried over"}, &path.orbits);
-  keys.value({"steps", defaulted, "Increments per orbit", "also on the straight approach to its first point"},
-             &path.steps);
-}
-
-void describe(CaseVisitor& keys, VibrationSettings& vibration) {
-  keys.vectors(
-      {"loads", required, "Loads", "static loads on the journal, along X and Y; each from the unstressed foils",
-       "[[\"0 N\", \"-50 N\"]]", force},
-      vibration.loads);
-  keys.choice({"motion", defaulted, "Motion", "along the directions; \"orbit\": circles, once in either sense"},
-              vibration.motion);
-  keys.directions({"directions", vibration.orbits() ? optional : required, "Directions",
-                   "of the vibrations: one, or two at right angles", "[\"+X\", \"+Y\"]", angle},
-                  vibration.directions);
-  keys.value({"amplitudes", required, "Amplitudes",
-              "displacement of the journal to each side, without sideways motion; the radius of an orbit",
-              "[\"1 um\", \"2 um\", \"5 um\"]", length},
-             &vibration.amplitudes);
-  keys.value({"frequencies", required, "Frequencies",
-              "at which damping coefficients are computed; the loops do not depend on them. Also \"12000 rpm\"",
-              "[\"200 Hz\"]", frequency},
-             &vibration.frequencies);
-  keys.value({"steps", defaulted, "Increments per amplitude",
-              "equal increments up to a load, and from the middle to a turning point"},
-             &vibration.steps);
-}
-
 /// How a deviation is distributed whose keys are shown with these examples.
 struct Deviation {
   std::optional<Dimension> dimension;
@@ -445,15 +339,9 @@ void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
                  ensemble.sleeve_waviness, [](CaseVisitor& inner, WavinessScatter& waves) { describe(inner, waves); });
 }
 
-/// A table that is given if anything in it is not as by default.
 template <typename Table>
 void table(CaseVisitor& keys, const Key& key, Table& members) {
-  keys.table(key, members != Table{}, [&members](CaseVisitor& inner) { describe(inner, members); });
-}
-
-template <typename Table>
-void table(CaseVisitor& keys, const Key& key, std::optional<Table>& members) {
-  optional_table(keys, key, members, [](CaseVisitor& inner, Table& held) { describe(inner, held); });
+  defaulted_table(keys, key, members, [](CaseVisitor& inner, Table& held) { describe(inner, held); });
 }
 
 }  // namespace
@@ -472,29 +360,14 @@ void describe(CaseVisitor& keys, Case& input) {
   table(keys, {"friction", required, "Coefficients of friction", "Coulomb friction of the bump foil; 0 for none"},
         input.friction);
   table(keys, {"solver", defaulted, "Solver"}, input.solver);
-  table(keys, {"cycle", optional, "Cycle", "the journal is pushed and pulled back"}, input.cycle);
-  table(keys, {"strip", optional, "Strip", "a flat strip of the foils between two plates, for the command strip"},
-        input.strip);
-  table(keys, {"path", optional, "Path", "a prescribed path of the journal from the centre, for the command path"},
-        input.path);
-  table(keys,
-        {"vibration", optional, "Vibration",
-         "the journal vibrates about static loads, for the command vibration: each load in each direction with each "
-         "amplitude"},
-        input.vibration);
-  table(keys, {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium and film"},
-        input.gas);
-  table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film);
-  table(keys,
-        {"equilibrium", optional, "Equilibrium",
-         "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
-        input.equilibrium);
-  table(keys,
-        {"montecarlo", optional, "Ensemble",
-         "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
-         "of "
-         "[cycle], or the states of [equilibrium]; deviations are from the values above"},
-        input.montecarlo);
+  for (const CaseTable& table : case_tables()) table.describe(keys, input);
+  optional_table(
+      keys,
+      {"montecarlo", optional, "Ensemble",
+       "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
+       "of "
+       "[cycle], or the states of [equilibrium]; deviations are from the values above"},
+      input.montecarlo, [](CaseVisitor& inner, MonteCarloSettings& ensemble) { describe(inner, ensemble); });
 }
 
 }  // namespace bumpfoil

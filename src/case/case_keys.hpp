@@ -107,7 +107,36 @@ class CaseVisitor {
   virtual void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) = 0;
 };
 
-/// All keys of the case file. New keys are added here and to the Case.
+/// A table that is given if anything in it is not as by default. @param describe_members  (visitor, members) -> void
+template <typename Table, typename Describe>
+void defaulted_table(CaseVisitor& keys, const Key& key, Table& members, const Describe& describe_members) {
+  keys.table(key, members != Table{}, [&](CaseVisitor& visitor) { describe_members(visitor, members); });
+}
+
+/// A table that a case may have.
+template <typename Table, typename Describe>
+void optional_table(CaseVisitor& keys, const Key& key, std::optional<Table>& members,
+                    const Describe& describe_members) {
+  Table inner = members.value_or(Table{});
+  keys.table(key, members.has_value(), [&](CaseVisitor& visitor) {
+    describe_members(visitor, inner);
+    members = inner;
+  });
+}
+
+/// The same for the settings of an experiment. @param describe_members  (visitor, Settings&) -> void
+template <typename Settings>
+void settings_table(CaseVisitor& keys, const Key& key, SettingsByType& all,
+                    void (*describe_members)(CaseVisitor&, Settings&)) {
+  const Settings* const held = all.find<Settings>();
+  Settings inner = held == nullptr ? Settings{} : *held;
+  keys.table(key, held != nullptr, [&](CaseVisitor& visitor) {
+    describe_members(visitor, inner);
+    all.set(inner);
+  });
+}
+
+/// All keys of the case file: those of the bearing and of ensembles, and those that experiments describe.
 void describe(CaseVisitor& keys, Case& input);
 
 }  // namespace bumpfoil

@@ -1,6 +1,7 @@
 #include "bumpfoil/case/case_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "case/table_reader.hpp"
 #include "case/text_file.hpp"
 #include "case/toml_document.hpp"
+#include "model/case_table.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -23,10 +25,21 @@ std::string name_in_messages(const std::string& path) {
   return path == standard_input ? "standard input" : path;
 }
 
-/// All commands do, except that for a strip between plates.
-bool needs_bearing(const CaseRequest& request) {
-  return std::any_of(request.commands.begin(), request.commands.end(),
-                     [](const std::string& command) { return command != "strip"; });
+const CaseTable* table_of(std::string_view experiment) {
+  const auto found = std::find_if(case_tables().begin(), case_tables().end(),
+                                  [&](const CaseTable& table) { return table.experiment == experiment; });
+  return found == case_tables().end() ? nullptr : &*found;
+}
+
+/// Names of the experiments with a table that take bearings with pads, for messages: "cycle, path or vibration".
+std::string experiments_with_pads() {
+  std::vector<std::string_view> names;
+  for (const CaseTable& table : case_tables()) {
+    if (table.given && !table.flat) names.push_back(table.experiment);
+  }
+  const std::string_view last = names.back();
+  names.pop_back();
+  return fmt::format("{} or {}", fmt::join(names, ", "), last);
 }
 
 /// Errors that prevent the foils from being built as a truss.
@@ -72,44 +85,52 @@ Case parse_case(std::string_view text, const std::string& file, const CaseReques
   Case input;
   describe(reader, input);
   reader.finish();
-  // A case without directions and amplitude would pass for one without the table.
-  if (document.contains("cycle") && input.cycle.directions.empty() && input.cycle.amplitude.value == 0.0) {
-    log.later_fault({"", 0, "cycle.directions", "", "no direction specified", "give a list such as [\"+X\"]"});
-    log.later_fault({"", 0, "cycle.amplitude", "", "must be positive", "give a length such as \"79.5 um\""});
-  }
-  if (input.bearing.is_flat() && document.contains("strip") && needs_bearing(request)) {
-    const auto missed = [&log](const char* key, const char* advice) {
-      log.later_fault({"", 0, key, "", "is missing", fmt::format("{}: only the command strip needs none", advice)});
+  const auto& requested = request.commands;
+  for (const CaseTable& table : case_tables()) {
+    if (!table.given || !document.contains(table.needs)) continue;
+    // Tables that say nothing would pass for none.
+    if (!table.given(input)) {
+      log.later_fault({"", 0, std::string(table.needs), "", "requests nothing", "give its keys, or remove it"});
+    }
+    if (!table.flat || !input.bearing.is_flat() ||
+        std::all_of(requested.begin(), requested.end(),
+                    [&](const auto& command) { return command == table.experiment; })) {
+      continue;
+    }
+    const auto missed = [&](const char* key, const char* advice) {
+      log.later_fault(
+          {"", 0, key, "", "is missing", fmt::format("{}: only the command {} needs none", advice, table.experiment)});
     };
     missed("bearing.radius", "give it, or bearing.diameter");
     if (input.bearing.radial_clearance == 0.0) missed("bearing.radial_clearance", "give it");
   }
-  std::vector<std::string> commands = request.commands;
+  std::vector<std::string> commands = requested;
   const bool runs_ensemble = std::find(commands.begin(), commands.end(), "montecarlo") != commands.end();
   if (runs_ensemble && input.montecarlo) {
     commands.emplace_back(name_of(input.montecarlo->command));
     if (input.montecarlo->limits) commands.emplace_back("limits");
     if (!input.solver.name) input.solver.name = ensemble_solver(input);
-  } else if (input.equilibrium && input.equilibrium->limits &&
-             std::find(commands.begin(), commands.end(), "equilibrium") != commands.end()) {
-    commands.emplace_back("limits");
   }
   for (const std::string& command : commands) {
-    const std::string table = command == "film" || command == "limits" ? "equilibrium" : command;
-    // A missing [equilibrium] is reported for the command of the ensemble.
-    const bool told = runs_ensemble && command == "equilibrium";
+    const CaseTable* const own = table_of(command);
+    const std::string table(own == nullptr ? command : own->needs);
+    // A table that is missing for an ensemble is reported for the command of the ensemble.
+    const bool told = command == "limits" || (runs_ensemble && command == name_of(EnsembleCommand::equilibrium));
     if (told || document.contains(table)) continue;
     // Adding what pads exclude would not help.
-    const bool knows_pads = table != "strip";
-    if (knows_pads || input.pads.empty()) {
+    if (input.pads.empty() || own == nullptr || !own->flat) {
       log.fault(table, "this table is missing",
                 fmt::format("add [{}], which this command needs; `bumpfoil init` shows its keys", table));
     } else {
       log.fault(
           "pad", "is not supported by this command, which needs one foil all around",
-          fmt::format("run cycle, path, vibration or equilibrium, which support pads, or remove [[pad]] and add [{}]",
-                      table));
+          fmt::format("run {}, which support pads, or remove [[pad]] and add [{}]", experiments_with_pads(), table));
     }
+  }
+  for (const std::string& command : requested) {
+    const CaseTable* const own = table_of(command);
+    const std::string_view part = own != nullptr && own->requested_part ? own->requested_part(input) : "";
+    if (!part.empty()) commands.emplace_back(part);
   }
   std::vector<Fault> faults = find_faults(input, commands);
   if (faults.empty()) {
@@ -129,12 +150,12 @@ CheckedCase check_case(std::string_view text, const std::string& name, const std
   CheckedCase checked{.input = parse_case(text, name, {.overrides = overrides, .commands = {}}), .commands = {}};
   const Case& input = checked.input;
   std::vector<Fault> faults;
-  for (const auto& [command, has_table] :
-       {std::pair{"cycle", !input.cycle.directions.empty()}, std::pair{"strip", input.strip.has_value()},
-        std::pair{"path", input.path.has_value()}, std::pair{"vibration", input.vibration.has_value()},
-        std::pair{"equilibrium", input.equilibrium.has_value()},
-        std::pair{"montecarlo", input.montecarlo.has_value()}}) {
-    if (!has_table) continue;
+  std::vector<std::string> commands;
+  for (const CaseTable& table : case_tables()) {
+    if (table.given && table.given(input)) commands.emplace_back(table.experiment);
+  }
+  if (input.montecarlo) commands.emplace_back("montecarlo");
+  for (const std::string& command : commands) {
     CheckedCommand& one = checked.commands.emplace_back(CheckedCommand{command, {}});
     try {
       static_cast<void>(parse_case(text, name, {.overrides = overrides, .commands = {command}}));

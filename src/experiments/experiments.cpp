@@ -3,20 +3,18 @@
 #include <algorithm>
 
 #include "bumpfoil/core/assert.hpp"
+#include "experiments/registry.hpp"
 
 namespace bumpfoil {
 
-// Each in its folder.
-ExperimentInfo cycle_experiment();
-ExperimentInfo strip_experiment();
-ExperimentInfo path_experiment();
-ExperimentInfo vibration_experiment();
-ExperimentInfo equilibrium_experiment();
-ExperimentInfo film_experiment();
+#define BUMPFOIL_DECLARE(name) ExperimentInfo name##_experiment();
+BUMPFOIL_EXPERIMENTS(BUMPFOIL_DECLARE)
+#undef BUMPFOIL_DECLARE
 
 const std::vector<ExperimentInfo>& experiments() {
-  static const std::vector<ExperimentInfo> all{cycle_experiment(),     strip_experiment(),       path_experiment(),
-                                               vibration_experiment(), equilibrium_experiment(), film_experiment()};
+#define BUMPFOIL_CALL(name) name##_experiment(),
+  static const std::vector<ExperimentInfo> all{BUMPFOIL_EXPERIMENTS(BUMPFOIL_CALL)};
+#undef BUMPFOIL_CALL
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
 
@@ -88,11 +89,39 @@ class Judge {
                                                 "give at most 360 degrees either way");
   }
 
+  /// A number of something that is counted: "increments".
+  bool count(const std::string& key, int value, std::string_view what, std::pair<int, int> ends = {1, most_steps}) {
+    if (value >= ends.first && value <= ends.second) return true;
+    return require(false, key, std::to_string(value), fmt::format("is not a valid number of {}", what),
+                   fmt::format("give a whole number from {} to {}", ends.first, ends.second));
+  }
+
+  /// An error of the former model, which has no history, that prevents a command.
+  bool require_history(std::string_view command, bool right, std::string what,
+                       std::string advice = "set model = \"truss\" or \"frame\"") {
+    return right || require_for(command, false, "bump_foil.model", std::string(name_of(BumpFoilModel::former)),
+                                std::move(what), std::move(advice));
+  }
+
   std::vector<JudgedFault> take() { return std::move(faults_); }
 
  private:
   std::vector<JudgedFault> faults_;
 };
+
+/// Whether a run of so many increments and bumps can be kept in memory.
+inline void judge_memory(Judge& judge, std::string_view command, const std::string& key, int steps,
+                         std::int64_t increments, int bumps) {
+  judge.require_for(command, increments <= most_bump_increments / bumps, key, std::to_string(steps),
+                    fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                    "give fewer steps, or fewer directions or cycles");
+}
+
+/// Displacement of the journal that presses the bumps flat, m; 0 if it is not known.
+inline double flattening(const Bearing& bearing, double rise) {
+  const bool clear = std::abs(bearing.radial_clearance) <= thin * bearing.radius;
+  return rise > 0.0 && clear ? bearing.radial_clearance + rise : 0.0;
+}
 
 /// Whether a foil of this thickness, given by `key`, fits into a bearing.
 inline bool judge_thinness(Judge& judge, const std::string& key, double thickness, double radius) {

@@ -32,6 +32,14 @@ def assert_same(by_python, by_program):
         assert values.tobytes() == by_python[name].tobytes(), name
 
 
+def test_any_experiment_runs_by_the_name_of_its_command():
+    at = {"speeds": ["45000 rpm"], "positions": [["15 um", "-4 um"]]}
+    result = bumpfoil.run("film", GEN1, equilibrium=at, film={"rows": 4})
+    assert (result.command, result.status, len(result.summary["states"])) == ("film", "complete", 1)
+    with pytest.raises(ValueError, match="no experiment 'hover'; use one of cycle, strip"):
+        bumpfoil.run("hover", GEN1)
+
+
 @pytest.mark.parametrize(
     ("command", "example", "changes"),
     [

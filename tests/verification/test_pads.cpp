@@ -163,7 +163,7 @@ void expect_near(const Eigen::Matrix2d& matrix, const Eigen::Matrix2d& expected,
 Case orbited_pads(const Eigen::Vector2d& centre) {
   Case input = pressed_pads(3);
   for (Pad& pad : input.pads) pad.lobe = 5e-6;
-  PathSettings& path = input.path.emplace();
+  PathSettings& path = input.settings.set(PathSettings{});
   path.centre.value = centre;
   path.semi_axes.value = {8e-6, 4e-6};
   path.tilt = 0.3;
@@ -175,8 +175,9 @@ Case orbited_pads(const Eigen::Vector2d& centre) {
 TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
   const Case input = orbited_pads({9e-6, -5e-6});
   Case turned = input;
-  turned.path->centre.value = turning(third) * input.path->centre.value;
-  turned.path->tilt += third;
+  PathSettings& turned_path = *turned.settings.find<PathSettings>();
+  turned_path.centre.value = turning(third) * path.centre.value;
+  turned_path.tilt += third;
   const Cycle one = run_path(input).cycles.front();
   const Cycle other = run_path(turned).cycles.front();
   ASSERT_TRUE(one.converged() && other.converged());
@@ -211,7 +212,7 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
 /// A matrix that a third of a turn leaves as it is, is the same in all directions.
 TEST(Pads, EqualOnesAtEqualAnglesAreAsStiffInAllDirectionsAboutTheCentre) {
   Case input = pressed_pads(3);
-  input.path.emplace().points.values = {{0.0, 0.0}, {1e-6, 0.0}};
+  input.settings.set(PathSettings{}).points.values = {{0.0, 0.0}, {1e-6, 0.0}};
   const Cycle path = run_path(input).cycles.front();
   ASSERT_TRUE(path.converged() && path.increments.front().tangents.unloading);
   const Eigen::Matrix2d stiffness = *path.increments.front().tangents.unloading;

@@ -8,6 +8,7 @@
 #include "bumpfoil/model/bearing_design.hpp"
 #include "bumpfoil/model/gas_preset.hpp"
 #include "bumpfoil/model/scatter.hpp"
+#include "bumpfoil/model/settings_by_type.hpp"
 
 namespace bumpfoil {
 
@@ -105,23 +106,6 @@ struct PathPoints {
 /// Sense of an orbit, seen with X to the right and Y up.
 enum class Sense { counterclockwise, clockwise };
 
-/// A prescribed path of the journal from the centre of the bearing: through given points, or around an ellipse.
-struct PathSettings {
-  PathPoints points;  ///< where there are any, there is no orbit
-
-  PlaneTarget centre;     ///< of the ellipse
-  PlaneTarget semi_axes;  ///< along its own axes
-  double tilt{};          ///< of the first axis, from X towards Y, rad
-  Sense sense{Sense::counterclockwise};
-  int orbits{5};
-  int steps{200};  ///< equal parameter steps of an orbit, and increments of the straight approach to its first point
-
-  bool operator==(const PathSettings&) const = default;
-
-  [[nodiscard]] bool is_orbit() const { return points.values.empty(); }
-  [[nodiscard]] Control control() const { return is_orbit() ? centre.control : points.control; }
-};
-
 /// How a journal vibrates.
 enum class Motion {
   line,   ///< along a direction alone
@@ -214,11 +198,11 @@ struct Case : BearingDesign {
   SolverSettings solver;
   CycleSettings cycle;
   std::optional<StripSettings> strip{};
-  std::optional<PathSettings> path{};
   std::optional<VibrationSettings> vibration{};
   GasSettings gas{};
   FilmSettings film{};
   std::optional<EquilibriumSettings> equilibrium{};
+  SettingsByType settings{};  ///< of other experiments
   std::optional<MonteCarloSettings> montecarlo{};
   /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
   std::vector<std::string> remarks{};

@@ -443,6 +443,8 @@ TEST(ParseCase, CyclesGoInFourDirectionsUnlessToldOtherwise) {
   EXPECT_EQ(parse_case(cut(whole_case(), line), "case.toml").cycle.directions,
             (std::vector<double>{0.0, pi, 0.5 * pi, 1.5 * pi}));
   EXPECT_NE(refusal({"cycle.directions=[]"}).find("no direction specified"), std::string::npos);
+  // Without an amplitude, too, it would pass for a case without the table.
+  EXPECT_NE(refusal({"cycle.directions=[]", "cycle.amplitude=0"}).find("cycle: requests nothing"), std::string::npos);
 }
 
 TEST(ParseCase, AxesAreExact) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bumpfoil/experiments/path/path.hpp"
 #include "support/faulty_keys.hpp"
 
 namespace bumpfoil {
@@ -357,7 +358,7 @@ TEST(FindFaults, JudgesWhatCyclesGoAbout) {
 
 TEST(FindFaults, KnowsPathsThroughPointsOrRoundAnEllipse) {
   const auto path = [](const PathSettings& settings) {
-    return faulty_keys([&](Case& input) { input.path = settings; });
+    return faulty_keys([&](Case& input) { input.settings.set(settings); });
   };
   PathSettings orbit;
   orbit.centre.value = {0.0, -40e-6};

@@ -113,7 +113,7 @@ TEST(CycleTable, OfAPathHasTheHighestForceOfEachPad) {
   input.bump_foil.bumps = 7;
   input.bearing.radial_clearance = -2e-6;
   input.pads.resize(2);
-  input.path.emplace().points.values = {{0.0, 0.0}, {5e-6, 0.0}, {2e-6, 0.0}};
+  input.settings.set(PathSettings{}).points.values = {{0.0, 0.0}, {5e-6, 0.0}, {2e-6, 0.0}};
   const CycleResult result = run_path(input);
   const FoilFields& fields = result.cycles[0].fields;
   const std::string text = cycle_table(input, result);

@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 
 Case along(const std::vector<Eigen::Vector2d>& points, Control control = Control::displacement) {
   Case input = reference_case();
-  input.path.emplace().points = {.control = control, .values = points};
+  input.settings.set(PathSettings{}).points = {.control = control, .values = points};
   return input;
 }
 
@@ -25,7 +25,7 @@ Case along(const std::vector<Eigen::Vector2d>& points, Control control = Control
 Case orbiting(SolverName solver = SolverName::newton) {
   Case input = reference_case();
   input.solver.name = solver;
-  PathSettings& path = input.path.emplace();
+  PathSettings& path = input.settings.set(PathSettings{});
   path.centre.value = {5e-6, -50e-6};
   path.semi_axes.value = {10e-6, 4e-6};
   path.tilt = 0.4;
@@ -40,17 +40,17 @@ const Cycle& only(const CycleResult& result) {
 }
 
 TEST(PathProgram, BeginsWithTheWayToTheFirstPoint) {
-  const Program through = path_program(*along({{1e-6, 0.0}, {1e-6, 2e-6}}).path);
+  const Program through = path_program(*along({{1e-6, 0.0}, {1e-6, 2e-6}}).settings.find<PathSettings>());
   ASSERT_EQ(through.size(), 2U);
   EXPECT_EQ(through[1].line.place(through[1].begin), Eigen::Vector2d(1e-6, 0.0));
   EXPECT_EQ(through[1].line.place(through[1].end), Eigen::Vector2d(1e-6, 2e-6));
   // The assembly is the first point where that is the centre of the bearing.
-  EXPECT_EQ(increments_of(path_program(*along({{0.0, 0.0}, {1e-6, 0.0}}).path)), 2);
-  EXPECT_EQ(increments_of(path_program(*along({{1e-6, 0.0}, {0.0, 0.0}}).path)), 3);
+  EXPECT_EQ(increments_of(path_program(*along({{0.0, 0.0}, {1e-6, 0.0}}).settings.find<PathSettings>())), 2);
+  EXPECT_EQ(increments_of(path_program(*along({{1e-6, 0.0}, {0.0, 0.0}}).settings.find<PathSettings>())), 3);
 }
 
 TEST(PathProgram, GoesRoundAnEllipseInItsSense) {
-  PathSettings path = *orbiting().path;
+  PathSettings path = *orbiting().settings.find<PathSettings>();
   for (const Sense sense : {Sense::counterclockwise, Sense::clockwise}) {
     path.sense = sense;
     const Program program = path_program(path);
@@ -77,7 +77,7 @@ TEST(RunPath, AlongALineIsACycle) {
     input.cycle.directions = {0.7};
     input.cycle.steps = 20;
     const Cycle cycle = run_cycles(input).cycles[0];
-    PathSettings& path = input.path.emplace();
+    PathSettings& path = input.settings.set(PathSettings{});
     for (const Increment& increment : cycle.increments) path.points.values.emplace_back(increment.x, increment.y);
     const CycleResult result = run_path(input);
     const Cycle& same = only(result);
@@ -102,7 +102,7 @@ TEST(RunPath, OfTheMirrorImageIsTheMirrorImage) {
   const Case input = orbiting();
   Case mirrored = input;
   mirrored.bearing.wrap = Wrap::counterclockwise;
-  PathSettings& path = *mirrored.path;
+  PathSettings& path = *mirrored.settings.find<PathSettings>();
   path.centre.value.y() *= -1.0;
   path.tilt *= -1.0;
   path.sense = Sense::clockwise;
@@ -141,7 +141,7 @@ TEST(RunPath, OrbitsTakeWhatFrictionTakes) {
 TEST(RunPath, OrbitsWithoutFrictionTakeNothing) {
   Case input = orbiting(SolverName::events);
   input.friction = {};
-  input.path->orbits = 1;
+  input.settings.find<PathSettings>()->orbits = 1;
   const CycleResult result = run_path(input);
   ASSERT_TRUE(result.converged());
   const Increment& begin = only(result).increments[40];
@@ -157,9 +157,9 @@ TEST(RunPath, OrbitsWithoutFrictionTakeExactlyNothing) {
         for (const int steps : {8, 40, 41}) {
           Case input = orbiting(solver);
           input.friction = {};
-          input.path->sense = sense;
-          input.path->semi_axes.value = axes;
-          input.path->steps = steps;
+          input.settings.find<PathSettings>()->sense = sense;
+          input.settings.find<PathSettings>()->semi_axes.value = axes;
+          input.settings.find<PathSettings>()->steps = steps;
           const CycleResult result = run_path(input);
           ASSERT_TRUE(result.converged());
           for (const OrbitLoop& orbit : only(result).orbits) EXPECT_EQ(orbit.energy, 0.0) << axes << ' ' << steps;
@@ -172,7 +172,7 @@ TEST(RunPath, OrbitsWithoutFrictionTakeExactlyNothing) {
 TEST(RunPath, OrbitsWithFrictionTakeTheirWork) {
   for (const int steps : {8, 40}) {
     Case input = orbiting();
-    input.path->steps = steps;
+    input.settings.find<PathSettings>()->steps = steps;
     const CycleResult result = run_path(input);
     const auto& increments = only(result).increments;
     const auto at = [&](int orbit) { return increments[static_cast<std::size_t>((orbit + 1) * steps)].work; };
@@ -182,9 +182,9 @@ TEST(RunPath, OrbitsWithFrictionTakeTheirWork) {
 
 TEST(RunPath, FollowsLoadsInThePlane) {
   Case input = orbiting();
-  input.path->centre = {Control::load, {0.0, -80.0}};
-  input.path->semi_axes = {Control::load, {20.0, 20.0}};
-  input.path->orbits = 1;
+  input.settings.find<PathSettings>()->centre = {Control::load, {0.0, -80.0}};
+  input.settings.find<PathSettings>()->semi_axes = {Control::load, {20.0, 20.0}};
+  input.settings.find<PathSettings>()->orbits = 1;
   const CycleResult result = run_path(input);
   ASSERT_TRUE(result.converged());
   for (std::size_t k = 40; k <= 80; ++k) {
@@ -209,7 +209,7 @@ TEST(RunPath, TangentsAreThoseOfOneSidedDifferences) {
   const Eigen::Vector2d direction = (points[3] - points[2]).normalized();
   for (const double sense : {1.0, -1.0}) {
     Case beyond = input;
-    beyond.path->points.values.push_back(points[3] + sense * 1e-11 * direction);
+    beyond.settings.find<PathSettings>()->points.values.push_back(points[3] + sense * 1e-11 * direction);
     const CycleResult further = run_path(beyond);
     const Increment& a = only(further).increments[4];
     const Increment& b = only(further).increments[5];

@@ -1,12 +1,52 @@
-#include "model/judge_vibration.hpp"
+#include <cmath>
+#include <cstdint>
+#include <string>
 
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "case/case_keys.hpp"
+#include "model/case_table.hpp"
 
 namespace bumpfoil {
 namespace {
 
+void describe(CaseVisitor& keys, VibrationSettings& vibration) {
+  using enum Presence;
+  using enum Dimension;
+  keys.vectors(
+      {"loads", required, "Loads", "static loads on the journal, along X and Y; each from the unstressed foils",
+       "[[\"0 N\", \"-50 N\"]]", force},
+      vibration.loads);
+  keys.choice({"motion", defaulted, "Motion", "along the directions; \"orbit\": circles, once in either sense"},
+              vibration.motion);
+  keys.directions({"directions", vibration.orbits() ? optional : required, "Directions",
+                   "of the vibrations: one, or two at right angles", "[\"+X\", \"+Y\"]", angle},
+                  vibration.directions);
+  keys.value({"amplitudes", required, "Amplitudes",
+              "displacement of the journal to each side, without sideways motion; the radius of an orbit",
+              "[\"1 um\", \"2 um\", \"5 um\"]", length},
+             &vibration.amplitudes);
+  keys.value({"frequencies", required, "Frequencies",
+              "at which damping coefficients are computed; the loops do not depend on them. Also \"12000 rpm\"",
+              "[\"200 Hz\"]", frequency},
+             &vibration.frequencies);
+  keys.value({"steps", defaulted, "Increments per amplitude",
+              "equal increments up to a load, and from the middle to a turning point"},
+             &vibration.steps);
+}
+
+void describe_vibration(CaseVisitor& keys, Case& input) {
+  using enum Presence;
+  optional_table(
+      keys,
+      {"vibration", optional, "Vibration",
+       "the journal vibrates about static loads, for the command vibration: each load in each direction with each "
+       "amplitude"},
+      input.vibration, [](CaseVisitor& inner, VibrationSettings& vibration) { describe(inner, vibration); });
+}
+
 /// Points of all loops, which are kept until the end, and rows of all coefficients.
-constexpr std::int64_t most_points = 20'000'000;
+constexpr std::int64_t most_loop_points = 20'000'000;
 constexpr std::int64_t most_rows = 1'000'000;
 
 /// @param example  of an entry
@@ -36,8 +76,8 @@ void judge_directions(Judge& judge, const VibrationSettings& vibration) {
 void judge_size(Judge& judge, const VibrationSettings& vibration) {
   const auto vibrations =
       std::ssize(vibration.loads) * static_cast<std::int64_t>(vibration.motions()) * std::ssize(vibration.amplitudes);
-  judge.require_for("vibration", vibrations <= most_points / (4 * std::int64_t{vibration.steps}), "vibration.steps",
-                    std::to_string(vibration.steps),
+  judge.require_for("vibration", vibrations <= most_loop_points / (4 * std::int64_t{vibration.steps}),
+                    "vibration.steps", std::to_string(vibration.steps),
                     fmt::format("the loops of {} vibrations would not fit in memory", vibrations),
                     "give fewer steps, loads or amplitudes");
   const auto rows = std::ssize(vibration.loads) * std::ssize(vibration.amplitudes) * std::ssize(vibration.frequencies);
@@ -46,9 +86,12 @@ void judge_size(Judge& judge, const VibrationSettings& vibration) {
                     fmt::format("make {} rows of coefficients", rows), fmt::format("give less than {}", most_rows));
 }
 
-}  // namespace
-
-void judge_vibration(Judge& judge, const VibrationSettings& vibration, double limit) {
+void judge_vibration(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+  if (!input.vibration) return;
+  const VibrationSettings& vibration = *input.vibration;
+  const double limit = flattening(input.bearing, foil.rise);
+  judge.require_history("vibration", input.bump_foil.model != BumpFoilModel::former,
+                        "has no history: its loops have no area, and it cannot vibrate about a load");
   judge_presence(judge, "vibration.loads", vibration.loads.size(), "[\"0 N\", \"-50 N\"]");
   for (std::size_t i = 0; i < vibration.loads.size(); ++i) {
     const double load = vibration.loads[i].norm();
@@ -70,11 +113,17 @@ void judge_vibration(Judge& judge, const VibrationSettings& vibration, double li
   for (std::size_t i = 0; i < vibration.frequencies.size(); ++i) {
     judge.within(fmt::format("vibration.frequencies[{}]", i + 1), vibration.frequencies[i], frequency_range);
   }
-  if (judge.require(vibration.steps >= 1 && vibration.steps <= most_steps, "vibration.steps",
-                    std::to_string(vibration.steps), "is not a valid number of increments",
-                    fmt::format("give a whole number from 1 to {}", most_steps))) {
-    judge_size(judge, vibration);
-  }
+  if (judge.count("vibration.steps", vibration.steps, "increments")) judge_size(judge, vibration);
+}
+
+}  // namespace
+
+CaseTable vibration_settings() {
+  return {.experiment = "vibration",
+          .needs = "vibration",
+          .describe = describe_vibration,
+          .check = judge_vibration,
+          .given = [](const Case& input) { return input.vibration.has_value(); }};
 }
 
 }  // namespace bumpfoil

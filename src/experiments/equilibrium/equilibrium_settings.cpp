@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <optional>
+
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "case/case_keys.hpp"
+#include "model/case_table.hpp"
+
+namespace bumpfoil {
+namespace {
+
+void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value({"speeds", required, "Speeds", "of the journal; positive turns X to Y", "[\"45000 rpm\"]", frequency},
+             &equilibrium.speeds);
+  keys.vectors({"loads", optional, "Loads", "on the journal, along X and Y", "[[\"50 N\", \"0 N\"]]", force},
+               equilibrium.loads);
+  keys.vectors({.name = "positions",
+                .presence = optional,
+                .title = "Positions",
+                .text = "of the journal, along X and Y, instead of loads",
+                .example = "[[\"25 um\", \"0 um\"]]",
+                .dimension = length,
+                .instead = true},
+               equilibrium.positions);
+  // Positions have no load to ramp.
+  if (!equilibrium.positions.empty() && equilibrium.path == FilmPath::load_ramp) {
+    equilibrium.path = FilmPath::position_ray;
+  }
+  keys.choice({"path", defaulted, "Path",
+               "how states are reached: load after load; \"position_ray\", default with positions; \"speed_ramp\"; "
+               "\"cold_start\": each from ambient pressure"},
+              equilibrium.path);
+  keys.choice({"paths", defaulted, "Paths",
+               "number of paths: \"two\" compares the states with those of a second path and reports where they "
+               "differ; \"one\" does not; \"all\" keeps the states of every path. Sweeps and ensembles use one"},
+              equilibrium.paths);
+  keys.value({"steps", defaulted, "Steps", "equal increments of the ramp to the first state of a path"},
+             &equilibrium.steps);
+  keys.value({"frequencies", optional, "Frequencies",
+              "of small motions about the states, for stiffness and damping; default: that of the rotation",
+              "[\"375 Hz\", \"750 Hz\"]", frequency},
+             &equilibrium.frequencies);
+  keys.value({"limits", defaulted, "Limits",
+              "true: find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin"},
+             &equilibrium.limits);
+  keys.value({"ross_version", defaulted, "Version of ROSS",
+              "that coefficients.toml is for; 2 has synchronous coefficients alone"},
+             &equilibrium.ross_version);
+}
+
+void describe_equilibrium(CaseVisitor& keys, Case& input) {
+  using enum Presence;
+  optional_table(keys,
+                 {"equilibrium", optional, "Equilibrium",
+                  "the running bearing, for the command equilibrium: all speeds with all loads, or with all positions"},
+                 input.equilibrium,
+                 [](CaseVisitor& inner, EquilibriumSettings& equilibrium) { describe(inner, equilibrium); });
+}
+
+constexpr double most_speed = 1e6;  // rad/s
+
+/// Entries of a list of pairs, each within +-`most`.
+void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen::Vector2d>& vectors, double most,
+                   std::string_view unit) {
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    for (const int axis : {0, 1}) {
+      const double value = vectors[i][axis];
+      const std::string entry = fmt::format("{}[{}][{}]", key, i + 1, axis + 1);
+      if (!judge.finite(entry, value, unit)) continue;
+      judge.require(std::abs(value) <= most, entry, quantity(value, unit), "is unphysical",
+                    fmt::format("give at most {} either way; is the unit right?", quantity(most, unit)));
+    }
+  }
+}
+
+/// Columns of the film are equally spaced, and each crest has one.
+void judge_mesh_of(Judge& judge, const BumpFoil& foil) {
+  const PerBump& pitch = foil.pitch;
+  const auto other = [&](const std::optional<double>& one) { return one && *one != pitch.values.front(); };
+  const bool equal =
+      std::all_of(pitch.values.begin(), pitch.values.end(), [&](double one) { return one == pitch.values.front(); }) &&
+      std::none_of(foil.sections.begin(), foil.sections.end(),
+                   [&](const BumpSection& one) { return other(one.pitch); });
+  judge.require_for("equilibrium", equal, "bump_foil.pitch", "",
+                    "differs along the foil, and the mesh of a film needs equal pitches", "give one pitch");
+}
+
+void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+  judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
+                    "is missing: the minimum film thickness at lift-off",
+                    "give a thickness such as \"2 um\", three times the roughness of both surfaces together");
+  judge.require_for("limits", input.equilibrium && !input.equilibrium->loads.empty(), "equilibrium.loads", "",
+                    "no load specified", "give a list such as [[\"50 N\", \"0 N\"]]");
+  if (!input.equilibrium) return;
+  const EquilibriumSettings& equilibrium = *input.equilibrium;
+  judge.require(!equilibrium.speeds.empty(), "equilibrium.speeds", "", "no speed specified",
+                "give a list such as [\"45000 rpm\"]");
+  for (std::size_t i = 0; i < equilibrium.speeds.size(); ++i) {
+    const double speed = equilibrium.speeds[i];
+    const std::string entry = fmt::format("equilibrium.speeds[{}]", i + 1);
+    if (!judge.finite(entry, speed, "rad/s")) continue;
+    judge.require(speed != 0.0, entry, quantity(speed, "rad/s"), "a journal at rest has no film",
+                  "give a speed that is not zero");
+    judge.require(std::abs(speed) <= most_speed, entry, quantity(speed, "rad/s"), "is unphysical",
+                  fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
+  }
+  const bool by_load = !equilibrium.loads.empty();
+  judge.require_for("equilibrium", by_load || !equilibrium.positions.empty(), "equilibrium.loads", "",
+                    "no load specified", "give a list such as [[\"50 N\", \"0 N\"]], or positions");
+  judge.require(!by_load || equilibrium.positions.empty(), "equilibrium.positions", "",
+                "conflicts with equilibrium.loads, which is also given", "give one of the two");
+  judge.require(by_load || equilibrium.positions.empty() || equilibrium.path != FilmPath::load_ramp, "equilibrium.path",
+                std::string(name_of(equilibrium.path)), "needs loads, but there are positions",
+                "write path = \"position_ray\", \"speed_ramp\" or \"cold_start\"");
+  judge_vectors(judge, "equilibrium.loads", equilibrium.loads, load_range.most, "N");
+  judge_vectors(judge, "equilibrium.positions", equilibrium.positions, thin * input.bearing.radius, "m");
+  for (std::size_t i = 0; i < equilibrium.loads.size(); ++i) {
+    judge.require(!equilibrium.loads[i].isZero(0.0), fmt::format("equilibrium.loads[{}]", i + 1), "0 N",
+                  "is zero, so the path to it has no direction", "give a load that is not zero, however small");
+  }
+  judge.count("equilibrium.steps", equilibrium.steps, "increments");
+  judge.require(equilibrium.ross_version == 2 || equilibrium.ross_version == 3, "equilibrium.ross_version",
+                std::to_string(equilibrium.ross_version), "is a version that nothing is written for", "give 2 or 3");
+  for (std::size_t i = 0; i < equilibrium.frequencies.size(); ++i) {
+    judge.within(fmt::format("equilibrium.frequencies[{}]", i + 1), equilibrium.frequencies[i], frequency_range);
+  }
+  judge.require_for("equilibrium", input.bump_foil.model != BumpFoilModel::former, "bump_foil.model",
+                    std::string(name_of(input.bump_foil.model)), "has no top foil that a film could run on",
+                    "set model = \"truss\" or \"frame\"");
+  judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
+                    std::string(name_of(input.bump_foil.geometry)), "a film supports foils of small displacements only",
+                    "set geometry = \"linear\"");
+  judge_mesh_of(judge, input.bump_foil);
+  judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
+                    std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
+}
+
+}  // namespace
+
+CaseTable equilibrium_settings() {
+  return {.experiment = "equilibrium",
+          .needs = "equilibrium",
+          .describe = describe_equilibrium,
+          .check = judge_equilibrium,
+          .given = [](const Case& input) { return input.equilibrium.has_value(); },
+          .requested_part = [](const Case& input) -> std::string_view {
+            return input.equilibrium && input.equilibrium->limits ? "limits" : "";
+          }};
+}
+
+}  // namespace bumpfoil

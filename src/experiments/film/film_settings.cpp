@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <optional>
+
+#include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/model/pads.hpp"
+#include "case/case_keys.hpp"
+#include "model/case_table.hpp"
+
+namespace bumpfoil {
+namespace {
+
+void describe(CaseVisitor& keys, GasSettings& gas) {
+  using enum Presence;
+  using enum Dimension;
+  keys.choice({"preset", defaulted, "Gas", "sets the viscosity; or \"helium\", \"nitrogen\", \"steam\""}, gas.preset);
+  keys.value({"temperature", defaulted, "Temperature", "of the film, uniform", "293 K", temperature}, &gas.temperature);
+  keys.value({.name = "viscosity",
+              .presence = optional,
+              .title = "Viscosity",
+              .text = "instead of that of the preset at the temperature",
+              .example = "18.5 uPa s",
+              .dimension = viscosity,
+              .instead = true},
+             &gas.viscosity);
+  keys.value({"ambient_pressure", defaulted, "Ambient pressure", "at all edges of the film and behind the foils",
+              "101325 Pa", pressure},
+             &gas.ambient_pressure);
+  keys.value(
+      {"mean_free_path", defaulted, "Mean free path", "at ambient pressure; 0: no slip at the walls", "0 nm", length},
+      &gas.mean_free_path);
+}
+
+void describe(CaseVisitor& keys, FilmSettings& film) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value(
+      {"columns_per_pitch", defaulted, "Columns per pitch", "of the mesh; even, so that every crest is a column"},
+      &film.columns_per_pitch);
+  keys.value({"rows", defaulted, "Rows", "of the mesh, on half the width"}, &film.rows);
+  keys.value(
+      {"h_floor", defaulted, "Contact threshold", "a thinner film counts as contact (touchdown)", "0.1 um", length},
+      &film.h_floor);
+  keys.value(
+      {"h_lift_off", optional, "Lift-off above",
+       "minimum film thickness of a journal that has lifted off, such as three times the roughness", "2 um", length},
+      &film.h_lift_off);
+  keys.choice({"wall", defaulted, "Bearing surface",
+               "bearing surface instead of the foils, for the command film; or \"springs\": an elastic foundation, or "
+               "\"rigid_across\": an axially uniform one"},
+              film.wall);
+  keys.value({"wall_stiffness", optional, "Foundation modulus", "of the elastic foundation: pressure over displacement",
+              "5 GPa/m", bed_stiffness},
+             &film.wall_stiffness);
+  keys.value({"closed", defaulted, "Closed surface", "true: no slot at the weld"}, &film.closed);
+}
+
+void describe_film(CaseVisitor& keys, Case& input) {
+  using enum Presence;
+  defaulted_table(keys,
+                  {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium and film"},
+                  input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
+  defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
+                  [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
+}
+
+constexpr Range ambient_range{1e2, 1e8, "Pa"};
+constexpr Range viscosity_range{1e-7, 1e-2, "Pa s"};
+constexpr Range free_path_range{0.0, 1e-4, "m"};
+
+/// Film meshes beyond these are input errors.
+constexpr int most_columns = 100;
+constexpr int most_film_rows = 200;
+/// The equations must fit in memory. Bytes for each pair of rows: over a crest, where contacts are, and in a column;
+/// fitted to what 26 bumps take on 6 x 50 to 12 x 200, within 15 %.
+constexpr double bytes_at_crest = 285.0;
+constexpr double bytes_of_column = 37.0;
+constexpr double most_film_bytes = 2e9;
+
+void judge_gas(Judge& judge, const GasSettings& gas) {
+  const auto [least, most] = temperature_range(gas.preset);
+  judge.require(gas.viscosity || (gas.temperature >= least && gas.temperature <= most), "gas.temperature",
+                quantity(gas.temperature, "K"),
+                fmt::format("the viscosity of {} is not available there", name_of(gas.preset)),
+                fmt::format("give a temperature from {} to {} K, or gas.viscosity", least, most));
+  if (gas.viscosity) judge.within("gas.viscosity", *gas.viscosity, viscosity_range);
+  judge.within("gas.ambient_pressure", gas.ambient_pressure, ambient_range);
+  judge.within("gas.mean_free_path", gas.mean_free_path, free_path_range);
+}
+
+/// @param bumps  their number, 0 where that is not usable
+/// @param runs   whether there is to be a film
+void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
+  const int columns = film.columns_per_pitch;
+  const bool columns_right = judge.require(
+      columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
+      "puts no column over every crest", fmt::format("give an even number from 4 to {}", most_columns));
+  const bool rows_right =
+      judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
+                    "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
+  if (runs && columns_right && rows_right) {
+    const double bytes = static_cast<double>(bumps) * film.rows * film.rows *
+                         (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
+    for (const char* const command : {"equilibrium", "film"}) {
+      judge.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
+                        fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
+                                    columns * bumps, film.rows, 1e-9 * bytes),
+                        fmt::format("give a mesh that needs {:.2g} GB at most", 1e-9 * most_film_bytes));
+    }
+  }
+  if (film.wall != FilmWall::rigid) {
+    judge.require(film.wall_stiffness.has_value(), "film.wall_stiffness", "",
+                  "is missing, but the elastic foundation needs it",
+                  "give a stiffness such as \"5 GPa/m\", or wall = \"rigid\"");
+  }
+  if (film.wall_stiffness) judge.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
+  judge.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
+  if (film.h_lift_off && judge.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
+    judge.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
+                  fmt::format("is not above film.h_floor, {:.6g} m, the contact threshold", film.h_floor),
+                  "give a larger h_lift_off or a smaller h_floor");
+  }
+}
+
+void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
+  judge_gas(judge, input.gas);
+  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
+  for (const char* const command : {"equilibrium", "film"}) {
+    judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
+                      "has an out-of-round journal, under which a film is never steady",
+                      "remove journal_waviness and journal_profile");
+  }
+}
+
+}  // namespace
+
+CaseTable film_settings() {
+  return {.experiment = "film", .needs = "equilibrium", .describe = describe_film, .check = check_film};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,12 @@
+#pragma once
+
+/// All experiments, in the order of the manual and of their tables in the case file: a line for each folder, NAME, in
+/// which NAME_experiment() says what its command is and NAME_settings() what its table of the case file is. They are
+/// told apart because the page of the designer reads case files without running all that may be in them.
+#define BUMPFOIL_EXPERIMENTS(EACH) \
+  EACH(cycle)                      \
+  EACH(strip)                      \
+  EACH(path)                       \
+  EACH(vibration)                  \
+  EACH(film)                       \
+  EACH(equilibrium)
