@@ -141,6 +141,13 @@ TEST_F(Program, FollowsAPath) {
   EXPECT_NE(wrong.errors.find("path.csv:1: line = x,y: is not a header of a path"), std::string::npos) << wrong.errors;
 }
 
+TEST_F(Program, DescribesItsResults) {
+  const Outcome described = run({"schema", "--results"});
+  EXPECT_EQ(described.exit_code, 0) << described.errors;
+  EXPECT_TRUE(nlohmann::json::parse(described.output).at("experiments").contains("cycle"));
+  EXPECT_EQ(run({"schema"}).exit_code, 2);
+}
+
 TEST_F(Program, InitListsTheKeys) {
   const Outcome keys = run({"init", "--keys"});
   EXPECT_EQ(keys.exit_code, 0) << keys.errors;

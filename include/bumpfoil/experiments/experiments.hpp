@@ -37,6 +37,7 @@ struct Outcome {
   std::vector<std::string> warnings;     ///< a line each
   std::vector<std::string> failures;     ///< a line each
   std::function<std::string()> table{};  ///< for the terminal
+  std::function<Dataset()> dataset{};    ///< of result.nc; lives as long as this
   /// Of the result set. netCDF is not thread-safe: to be called by one thread at a time.
   std::function<std::vector<ResultFile>(const Provenance&)> files{};
   std::function<SweptResult(bool with_loops)> swept{};  ///< of experiments that can be swept; lives as long as this
@@ -74,6 +75,9 @@ struct ExperimentInfo {
   std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   ExperimentRun run;
   std::optional<Sweeping> sweeping{};  ///< of those that can be swept
+  /// Small runs of the reference case, each with keys of its own, whose results together have all variables that there
+  /// may be: the first plain, others with what adds some.
+  std::vector<std::vector<std::string>> small_runs{};
 };
 
 /// All experiments, in the order of the manual.

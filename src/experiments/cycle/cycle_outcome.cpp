@@ -43,6 +43,7 @@ Outcome cycle_outcome(const Case& input, CycleResult result) {
           .warnings = warning_lines(input, *cycles),
           .failures = failure_lines(input, *cycles),
           .table = [=] { return cycle_table(input, *cycles); },
+          .dataset = [=] { return cycle_dataset(input, *cycles, status, Extent::everything); },
           .files = [=](const Provenance& provenance) { return cycle_files(input, *cycles, status, provenance); },
           .swept = [=](bool with_loops) { return swept_cycles(input, *cycles, status, with_loops); },
           .cycles = cycles};
@@ -77,7 +78,11 @@ ExperimentInfo cycle_experiment() {
           .files = cycle_file_names("cycle"),
           .sampled = EnsembleCommand::cycle,
           .run = run,
-          .sweeping = cycle_sweeping(Experiment::cycle, run)};
+          .sweeping = cycle_sweeping(Experiment::cycle, run),
+          .small_runs = {
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]"},
+              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"}}};
 }
 
 }  // namespace bumpfoil

@@ -50,11 +50,22 @@ Outcome running_outcome(const Case& input, EquilibriumResult result) {
           .warnings = warning_lines(input, *states),
           .failures = failure_lines(*states),
           .table = [=] { return equilibrium_table(*states); },
+          .dataset = [=] { return state_dataset(input, *states); },
           .files = [=](const Provenance& provenance) { return equilibrium_files(input, *states, status, provenance); },
           .swept = [=](bool /*with_loops*/) { return swept_states(input, *states); }};
 }
 
 ExperimentInfo equilibrium_experiment() {
+  const std::vector<std::string> one_state{"equilibrium.speeds=[\"45000 rpm\"]",
+                                           "equilibrium.loads=[[\"10 N\", \"0 N\"]]",
+                                           "equilibrium.paths=one",
+                                           "equilibrium.steps=1",
+                                           "film.columns_per_pitch=4",
+                                           "film.rows=4"};
+  std::vector<std::string> with_limits = one_state;
+  with_limits.insert(with_limits.end(), {"equilibrium.limits=true", "film.h_lift_off=5 um"});
+  std::vector<std::string> of_pads = one_state;
+  of_pads.insert(of_pads.end(), {"bump_foil.bumps=8", "pad=[{}, {}, {}]"});
   return {
       .name = "equilibrium",
       .summary = "Compute equilibria of the running bearing, with gas film, foils and friction",
@@ -82,9 +93,10 @@ ExperimentInfo equilibrium_experiment() {
           [](const Case& input, const ProgressCallback& progress) {
             return running_outcome(input, analyse_running_bearing(input, progress));
           },
-      .sweeping = Sweeping{.run = run_swept, .not_begun = [](const Case& input) {
-                             return running_outcome(input, equilibrium_not_begun(input));
-                           }}};
+      .sweeping =
+          Sweeping{.run = run_swept,
+                   .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
+      .small_runs = {one_state, with_limits, of_pads}};
 }
 
 }  // namespace bumpfoil

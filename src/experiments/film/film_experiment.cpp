@@ -5,18 +5,20 @@
 namespace bumpfoil {
 
 ExperimentInfo film_experiment() {
-  return {.name = "film",
-          .summary = "Compute the gas film over a rigid or elastic bearing surface instead of the foils",
-          .examples =
-              "  bumpfoil film case.toml -o rigid --set 'equilibrium.speeds=[\"45000 rpm\"]' --set "
-              "'equilibrium.positions=[[\"15 um\", \"0 um\"]]'\n"
-              "  bumpfoil film case.toml -o winkler --set film.wall=springs --set film.wall_stiffness=\"5 GPa/m\" "
-              "--set film.closed=true\n"
-              "With positions only: one film for each.\n",
-          .files = equilibrium_file_names("film"),
-          .run = [](const Case& input, const ProgressCallback& progress) {
-            return running_outcome(input, run_wall_films(input, progress));
-          }};
+  return {
+      .name = "film",
+      .summary = "Compute the gas film over a rigid or elastic bearing surface instead of the foils",
+      .examples =
+          "  bumpfoil film case.toml -o rigid --set 'equilibrium.speeds=[\"45000 rpm\"]' --set "
+          "'equilibrium.positions=[[\"15 um\", \"0 um\"]]'\n"
+          "  bumpfoil film case.toml -o winkler --set film.wall=springs --set film.wall_stiffness=\"5 GPa/m\" "
+          "--set film.closed=true\n"
+          "With positions only: one film for each.\n",
+      .files = equilibrium_file_names("film"),
+      .run = [](const Case& input,
+                const ProgressCallback& progress) { return running_outcome(input, run_wall_films(input, progress)); },
+      .small_runs = {{"equilibrium.speeds=[\"45000 rpm\"]", "equilibrium.positions=[[\"15 um\", \"0 um\"]]",
+                      "film.columns_per_pitch=4", "film.rows=4"}}};
 }
 
 }  // namespace bumpfoil

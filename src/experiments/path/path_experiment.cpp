@@ -14,9 +14,13 @@ ExperimentInfo path_experiment() {
               "'path.semi_axes=[\"20 N\",\"20 N\"]'\n"
               "  bumpfoil path case.toml -o measured --set path.file=path.csv\n",
           .files = cycle_file_names("path"),
-          .run = [](const Case& input, const ProgressCallback& progress) {
-            return cycle_outcome(input, run_path(input, progress));
-          }};
+          .run = [](const Case& input,
+                    const ProgressCallback& progress) { return cycle_outcome(input, run_path(input, progress)); },
+          .small_runs = {{"path.points=[[\"0 um\", \"-40 um\"], [\"0 um\", \"-50 um\"]]", "solver.name=events"},
+                         {"path.centre=[\"0 um\", \"-45 um\"]", "path.semi_axes=[\"5 um\", \"5 um\"]", "path.steps=4",
+                          "path.orbits=1"},
+                         {"path.points=[[\"0 um\", \"-40 um\"], [\"0 um\", \"-50 um\"]]", "bump_foil.bumps=8",
+                          "pad=[{}, {}, {}]"}}};
 }
 
 }  // namespace bumpfoil

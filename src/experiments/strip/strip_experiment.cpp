@@ -16,7 +16,8 @@ ExperimentInfo strip_experiment() {
               "  bumpfoil strip examples/strip.toml -o free --set strip.weld=none\n",
           .files = cycle_file_names("strip"),
           .run = run,
-          .sweeping = cycle_sweeping(Experiment::strip, run)};
+          .sweeping = cycle_sweeping(Experiment::strip, run),
+          .small_runs = {{"strip.bumps=3", "strip.displacement=20 um", "strip.steps=2", "solver.name=events"}}};
 }
 
 }  // namespace bumpfoil

@@ -47,11 +47,19 @@ Outcome vibration_outcome(const Case& input, VibrationResult result) {
       .warnings = warning_lines(input, *vibrations),
       .failures = failure_lines(input, *vibrations),
       .table = [=] { return vibration_table(input, *vibrations); },
+      .dataset = [=] { return vibration_dataset(input, *vibrations, linear_foils(*input.vibration, *vibrations)); },
       .files = [=](const Provenance& provenance) { return vibration_files(input, *vibrations, status, provenance); },
       .swept = [=](bool with_loops) { return swept_vibrations(input, *vibrations, with_loops); }};
 }
 
 ExperimentInfo vibration_experiment() {
+  const std::vector<std::string> lines{"vibration.loads=[[\"0 N\", \"-50 N\"]]",
+                                       "vibration.directions=[\"+X\", \"+Y\"]", "vibration.amplitudes=[\"1 um\"]",
+                                       "vibration.frequencies=[\"200 Hz\"]", "vibration.steps=2"};
+  std::vector<std::string> of_pads = lines;
+  of_pads.insert(of_pads.end(), {"bump_foil.bumps=8", "pad=[{}, {}, {}]"});
+  std::vector<std::string> orbits = lines;
+  orbits[1] = "vibration.motion=orbit";
   const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
     return vibration_outcome(input, run_vibration(input, progress));
   };
@@ -73,7 +81,8 @@ ExperimentInfo vibration_experiment() {
                     // The solver that follows events has some more.
                     return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
                            static_cast<std::size_t>(settings.steps);
-                  }}};
+                  }},
+          .small_runs = {lines, orbits, of_pads}};
 }
 
 }  // namespace bumpfoil
