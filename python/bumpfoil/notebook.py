@@ -8,30 +8,13 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from . import _native
+
 if TYPE_CHECKING:
     from .cycle import Cycle
     from .result import Result
 
-#: Quantities of cycles, or ends of paths: name, words, unit, its size in SI.
-_HEADLINES = (
-    ("max_force", "maximum force", "N", 1.0),
-    ("cross_force_at_max", "cross force", "N", 1.0),
-    ("loaded_stiffness", "structural stiffness", "MN/m", 1e6),
-    ("loop_energy", "loop energy", "mJ", 1e-3),
-    ("loss_factor", "loss factor", "", 1.0),
-    ("first_contact", "first contact", "µm", 1e-6),
-)
-
-#: Of running bearings.
-_RUNNING = (
-    ("h_min", "minimum film thickness", "um", 1e-6),
-    ("eccentricity_ratio", "eccentricity ratio", "", 1.0),
-    ("attitude_angle", "attitude angle", "deg", 1.0),
-    ("power", "power loss", "W", 1.0),
-    ("highest_bump_load", "maximum bump load", "N", 1.0),
-)
-
-#: Of a path, whose cycle has no turning point: series at its last increment.
+#: Of a path, whose cycle has no turning point: series at its last increment, by name, words, unit and its size in SI.
 _ENDS = (
     ("x", "x at the end", "µm", 1e-6),
     ("y", "y at the end", "µm", 1e-6),
@@ -40,21 +23,6 @@ _ENDS = (
     ("dissipated_energy", "dissipated energy", "mJ", 1e-3),
 )
 
-#: Columns of tables, of sweeps also behind the keys.
-_COLUMNS = {
-    "vibration": (
-        "load_x_N", "load_y_N", "direction_deg", "amplitude_m", "stiffness_direct_N_per_m",
-        "loss_stiffness_direct_N_per_m", "loss_factor", "status",
-    ),
-    "equilibrium": (
-        "speed_rad_per_s", "load_x_N", "load_y_N", "x_m", "y_m", "h_min_m", "p_max_Pa", "torque_N_m", "status",
-    ),
-    "cycle": (
-        "direction_deg", "max_force_N", "cross_force_at_max_N", "loaded_stiffness_N_per_m", "loop_energy_J", "loss_factor",
-        "first_contact_m", "status",
-    ),
-    "strip": ("cycle", "max_force_N", "loaded_stiffness_N_per_m", "loop_energy_J", "loss_factor", "status"),
-}  # fmt: skip
 _MOST_ROWS = 12
 
 
@@ -76,8 +44,9 @@ def _shown(value: Any, size: float = 1.0) -> str:
 def of_cycles(cycles: Sequence[Cycle]) -> str:
     """A column for each, with the quantities that any of them has."""
     rows = [["", *(cycle.name for cycle in cycles)]]
+    headlines = [(name, words, unit, size) for name, _, words, unit, size in _native.headlines("cycle")]
     for names, found in (
-        (_HEADLINES, [cycle.quantities for cycle in cycles]),
+        (headlines, [cycle.quantities for cycle in cycles]),
         (_ENDS, [_end(cycle) for cycle in cycles if cycle.name == "path"]),
     ):
         for name, words, unit, size in names:
@@ -94,8 +63,8 @@ def _end(cycle: Cycle) -> dict[str, float]:
 def of_ensemble(statistics: Mapping[str, Mapping[str, Any]]) -> str:
     """Means and standard deviations of summary.json, a column for each direction or state."""
     rows = [["mean ± standard deviation", *statistics]]
-    for name, words, unit, size in (*_HEADLINES, *_RUNNING):
-        found = [next((entry for key, entry in one.items() if key.startswith(name)), None) for one in statistics.values()]
+    for _, key, words, unit, size in (*_native.headlines("cycle"), *_native.headlines("equilibrium")):
+        found = [one.get(key) for one in statistics.values()]
         if any(found):
             rows.append([_words(words, unit), *(_mean(entry, size) for entry in found)])
     return table(rows)
@@ -110,9 +79,10 @@ def of_table(result: Result) -> str:
     """The first rows of the table of a command, and some of its columns."""
     found = result.to_dataframe()
     names = list(found.columns)
-    command = str(result.summary.get("swept_command", result.command))
-    first = min(names.index(name) for name in _COLUMNS[command] if name in names)
-    shown = names[:first] + [name for name in _COLUMNS[command] if name in names]
+    headlines = [key for _, key, *_ in _native.headlines(str(result.summary.get("swept_command", result.command)))]
+    # What tells the rows apart comes before all that was found.
+    first = min((names.index(key) for key in headlines if key in names), default=len(names))
+    shown = [name for i, name in enumerate(names) if i < first or name in (*headlines, "status")]
     rows = [
         [value if isinstance(value, str) else _shown(value) for value in row]
         for row in found[shown].head(_MOST_ROWS).itertuples(index=False)

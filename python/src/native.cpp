@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -109,16 +110,20 @@ Files files_of(const Run& run) {
   return files;
 }
 
-/// Names of what a cycle of `cycle`, `strip` or `path` has in result.nc.
+/// Names of what each cycle, vibration or state of an experiment has in result.nc.
 std::vector<std::string> quantity_names(const std::string& command) {
-  const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
-                                : command == name_of(Experiment::path) ? Experiment::path
-                                                                       : Experiment::cycle;
-  const std::vector<CycleQuantity> quantities = cycle_quantities(experiment);
-  std::vector<std::string> names;
-  names.reserve(quantities.size());
-  for (const CycleQuantity& quantity : quantities) names.emplace_back(quantity.name);
-  return names;
+  return each(experiment_named(command).quantities, [](const VariableMeaning& one) { return one.name; });
+}
+
+/// The few quantities of an experiment that short tables show: name, key, label, unit and its size in SI.
+std::vector<std::tuple<std::string, std::string, std::string, std::string, double>> headlines(
+    const std::string& command) {
+  std::vector<std::tuple<std::string, std::string, std::string, std::string, double>> shown;
+  for (const VariableMeaning& one : experiment_named(command).quantities) {
+    if ((one.tags & tag::headline) == 0) continue;
+    shown.emplace_back(one.name, one.key(), one.label, one.shown.name, one.shown.size);
+  }
+  return shown;
 }
 
 void save(const std::filesystem::path& path, const Files& files, bool force) {
@@ -168,6 +173,7 @@ PYBIND11_MODULE(_native, m) {
   m.def("read_case_text", read_case_text);
   m.def("case_template", [](const std::string& name) { return case_template(name); });
   m.def("quantity_names", quantity_names);
+  m.def("headlines", headlines);
   m.def("key_of", key_of);
   m.def("run", run);
   m.def("sweep", sweep);

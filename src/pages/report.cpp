@@ -13,11 +13,10 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/ensemble/ensemble_layout.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
-#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "case/case_json.hpp"
-#include "experiments/vibration/vibration_quantities.hpp"
 #include "pages/ensemble_reader.hpp"
 #include "pages/measured_run.hpp"
 #include "pages/report_names.hpp"
@@ -57,34 +56,18 @@ Json quantity_json(VariableMeaning meaning, const Json& result) {
   return shown_quantity(meaning);
 }
 
-template <typename Quantities>
-Json grid_quantities_json(const Quantities& quantities, const Json& result) {
-  Json json = Json::array();
-  for (const auto& quantity : quantities) json.push_back(quantity_json(labelled(quantity.meaning()), result));
-  return json;
-}
-
-/// Without those of pads, where there is one, and of limits that were not asked for.
-std::vector<RunningQuantity> running_quantities_of(const Json& result) {
-  const auto all = all_running_quantities();
-  std::vector<RunningQuantity> quantities(all.begin(), all.end());
-  std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return quantity.is(tag::of_pads | tag::of_limits) && !result.at("variables").contains(quantity.name);
-  });
-  return quantities;
-}
-
+/// Those of the experiment of a result; a sweep has those of what it ran.
 Json quantities_json(const Json& result) {
-  // A sweep has the quantities of what it ran.
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
-  if (command == "vibration") return grid_quantities_json(vibration_quantities(), result);
-  if (has_states(command)) return grid_quantities_json(running_quantities_of(result), result);
-  const Experiment experiment = command == name_of(Experiment::strip)  ? Experiment::strip
-                                : command == name_of(Experiment::path) ? Experiment::path
-                                                                       : Experiment::cycle;
+  const auto found = std::find_if(experiments().begin(), experiments().end(),
+                                  [&](const ExperimentInfo& experiment) { return experiment.name == command; });
+  const ExperimentInfo& experiment = found == experiments().end() ? experiments().front() : *found;
+  const bool of_cycles = has_cycles(experiment.name) || experiment.name == name_of(Experiment::path);
   Json json = Json::array();
-  for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
-    if (!quantity.label.empty()) json.push_back(quantity_json(quantity.meaning(), result));
+  for (const VariableMeaning& meaning : experiment.quantities) {
+    // Of cycles those are shown that have a label, of others all that the result has.
+    if (of_cycles ? meaning.label.empty() : !result.at("variables").contains(meaning.name)) continue;
+    json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
   }
   return json;
 }

@@ -75,6 +75,8 @@ struct ExperimentInfo {
   std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   ExperimentRun run;
   std::optional<Sweeping> sweeping{};  ///< of those that can be swept
+  /// Quantities of its cycles, vibrations or states, in the order of tables. Long names may leave words open.
+  std::vector<VariableMeaning> quantities{};
   /// Small runs of the reference case, each with keys of its own, whose results together have all variables that there
   /// may be: the first plain, others with what adds some.
   std::vector<std::vector<std::string>> small_runs{};

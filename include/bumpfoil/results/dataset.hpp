@@ -60,6 +60,12 @@ auto each(const List& list, const Value& value) {
   return values;
 }
 
+/// What is told of each of a list of quantities.
+template <typename Quantities>
+std::vector<VariableMeaning> meanings_of(const Quantities& quantities) {
+  return each(quantities, [](const auto& quantity) { return quantity.meaning(); });
+}
+
 /// Rows of all numbers, one after the other, each filled up with absent ones to its width.
 /// @param row_of  number of the row -> its first numbers, at most `width`
 template <typename RowOf>

@@ -8,6 +8,7 @@
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
 #include "bumpfoil/experiments/cycle/cycle_table.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/cycle/warnings.hpp"
 #include "case/case_json.hpp"
 #include "experiments/cycle/cycle_dataset.hpp"
@@ -79,6 +80,7 @@ ExperimentInfo cycle_experiment() {
           .sampled = EnsembleCommand::cycle,
           .run = run,
           .sweeping = cycle_sweeping(Experiment::cycle, run),
+          .quantities = meanings_of(cycle_quantities(Experiment::cycle)),
           .small_runs = {
               {"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
               {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]"},

@@ -96,6 +96,7 @@ ExperimentInfo equilibrium_experiment() {
       .sweeping =
           Sweeping{.run = run_swept,
                    .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
+      .quantities = meanings_of(all_running_quantities()),
       .small_runs = {one_state, with_limits, of_pads}};
 }
 

@@ -1,4 +1,5 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/experiments/film/wall_film.hpp"
 #include "experiments/equilibrium/running_outcome.hpp"
 
@@ -17,6 +18,7 @@ ExperimentInfo film_experiment() {
       .files = equilibrium_file_names("film"),
       .run = [](const Case& input,
                 const ProgressCallback& progress) { return running_outcome(input, run_wall_films(input, progress)); },
+      .quantities = meanings_of(all_running_quantities()),
       .small_runs = {{"equilibrium.speeds=[\"45000 rpm\"]", "equilibrium.positions=[[\"15 um\", \"0 um\"]]",
                       "film.columns_per_pitch=4", "film.rows=4"}}};
 }

@@ -1,4 +1,5 @@
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
 
@@ -16,6 +17,7 @@ ExperimentInfo path_experiment() {
           .files = cycle_file_names("path"),
           .run = [](const Case& input,
                     const ProgressCallback& progress) { return cycle_outcome(input, run_path(input, progress)); },
+          .quantities = meanings_of(cycle_quantities(Experiment::path)),
           .small_runs = {{"path.points=[[\"0 um\", \"-40 um\"], [\"0 um\", \"-50 um\"]]", "solver.name=events"},
                          {"path.centre=[\"0 um\", \"-45 um\"]", "path.semi_axes=[\"5 um\", \"5 um\"]", "path.steps=4",
                           "path.orbits=1"},

@@ -1,4 +1,5 @@
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
+#include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/experiments/strip/strip.hpp"
 #include "experiments/cycle/cycle_outcome.hpp"
 
@@ -17,6 +18,7 @@ ExperimentInfo strip_experiment() {
           .files = cycle_file_names("strip"),
           .run = run,
           .sweeping = cycle_sweeping(Experiment::strip, run),
+          .quantities = meanings_of(cycle_quantities(Experiment::strip)),
           .small_runs = {{"strip.bumps=3", "strip.displacement=20 um", "strip.steps=2", "solver.name=events"}}};
 }
 

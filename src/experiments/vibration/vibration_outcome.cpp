@@ -82,6 +82,7 @@ ExperimentInfo vibration_experiment() {
                     return settings.loads.size() * settings.motions() * settings.amplitudes.size() * 4 *
                            static_cast<std::size_t>(settings.steps);
                   }},
+          .quantities = meanings_of(vibration_quantities()),
           .small_runs = {lines, orbits, of_pads}};
 }
 

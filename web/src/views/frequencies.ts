@@ -38,7 +38,7 @@ function columnsOf(grid: Grid, value: Motions['value']): GridColumn[] {
       const variable = grid.variable(name);
       if (!variable) return [];
       const { unit, text } = variable;
-      const key = `${letter}${axes}${stuck}_${unit.replaceAll('/', '_per_').replaceAll(' ', '_')}`;
+      const key = variable.key.replace('_at_frequency', ''); // as in coefficients.csv
       return [{ key, name, label: `${symbol}${axes}${stuck === '' ? '' : ', full stick'}`, unit, whole: false, meaning: text, words: [], value: (place) => value(name, place) }];
     }),
   );
