@@ -41,10 +41,10 @@ class Runs {
     changed_.notify_one();
   }
 
-  /// Ticks until nobody works any more.
+  /// Ticks, at once and then at intervals, until nobody works any more.
   void wait(const std::function<bool()>& tick) {
     std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, tick_interval, [this] { return working_ == 0; })) {
+    do {
       lock.unlock();
       try {
         if (!tick()) stop();
@@ -52,7 +52,7 @@ class Runs {
         fail();
       }
       lock.lock();
-    }
+    } while (!changed_.wait_for(lock, tick_interval, [this] { return working_ == 0; }));
   }
 
   /// @return false if they were stopped   @throws what was thrown first
