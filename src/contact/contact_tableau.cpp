@@ -64,7 +64,7 @@ ContactTableau::ContactTableau(const ContactProblem& problem, std::shared_ptr<Mo
       right_(left_.data() + left_.size(), most_pending, size_),
       path_rate_(ContactLoading::none(problem)),
       rates_{.normal = Vector::Zero(problem.contacts()), .tangential = Vector::Zero(problem.contacts())} {
-  const std::vector<Coordinates> coordinates = coordinates_of(problem.sites);
+  const std::vector<SiteCoordinates> coordinates = coordinates_of(problem.sites);
   places_.reserve(problem.sites.size());
   for (std::size_t c = 0; c < problem.sites.size(); ++c) {
     const ContactSite& site = problem.sites[c];

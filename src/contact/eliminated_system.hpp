@@ -65,14 +65,14 @@ inline std::vector<Elimination> elimination_order(const ContactProblem& problem)
   return order;
 }
 
-/// Coordinates of a contact, in the order of contacts: a normal one and, with friction, a tangential one behind it; -1
+/// SiteCoordinates of a contact, in the order of contacts: a normal one and, with friction, a tangential one behind it; -1
 /// is none.
-struct Coordinates {
+struct SiteCoordinates {
   Eigen::Index normal, tangential;
 };
 
-inline std::vector<Coordinates> coordinates_of(const std::vector<ContactSite>& sites) {
-  std::vector<Coordinates> coordinates;
+inline std::vector<SiteCoordinates> coordinates_of(const std::vector<ContactSite>& sites) {
+  std::vector<SiteCoordinates> coordinates;
   coordinates.reserve(sites.size());
   Eigen::Index next = 0;
   for (const ContactSite& site : sites) {

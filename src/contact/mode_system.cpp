@@ -80,7 +80,7 @@ class ModeSystemOf final : public ModeSystem, private EliminatedSystem<B> {
 
   void solve_units(RowMajor& x, RowMajor& force) override {
     BUMPFOIL_ASSERT(factored_);
-    const std::vector<Coordinates> coordinates = coordinates_of(sites_);
+    const std::vector<SiteCoordinates> coordinates = coordinates_of(sites_);
     const Eigen::Index count = coordinate_count(sites_);
     const Eigen::Index n = K_.block_size;
     // Of a block: its loads and forces have no others.

@@ -17,7 +17,7 @@ constexpr double first_step = 0.25;
 constexpr double smallest_step = 1e-4;
 constexpr double step_growth = 1.5;
 /// After a solve with at most this many iterations the next step grows.
-constexpr int easy_iterations = 8;
+constexpr int few_iterations = 8;
 
 }  // namespace
 
@@ -151,7 +151,7 @@ FilmReport FilmSolver::follow(const ReynoldsEquation& equation, const Matrix& fr
     total += report;
     if (report.status == FilmStatus::converged) {
       reached = next;
-      if (report.iterations <= easy_iterations) step *= step_growth;
+      if (report.iterations <= few_iterations) step *= step_growth;
     } else {
       step *= 0.5;
       if (step < smallest_step) return total;

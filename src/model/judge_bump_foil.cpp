@@ -86,7 +86,7 @@ bool judge_sections(Judge& judge, const std::string& key, const std::vector<Sect
 }
 
 /// The key that the dimension of a bump (from 0) stands under.
-std::string key_of(const BumpFoil& foil, DimensionIndex index, std::size_t bump) {
+std::string key_of_bump(const BumpFoil& foil, DimensionIndex index, std::size_t bump) {
   const BumpDimension& dimension = dimensions.at(index);
   const auto number = static_cast<int>(bump) + 1;
   for (std::size_t i = 0; i < foil.sections.size(); ++i) {
@@ -105,7 +105,7 @@ void judge_pitches(Judge& judge, const BumpFoil& foil, const std::vector<BumpSha
   const auto longest = std::max_element(bumps.begin(), bumps.end(),
                                         [](const BumpShape& a, const BumpShape& b) { return a.pitch < b.pitch; });
   if (!judge.require(longest->pitch <= 0.25 * circumference,
-                     key_of(foil, pitch, static_cast<std::size_t>(longest - bumps.begin())),
+                     key_of_bump(foil, pitch, static_cast<std::size_t>(longest - bumps.begin())),
                      quantity(longest->pitch, "m"), "is more than a quarter of the circumference",
                      fmt::format("give at most {:.6g} m", 0.25 * circumference))) {
     return;
@@ -136,7 +136,7 @@ bool judge_shape(Judge& judge, const BumpFoil& foil, std::size_t bump, const Bum
                   "{:.6g} m",
                   2.0 * arc.radius, shape.pitch),
       "give a smaller height or a larger pitch");
-  return judge.require(shape.thickness < arc.radius, key_of(foil, thickness, bump), quantity(shape.thickness, "m"),
+  return judge.require(shape.thickness < arc.radius, key_of_bump(foil, thickness, bump), quantity(shape.thickness, "m"),
                        fmt::format("is more than the radius of the bump's arc, {:.6g} m", arc.radius),
                        "give a thinner foil or a flatter bump") &&
          apart;
@@ -146,20 +146,20 @@ bool judge_shape(Judge& judge, const BumpFoil& foil, std::size_t bump, const Bum
 bool judge_bump(Judge& judge, const BumpFoil& foil, std::size_t bump, const BumpShape& shape, const Usable& usable) {
   bool right = true;
   if (usable[length] && usable[pitch]) {
-    right = judge.require(2.0 * shape.half_length < shape.pitch, key_of(foil, length, bump),
+    right = judge.require(2.0 * shape.half_length < shape.pitch, key_of_bump(foil, length, bump),
                           quantity(2.0 * shape.half_length, "m"),
                           fmt::format("bumps would overlap: the pitch is {:.6g} m", shape.pitch),
                           "give a chord below the pitch, so that a flat is left");
   }
   if (!usable[height] || !usable[thickness]) return right;
   const double whole = foil.height_reference == HeightReference::overall ? shape.rise + shape.thickness : shape.rise;
-  if (!judge.require(shape.rise > 0.0, key_of(foil, height, bump), quantity(whole, "m"),
+  if (!judge.require(shape.rise > 0.0, key_of_bump(foil, height, bump), quantity(whole, "m"),
                      fmt::format("leaves no rise: the foil alone is {:.6g} mm thick", 1e3 * shape.thickness),
                      "give the overall height over the sleeve, or set height_reference = \"midsurface\"")) {
     return false;
   }
   return !usable[length] ||
-         (judge_shape(judge, foil, bump, shape, usable[pitch], key_of(foil, height, bump), whole) && right);
+         (judge_shape(judge, foil, bump, shape, usable[pitch], key_of_bump(foil, height, bump), whole) && right);
 }
 
 /// A list with one length per bump, each smaller than the rise of its bump (where that is known).
@@ -237,7 +237,7 @@ JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius
   if (usable[thickness] && radius > 0.0) {
     const auto thickest = std::max_element(
         shapes.begin(), shapes.end(), [](const BumpShape& a, const BumpShape& b) { return a.thickness < b.thickness; });
-    judge_thinness(judge, key_of(known, thickness, static_cast<std::size_t>(thickest - shapes.begin())),
+    judge_thinness(judge, key_of_bump(known, thickness, static_cast<std::size_t>(thickest - shapes.begin())),
                    thickest->thickness, radius);
   }
   if (usable[pitch] && judged.bumps && radius > 0.0) judge_pitches(judge, known, shapes, radius);

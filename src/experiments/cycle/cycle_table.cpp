@@ -18,17 +18,17 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::size_t columns_per_block = 6;
-constexpr std::size_t name_width = 30;
-constexpr std::size_t unit_width = 7;
+constexpr std::size_t cycle_columns_per_block = 6;
+constexpr std::size_t cycle_name_width = 30;
+constexpr std::size_t cycle_unit_width = 7;
 constexpr std::size_t least_column_width = 13;
 
 /// Cycles that are shown: all directions; of many cycles of a strip the first and the last, which show how it settles.
 std::vector<std::size_t> shown_cycles(const CycleResult& result) {
   std::vector<std::size_t> shown(result.cycles.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
-  if (result.experiment == Experiment::strip && shown.size() > columns_per_block) {
-    shown.erase(shown.begin() + columns_per_block / 2, shown.end() - columns_per_block / 2);
+  if (result.experiment == Experiment::strip && shown.size() > cycle_columns_per_block) {
+    shown.erase(shown.begin() + cycle_columns_per_block / 2, shown.end() - cycle_columns_per_block / 2);
   }
   return shown;
 }
@@ -137,24 +137,24 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
     row.unit = unit_beside(row.unit, cells);
   }
   std::string out;
-  for (std::size_t first = 0; first < shown.size(); first += columns_per_block) {
-    const std::size_t end = std::min(first + columns_per_block, shown.size());
+  for (std::size_t first = 0; first < shown.size(); first += cycle_columns_per_block) {
+    const std::size_t end = std::min(first + cycle_columns_per_block, shown.size());
     if (!out.empty()) out += '\n';
     const auto append = [&](std::string_view name, std::string_view unit, const auto& cell) {
-      out += fmt::format("{:<{}}{:<{}}", name, name_width, unit, unit_width);
+      out += fmt::format("{:<{}}{:<{}}", name, cycle_name_width, unit, cycle_unit_width);
       for (std::size_t i = first; i < end; ++i) out += fmt::format("{:>{}}", cell(shown[i]), column_width);
       out += '\n';
     };
     append(result.experiment == Experiment::cycle ? "direction" : "", "",
            [&](std::size_t cycle) { return cycle_name(result, cycle); });
-    out += std::string(name_width + unit_width + column_width * (end - first), '-') + '\n';
+    out += std::string(cycle_name_width + cycle_unit_width + column_width * (end - first), '-') + '\n';
     for (const Row& row : rows) {
       append(row.name, row.unit, [&](std::size_t cycle) { return row.cell(result.cycles[cycle]); });
     }
   }
   if (shown.size() < result.cycles.size()) {
-    out += fmt::format("cycles {} to {} are in the files only\n", columns_per_block / 2 + 1,
-                       result.cycles.size() - columns_per_block / 2);
+    out += fmt::format("cycles {} to {} are in the files only\n", cycle_columns_per_block / 2 + 1,
+                       result.cycles.size() - cycle_columns_per_block / 2);
   }
   return out;
 }

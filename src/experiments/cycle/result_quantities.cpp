@@ -170,7 +170,7 @@ constexpr std::string_view loaded_stiffness_text =
     "structural stiffness over the loaded range: from the take-up point to full displacement, about a preload between "
     "the turning points";
 
-constexpr auto cycle_table = std::to_array<CycleQuantity>({
+constexpr auto cycle_list = std::to_array<CycleQuantity>({
     {"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_cycle>,
      of_cycles},
     {"amplitude", "m", "displacement from the start to full displacement or load", amplitude<control_of_strip>,
@@ -420,7 +420,7 @@ std::vector<IncrementQuantity> increment_quantities(Experiment experiment) {
 }
 
 std::vector<CycleQuantity> cycle_quantities(Experiment experiment) {
-  return those_of(cycle_table, experiment);
+  return those_of(cycle_list, experiment);
 }
 
 std::span<const FieldQuantity> field_quantities() {
