@@ -4,18 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "ranks.hpp"
 
 namespace bumpfoil {
-
-/// What the program reports to the shell.
-enum class ExitCode {
-  done = 0,
-  wrong_input = 2,
-  numerical_failure = 3,  ///< partial results are written and flagged
-  file_error = 4,
-  interrupted = 130,  ///< partial results are written and flagged
-};
 
 /// Input and output of a command.
 struct Session {

@@ -150,14 +150,14 @@ class StudyWriter {
 /// Runs and writes one study after the other. @return their outcomes, fewer if it was interrupted
 std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Session& session,
                                       const InterruptionGuard& guard, PlotStatus& plotted) {
-  using Clock = std::chrono::steady_clock;
+  using std::chrono::steady_clock;
   ProgressBar bar(!session.quiet);
   double all = 0.0;
   for (const StudyWriter& writer : writers) all += writer.increments();
   double done = 0.0;
   std::vector<StudyOutcome> outcomes;
   for (StudyWriter& writer : writers) {
-    const Clock::time_point start = Clock::now();
+    const steady_clock::time_point start = steady_clock::now();
     const bool finished = writer.run([&](double fraction) {
       bar.show((done + fraction * writer.increments()) / all);
       return !guard.interrupted();
@@ -166,7 +166,7 @@ std::vector<StudyOutcome> run_studies(std::list<StudyWriter>& writers, const Ses
     plotted = std::max(plotted, writer.write(session));
     done += writer.increments();
     StudyOutcome& outcome = outcomes.emplace_back(writer.outcome());
-    outcome.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
+    outcome.wall_time = std::chrono::duration<double>(steady_clock::now() - start).count();
     if (guard.interrupted()) break;
   }
   return outcomes;

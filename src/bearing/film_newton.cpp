@@ -12,9 +12,9 @@ namespace bumpfoil {
 namespace {
 
 /// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
-constexpr int max_halvings = 8;
+constexpr int newton_max_halvings = 8;
 /// Fraction of a step that is taken where no halving reduces the residual.
-constexpr double forced_fraction = 0.25;
+constexpr double newton_forced_fraction = 0.25;
 /// Longest change of the clearance in one step, in units of c, and weight of the remaining change among the residuals,
 /// per c. Both dimensionless, with the values of a journal at a given position, see journal_law.cpp.
 constexpr double longest_opening = 0.00625;
@@ -419,13 +419,13 @@ FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState&
     }
     double part = fraction;
     for (int halvings = 0;; ++halvings) {
-      if (halvings == max_halvings) {
+      if (halvings == newton_max_halvings) {
         if (aim.stays_near) return report;
-        part = forced_fraction * fraction;
+        part = newton_forced_fraction * fraction;
       }
       take_step(part, iterate_, trial_);
       const double norm = find_residual(to, equations, trial_);
-      if (norm < report.residual || halvings == max_halvings) {
+      if (norm < report.residual || halvings == newton_max_halvings) {
         report.residual = norm;
         break;
       }

@@ -5,7 +5,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double absent_number = std::numeric_limits<double>::quiet_NaN();
 
 /// What is known of every increment.
 Increment place(const Step& step, const Eigen::Vector2d& direction) {
@@ -14,12 +14,12 @@ Increment place(const Step& step, const Eigen::Vector2d& direction) {
   increment.displacement = position.dot(direction);
   increment.x = position.x();
   increment.y = position.y();
-  increment.elastic_energy = unknown;
-  increment.residuals = {.equilibrium = unknown,
-                         .penetration = unknown,
-                         .slip_in_stick = unknown,
-                         .complementarity = unknown,
-                         .cone = unknown};
+  increment.elastic_energy = absent_number;
+  increment.residuals = {.equilibrium = absent_number,
+                         .penetration = absent_number,
+                         .slip_in_stick = absent_number,
+                         .complementarity = absent_number,
+                         .cone = absent_number};
   increment.status = step.status;
   increment.cost = step.cost;
   increment.substeps = step.substeps;
@@ -52,7 +52,7 @@ Increment failed_increment(const Step& step, const Eigen::Vector2d& direction) {
   Increment increment = place(step, direction);
   for (double* value : {&increment.force_x, &increment.force_y, &increment.force_direct, &increment.force_cross,
                         &increment.dissipated_energy, &increment.work}) {
-    *value = unknown;
+    *value = absent_number;
   }
   return increment;
 }

@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::string_view header = "deviation";
+constexpr std::string_view deviation_header = "deviation";
 
 }  // namespace
 
@@ -25,7 +25,8 @@ std::vector<double> read_deviations(const std::string& path) {
       faults.push_back({path, line, "line", std::string(content), std::move(what), std::move(advice)});
     };
     if (line == 1) {
-      if (content != header) fault("is not a header of deviations", fmt::format("write {}", header));
+      if (content != deviation_header)
+        fault("is not a header of deviations", fmt::format("write {}", deviation_header));
     } else if (!content.empty()) {
       const auto number = parse<double>(content);
       if (!number || !std::isfinite(*number)) return fault("is not a finite number", "give it in SI, without a unit");
@@ -34,7 +35,7 @@ std::vector<double> read_deviations(const std::string& path) {
   });
   if (faults.empty() && deviations.empty()) {
     faults.push_back(
-        {path, 0, "", "", "contains no deviations", fmt::format("write {}, and one in each line", header)});
+        {path, 0, "", "", "contains no deviations", fmt::format("write {}, and one in each line", deviation_header)});
   }
   if (faults.empty() && std::ssize(deviations) > most_points) {
     faults.push_back({path, 0, "", "", fmt::format("holds {} deviations", deviations.size()),

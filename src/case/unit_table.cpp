@@ -12,7 +12,7 @@ std::span<const KnownUnit> known_units() {
   constexpr UnitPowers length{0, 1}, mass{1}, duration{0, 0, 1}, temperature{0, 0, 0, 1}, angle{0, 0, 0, 0, 1};
   constexpr UnitPowers force{1, 1, -2}, pressure{1, -1, -2}, viscosity{1, -1, -1}, energy{1, 2, -2}, power{1, 2, -3};
   constexpr double inch = 0.0254, pound_force = 4.4482216152605, psi = pound_force / (inch * inch);
-  constexpr double turn = 2.0 * std::numbers::pi;
+  constexpr double full_turn = 2.0 * std::numbers::pi;
 
   static constexpr auto units = std::to_array<KnownUnit>({
       {"m", "meter metre", {length, 1.0}},
@@ -21,13 +21,13 @@ std::span<const KnownUnit> known_units() {
       {"", "mil thou", {length, 1e-3 * inch}},
       {"ft", "foot feet", {length, 12.0 * inch}},
       {"rad", "radian", {angle, 1.0}},
-      {"deg \u00b0", "degree", {angle, turn / 360.0}},
-      {"rev", "revolution turn", {angle, turn}},
+      {"deg \u00b0", "degree", {angle, full_turn / 360.0}},
+      {"rev", "revolution turn", {angle, full_turn}},
       {"s", "second sec", {duration, 1.0}},
       {"min", "minute", {duration, 60.0}},
       {"h", "hour", {duration, 3600.0}},
       {"Hz", "hertz", {{0, 0, -1}, 1.0}},
-      {"rpm", "", {{0, 0, -1, 0, 1}, turn / 60.0}},
+      {"rpm", "", {{0, 0, -1, 0, 1}, full_turn / 60.0}},
       {"g", "gram", {mass, 1e-3}},
       {"lb", "pound", {mass, 0.45359237}},
       {"N", "newton", {force, 1.0}},
@@ -127,7 +127,7 @@ std::optional<UnitMeaning> read_word(std::string_view word) {
   return std::nullopt;
 }
 
-bool is_digit(char c) {
+bool is_digit_of_power(char c) {
   return c >= '0' && c <= '9';
 }
 
@@ -170,8 +170,8 @@ class UnitParser {
     rest_.remove_prefix(word.size());
     if (!unit) return std::nullopt;
     const bool raised = takes("^") || takes("**");
-    const bool negative = rest_.size() > 1 && is_digit(rest_[1]) && takes("-");
-    if (rest_.empty() || !is_digit(rest_.front())) return raised ? std::nullopt : unit;
+    const bool negative = rest_.size() > 1 && is_digit_of_power(rest_[1]) && takes("-");
+    if (rest_.empty() || !is_digit_of_power(rest_.front())) return raised ? std::nullopt : unit;
     UnitMeaning out{.scale = 1.0};
     multiply(out, *unit, negative ? '0' - rest_.front() : rest_.front() - '0');
     rest_.remove_prefix(1);

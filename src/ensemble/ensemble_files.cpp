@@ -23,14 +23,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* netcdf_name = "ensemble.nc";
 /// Failures that the message in ensemble.nc tells.
-constexpr std::size_t most_messages = 5;
+constexpr std::size_t most_ensemble_messages = 5;
 
 std::string message_of(const EnsembleLayout& layout, const EnsembleStatistics& statistics, bool interrupted,
                        std::size_t due) {
   std::vector<std::string> parts;
   if (!statistics.failures.empty()) {
     std::vector<std::string> lines = failure_lines(layout, statistics);
-    lines.resize(std::min(lines.size(), most_messages));
+    lines.resize(std::min(lines.size(), most_ensemble_messages));
     parts.push_back(fmt::format("{} {} failed: {}", statistics.failures.size(),
                                 layout.command == EnsembleCommand::cycle ? "cycles" : "states",
                                 fmt::join(lines, "; ")));

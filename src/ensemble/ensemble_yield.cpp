@@ -18,7 +18,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::string_view option = "--limit";
+constexpr std::string_view limit_option = "--limit";
 
 /// The dimension of a quantity in this unit; absent where it has none, or one that cases know not.
 std::optional<Dimension> dimension_in(std::string_view unit) {
@@ -31,7 +31,7 @@ std::optional<Dimension> dimension_in(std::string_view unit) {
 /// @throws Error (input)
 EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout) {
   const auto refuse = [&text](std::string what, std::string advice) {
-    throw Error(ErrorKind::input, {{"", 0, std::string(option), text, std::move(what), std::move(advice)}});
+    throw Error(ErrorKind::input, {{"", 0, std::string(limit_option), text, std::move(what), std::move(advice)}});
   };
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string::npos) refuse("has no < and no >", "write a limit such as \"clearance_5N > 20 um\"");

@@ -9,9 +9,9 @@
 namespace bumpfoil {
 namespace {
 
-constexpr int max_halvings = 8;
+constexpr int film_max_halvings = 8;
 /// Fraction of a step that is taken if no halving reduces the residual.
-constexpr double forced_fraction = 0.25;
+constexpr double film_forced_fraction = 0.25;
 /// Step lengths of follow(), as fractions of the path.
 constexpr double first_step = 0.25;
 constexpr double smallest_step = 1e-4;
@@ -113,11 +113,11 @@ FilmReport FilmSolver::Workspace::solve(const ReynoldsEquation& equation, const 
     }
     double part = fraction;
     int halvings = 0;
-    while (!(try_step(equation, part) < norm) && halvings < max_halvings) {
+    while (!(try_step(equation, part) < norm) && halvings < film_max_halvings) {
       part *= 0.5;
       ++halvings;
     }
-    if (halvings == max_halvings) try_step(equation, forced_fraction * fraction);
+    if (halvings == film_max_halvings) try_step(equation, film_forced_fraction * fraction);
     std::swap(iterate, trial);
   }
   return report;

@@ -20,13 +20,13 @@ struct BumpDimension {
   std::optional<double> BumpSection::*own;
 };
 enum DimensionIndex : std::size_t { pitch, length, height, thickness };
-constexpr std::array dimensions{BumpDimension{"pitch", &BumpFoil::pitch, &BumpSection::pitch},
-                                BumpDimension{"length", &BumpFoil::length, &BumpSection::length},
-                                BumpDimension{"height", &BumpFoil::height, &BumpSection::height},
-                                BumpDimension{"thickness", &BumpFoil::thickness, &BumpSection::thickness}};
+constexpr std::array bump_dimensions{BumpDimension{"pitch", &BumpFoil::pitch, &BumpSection::pitch},
+                                     BumpDimension{"length", &BumpFoil::length, &BumpSection::length},
+                                     BumpDimension{"height", &BumpFoil::height, &BumpSection::height},
+                                     BumpDimension{"thickness", &BumpFoil::thickness, &BumpSection::thickness}};
 
 /// Which dimensions are usable at every bump.
-using Usable = std::array<bool, dimensions.size()>;
+using Usable = std::array<bool, bump_dimensions.size()>;
 
 /// One value per bump, where there is a list.
 bool judge_length_of_list(Judge& judge, const std::string& key, std::size_t values, int bumps) {
@@ -87,7 +87,7 @@ bool judge_sections(Judge& judge, const std::string& key, const std::vector<Sect
 
 /// The key that the dimension of a bump (from 0) stands under.
 std::string key_of_bump(const BumpFoil& foil, DimensionIndex index, std::size_t bump) {
-  const BumpDimension& dimension = dimensions.at(index);
+  const BumpDimension& dimension = bump_dimensions.at(index);
   const auto number = static_cast<int>(bump) + 1;
   for (std::size_t i = 0; i < foil.sections.size(); ++i) {
     const BumpSection& section = foil.sections[i];
@@ -208,10 +208,10 @@ void judge_shims(Judge& judge, const std::vector<Shim>& shims, int bumps, double
 /// Nominal bumps, with unusable dimensions set to zero.
 std::vector<BumpShape> usable_bumps(const BumpFoil& foil, const Usable& usable) {
   BumpFoil copy = foil;
-  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+  for (std::size_t i = 0; i < bump_dimensions.size(); ++i) {
     if (usable.at(i)) continue;
-    copy.*dimensions.at(i).all = 0.0;
-    for (BumpSection& section : copy.sections) (section.*dimensions.at(i).own).reset();
+    copy.*bump_dimensions.at(i).all = 0.0;
+    for (BumpSection& section : copy.sections) (section.*bump_dimensions.at(i).own).reset();
   }
   return nominal_bumps(copy);
 }
@@ -225,8 +225,8 @@ JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius
                     "is not a valid number of bumps", fmt::format("give a whole number from 1 to {}", most_bumps));
   const int bumps = judged.bumps ? foil.bumps : 0;
   Usable usable{};
-  for (std::size_t i = 0; i < dimensions.size(); ++i)
-    usable.at(i) = judge_dimension(judge, foil, dimensions.at(i), bumps);
+  for (std::size_t i = 0; i < bump_dimensions.size(); ++i)
+    usable.at(i) = judge_dimension(judge, foil, bump_dimensions.at(i), bumps);
 
   // Without a number of bumps, one stands for all; bumps without a place are none.
   BumpFoil known = foil;
@@ -264,7 +264,7 @@ void judge_strip_of(Judge& judge, const BumpFoil& foil, int bumps) {
     judge.require_for("strip", std::cmp_greater_equal(values, bumps), "strip.bumps", std::to_string(bumps),
                       fmt::format("is more than the {} values of {}", values, key), "give fewer bumps or more values");
   };
-  for (const auto& [name, all, own] : dimensions) {
+  for (const auto& [name, all, own] : bump_dimensions) {
     const std::string key = fmt::format("bump_foil.{}", name);
     const PerBump& dimension = foil.*all;
     if (dimension.is_list()) reaches(key, dimension.values.size());

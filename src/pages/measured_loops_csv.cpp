@@ -38,14 +38,14 @@ const Wanted wanted_displacement{
     {"displacement", "disp", "deflection", "travel", "stroke", "position", "Weg", "Auslenkung", "Verschiebung"}};
 const Wanted wanted_force{"force", Dimension::force, "N", {"force", "load", "load cell", "F", "Kraft", "Last"}};
 
-struct Column {
+struct MeasuredColumn {
   std::size_t index{};
   ColumnUnit unit{};
 };
 
 /// The columns that may be the one that is wanted: of the first name that any has.
-std::vector<Column> by_known_names(const std::vector<std::string>& columns, const Wanted& wanted) {
-  std::vector<Column> found;
+std::vector<MeasuredColumn> by_known_names(const std::vector<std::string>& columns, const Wanted& wanted) {
+  std::vector<MeasuredColumn> found;
   for (const std::string_view name : wanted.names) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (auto unit = unit_of_column(columns[i], name, wanted.dimension)) found.push_back({i, std::move(*unit)});
@@ -56,11 +56,11 @@ std::vector<Column> by_known_names(const std::vector<std::string>& columns, cons
 }
 
 /// Those of a name that is given, with the unit of the file or with one that is given behind the name.
-std::vector<Column> by_given_name(const std::vector<std::string>& columns, const std::string& given,
-                                  Dimension dimension) {
+std::vector<MeasuredColumn> by_given_name(const std::vector<std::string>& columns, const std::string& given,
+                                          Dimension dimension) {
   const std::string name = given.substr(0, given.find_last_of("([_ \t"));
   const std::optional<ColumnUnit> unit = unit_of_column(given, name, dimension);
-  std::vector<Column> found;
+  std::vector<MeasuredColumn> found;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool same = is_column(columns[i], given) || is_column(columns[i], name);
     if (auto of_file = unit_of_column(columns[i], given, dimension)) {
@@ -152,9 +152,10 @@ class LoopsReader {
                        named < columns.size() ? ", ..." : "");
   }
 
-  std::optional<Column> find_column(std::size_t line, std::string_view text, const std::vector<std::string>& columns,
-                                    const Wanted& wanted, const std::string& given) {
-    std::vector<Column> found =
+  std::optional<MeasuredColumn> find_column(std::size_t line, std::string_view text,
+                                            const std::vector<std::string>& columns, const Wanted& wanted,
+                                            const std::string& given) {
+    std::vector<MeasuredColumn> found =
         given.empty() ? by_known_names(columns, wanted) : by_given_name(columns, given, wanted.dimension);
     if (found.size() == 1) return std::move(found.front());
     const std::string choice = fmt::format("--columns '{}=NAME [{}]'", wanted.key, wanted.unit);
@@ -200,8 +201,8 @@ class LoopsReader {
   CsvNumbers numbers_;
   std::optional<double> given_at_;
   std::optional<std::size_t> at_;
-  std::optional<Column> displacement_;
-  std::optional<Column> force_;
+  std::optional<MeasuredColumn> displacement_;
+  std::optional<MeasuredColumn> force_;
 };
 
 }  // namespace

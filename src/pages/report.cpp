@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
+constexpr const char* folder_advice = "give the folder of a run, such as `bumpfoil cycle CASE -o DIR` writes";
 
 /// What a report shows of the summary of numbers that result.nc or sweep.nc has.
 constexpr std::array shown_of_summary{"schema", "command", "case", "version", "commit", "solver", "status"};
@@ -141,7 +141,7 @@ const char* result_name_in(const fs::path& folder) {
 /// What a folder shows. @throws Error (file)
 Json read_run(const fs::path& folder, std::size_t most_values, const ReadingOptions& options) {
   const auto refuse = [&folder](std::string what) {
-    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), advice}});
+    throw Error(ErrorKind::file, {{folder.string(), 0, "", "", std::move(what), folder_advice}});
   };
   std::error_code code;
   if (!fs::exists(folder, code)) refuse("does not exist");

@@ -21,9 +21,9 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::string_view option = "--over";
+constexpr std::string_view over_option = "--over";
 /// More faults are counted, not listed.
-constexpr std::size_t most_faults = 50;
+constexpr std::size_t most_sweep_faults = 50;
 /// The list that is swept one value at a point.
 constexpr std::string_view swept_list = "equilibrium.speeds";
 /// What keys hold that are a length or a force, as their unit tells.
@@ -80,7 +80,7 @@ class OptionReader {
 
  private:
   void fault(const std::string& key, std::string what, std::string advice) {
-    faults_.push_back({std::string(option), 0, key, "", std::move(what), std::move(advice)});
+    faults_.push_back({std::string(over_option), 0, key, "", std::move(what), std::move(advice)});
   }
 
   void add(SweptKey swept) {
@@ -150,16 +150,17 @@ class GridFaults {
     if (faults_.empty()) return;
     std::vector<Fault> told;
     for (const Found& found : faults_) {
-      if (told.size() == most_faults) {
-        told.push_back(
-            {"", 0, "", "", fmt::format("and {} more errors", faults_.size() - most_faults), "fix the first ones"});
+      if (told.size() == most_sweep_faults) {
+        told.push_back({"", 0, "", "", fmt::format("and {} more errors", faults_.size() - most_sweep_faults),
+                        "fix the first ones"});
         break;
       }
       Fault& fault = told.emplace_back(found.fault);
       const auto swept = [&fault](const SweepAxis& axis) {
         return fault.key == axis.swept.key + (axis.is_list ? "[1]" : "");
       };
-      if (fault.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept)) fault.file = option;
+      if (fault.file == command_line && std::any_of(sweep_.axes.begin(), sweep_.axes.end(), swept))
+        fault.file = over_option;
       if (found.count == points_) continue;  // has nothing to do with the grid
       fault.what += fmt::format(" (at {}{})", point_name(sweep_, found.first),
                                 found.count > 1 ? fmt::format(" and {} more points", found.count - 1) : "");
@@ -219,7 +220,7 @@ void take_values(Sweep& sweep) {
       axis.values.push_back(value);
       const auto [first, is_new] = known.try_emplace(value, i);
       if (is_new) continue;
-      faults.push_back({std::string(option), 0, axis.swept.key, axis.swept.values[i],
+      faults.push_back({std::string(over_option), 0, axis.swept.key, axis.swept.values[i],
                         fmt::format("is the same value as {}", axis.swept.values[first->second]),
                         "give every value once"});
     }

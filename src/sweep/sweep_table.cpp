@@ -23,14 +23,14 @@ constexpr std::size_t most_parts = 24;
 constexpr std::size_t number_width = 12;
 
 /// A quantity of the table.
-struct Column {
+struct SweptColumn {
   std::size_t number;   ///< among the variables
   std::string heading;  ///< "maximum force (N)"
   double size;          ///< of its unit, SI
 };
 
-std::vector<Column> columns_of(const Dataset& data, const std::vector<SweepPoint>& points) {
-  std::vector<Column> columns;
+std::vector<SweptColumn> columns_of(const Dataset& data, const std::vector<SweepPoint>& points) {
+  std::vector<SweptColumn> columns;
   for (std::size_t i = 0; i < data.variables.size(); ++i) {
     const VariableMeaning& meaning = data.variables[i].meaning;
     if ((meaning.tags & tag::headline) == 0) continue;
@@ -71,11 +71,11 @@ class Block {
     std::size_t width = swept.key.size();
     for (const std::string& value : swept.values) width = std::max(width, value.size());
     std::string out = fmt::format("{:<{}}", swept.key, width);
-    for (const Column& column : columns_) out += fmt::format("  {:>{}}", column.heading, width_of(column));
+    for (const SweptColumn& column : columns_) out += fmt::format("  {:>{}}", column.heading, width_of(column));
     out += "  status\n";
     for (std::size_t point = 0; point < points_.size(); ++point) {
       out += fmt::format("{:<{}}", swept.values[point], width);
-      for (const Column& column : columns_) {
+      for (const SweptColumn& column : columns_) {
         out += fmt::format("  {:>{}}", number_text(value(column.number, point), column.size), width_of(column));
       }
       out += fmt::format("  {}\n", status(point));
@@ -86,7 +86,7 @@ class Block {
   /// Two lines for each quantity.
   [[nodiscard]] std::string extremes() const {
     std::string out;
-    for (const Column& column : columns_) {
+    for (const SweptColumn& column : columns_) {
       std::optional<std::size_t> smallest;
       std::optional<std::size_t> largest;
       for (std::size_t point = 0; point < points_.size(); ++point) {
@@ -102,7 +102,7 @@ class Block {
   }
 
  private:
-  static std::size_t width_of(const Column& column) { return std::max(number_width, column.heading.size()); }
+  static std::size_t width_of(const SweptColumn& column) { return std::max(number_width, column.heading.size()); }
 
   /// Not a number where the point has not so many.
   [[nodiscard]] double value(std::size_t variable, std::size_t point) const {
@@ -115,7 +115,7 @@ class Block {
     return std::isfinite(number) ? words_[static_cast<std::size_t>(number)] : "-";
   }
 
-  [[nodiscard]] std::string extreme_line(std::string_view heading, std::string_view which, const Column& column,
+  [[nodiscard]] std::string extreme_line(std::string_view heading, std::string_view which, const SweptColumn& column,
                                          std::optional<std::size_t> point) const {
     constexpr std::size_t heading_width = 30;
     return fmt::format("{:<{}}{:<9}{:>{}}  {}\n", heading, heading_width, which,
@@ -126,7 +126,7 @@ class Block {
   const Sweep& sweep_;
   const std::vector<SweepPoint>& points_;
   std::size_t place_;
-  std::vector<Column> columns_;
+  std::vector<SweptColumn> columns_;
   std::size_t status_{};
   std::span<const std::string_view> words_;
 };

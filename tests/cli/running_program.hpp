@@ -21,7 +21,7 @@ extern char** environ;
 namespace bumpfoil {
 
 using nlohmann::json;
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 /// A program that runs in the background; its output goes to files.
 class Running {
@@ -63,12 +63,12 @@ class Running {
   pid_t process_{};
 };
 
-struct Outcome {
+struct ProgramOutcome {
   int exit_code{};
   std::string output, errors;
 };
 
-inline Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& launcher = {}) {
+inline ProgramOutcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& launcher = {}) {
   const TemporaryFolder folder;
   const Running program(arguments, (folder.path() / "output").string(), launcher);
   const int exit_code = program.wait();

@@ -13,21 +13,21 @@ namespace bumpfoil {
 namespace {
 
 void expect_says(const std::vector<std::string>& arguments, const std::string& words) {
-  const Outcome outcome = run(arguments);
+  const ProgramOutcome outcome = run(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
   EXPECT_EQ(outcome.output, "");
   EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
 }
 
 TEST_F(Program, BlamesTheOptionThatWasTyped) {
-  const Outcome outcome = run(cycle_ + std::vector<std::string>{"--solver", "newtn"});
+  const ProgramOutcome outcome = run(cycle_ + std::vector<std::string>{"--solver", "newtn"});
   EXPECT_NE(outcome.errors.find("--solver"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("newton"), std::string::npos);
   EXPECT_EQ(outcome.errors.find("--set"), std::string::npos);
 }
 
 TEST_F(Program, NamesTheWordThatIsNoCommand) {
-  const Outcome outcome = run({"cyle", "case.toml"});
+  const ProgramOutcome outcome = run({"cyle", "case.toml"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.errors.find("unknown command 'cyle'; did you mean 'cycle'?"), std::string::npos) << outcome.errors;
   EXPECT_EQ(run({"frobnicate"}).errors.find("did you mean"), std::string::npos);

@@ -30,12 +30,12 @@ class RunningBearing : public Program {
 };
 
 TEST_F(RunningBearing, IsFoundUnderItsLoads) {
-  const Outcome missing = run({"equilibrium", case_path_, "-o", results_});
+  const ProgramOutcome missing = run({"equilibrium", case_path_, "-o", results_});
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_NE(missing.errors.find("add [equilibrium]"), std::string::npos);
   EXPECT_FALSE(wrote_results());
 
-  const Outcome done = run(command("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"}));
+  const ProgramOutcome done = run(command("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"}));
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("minimum film thickness"), std::string::npos);
   EXPECT_NE(
@@ -62,10 +62,11 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
   };
   EXPECT_EQ(for_ross("2").exit_code, 0);
   EXPECT_EQ(folder_.read("results/coefficients.toml").find("[bearing.synchronous]"), std::string::npos);
-  const Outcome unknown = for_ross("4");
+  const ProgramOutcome unknown = for_ross("4");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.errors.find("--ross-version: unknown value '4'"), std::string::npos) << unknown.errors;
-  const Outcome other = run(command("equilibrium", {"equilibrium.loads=[[20, 0]]", "--solver", "uzawa", "--force"}));
+  const ProgramOutcome other =
+      run(command("equilibrium", {"equilibrium.loads=[[20, 0]]", "--solver", "uzawa", "--force"}));
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.errors.find("solver.name = uzawa: cannot solve contacts under a film"), std::string::npos)
       << other.errors;
@@ -80,13 +81,13 @@ TEST_F(RunningBearing, IsNoConcernOfOtherCommands) {
   graded += "\n[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[\"50 N\", \"0 N\"]]\n";
   case_path_ = folder_.write("graded.toml", graded);
   EXPECT_EQ(run({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=4"}).exit_code, 0);
-  const Outcome refused = run({"equilibrium", case_path_, "-o", results_, "--force"});
+  const ProgramOutcome refused = run({"equilibrium", case_path_, "-o", results_, "--force"});
   EXPECT_EQ(refused.exit_code, 2);
   const auto line = std::count(graded.begin(), graded.begin() + static_cast<std::ptrdiff_t>(pitch), '\n') + 1;
   const std::string why = case_path_ + ":" + std::to_string(line) + ": bump_foil.pitch";
   EXPECT_NE(refused.errors.find(why), std::string::npos) << refused.errors;
 
-  const Outcome checked = run({"check", case_path_});
+  const ProgramOutcome checked = run({"check", case_path_});
   EXPECT_EQ(checked.exit_code, 0) << checked.errors;
   EXPECT_NE(checked.output.find("\n# cycle: ok\n# equilibrium: not possible\n#   " + why), std::string::npos)
       << checked.output;
@@ -94,14 +95,14 @@ TEST_F(RunningBearing, IsNoConcernOfOtherCommands) {
   // What is wrong by itself is an error of the file.
   EXPECT_EQ(run({"check", case_path_, "--set", "equilibrium.speeds=[0]"}).exit_code, 2);
   // So is a file that no command can run.
-  const Outcome none = run({"check", case_path_, "--set", "cycle.amplitude=0.6 mm"});
+  const ProgramOutcome none = run({"check", case_path_, "--set", "cycle.amplitude=0.6 mm"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.errors.find("would press the bumps flat"), std::string::npos) << none.errors;
   EXPECT_NE(none.errors.find(why), std::string::npos) << none.errors;
 }
 
 TEST_F(RunningBearing, LeavesPartialResultsWhereTheFilmIsTooThin) {
-  const Outcome beyond = run(command(
+  const ProgramOutcome beyond = run(command(
       "equilibrium", {"equilibrium.loads=[[20, 0], [100, 0], [110, 0]]", "--set", "film.h_floor=10 um", "--force"}));
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(summary().at("status"), "failed");
@@ -116,7 +117,7 @@ TEST_F(RunningBearing, LeavesPartialResultsWhereTheFilmIsTooThin) {
 }
 
 TEST_F(RunningBearing, IsFoundByEveryPath) {
-  const Outcome done = run(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--paths"}));
+  const ProgramOutcome done = run(command("equilibrium", {"equilibrium.loads=[[40, 0]]", "--paths"}));
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("4 paths to 45000 rpm, load (40, 0) N"), std::string::npos) << done.output;
   ASSERT_EQ(summary().at("spreads").size(), 1U);
@@ -126,10 +127,10 @@ TEST_F(RunningBearing, IsFoundByEveryPath) {
 }
 
 TEST_F(RunningBearing, MayHaveAWallInPlaceOfFoils) {
-  const Outcome by_load = run(command("film", {"equilibrium.loads=[[20, 0]]"}));
+  const ProgramOutcome by_load = run(command("film", {"equilibrium.loads=[[20, 0]]"}));
   EXPECT_EQ(by_load.exit_code, 2);
   EXPECT_NE(by_load.errors.find("equilibrium.positions"), std::string::npos);
-  const Outcome done = run(command("film", {"equilibrium.positions=[[\"10 um\", 0]]"}));
+  const ProgramOutcome done = run(command("film", {"equilibrium.positions=[[\"10 um\", 0]]"}));
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find(results_ + " (summary.json, film.csv, result.nc)"), std::string::npos);
   EXPECT_EQ(summary().at("command"), "film");
@@ -144,7 +145,7 @@ TEST_F(RunningBearing, MayHavePads) {
     words.insert(words.begin(), more.begin(), more.end());
     return run(command(name, words));
   };
-  const Outcome done = of_pads("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"});
+  const ProgramOutcome done = of_pads("equilibrium", {"equilibrium.loads=[[20, 0], [40, 0]]"});
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("\n  of pad 3, magnitude"), std::string::npos) << done.output;
   const json state = summary().at("states").at(1);
@@ -152,14 +153,14 @@ TEST_F(RunningBearing, MayHavePads) {
   for (const double force : state.at("pad_forces_x_N")) sum += force;
   EXPECT_NEAR(sum, 40.0, 1e-6);
   // One pad is touched: that is the end of all.
-  const Outcome beyond =
+  const ProgramOutcome beyond =
       of_pads("equilibrium", {"equilibrium.loads=[[20, 0], [100, 0]]", "--set", "film.h_floor=10 um"});
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(summary().at("states").at(1).at("status"), "touchdown");
   EXPECT_TRUE(summary().at("states").at(1).at("pad_forces_x_N").at(0).is_null());
   EXPECT_GT(summary().at("states").at(1).at("last_state").at("pad_forces_x_N").size(), 2U);
   // A wall in their place has none.
-  const Outcome wall = of_pads("film", {"equilibrium.positions=[[\"10 um\", 0]]"});
+  const ProgramOutcome wall = of_pads("film", {"equilibrium.positions=[[\"10 um\", 0]]"});
   EXPECT_EQ(wall.exit_code, 2);
   EXPECT_NE(wall.errors.find("pad: are parts of the sleeve"), std::string::npos) << wall.errors;
 }

@@ -17,7 +17,7 @@ namespace bumpfoil {
 namespace {
 
 TEST_F(MonteCarloProgram, WritesStatisticsAndSamples) {
-  const Outcome run_of_ten = run(montecarlo("results", 10));
+  const ProgramOutcome run_of_ten = run(montecarlo("results", 10));
   EXPECT_EQ(run_of_ten.exit_code, 0) << run_of_ten.errors;
   EXPECT_NE(run_of_ten.output.find("\nmaximum force "), std::string::npos) << run_of_ten.output;
   EXPECT_NE(run_of_ten.output.find("10 samples; results in " + results_), std::string::npos);
@@ -37,7 +37,7 @@ TEST_F(MonteCarloProgram, FollowsEventsUnlessASolverIsNamed) {
   const auto sample = [&](const std::vector<std::string>& more) {
     const std::vector<std::string> one{
         "cycle", case_path_, "-o", alone, "--force", "--sample", results_ + "/ensemble.nc:0"};
-    const Outcome single = run(
+    const ProgramOutcome single = run(
         one + std::vector<std::string>{"--set", "cycle.steps=4", "--set", "cycle.directions=[\"+X\", \"-X\"]"} + more);
     EXPECT_EQ(single.exit_code, 0) << single.errors;
     return summary_of("alone");
@@ -60,7 +60,8 @@ TEST_F(MonteCarloProgram, FollowsEventsUnlessASolverIsNamed) {
   EXPECT_GT(std::abs(energy(single) - followed), 1e-3 * followed);  // four increments each way
 
   // What it is begun with it goes on with.
-  const Outcome other = run(montecarlo("results", 2) + std::vector<std::string>{"--resume", "--solver", "newton"});
+  const ProgramOutcome other =
+      run(montecarlo("results", 2) + std::vector<std::string>{"--resume", "--solver", "newton"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.errors.find("solver.name = \"events\": is \"newton\" now"), std::string::npos) << other.errors;
   EXPECT_EQ(run(montecarlo("results", 2) + std::vector<std::string>{"--resume", "--solver", "events"}).exit_code, 0);
@@ -74,7 +75,7 @@ TEST_F(MonteCarloProgram, FollowsEventsUnlessASolverIsNamed) {
 
 TEST_F(MonteCarloProgram, WantsSomethingThatScatters) {
   EXPECT_EQ(run({"montecarlo", case_path_, "-o", results_}).exit_code, 2);
-  const Outcome nothing = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"});
+  const ProgramOutcome nothing = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_NE(nothing.errors.find("nothing scatters"), std::string::npos) << nothing.errors;
   EXPECT_FALSE(wrote_results());
@@ -94,7 +95,7 @@ TEST_F(MonteCarloProgram, SamplesOfCycleAreWhatTheySay) {
 TEST_F(MonteCarloProgram, ScattersEveryBumpOfEveryPad) {
   ASSERT_EQ(run({"init", "--preset", "gen3-three-pad", "-o", case_path_, "--force"}).exit_code, 0);
   const std::vector<std::string> scatter{"--set", "montecarlo.top_foil_thickness.std=1 um"};
-  const Outcome ensemble = run(montecarlo("results", 40) + scatter);
+  const ProgramOutcome ensemble = run(montecarlo("results", 40) + scatter);
   ASSERT_EQ(ensemble.exit_code, 0) << ensemble.errors;
   const json found = summary();
   EXPECT_EQ(found.at("bump_loads").at("+X").at("mean_N").size(), 24U);
@@ -103,14 +104,14 @@ TEST_F(MonteCarloProgram, ScattersEveryBumpOfEveryPad) {
   ASSERT_EQ(heights.size(), 24U);
   EXPECT_EQ((std::max_element(heights.begin(), heights.end()) - heights.begin()) / 8, 1);
   const std::string alone = (folder_.path() / "alone").string();
-  const Outcome single = run({"cycle", case_path_, "-o", alone, "--sample", results_ + "/ensemble.nc:17", "--set",
-                              "cycle.steps=4", "--set", "cycle.directions=[\"+X\", \"-X\"]"});
+  const ProgramOutcome single = run({"cycle", case_path_, "-o", alone, "--sample", results_ + "/ensemble.nc:17",
+                                     "--set", "cycle.steps=4", "--set", "cycle.directions=[\"+X\", \"-X\"]"});
   ASSERT_EQ(single.exit_code, 0) << single.errors;
   const json pads = json::parse(folder_.read("alone/summary.json")).at("case").at("pad");
   EXPECT_NE(pads.at(0).at("bump_foil").at("height_errors"), pads.at(1).at("bump_foil").at("height_errors"));
   EXPECT_NE(pads.at(0).at("bump_foil").at("thickness"), 0.102e-3);
-  const Outcome other = run({"cycle", case_path_, "-o", alone, "--force", "--sample", results_ + "/ensemble.nc:17",
-                             "--set", "pad[2].lobe=0 um"});
+  const ProgramOutcome other = run({"cycle", case_path_, "-o", alone, "--force", "--sample",
+                                    results_ + "/ensemble.nc:17", "--set", "pad[2].lobe=0 um"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.errors.find("pad[2].lobe"), std::string::npos) << other.errors;
 }
@@ -130,7 +131,7 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
            std::vector<std::string>{"montecarlo.command=equilibrium", "montecarlo.radial_clearance.std=1 um",
                                     "montecarlo.bump_height.std=1 um"};
   };
-  const Outcome four = run(ensemble("results", "4"));
+  const ProgramOutcome four = run(ensemble("results", "4"));
   ASSERT_EQ(four.exit_code, 0) << four.errors;
   EXPECT_NE(four.output.find("\nminimum film thickness "), std::string::npos) << four.output;
   EXPECT_NE(four.output.find("yield: 4 of 4 bearings"), std::string::npos) << four.output;
@@ -153,7 +154,7 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
   }
   // With limits these are quantities like others, and sample 0 has its own.
   const std::vector<std::string> limits{"--limits", "--set", "film.h_lift_off=8 um"};
-  const Outcome without = run(ensemble("limits", "1") + std::vector<std::string>{"--limits"});
+  const ProgramOutcome without = run(ensemble("limits", "1") + std::vector<std::string>{"--limits"});
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_NE(without.errors.find("film.h_lift_off: is missing"), std::string::npos) << without.errors;
   ASSERT_EQ(run(ensemble("limits", "1") + limits).exit_code, 0);
@@ -166,18 +167,18 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
   EXPECT_FALSE(kept.contains("load_capacity_N"));
   EXPECT_EQ(run(montecarlo("other", 1) + std::vector<std::string>{"--limits"}).exit_code, 2);  // cycles have none
   // What is wrong with the case is no fault of a sample.
-  const Outcome events = run(ensemble("other", "4") + std::vector<std::string>{"--solver", "events"});
+  const ProgramOutcome events = run(ensemble("other", "4") + std::vector<std::string>{"--solver", "events"});
   EXPECT_EQ(events.exit_code, 2);
   EXPECT_NE(events.errors.find("cannot solve contacts under a film"), std::string::npos) << events.errors;
   EXPECT_FALSE(has("other/ensemble.checkpoint"));
-  const Outcome none = run({"montecarlo", case_path_, "-o", results_, "--force", "--set",
-                            "montecarlo.command=equilibrium", "--set", "montecarlo.bump_height.std=1 um"});
+  const ProgramOutcome none = run({"montecarlo", case_path_, "-o", results_, "--force", "--set",
+                                   "montecarlo.command=equilibrium", "--set", "montecarlo.bump_height.std=1 um"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.errors.find("needs the table [equilibrium]"), std::string::npos) << none.errors;
 }
 
 TEST_F(MonteCarloProgram, KeepsSamplesThatFail) {
-  const Outcome failing =
+  const ProgramOutcome failing =
       run(montecarlo("results", 30) + std::vector<std::string>{"--set", "montecarlo.friction_top_bump.std=0.2"});
   EXPECT_EQ(failing.exit_code, 3) << failing.errors;
   EXPECT_NE(failing.errors.find("invalid sample"), std::string::npos) << failing.errors;
@@ -189,7 +190,7 @@ TEST_F(MonteCarloProgram, KeepsSamplesThatFail) {
 }
 
 TEST_F(MonteCarloProgram, StopsWhereTheErrorIsSmallEnough) {
-  const Outcome enough =
+  const ProgramOutcome enough =
       run(montecarlo("results", 100000) + std::vector<std::string>{"--set", "cycle.steps=1", "--target-error", "0.5"});
   EXPECT_EQ(enough.exit_code, 0) << enough.errors;
   EXPECT_EQ(summary().at("samples"), 1000);
@@ -209,7 +210,7 @@ TEST_F(MonteCarloProgram, AnInterruptedRunLeavesFlaggedResultsAndGoesOn) {
   ASSERT_GT(samples, 0);
 
   const std::vector<std::string> resumed = montecarlo("results", samples + 20) + std::vector<std::string>{"--resume"};
-  const Outcome other = run(resumed + std::vector<std::string>{"--seed", "2"});
+  const ProgramOutcome other = run(resumed + std::vector<std::string>{"--seed", "2"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.errors.find("montecarlo.seed = 1: is 2 now"), std::string::npos) << other.errors;
   EXPECT_EQ(run(resumed + std::vector<std::string>{"--threads", "1"}).exit_code, 0);
@@ -236,7 +237,7 @@ TEST_F(MonteCarloProgram, GoesOnWhereItWasKilled) {
   }
   // What was killed had left samples; one is 768 bytes.
   EXPECT_GT(std::filesystem::file_size(folder_.path() / "results/ensemble.checkpoint"), 20'000U);
-  const Outcome last = run(command);
+  const ProgramOutcome last = run(command);
   ASSERT_EQ(last.exit_code, 0) << last.errors;
   EXPECT_EQ(summary().at("statistics"), summary_of("whole").at("statistics"));
   EXPECT_EQ(summary().at("bump_loads"), summary_of("whole").at("bump_loads"));

@@ -15,9 +15,9 @@
 namespace bumpfoil {
 namespace {
 
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
-struct Outcome {
+struct ShellOutcome {
   int exit_code{};  ///< 128 and the signal where one ended the program
   std::string output, errors;
 };
@@ -30,7 +30,7 @@ class Output : public ::testing::Test {
     EXPECT_EQ(run("$bumpfoil init -o case.toml").exit_code, 0);
   }
 
-  [[nodiscard]] Outcome run(const std::string& script) const {
+  [[nodiscard]] ShellOutcome run(const std::string& script) const {
     const std::string command = "cd '" + folder_.path().string() + "' && { " + script + "; } > output 2> errors";
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), folder_.read("output"), folder_.read("errors")};
@@ -58,7 +58,7 @@ TEST_F(Output, AnUnwritableStandardOutputIsTold) {
     for (const std::string command : {"--help", "--version", "cycle --help", "init", "check case.toml",
                                       "properties case.toml", "cycle case.toml -o r --force --set cycle.steps=2"}) {
       SCOPED_TRACE(command + closed);
-      const Outcome outcome = run("$bumpfoil " + command + closed);
+      const ShellOutcome outcome = run("$bumpfoil " + command + closed);
       EXPECT_EQ(outcome.exit_code, 4);
       EXPECT_NE(outcome.errors.find("standard output: cannot be written"), std::string::npos) << outcome.errors;
       EXPECT_EQ(run("$bumpfoil " + command + closed + " 2>&-").exit_code, 4);
@@ -136,13 +136,13 @@ TEST_F(Output, TextsOfOthersDoNotSteerTheTerminal) {
            {"$bumpfoil report \"no$hostile\"", 4},
        }) {
     SCOPED_TRACE(text);
-    const Outcome outcome = run(text);
+    const ShellOutcome outcome = run(text);
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.errors;
     EXPECT_TRUE(is_tame(outcome.output)) << outcome.output;
     EXPECT_TRUE(is_tame(outcome.errors)) << outcome.errors;
   }
   // What `check` prints is still a case with the same title.
-  const Outcome check = run("$bumpfoil check title.toml");
+  const ShellOutcome check = run("$bumpfoil check title.toml");
   folder_.write("again.toml", check.output);
   EXPECT_NE(check.output.find("title = \"x\\u001b[2J \\u009b31m \\u202e \\u009b \\u202e\""), std::string::npos)
       << check.output.substr(0, 200);
@@ -153,7 +153,7 @@ TEST_F(Output, TextsOfOthersDoNotSteerTheTerminal) {
 TEST_F(Output, DamagedResultsAreToldUnlessTheyAreWanted) {
   ASSERT_EQ(run("$bumpfoil cycle case.toml -o r --set cycle.steps=2 --quiet").exit_code, 0);
   ASSERT_EQ(run("sed -i 's/\"bytes\": /&1/' r/summary.json").exit_code, 0);
-  const Outcome report = run("$bumpfoil report r");
+  const ShellOutcome report = run("$bumpfoil report r");
   EXPECT_EQ(report.exit_code, 4);
   EXPECT_EQ(report.errors.find("r/summary.json: is damaged: "), 0U) << report.errors;
   EXPECT_EQ(run("$bumpfoil report r --unchecked").exit_code, 0);

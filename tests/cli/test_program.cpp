@@ -22,14 +22,14 @@ namespace bumpfoil {
 namespace {
 
 TEST_F(Program, GoesFromInitOverCheckToCycle) {
-  const Outcome check = run({"check", case_path_});
+  const ProgramOutcome check = run({"check", case_path_});
   EXPECT_EQ(check.exit_code, 0);
   EXPECT_EQ(check.errors, "");
   // What it prints is a case file that means the same.
   const std::string understood = folder_.write("understood.toml", check.output);
   EXPECT_EQ(run({"check", understood}).output, check.output);
 
-  const Outcome cycle = run(cycle_);
+  const ProgramOutcome cycle = run(cycle_);
   EXPECT_EQ(cycle.exit_code, 0) << cycle.errors;
   EXPECT_EQ(cycle.errors, "");
   EXPECT_NE(cycle.output.find("maximum force"), std::string::npos);
@@ -52,13 +52,13 @@ TEST_F(Program, VibratesAboutLoads) {
     return vibration + std::vector<std::string>{"--set", "vibration.loads=[[\"0 N\", \"" + load + "\"]]", "--set",
                                                 "vibration.frequencies=[\"" + frequency + "\"]"};
   };
-  const Outcome still = run(with("-50 N", "0 Hz"));
+  const ProgramOutcome still = run(with("-50 N", "0 Hz"));
   EXPECT_EQ(still.exit_code, 2);
   EXPECT_NE(still.errors.find("vibration.frequencies[1] = 0 Hz: must be positive"), std::string::npos) << still.errors;
   EXPECT_EQ(run(with("-50 N", "200 1/s")).exit_code, 2);
   EXPECT_FALSE(wrote_results());
 
-  const Outcome done = run(with("-50 N", "200 Hz"));
+  const ProgramOutcome done = run(with("-50 N", "200 Hz"));
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_EQ(done.errors.find("warning: load (0, -50) N, 0 deg, 1 um: the loop has not settled"), 0U) << done.errors;
   EXPECT_NE(done.output.find("loss factor"), std::string::npos);
@@ -73,7 +73,7 @@ TEST_F(Program, VibratesAboutLoads) {
   EXPECT_GT(coefficients.at("cyy_N_s_per_m"), 0.0);
   EXPECT_EQ(run(with("-50 N", "200 Hz")).exit_code, 4);  // holds results
 
-  const Outcome beyond = run(with("-1 GN", "200 Hz") + std::vector<std::string>{"--force"});
+  const ProgramOutcome beyond = run(with("-1 GN", "200 Hz") + std::vector<std::string>{"--force"});
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(beyond.errors.find("bumpfoil: load (0, -1e+09) N was not reached: "), 0U) << beyond.errors;
   EXPECT_EQ(summary().at("status"), "failed");
@@ -83,12 +83,12 @@ TEST_F(Program, VibratesAboutLoads) {
 TEST_F(Program, CompressesAStrip) {
   const std::vector<std::string> strip{"strip", case_path_,      "-o",    results_,
                                        "--set", "strip.bumps=4", "--set", "strip.steps=4"};
-  const Outcome missing = run({"strip", case_path_, "-o", results_});
+  const ProgramOutcome missing = run({"strip", case_path_, "-o", results_});
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_NE(missing.errors.find("add [strip]"), std::string::npos);
   EXPECT_FALSE(wrote_results());
 
-  const Outcome done =
+  const ProgramOutcome done =
       run(strip + std::vector<std::string>{"--set", "strip.load=50 N", "--set", "bump_foil.yield_stress=1 MPa"});
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find(results_ + " (summary.json, strip.csv, result.nc)"), std::string::npos);
@@ -101,7 +101,7 @@ TEST_F(Program, CompressesAStrip) {
 
   EXPECT_EQ(run(strip + std::vector<std::string>{"--set", "strip.load=50 N"}).exit_code, 4);  // holds results
   // More than bumps that are flat carry: partial results.
-  const Outcome beyond = run(strip + std::vector<std::string>{"--set", "strip.load=1 MN", "--force"});
+  const ProgramOutcome beyond = run(strip + std::vector<std::string>{"--set", "strip.load=1 MN", "--force"});
   EXPECT_EQ(beyond.exit_code, 3);
   EXPECT_EQ(summary().at("status"), "failed");
   EXPECT_EQ(beyond.errors.find("bumpfoil: cycle 1, increment 1 of 8, "), 0U) << beyond.errors;
@@ -121,35 +121,36 @@ TEST_F(Program, FollowsAPath) {
   // Beside the case file.
   folder_.write("path.csv", "x_m,y_m\n0,0\n0,-4e-5\n1e-5,-4e-5\n");
   const std::vector<std::string> file = path + std::vector<std::string>{"--set", "path.file=path.csv"};
-  const Outcome done = run(file);
+  const ProgramOutcome done = run(file);
   EXPECT_EQ(done.exit_code, 0) << done.errors;
   const std::string csv = folder_.read("results/path.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
   EXPECT_NE(csv.find(",orbit,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,kyy_N_per_m,kxx_stuck_N_per_m,"), std::string::npos);
   EXPECT_EQ(names_in("results"), (std::set<std::string>{"path.csv", "result.nc", "summary.json"}));
 
-  const Outcome orbit = run(path + std::vector<std::string>{"--force", "--set", "path.centre=[\"0 N\", \"-80 N\"]",
-                                                            "--set", "path.semi_axes=[\"20 N\", \"10 N\"]", "--set",
-                                                            "path.steps=12", "--set", "path.orbits=2"});
+  const ProgramOutcome orbit =
+      run(path + std::vector<std::string>{"--force", "--set", "path.centre=[\"0 N\", \"-80 N\"]", "--set",
+                                          "path.semi_axes=[\"20 N\", \"10 N\"]", "--set", "path.steps=12", "--set",
+                                          "path.orbits=2"});
   EXPECT_EQ(orbit.exit_code, 0) << orbit.errors;
   EXPECT_EQ(summary().at("cycles").at(0).at("orbits").size(), 2U);
   EXPECT_NE(orbit.errors.find("warning: path: the loop has not settled"), std::string::npos);
 
   folder_.write("path.csv", "x,y\n0,0\n");
-  const Outcome wrong = run(file + std::vector<std::string>{"--force"});
+  const ProgramOutcome wrong = run(file + std::vector<std::string>{"--force"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.errors.find("path.csv:1: line = x,y: is not a header of a path"), std::string::npos) << wrong.errors;
 }
 
 TEST_F(Program, DescribesItsResults) {
-  const Outcome described = run({"schema", "--results"});
+  const ProgramOutcome described = run({"schema", "--results"});
   EXPECT_EQ(described.exit_code, 0) << described.errors;
   EXPECT_TRUE(nlohmann::json::parse(described.output).at("experiments").contains("cycle"));
   EXPECT_EQ(run({"schema"}).exit_code, 2);
 }
 
 TEST_F(Program, InitListsTheKeys) {
-  const Outcome keys = run({"init", "--keys"});
+  const ProgramOutcome keys = run({"init", "--keys"});
   EXPECT_EQ(keys.exit_code, 0) << keys.errors;
   EXPECT_NE(keys.output.find("\n| `radial_clearance` | length | required |"), std::string::npos);
 }
@@ -157,7 +158,7 @@ TEST_F(Program, InitListsTheKeys) {
 TEST_F(Program, InitPrintsOrWrites) {
   EXPECT_EQ(run({"init"}).output, folder_.read("case.toml"));
   EXPECT_EQ(run({"init", "--preset", "gen1"}).output, folder_.read("case.toml"));
-  const Outcome again = run({"init", "-o", case_path_});
+  const ProgramOutcome again = run({"init", "-o", case_path_});
   EXPECT_EQ(again.exit_code, 4);
   EXPECT_NE(again.errors.find("exists already"), std::string::npos);
   folder_.write("case.toml", "mine");
@@ -173,7 +174,8 @@ TEST_F(Program, RunsItsPresets) {
                                         {"running", "equilibrium"}}) {
     const std::string path = (folder_.path() / preset).string();
     EXPECT_EQ(run({"init", "--preset", preset, "-o", path}).exit_code, 0) << preset;
-    const Outcome done = run({command, path, "-o", results_, "--force", "--set", std::string(command) + ".steps=4"});
+    const ProgramOutcome done =
+        run({command, path, "-o", results_, "--force", "--set", std::string(command) + ".steps=4"});
     EXPECT_EQ(done.exit_code, 0) << done.errors;
     EXPECT_EQ(summary().at("status"), "complete") << preset;
   }
@@ -181,14 +183,14 @@ TEST_F(Program, RunsItsPresets) {
   const std::string strip = (folder_.path() / "larsen-strip").string();
   EXPECT_NE(run({"properties", strip}).output.find("no spring is negative"), std::string::npos);
   const std::vector<std::string> as_truss{strip, "--set", "bump_foil.model=truss"};
-  const Outcome truss = run(std::vector<std::string>{"check"} + as_truss);
+  const ProgramOutcome truss = run(std::vector<std::string>{"check"} + as_truss);
   EXPECT_EQ(truss.exit_code, 2);
   EXPECT_NE(truss.errors.find("bump_foil.truss.k2: is identified as -4.801e+06 N/m"), std::string::npos)
       << truss.errors;
   EXPECT_NE(truss.errors.find("set bump_foil.model = \"frame\", or give k2, k3 and k4, with k2 + k3 = 3.187e+06 N/m"),
             std::string::npos)
       << truss.errors;
-  const Outcome properties = run(std::vector<std::string>{"properties"} + as_truss);
+  const ProgramOutcome properties = run(std::vector<std::string>{"properties"} + as_truss);
   EXPECT_EQ(properties.exit_code, 0) << properties.errors;
   EXPECT_NE(properties.output.find("no spring is negative"), std::string::npos) << properties.output;
 }
@@ -197,18 +199,18 @@ TEST_F(Program, TakesAFrameForATrussThatNobodyAskedFor) {
   const std::vector<std::string> steep{"--set", "bump_foil.pitch=4.6 mm",  "--set", "bump_foil.length=3.2 mm",
                                        "--set", "bump_foil.height=0.55 mm"};
   EXPECT_EQ(run(cycle_ + steep + std::vector<std::string>{"--set", "bump_foil.model=truss"}).exit_code, 2);
-  const Outcome framed = run(cycle_ + steep);
+  const ProgramOutcome framed = run(cycle_ + steep);
   EXPECT_EQ(framed.exit_code, 0) << framed.errors;
   const std::string said = "the bump foil is modelled as a frame, since it cannot be a truss";
   EXPECT_NE(framed.errors.find("warning: " + said), std::string::npos) << framed.errors;
   EXPECT_EQ(summary().at("case").at("bump_foil").at("model"), "frame");
   EXPECT_NE(summary().at("cycles").at(0).at("warnings").at(0).get<std::string>().find(said), std::string::npos);
   for (const std::string command : {"check", "properties"}) {
-    const Outcome asked = run(std::vector<std::string>{command, case_path_} + steep);
+    const ProgramOutcome asked = run(std::vector<std::string>{command, case_path_} + steep);
     EXPECT_EQ(asked.exit_code, 0) << asked.errors;
     EXPECT_EQ(asked.errors.find("warning: " + said), 0U) << asked.errors;
   }
-  const Outcome ensemble =
+  const ProgramOutcome ensemble =
       run(std::vector<std::string>{"montecarlo", case_path_, "-o", results_, "--force", "--samples", "2", "--set",
                                    "cycle.steps=4", "--set", "montecarlo.bump_length.std=0.2 mm"} +
           steep);
@@ -263,10 +265,10 @@ TEST_F(Program, ReadsACaseFromTheStandardInput) {
 }
 
 TEST_F(Program, PropertiesPrintsTextOrJson) {
-  const Outcome text = run({"properties", case_path_});
+  const ProgramOutcome text = run({"properties", case_path_});
   EXPECT_EQ(text.exit_code, 0) << text.errors;
   EXPECT_NE(text.output.find("k1, rods"), std::string::npos);
-  const Outcome structured = run({"properties", case_path_, "--json", "--set", "bump_foil.truss.k1=150 MN/m"});
+  const ProgramOutcome structured = run({"properties", case_path_, "--json", "--set", "bump_foil.truss.k1=150 MN/m"});
   EXPECT_EQ(json::parse(structured.output).at("truss").at("k1_N_per_m"), 150e6);
 }
 
@@ -274,7 +276,7 @@ TEST_F(Program, PropertiesSayWherePadsLie) {
   ASSERT_EQ(run({"init", "--preset", "gen3-three-pad", "-o", case_path_, "--force"}).exit_code, 0);
   const std::vector<std::string> turned{"--set", "bearing.weld_angle=180 deg", "bearing.pad_gap=10 deg",
                                         "pad[2].weld_edge=trailing"};
-  const Outcome text = run(std::vector<std::string>{"properties", case_path_} + turned);
+  const ProgramOutcome text = run(std::vector<std::string>{"properties", case_path_} + turned);
   ASSERT_EQ(text.exit_code, 0) << text.errors;
   // A third of the circumference each, 10 deg of it free; 8 pitches of 4.572 mm are 110.0079 deg of 19.05 mm.
   for (const char* line : {"Pad 1: weld at 180 deg, clockwise to its free end at 70 deg; pitches stretched by 0.99993",
@@ -287,7 +289,7 @@ TEST_F(Program, PropertiesSayWherePadsLie) {
 TEST_F(Program, RefusesToReplaceResultsUnlessForced) {
   EXPECT_EQ(run(cycle_).exit_code, 0);
   const json first = summary();
-  const Outcome second = run(cycle_ + std::vector<std::string>{"--set", "friction.coefficient=0"});
+  const ProgramOutcome second = run(cycle_ + std::vector<std::string>{"--set", "friction.coefficient=0"});
   EXPECT_EQ(second.exit_code, 4);
   EXPECT_NE(second.errors.find("--force"), std::string::npos);
   EXPECT_EQ(summary(), first);
@@ -296,9 +298,9 @@ TEST_F(Program, RefusesToReplaceResultsUnlessForced) {
 }
 
 TEST_F(Program, WritesNothingForAWrongCase) {
-  for (const testing::WrongCase& wrong : testing::wrong_cases()) {
+  for (const test_support::WrongCase& wrong : test_support::wrong_cases()) {
     SCOPED_TRACE(wrong.name);
-    const Outcome outcome = run({"cycle", folder_.write("wrong.toml", wrong.text), "-o", results_});
+    const ProgramOutcome outcome = run({"cycle", folder_.write("wrong.toml", wrong.text), "-o", results_});
     EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
     EXPECT_NE(outcome.errors.find("wrong.toml"), std::string::npos);
@@ -312,18 +314,18 @@ TEST_F(Program, WritesNothingForAWrongCase) {
 TEST_F(Program, RefusesAHundredMegabytes) {
   folder_.write("large.toml", "");
   std::filesystem::resize_file(folder_.path() / "large.toml", 100'000'000);
-  const Outcome outcome = run({"cycle", (folder_.path() / "large.toml").string(), "-o", results_});
+  const ProgramOutcome outcome = run({"cycle", (folder_.path() / "large.toml").string(), "-o", results_});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.errors.find("is larger than 10 MB"), std::string::npos);
   EXPECT_FALSE(wrote_results());
 }
 
 TEST_F(Program, WantsACycleForCycle) {
-  std::string text = testing::whole_case();
+  std::string text = test_support::whole_case();
   text.resize(text.find("[cycle]"));
   const std::string without = folder_.write("without.toml", text);
   EXPECT_EQ(run({"check", without}).exit_code, 0);
-  const Outcome outcome = run({"cycle", without, "-o", results_});
+  const ProgramOutcome outcome = run({"cycle", without, "-o", results_});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.errors.find("cycle: this table is missing"), std::string::npos);
   EXPECT_FALSE(wrote_results());
@@ -366,7 +368,7 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
                                              {"report", ""},
                                              {"report", results_, "-o", ""},
                                              {"reproduce", "-o", ""}}) {
-    const Outcome outcome = run(arguments);
+    const ProgramOutcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
     EXPECT_NE(outcome.errors, "");
     EXPECT_EQ(outcome.output, "");
@@ -376,7 +378,7 @@ TEST_F(Program, WrongCommandLinesAreWrongInput) {
 
 TEST_F(Program, HelpsEverywhere) {
   for (const char* command : {"init", "check", "properties", "cycle", "sweep", "reproduce"}) {
-    const Outcome help = run({command, "--help"});
+    const ProgramOutcome help = run({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.output.find("Example"), std::string::npos) << command;
     EXPECT_NE(help.output.find(std::string("bumpfoil ") + command), std::string::npos) << command;
@@ -395,7 +397,7 @@ TEST_F(Program, IsQuietIfAsked) {
        std::vector<std::vector<std::string>>{{"--quiet", "check", case_path_},
                                              {"check", case_path_, "--quiet"},
                                              cycle_ + std::vector<std::string>{"--quiet"}}) {
-    const Outcome outcome = run(arguments);
+    const ProgramOutcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.output + outcome.errors, "");
   }
@@ -406,14 +408,14 @@ TEST_F(Program, IsQuietIfAsked) {
 #if BUMPFOIL_HAS_REPORT
 TEST_F(Program, ReportGoesBesideTheResultsOrWhereItIsTold) {
   ASSERT_EQ(run(cycle_).exit_code, 0);
-  const Outcome report = run({"report", results_});
+  const ProgramOutcome report = run({"report", results_});
   EXPECT_EQ(report.exit_code, 0) << report.errors;
   EXPECT_EQ(report.output, "wrote " + results_ + "/report.html\n");
   const std::string page = folder_.read("results/report.html");
   EXPECT_EQ(page.find("<!doctype html>"), 0U);
   EXPECT_NE(page.find("\"schema\":\"bumpfoil-report/1\""), std::string::npos);
 
-  const Outcome again = run({"report", results_});
+  const ProgramOutcome again = run({"report", results_});
   EXPECT_EQ(again.exit_code, 4);
   EXPECT_NE(again.errors.find("--force"), std::string::npos);
   EXPECT_EQ(run({"report", results_, "--force", "--quiet"}).output, "");
@@ -429,7 +431,7 @@ TEST_F(Program, ReportGoesBesideTheResultsOrWhereItIsTold) {
 }
 
 TEST_F(Program, ReportNamesEveryFolderWithoutResults) {
-  const Outcome report = run({"report", "nowhere", folder_.path().string()});
+  const ProgramOutcome report = run({"report", "nowhere", folder_.path().string()});
   EXPECT_EQ(report.exit_code, 4);
   EXPECT_NE(report.errors.find("nowhere: does not exist"), std::string::npos) << report.errors;
   EXPECT_NE(report.errors.find("result.nc is missing"), std::string::npos);
@@ -439,7 +441,7 @@ TEST_F(Program, ReportNamesEveryFolderWithoutResults) {
 #else
 TEST_F(Program, ReportSaysWhatItWasBuiltWithout) {
   ASSERT_EQ(run(cycle_).exit_code, 0);
-  const Outcome report = run({"report", results_});
+  const ProgramOutcome report = run({"report", results_});
   EXPECT_EQ(report.exit_code, 4);
   EXPECT_NE(report.errors.find("Node.js"), std::string::npos);
 }
@@ -461,7 +463,7 @@ TEST_F(Program, AnInterruptedRunLeavesFlaggedResults) {
 
 TEST_F(Program, ReproducesAFigure) {
   const std::vector<std::string> reproduce{"reproduce", "-o", results_, "--figure", "16"};
-  const Outcome outcome = run(reproduce);
+  const ProgramOutcome outcome = run(reproduce);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   EXPECT_NE(outcome.output.find("figure16"), std::string::npos);
@@ -477,10 +479,10 @@ TEST_F(Program, ReproducesAFigure) {
   EXPECT_EQ(run({"cycle", results_ + "/figure16/scatter20-bearing4/case.toml", "-o", again}).exit_code, 0);
   EXPECT_EQ(folder_.read("again/cycle.csv"), folder_.read("results/figure16/scatter20-bearing4/cycle.csv"));
 
-  const Outcome refused = run(reproduce);
+  const ProgramOutcome refused = run(reproduce);
   EXPECT_EQ(refused.exit_code, 4);
   EXPECT_NE(refused.errors.find("already contains results (study.json)"), std::string::npos);
-  const Outcome replaced = run(reproduce + std::vector<std::string>{"--force", "--quiet"});
+  const ProgramOutcome replaced = run(reproduce + std::vector<std::string>{"--force", "--quiet"});
   EXPECT_EQ(replaced.exit_code, 0);
   EXPECT_EQ(replaced.output + replaced.errors, "");
 }
@@ -491,7 +493,7 @@ TEST_F(Program, ReproducesWithoutGnuplot) {
   EXPECT_TRUE(names_in("results/figure16").contains("picture.svg"));
   const std::string path = std::getenv("PATH");
   setenv("PATH", folder_.path().c_str(), 1);
-  const Outcome outcome = run(reproduce);
+  const ProgramOutcome outcome = run(reproduce);
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.errors.find("gnuplot is not installed"), std::string::npos);

@@ -18,7 +18,7 @@ namespace bumpfoil {
 namespace {
 
 using nlohmann::json;
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 /// A folder with a case file, in which a shell runs scripts; `$bumpfoil` in them is the program.
 class RunInShell : public ::testing::Test {

@@ -69,7 +69,7 @@ TEST_F(Ranks, MakeNoDifference) {
   ASSERT_EQ(run(montecarlo("alone", samples) + std::vector<std::string>{"--threads", "1"}).exit_code, 0);
   for (const int ranks : {1, 2, 3}) {
     const std::string folder = "ranks" + std::to_string(ranks);
-    const Outcome together = run(montecarlo(folder, samples), mpirun(ranks));
+    const ProgramOutcome together = run(montecarlo(folder, samples), mpirun(ranks));
     ASSERT_EQ(together.exit_code, 0) << together.errors;
     EXPECT_EQ(count(together.output, "100 samples; results in"), 1) << together.output;
     expect_same_numbers("alone", folder, samples);
@@ -84,14 +84,14 @@ TEST_F(Ranks, MakeNoDifference) {
 }
 
 TEST_F(Ranks, AreToldOnceWhatIsWrong) {
-  const Outcome other = run(cycle_, mpirun(3));
+  const ProgramOutcome other = run(cycle_, mpirun(3));
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(count(other.errors, "only 'montecarlo' supports several ranks"), 1) << other.errors;
   EXPECT_FALSE(wrote_results());
-  const Outcome nothing_scatters = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"}, mpirun(2));
+  const ProgramOutcome nothing_scatters = run({"montecarlo", case_path_, "-o", results_, "--samples", "5"}, mpirun(2));
   EXPECT_EQ(nothing_scatters.exit_code, 2);
   EXPECT_EQ(count(nothing_scatters.errors, "nothing scatters"), 1) << nothing_scatters.errors;
-  const Outcome version = run({"--version"}, mpirun(2));
+  const ProgramOutcome version = run({"--version"}, mpirun(2));
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_EQ(count(version.output, "bumpfoil "), 1) << version.output;
   EXPECT_EQ(run(cycle_, mpirun(1)).exit_code, 0);  // one rank is no different from none
@@ -100,7 +100,7 @@ TEST_F(Ranks, AreToldOnceWhatIsWrong) {
 TEST_F(Ranks, SayWhereTheErrorIsSmallEnough) {
   const std::vector<std::string> command =
       montecarlo("results", 100000) + std::vector<std::string>{"--set", "cycle.steps=1", "--target-error", "0.5"};
-  const Outcome enough = run(command, mpirun(2));
+  const ProgramOutcome enough = run(command, mpirun(2));
   EXPECT_EQ(enough.exit_code, 0) << enough.errors;
   EXPECT_EQ(summary().at("samples"), 1000);
   EXPECT_EQ(summary().at("status"), "complete");
@@ -121,7 +121,7 @@ TEST_F(Ranks, GoOnWhereTheyWereKilled) {
     EXPECT_EQ(job.wait(), 1000 + SIGKILL);
   }
   // The ranks end once they miss what had started them; until then the folder is theirs.
-  Outcome more;
+  ProgramOutcome more;
   for (int tries = 0; tries < 500; ++tries) {
     more = run(montecarlo("results", 20) + std::vector<std::string>{"--resume"}, mpirun(3));
     if (more.exit_code != 4) break;

@@ -38,7 +38,7 @@ json swept_part(json cycles) {
 }
 
 TEST_F(SweepProgram, GivesWhatCycleGivesAtEveryPoint) {
-  const Outcome sweep = run(sweep_over("friction.coefficient=0:0.5:0.05"));
+  const ProgramOutcome sweep = run(sweep_over("friction.coefficient=0:0.5:0.05"));
   EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
   EXPECT_NE(sweep.output.find("\n0.15 "), std::string::npos) << sweep.output;
   EXPECT_NE(sweep.output.find("11 points; results in " + results_ + " (summary.json, sweep.csv, sweep.nc)\n"),
@@ -72,16 +72,17 @@ TEST_F(SweepProgram, ThreadsMakeNoDifference) {
 }
 
 TEST_F(SweepProgram, RunsNothingWhereAnythingIsWrong) {
-  const Outcome points = run(sweep_over("friction.coefficient=[0.1, -0.2, -0.3]"));
+  const ProgramOutcome points = run(sweep_over("friction.coefficient=[0.1, -0.2, -0.3]"));
   EXPECT_EQ(points.exit_code, 2);
   EXPECT_NE(points.errors.find("--over: friction.coefficient = -0.2: "), std::string::npos) << points.errors;
   EXPECT_NE(points.errors.find("(at friction.coefficient=-0.3)"), std::string::npos) << points.errors;
-  const Outcome key = run(sweep_over("friction.coeficient=0:1:0.5"));
+  const ProgramOutcome key = run(sweep_over("friction.coeficient=0:1:0.5"));
   EXPECT_EQ(key.exit_code, 2);
   EXPECT_NE(key.errors.find("did you mean \"friction.coefficient\"?"), std::string::npos) << key.errors;
   EXPECT_EQ(run({"sweep", case_path_, "-o", results_}).exit_code, 2);
   EXPECT_EQ(run(sweep_over("cycle.amplitude=[60 um]") + std::vector<std::string>{"--command", "check"}).exit_code, 2);
-  const Outcome strip = run(sweep_over("cycle.amplitude=[60 um]") + std::vector<std::string>{"--command", "strip"});
+  const ProgramOutcome strip =
+      run(sweep_over("cycle.amplitude=[60 um]") + std::vector<std::string>{"--command", "strip"});
   EXPECT_EQ(strip.exit_code, 2);
   EXPECT_NE(strip.errors.find("add [strip]"), std::string::npos) << strip.errors;
   EXPECT_FALSE(wrote_results());
@@ -89,7 +90,7 @@ TEST_F(SweepProgram, RunsNothingWhereAnythingIsWrong) {
 
 TEST_F(SweepProgram, KeepsPointsThatFail) {
   // 1 MN is more than bumps that are flat carry.
-  const Outcome sweep =
+  const ProgramOutcome sweep =
       run(sweep_over("strip.load=[50 N, 1 MN, 60 N]") +
           std::vector<std::string>{"--command", "strip", "--set", "strip.bumps=4", "--set", "strip.steps=4"});
   EXPECT_EQ(sweep.exit_code, 3) << sweep.errors;
@@ -117,8 +118,8 @@ TEST_F(SweepProgram, VibratesAtEveryPoint) {
                                            "--set", "vibration.amplitudes=[\"1 um\"]",
                                            "--set", "vibration.frequencies=[\"100 Hz\"]",
                                            "--set", "vibration.steps=5"};
-  const Outcome sweep = run(sweep_over("friction.coefficient=[0.1, 0.2]") +
-                            std::vector<std::string>{"--command", "vibration"} + vibration);
+  const ProgramOutcome sweep = run(sweep_over("friction.coefficient=[0.1, 0.2]") +
+                                   std::vector<std::string>{"--command", "vibration"} + vibration);
   EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
   EXPECT_NE(sweep.output.find("load (0, -50) N, 90 deg, 1 um\nfriction.coefficient  stiffness (MN/m)"),
             std::string::npos)
@@ -128,7 +129,7 @@ TEST_F(SweepProgram, VibratesAtEveryPoint) {
   ASSERT_EQ(swept.at("points").size(), 2U);
 
   const std::string alone = (folder_.path() / "alone").string();
-  const Outcome single = run(
+  const ProgramOutcome single = run(
       std::vector<std::string>{"vibration", case_path_, "-o", alone, "--set", "friction.coefficient=0.2"} + vibration);
   ASSERT_EQ(single.exit_code, 0) << single.errors;
   const json summary_alone = json::parse(folder_.read("alone/summary.json"));
@@ -150,12 +151,12 @@ TEST_F(SweepProgram, GivesOfPadsWhatEveryCommandGivesAlone) {
                   "--set", "vibration.frequencies=[\"100 Hz\"]",
                   "--set", "vibration.steps=5"};
     }
-    const Outcome sweep = run(sweep_over("pad[2].lobe=0 um:20 um:10 um") +
-                              std::vector<std::string>{"--command", command, "--force"} + settings);
+    const ProgramOutcome sweep = run(sweep_over("pad[2].lobe=0 um:20 um:10 um") +
+                                     std::vector<std::string>{"--command", command, "--force"} + settings);
     ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
-    const Outcome single = run(std::vector<std::string>{command, case_path_, "-o", alone, "--force", "--set",
-                                                        "pad[2].lobe=20 um", "--set", "cycle.steps=4"} +
-                               settings);
+    const ProgramOutcome single = run(std::vector<std::string>{command, case_path_, "-o", alone, "--force", "--set",
+                                                               "pad[2].lobe=20 um", "--set", "cycle.steps=4"} +
+                                      settings);
     ASSERT_EQ(single.exit_code, 0) << single.errors;
     const json swept = summary().at("points");
     const json summary_alone = json::parse(folder_.read("alone/summary.json"));
@@ -172,13 +173,13 @@ TEST_F(SweepProgram, FindsRunningBearingsAtEveryPoint) {
                                          "--set", "equilibrium.loads=[[\"30 N\", \"0 N\"]]",
                                          "--set", "film.rows=4",
                                          "--set", "film.columns_per_pitch=4"};
-  const Outcome sweep = run(sweep_over("bearing.radial_clearance=[30 um, 32 um]") +
-                            std::vector<std::string>{"--command", "equilibrium"} + running);
+  const ProgramOutcome sweep = run(sweep_over("bearing.radial_clearance=[30 um, 32 um]") +
+                                   std::vector<std::string>{"--command", "equilibrium"} + running);
   EXPECT_EQ(sweep.exit_code, 0) << sweep.errors;
   EXPECT_NE(sweep.output.find("load_ramp from rest, 45000 rpm, load (30, 0) N\n"), std::string::npos) << sweep.output;
   const json swept = summary();
   const std::string alone = (folder_.path() / "alone").string();
-  const Outcome single =
+  const ProgramOutcome single =
       run(std::vector<std::string>{"equilibrium", case_path_, "-o", alone, "--set", "bearing.radial_clearance=32 um"} +
           running);
   ASSERT_EQ(single.exit_code, 0) << single.errors;
@@ -197,10 +198,10 @@ TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
                                                                   "film.rows=4",
                                                                   "--set",
                                                                   "film.columns_per_pitch=4"};
-  const Outcome thick = run(sweep);
+  const ProgramOutcome thick = run(sweep);
   EXPECT_EQ(thick.exit_code, 2);
   EXPECT_NE(thick.errors.find("film.h_lift_off: is missing"), std::string::npos) << thick.errors;
-  const Outcome done = run(sweep + std::vector<std::string>{"--set", "film.h_lift_off=8 um"});
+  const ProgramOutcome done = run(sweep + std::vector<std::string>{"--set", "film.h_lift_off=8 um"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
   EXPECT_NE(done.output.find("load_ramp from rest, load (30, 0) N\n"), std::string::npos) << done.output;
   EXPECT_NE(done.output.find("load capacity (N)"), std::string::npos) << done.output;
@@ -218,7 +219,7 @@ TEST_F(SweepProgram, FindsLimitsOverTheSpeed) {
   const std::string last = csv.substr(csv.rfind(',') + 1);
   EXPECT_EQ(std::stod(last), capacity(1));
 
-  const Outcome cycles =
+  const ProgramOutcome cycles =
       run(sweep_over("friction.coefficient=[0, 1]") + std::vector<std::string>{"--limits", "--force"});
   EXPECT_EQ(cycles.exit_code, 2);
   EXPECT_NE(cycles.errors.find("--limits: are those of running bearings; add --command equilibrium"), std::string::npos)

@@ -6,14 +6,14 @@
 namespace bumpfoil {
 namespace {
 
-void expect_solved(const Case& input, int increments) {
+void expect_cycle_solved_alone(const Case& input, int increments) {
   const InteriorPointRun run = run_interior_point_alone(input, increments);
   EXPECT_EQ(run.failure, "");
   EXPECT_GT(run.steps, 0) << input.title;
 }
 
 TEST(InteriorPointAlone, SolvesRandomBearings) {
-  for (std::uint64_t number = 0; number < 60; ++number) expect_solved(random_case(number), 6);
+  for (std::uint64_t number = 0; number < 60; ++number) expect_cycle_solved_alone(random_case(number), 6);
 }
 
 /// One coefficient of friction at both interfaces, clearances of -10 um to 50 um.
@@ -22,7 +22,7 @@ void expect_solved_with_friction(std::uint64_t first, double friction) {
     Case input = random_case(number);
     input.friction = {.top_bump = friction, .bump_sleeve = friction};
     input.bearing.radial_clearance = -10e-6 + 60e-6 * static_cast<double>(number - first) / 59.0;
-    expect_solved(input, 4);
+    expect_cycle_solved_alone(input, 4);
   }
 }
 
@@ -38,7 +38,7 @@ TEST(InteriorPointAlone, SolvesThemWithTheFrame) {
   for (std::uint64_t number = 200; number < 230; ++number) {
     Case input = random_case(number);
     input.bump_foil.model = BumpFoilModel::frame;
-    expect_solved(input, 4);
+    expect_cycle_solved_alone(input, 4);
   }
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 /// Random bearings with friction up to `most_friction`, clearances of -10 um to 50 um in every other of them.
 /// @return increments
-int expect_solved(std::uint64_t first, std::uint64_t last, double most_friction) {
+int count_solved(std::uint64_t first, std::uint64_t last, double most_friction) {
   int increments = 0;
   for (std::uint64_t number = first; number < last; ++number) {
     Case input = random_case(number);  // friction up to 0.5
@@ -24,11 +24,11 @@ int expect_solved(std::uint64_t first, std::uint64_t last, double most_friction)
 
 /// These numbers stand in docs/theory/algorithms.md.
 TEST(ManyInteriorPoints, SolveRandomBearings) {
-  EXPECT_EQ(expect_solved(10000, 14000, 0.5), 84000);
+  EXPECT_EQ(count_solved(10000, 14000, 0.5), 84000);
 }
 
 TEST(ManyInteriorPoints, SolveThemWithTwiceTheFriction) {
-  EXPECT_EQ(expect_solved(20000, 22000, 1.0), 42000);
+  EXPECT_EQ(count_solved(20000, 22000, 1.0), 42000);
 }
 
 }  // namespace

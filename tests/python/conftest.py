@@ -8,6 +8,8 @@ import pytest
 import bumpfoil
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+# A mesh of the film for tests of what is done with numbers, not of the numbers.
+COARSE = {"columns_per_pitch": 4, "rows": 6}
 PROGRAM = Path(bumpfoil.__file__).with_name("program")
 
 

@@ -11,7 +11,7 @@ matplotlib.use("agg")
 
 import bumpfoil  # noqa: E402
 from bumpfoil import figures  # noqa: E402
-from conftest import EXAMPLES, PROGRAM  # noqa: E402
+from conftest import COARSE, EXAMPLES, PROGRAM  # noqa: E402
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
@@ -125,29 +125,46 @@ def test_read_in_grey(result):
     assert len({str(line._dash_pattern) for line in lines}) == len(lines) == 4
 
 
+# Computed once for both widths.
+@pytest.fixture(scope="module")
+def ensemble():
+    return bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", montecarlo={"samples": 8}, cycle={"steps": 10})
+
+
+@pytest.fixture(scope="module")
+def vibration():
+    return bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]})
+
+
+@pytest.fixture(scope="module")
+def running():
+    return bumpfoil.run_equilibrium(EXAMPLES / "running.toml", film=COARSE)
+
+
+@pytest.fixture(scope="module")
+def many():
+    states = {"speeds": ["20000 rpm", "30000 rpm", "45000 rpm", "60000 rpm"], "loads": [["10 N", 0], ["20 N", 0]],
+              "frequencies": ["200 Hz", "1000 Hz"]}
+    return bumpfoil.run_equilibrium(EXAMPLES / "running.toml", film=COARSE, equilibrium=states)
+
+
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
 @pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
-def test_ensembles_and_coefficients(width, size):
-    ensemble = bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", montecarlo={"samples": 8}, cycle={"steps": 10})
+def test_ensembles_and_coefficients(ensemble, vibration, running, width, size):
     figure = figures.ensemble(ensemble, width=width)
     inspect(figure, width=size, panels=4)
     assert [text.get_text() for text in figure.legends[0].get_texts()][-1] == "mark: mean"
     assert sum(patch.get_path().vertices.size > 0 for ax in figure.axes for patch in ax.patches) == 4
-    vibration = bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]})
     inspect(figures.coefficients(vibration, width=width), width=size, panels=4)
-    running = bumpfoil.run_equilibrium(EXAMPLES / "running.toml")
     for contacts in ("stuck", "slipping"):
         figure = figures.coefficients(running, width=width, contacts=contacts)
         inspect(figure, width=size, panels=4)
         assert {ax.get_xlabel() for ax in figure.axes} == {"load (N)"}
 
 
-@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
 @pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
-def test_many_curves_fit_on_a_page_and_differ(width, size):
-    many = {"speeds": ["20000 rpm", "30000 rpm", "45000 rpm", "60000 rpm"], "loads": [["10 N", 0], ["20 N", 0]],
-            "frequencies": ["200 Hz", "1000 Hz"]}
-    figure = figures.coefficients(bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=many), width=width)
+def test_many_curves_fit_on_a_page_and_differ(many, width, size):
+    figure = figures.coefficients(many, width=width)
     inspect(figure, width=size, panels=4)
     for ax in figure.axes:
         shown = {(line.get_color(), line.get_marker(), line.get_linestyle(), line.get_markerfacecolor()) for line in ax.lines}

@@ -9,7 +9,7 @@ import pytest
 matplotlib.use("agg")
 
 import bumpfoil  # noqa: E402
-from conftest import EXAMPLES  # noqa: E402
+from conftest import COARSE, EXAMPLES  # noqa: E402
 
 GEN1 = EXAMPLES / "gen1.toml"
 
@@ -100,7 +100,7 @@ def test_coefficients():
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
 def test_coefficients_of_running_bearings():
     case = {"speeds": ["30000 rpm", "45000 rpm"], "loads": [["20 N", "0 N"], ["50 N", "0 N"]]}
-    result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case)
+    result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case, film=COARSE)
     ax = result.plot_coefficients()
     table = result.to_dataframe("coefficients")
     fast = table[(table.load_x_N == 50) & (table.speed_rad_per_s > 4000)].iloc[0]
@@ -109,13 +109,14 @@ def test_coefficients_of_running_bearings():
     assert ax.get_xlabel() == "speed (rpm)"
     # Over the frequency where there are several, which case files may have in any order.
     several = {"loads": [["20 N", "0 N"]], "frequencies": ["500 Hz", "100 Hz"]}
-    line = drawn(bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=several).plot_coefficients())["kxx"]
+    running = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=several, film=COARSE)
+    line = drawn(running.plot_coefficients())["kxx"]
     np.testing.assert_allclose(line[:, 0], [100, 500], rtol=1e-12)
     # Of positions without loads over the displacement.
     words = (EXAMPLES / "running.toml").read_text(encoding="utf-8")
     words = re.sub(r"^loads = .*$", 'positions = [["5 um", "0 um"], ["8 um", "6 um"]]', words, flags=re.MULTILINE)
     words = words.replace('path = "load_ramp"', 'path = "position_ray"')
-    ax = bumpfoil.run_equilibrium(words).plot_coefficients()
+    ax = bumpfoil.run_equilibrium(words, film=COARSE).plot_coefficients()
     np.testing.assert_allclose(drawn(ax)["kxx"][:, 0], [5, 10], rtol=1e-12)
     assert ax.get_xlabel() == "displacement (µm)"
 

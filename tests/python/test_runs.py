@@ -14,7 +14,7 @@ import pytest
 import xarray
 
 import bumpfoil
-from conftest import EXAMPLES
+from conftest import COARSE, EXAMPLES
 
 GEN1 = EXAMPLES / "gen1.toml"
 FRAME = {"bump_foil.model": "frame", "cycle.steps": 10}
@@ -51,8 +51,8 @@ def test_any_experiment_runs_by_the_name_of_its_command():
         ("cycle", "three_pads", {"cycle.steps": 10}),
         ("path", "three_pads", {"path.points": [["10 um", "0 um"], ["40 um", "-20 um"]]}),
         ("vibration", "vibration", {"vibration.steps": 10}),
-        ("equilibrium", "running", {"equilibrium.loads": [["20 N", "0 N"]]}),
-        ("equilibrium", "running_pads", {"equilibrium.loads": [["20 N", "0 N"]]}),
+        ("equilibrium", "running", {"equilibrium.loads": [["20 N", "0 N"]], "film": COARSE}),
+        ("equilibrium", "running_pads", {"equilibrium.loads": [["20 N", "0 N"]], "film": COARSE}),
     ],
 )
 def test_results_are_those_of_the_program(command, example, changes, program):
@@ -180,11 +180,11 @@ def test_paths_that_are_none():
 @pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
 def test_paths_and_limits_of_running_bearings():
     case = {"speeds": ["45000 rpm"], "loads": [["20 N", "0 N"], ["60 N", "0 N"]]}
-    result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case)
+    result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case, film=COARSE)
     assert {state["path"] for state in result.summary["states"]} == {"load_ramp"}
     assert result.summary["spreads"] == result.summary["limits"] == []
     result = bumpfoil.run_equilibrium(
-        EXAMPLES / "running.toml", all_paths=True, limits=True, equilibrium=case, film={"h_lift_off": "8 um"}
+        EXAMPLES / "running.toml", all_paths=True, limits=True, equilibrium=case, film=COARSE | {"h_lift_off": "8 um"}
     )
     assert {state["path"] for state in result.summary["states"]} == {"load_ramp", "speed_ramp", "position_ray", "cold_start"}
     assert len(result.summary["spreads"]) == 2
@@ -197,7 +197,7 @@ def test_paths_and_limits_of_running_bearings():
 def test_coefficients_of_running_bearings_over_frequency():
     case = {"loads": [["20 N", "0 N"]], "speeds": ["45000 rpm", "30000 rpm"]}
     for frequencies in ({"frequencies": ["750 Hz", "200 Hz"]}, {}):
-        result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case | frequencies)
+        result = bumpfoil.run_equilibrium(EXAMPLES / "running.toml", equilibrium=case | frequencies, film=COARSE)
         data = result.to_xarray()
         data = data.assign_coords(state=data.speed.values).sortby(["state", "frequency"])
         tables = tomllib.loads(result.files["coefficients.toml"].decode())["bearing"]

@@ -6,7 +6,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "support/wrong_cases.hpp"
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 Case with(const std::vector<std::string>& overrides) {
   return parse_case(whole_case(), "case.toml", {.overrides = overrides, .commands = {}});
@@ -32,4 +32,4 @@ void expect_in(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

@@ -5,7 +5,7 @@
 
 #include "bumpfoil/model/case.hpp"
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 /// whole_case() as it is read with these overrides.
 Case with(const std::vector<std::string>& overrides);
@@ -18,4 +18,4 @@ std::string cut(std::string text, const std::string& part);
 
 void expect_in(const std::string& text, const std::string& part);
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

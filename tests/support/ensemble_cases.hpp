@@ -2,7 +2,7 @@
 
 #include "bumpfoil/model/case.hpp"
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 /// A small ensemble of the reference bearing: heights and friction scatter, +X and -X, few increments.
 inline Case ensemble_case(int samples) {
@@ -32,4 +32,4 @@ inline Case running_ensemble_case(int samples) {
   return input;
 }
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

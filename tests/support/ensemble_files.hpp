@@ -12,7 +12,7 @@
 #include "support/ensemble_cases.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 /// Results of an ensemble of four bearings, of which the last fails.
 class EnsembleFiles : public ::testing::Test {
@@ -48,4 +48,4 @@ class EnsembleFiles : public ::testing::Test {
   std::filesystem::path netcdf_{folder_.path() / "results" / "ensemble.nc"};
 };
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

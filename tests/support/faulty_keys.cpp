@@ -4,7 +4,7 @@
 
 #include "bumpfoil/model/validation.hpp"
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 Keys faulty_keys(const std::function<void(Case&)>& change) {
   Case input = reference_case();
@@ -21,4 +21,4 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
   return keys;
 }
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

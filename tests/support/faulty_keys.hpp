@@ -6,11 +6,11 @@
 
 #include "bumpfoil/model/case.hpp"
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 using Keys = std::vector<std::string>;
 
 /// Keys at fault after a change of the reference case.
 Keys faulty_keys(const std::function<void(Case&)>& change);
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 TemporaryFolder::TemporaryFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "bumpfoil-test-XXXXXX").string();
@@ -38,4 +38,4 @@ std::string TemporaryFolder::listing() const {
   return out;
 }
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 /// A new folder, removed with all its contents in the end.
 class TemporaryFolder {
@@ -28,4 +28,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 namespace {
 
 using Fragments = std::vector<std::string>;
@@ -326,4 +326,4 @@ std::vector<WrongCase> wrong_cases() {
   return table;
 }
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

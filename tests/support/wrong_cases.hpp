@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace bumpfoil::testing {
+namespace bumpfoil::test_support {
 
 /// A valid case file in which every optional key stands, too.
 std::string whole_case();
@@ -23,4 +23,4 @@ struct WrongCase {
 /// The table of wrong case files.
 std::vector<WrongCase> wrong_cases();
 
-}  // namespace bumpfoil::testing
+}  // namespace bumpfoil::test_support

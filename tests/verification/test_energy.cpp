@@ -14,7 +14,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct InterfaceAt {
   const InterfaceRow& fields;

@@ -28,7 +28,7 @@ Case with_height_errors() {
   return input;
 }
 
-double largest_work(const Cycle& cycle) {
+double most_work(const Cycle& cycle) {
   double largest = 0.0;
   for (const Increment& increment : cycle.increments) largest = std::max(largest, std::abs(increment.work));
   return largest;
@@ -42,7 +42,7 @@ TEST_P(EventCycles, KeepThePlainEnergyBalance) {
     const Cycle cycle = run_single_cycle(with_events(input), GetParam());
     ASSERT_EQ(first_failure(cycle), "");
     EXPECT_EQ(cycle.substeps, 0);
-    const double scale = largest_work(cycle);
+    const double scale = most_work(cycle);
     const double start = cycle.increments.front().elastic_energy;
     for (const Increment& k : cycle.increments) {
       // Sums of some hundred pieces with roundings of 1e-16 each.
@@ -60,7 +60,7 @@ TEST_P(EventCycles, DoNotDependOnTheNumberOfSteps) {
   const Cycle fine = run_single_cycle(input, GetParam());
   ASSERT_TRUE(coarse.turning_point && fine.turning_point && coarse.loop_energy && fine.loop_energy);
   EXPECT_NEAR(coarse.turning_point->max_force, fine.turning_point->max_force, 1e-9 * fine.turning_point->max_force);
-  EXPECT_NEAR(*coarse.loop_energy, *fine.loop_energy, 1e-9 * largest_work(fine));
+  EXPECT_NEAR(*coarse.loop_energy, *fine.loop_energy, 1e-9 * most_work(fine));
 }
 
 /// Increments of the exact solver that end exactly where something happens see the same response.
@@ -91,7 +91,7 @@ TEST_P(EventCycles, AgreeWithIncrementsPlacedAtTheEvents) {
         EXPECT_NEAR(force, events.turning_point->max_force, 1e-9 * events.turning_point->max_force);
       }
     }
-    EXPECT_NEAR(step.state.work, *events.loop_energy, 1e-8 * largest_work(events));
+    EXPECT_NEAR(step.state.work, *events.loop_energy, 1e-8 * most_work(events));
   }
 }
 
@@ -155,7 +155,7 @@ TEST(Events, KeepTheEnergyWhereTheyCannotBeFollowed) {
       input.cycle.steps = steps;
       const Cycle cycle = run_single_cycle(with_events(input), 0.0);
       ASSERT_EQ(first_failure(cycle), "");
-      const double scale = largest_work(cycle);
+      const double scale = most_work(cycle);
       const double start = cycle.increments.front().elastic_energy;
       for (const Increment& k : cycle.increments) {
         EXPECT_NEAR(k.work, k.elastic_energy - start + k.dissipated_energy, 1e-7 * scale) << k.index;

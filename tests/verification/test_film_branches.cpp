@@ -34,7 +34,7 @@ Found found_of(const Case& input) {
 }
 
 /// The same state, or one that says that it may be another.
-void expect_same(const Found& a, const Found& b, double tolerance) {
+void expect_same_state(const Found& a, const Found& b, double tolerance) {
   if (a.jumps > 0 || b.jumps > 0) return;
   EXPECT_EQ(a.converged, b.converged);
   EXPECT_EQ(a.loaded_bumps, b.loaded_bumps);
@@ -80,7 +80,7 @@ TEST(FilmBranches, MeshesAndIncrementsFindTheSameBranch) {
   for (const Found& one : found) {
     SCOPED_TRACE(&one - found.data());
     ASSERT_TRUE(one.converged);
-    expect_same(found.front(), one, 5e-3);  // the coarsest mesh is off by 3e-3
+    expect_same_state(found.front(), one, 5e-3);  // the coarsest mesh is off by 3e-3
   }
 }
 
@@ -136,9 +136,9 @@ TEST_P(RandomBranches, DoNotDependOnIncrements) {
   Case input = random_case(GetParam());
   const Found ten = found_of(input);
   input.equilibrium->steps = 37;
-  expect_same(ten, found_of(input), 1e-6);
+  expect_same_state(ten, found_of(input), 1e-6);
   input.equilibrium->steps = 150;
-  expect_same(ten, found_of(input), 1e-6);
+  expect_same_state(ten, found_of(input), 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Films, RandomBranches, testing::Range(0, 16));

@@ -20,7 +20,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double third = 2.0 * std::numbers::pi / 3.0;
+constexpr double third_of_turn = 2.0 * std::numbers::pi / 3.0;
 const double speed = speed_of_rpm(45000.0);
 const FilmResolution coarse{.columns_per_pitch = 4, .rows = 6};
 
@@ -74,7 +74,7 @@ TEST(FilmPads, OneIsTheBearingWithoutPads) {
 TEST(FilmPads, TurnWithTheLoadWhereTheyAreEqual) {
   const Case input = film_pads(3);
   const Eigen::Vector2d position(11e-6, 7e-6);
-  const Eigen::Rotation2Dd turn(third);
+  const Eigen::Rotation2Dd turn(third_of_turn);
   Running here(input, position);
   Running there(input, turn * position);
   const double size = here.outcome.force.norm();

@@ -12,15 +12,15 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const double speed = speed_of_rpm(45000.0);
+using std::numbers::pi;
+const double film_speed = speed_of_rpm(45000.0);
 
 /// From a cold start.
 FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position) {
   const FilmBearing bearing = make_film_bearing(input);
   BearingState state;
   FilmStepper stepper(bearing);
-  EXPECT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  EXPECT_EQ(cold_start(stepper, position, film_speed, state).status, FilmStatus::converged);
   return film_bearing_outcome(bearing, state);
 }
 
@@ -49,7 +49,7 @@ TEST(FilmInSleeves, ThatAreWiderAllAroundHasAnotherClearance) {
 TEST(FilmInSleeves, WithOneWaveIsThatOfAMovedJournal) {
   Case round = film_reference_case({.columns_per_pitch = 4, .rows = 6});
   round.equilibrium =
-      EquilibriumSettings{.speeds = {speed}, .positions = {{11e-6, 4e-6}}, .path = FilmPath::position_ray};
+      EquilibriumSettings{.speeds = {film_speed}, .positions = {{11e-6, 4e-6}}, .path = FilmPath::position_ray};
   for (const bool closed : {false, true}) {
     round.film.closed = closed;
     Case waves = round;

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// At Lam = 1 upwinding is no more than a remainder of the fourth order; test_film_refinement.cpp goes on to faster
 /// films.

@@ -15,10 +15,10 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Reference bearing with the frame foils, 25 steps per branch.
-Case frame_case(Geometry geometry, double friction) {
+Case large_frame_case(Geometry geometry, double friction) {
   Case input = reference_case();
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.geometry = geometry;
@@ -30,8 +30,8 @@ Case frame_case(Geometry geometry, double friction) {
 TEST(LargeDisplacements, SoftenTheBearingInEveryDirection) {
   for (const double friction : {0.0, 0.1}) {
     for (const double direction : {0.0, 0.5 * pi, pi, 1.5 * pi}) {
-      const Cycle linear = run_single_cycle(frame_case(Geometry::linear, friction), direction);
-      const Cycle large = run_single_cycle(frame_case(Geometry::nonlinear, friction), direction);
+      const Cycle linear = run_single_cycle(large_frame_case(Geometry::linear, friction), direction);
+      const Cycle large = run_single_cycle(large_frame_case(Geometry::nonlinear, friction), direction);
       EXPECT_EQ(first_failure(large), "") << direction;
       EXPECT_EQ(large.substeps, 0) << direction;
       ASSERT_TRUE(large.turning_point) << direction;
@@ -52,7 +52,7 @@ TEST(LargeDisplacements, VanishWithTheDisplacement) {
   for (const double amplitude : {2e-6, 2e-7}) {
     std::vector<double> force;
     for (const Geometry geometry : {Geometry::linear, Geometry::nonlinear}) {
-      Case input = frame_case(geometry, 0.1);
+      Case input = large_frame_case(geometry, 0.1);
       input.bearing.radial_clearance = 0.0;
       input.cycle.amplitude.value = amplitude;
       force.push_back(run_single_cycle(input, 0.0).turning_point->max_force);
@@ -66,7 +66,7 @@ TEST(LargeDisplacements, VanishWithTheDisplacement) {
 TEST(LargeDisplacements, EnergyBalanceConverges) {
   std::vector<double> defect;
   for (const int steps : {25, 50, 100}) {
-    Case input = frame_case(Geometry::nonlinear, 0.1);
+    Case input = large_frame_case(Geometry::nonlinear, 0.1);
     input.cycle.steps = steps;
     const Cycle cycle = run_single_cycle(input, 0.0);
     ASSERT_TRUE(cycle.converged());
@@ -81,7 +81,7 @@ TEST(LargeDisplacements, EnergyBalanceConverges) {
 }
 
 TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
-  const SharedFoils shared = make_bearing_foils(frame_case(Geometry::nonlinear, 0.1));
+  const SharedFoils shared = make_bearing_foils(large_frame_case(Geometry::nonlinear, 0.1));
   const Foils& foils = *shared;
   const Eigen::Vector2d n = unit_vector(0.0);
   NewtonSolver solver(foils.problem, {.law_tolerance = 1e-12});

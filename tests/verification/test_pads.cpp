@@ -19,7 +19,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double third = 2.0 * pi / 3.0;
 
 /// Pads of seven bumps each, at equal angles, in an interference that presses all of them.
@@ -176,7 +176,7 @@ TEST(Pads, EqualOnesAtEqualAnglesTurnThePathOfTheForceWithThatOfTheJournal) {
   const Case input = orbited_pads({9e-6, -5e-6});
   Case turned = input;
   PathSettings& turned_path = *turned.settings.find<PathSettings>();
-  turned_path.centre.value = turning(third) * path.centre.value;
+  turned_path.centre.value = turning(third) * turned_path.centre.value;
   turned_path.tilt += third;
   const Cycle one = run_path(input).cycles.front();
   const Cycle other = run_path(turned).cycles.front();

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case pushed(double amplitude, int steps) {
   Case input = reference_case();

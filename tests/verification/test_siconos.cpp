@@ -20,7 +20,7 @@ nlohmann::json siconos() {
   return nlohmann::json::parse(std::ifstream(BUMPFOIL_TEST_DATA "/siconos.json"));
 }
 
-Vector to_vector(const nlohmann::json& list) {
+Vector vector_of_list(const nlohmann::json& list) {
   const auto values = list.get<std::vector<double>>();
   return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -59,8 +59,8 @@ TEST(Siconos, FindsTheSameForcesAndModes) {
       const ContactState previous = state;
       const ContactLoading& loading = increment == 0 ? random.first : random.second;
       ASSERT_TRUE(solver.solve(loading, previous, state).converged());
-      const Vector normal = to_vector(row.at("normal_N").at(increment));
-      const Vector friction = to_vector(row.at("friction_N").at(increment));
+      const Vector normal = vector_of_list(row.at("normal_N").at(increment));
+      const Vector friction = vector_of_list(row.at("friction_N").at(increment));
       EXPECT_TRUE(solve_it(problem, loading, previous.x, normal, friction)) << row;
       // Forces reach 300 N; Gauss-Seidel, taken where Lemke's pivots failed, ends at 1e-7 N.
       ASSERT_LT((state.normal_force - normal).cwiseAbs().maxCoeff(), 1e-6) << row;

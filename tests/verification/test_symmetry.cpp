@@ -17,7 +17,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case rough_bearing() {
   Case input = reference_cycles().back().input;  // the one with height errors

@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case short_cycles() {
   Case input = reference_case();
@@ -25,7 +25,7 @@ Case short_cycles() {
 }
 
 /// Force, energies and loads of all increments of two cycles.
-void expect_same(const Cycle& a, const Cycle& b, double part) {
+void expect_same_loads(const Cycle& a, const Cycle& b, double part) {
   ASSERT_TRUE(a.converged() && b.converged());
   const double force = a.turning_point->max_force;
   for (std::size_t k = 0; k < a.increments.size(); ++k) {
@@ -47,7 +47,7 @@ TEST(VariableFoils, AlikeBumpsAreTheUniformFoil) {
     foil.height = PerBump(0.508e-3, 0.508e-3, Grading::geometric);
     foil.thickness = 0.2e-3;
     foil.sections = {{.from = 1, .to = 10, .thickness = 0.102e-3}, {.from = 11, .to = 26, .thickness = 0.102e-3}};
-    expect_same(uniform, run_single_cycle(input, pi), 0.0);
+    expect_same_loads(uniform, run_single_cycle(input, pi), 0.0);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(VariableFoils, AShimIsAHeightErrorOfAllItsBumps) {
     with_errors.bump_foil.height_errors.assign(26, 0.0);
     for (const std::size_t bump : {11U, 12U, 13U}) with_errors.bump_foil.height_errors[bump] = 25e-6;
     input.bump_foil.shims = {{.from = 12, .to = 14, .thickness = 25e-6}};
-    expect_same(run_single_cycle(with_errors, 0.0), run_single_cycle(input, 0.0), 0.0);
+    expect_same_loads(run_single_cycle(with_errors, 0.0), run_single_cycle(input, 0.0), 0.0);
     // It preloads: the journal is touched earlier than without.
     Case bare = input;
     bare.bump_foil.shims.clear();
@@ -81,7 +81,7 @@ TEST(VariableFoils, LowerBumpsAreFramesWhoseHeightErrorsShapeThem) {
   }
   input.bump_foil.height = PerBump(heights);
   // Sums of heights and errors round to 1e-19 m; stiffnesses reach 1e8 N/m.
-  expect_same(run_single_cycle(with_errors, 0.0), run_single_cycle(input, 0.0), 1e-9);
+  expect_same_loads(run_single_cycle(with_errors, 0.0), run_single_cycle(input, 0.0), 1e-9);
 }
 
 /// How far the truss of a foil is from its frame at full displacement.

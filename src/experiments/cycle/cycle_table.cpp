@@ -33,7 +33,7 @@ std::vector<std::size_t> shown_cycles(const CycleResult& result) {
   return shown;
 }
 
-struct Row {
+struct CycleRow {
   std::string name;
   std::string_view unit;
   std::function<std::string(const Cycle&)> cell;
@@ -46,8 +46,8 @@ std::string cell_text(const CycleQuantity& quantity, double value) {
 }
 
 /// Where the direct force first reaches each of the thresholds of the case.
-std::vector<Row> rows_of_clearances(const Case& input) {
-  std::vector<Row> rows;
+std::vector<CycleRow> rows_of_clearances(const Case& input) {
+  std::vector<CycleRow> rows;
   for (const VariableMeaning& clearance : clearance_quantities(input.cycle.clearance_forces)) {
     rows.push_back(
         {clearance.label, clearance.shown.name, [i = rows.size(), size = clearance.shown.size](const Cycle& cycle) {
@@ -58,8 +58,8 @@ std::vector<Row> rows_of_clearances(const Case& input) {
 }
 
 /// Rows of the quantities of the solver, or of the results.
-std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solver) {
-  std::vector<Row> rows;
+std::vector<CycleRow> rows_of(const Case& input, Experiment experiment, bool of_solver) {
+  std::vector<CycleRow> rows;
   for (const CycleQuantity& quantity : cycle_quantities(experiment)) {
     if (quantity.shown.size == 0.0 || quantity.is(tag::of_solver) != of_solver) continue;
     rows.push_back({std::string(quantity.label), quantity.shown.name, [quantity, &input](const Cycle& cycle) {
@@ -77,7 +77,7 @@ std::vector<Row> rows_of(const Case& input, Experiment experiment, bool of_solve
 }
 
 /// The bump with the largest load at full displacement.
-std::vector<Row> rows_of_highest_load(const Case& input) {
+std::vector<CycleRow> rows_of_highest_load(const Case& input) {
   const auto known = [](const Cycle& cycle) {
     return cycle.turning_point && cycle.turning_point->bump_loads.size() > 0;
   };
@@ -99,9 +99,9 @@ Vector pad_forces_at_turn(const Cycle& cycle) {
 }
 
 /// Part of the force that each of several pads carries at full displacement; of a path, the maximum.
-std::vector<Row> rows_of_pads(const Case& input, Experiment experiment) {
+std::vector<CycleRow> rows_of_pads(const Case& input, Experiment experiment) {
   const bool turns = experiment != Experiment::path;
-  std::vector<Row> rows;
+  std::vector<CycleRow> rows;
   if (count_pads(input) == 1) return rows;
   rows.reserve(count_pads(input));
   for (std::size_t k = 0; k < count_pads(input); ++k) {
@@ -118,17 +118,17 @@ std::vector<Row> rows_of_pads(const Case& input, Experiment experiment) {
 
 std::string cycle_table(const Case& input, const CycleResult& result) {
   const std::vector<std::size_t> shown = shown_cycles(result);
-  std::vector<Row> rows = rows_of(input, result.experiment, false);
-  const std::vector<Row> clearances =
-      result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<Row>{};
+  std::vector<CycleRow> rows = rows_of(input, result.experiment, false);
+  const std::vector<CycleRow> clearances =
+      result.experiment == Experiment::cycle ? rows_of_clearances(input) : std::vector<CycleRow>{};
   const bool turns = result.experiment != Experiment::path;
-  const std::vector<Row> highest_load = turns ? rows_of_highest_load(input) : std::vector<Row>{};
-  const std::vector<Row> pads = rows_of_pads(input, result.experiment);
-  for (const std::vector<Row>& more : {clearances, pads, highest_load, rows_of(input, result.experiment, true)}) {
+  const std::vector<CycleRow> highest_load = turns ? rows_of_highest_load(input) : std::vector<CycleRow>{};
+  const std::vector<CycleRow> pads = rows_of_pads(input, result.experiment);
+  for (const std::vector<CycleRow>& more : {clearances, pads, highest_load, rows_of(input, result.experiment, true)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   std::size_t column_width = least_column_width;
-  for (Row& row : rows) {
+  for (CycleRow& row : rows) {
     std::vector<std::string> cells;
     for (const std::size_t cycle : shown) {
       cells.push_back(row.cell(result.cycles[cycle]));
@@ -148,7 +148,7 @@ std::string cycle_table(const Case& input, const CycleResult& result) {
     append(result.experiment == Experiment::cycle ? "direction" : "", "",
            [&](std::size_t cycle) { return cycle_name(result, cycle); });
     out += std::string(cycle_name_width + cycle_unit_width + column_width * (end - first), '-') + '\n';
-    for (const Row& row : rows) {
+    for (const CycleRow& row : rows) {
       append(row.name, row.unit, [&](std::size_t cycle) { return row.cell(result.cycles[cycle]); });
     }
   }

@@ -92,7 +92,7 @@ using B = FilmBearing;
 using S = RunningState;
 using By = Control;
 
-constexpr auto table = std::to_array<RunningQuantity>({
+constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"speed", "rad/s", "speed of the journal, positive from X to Y",
      [](const B&, const S& state) { return state.asked.speed; }, csv | asked | demand, "speed", shown::revolutions},
     {"load_x", "N", "requested load on the journal, X", asked_journal<By::load, 0>, csv | asked | demand, "load, X",
@@ -322,7 +322,7 @@ std::string name_of_limit(const FilmLimit& limit) {
 }
 
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {
-  std::vector<RunningQuantity> quantities(table.begin(), table.end());
+  std::vector<RunningQuantity> quantities(running_quantity_table.begin(), running_quantity_table.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
     return (quantity.is(of_limits) && !limits) || (quantity.is(of_foils) && bearing.bumps() == 0) ||
            (quantity.is(of_pads) && bearing.pads.size() == 1);
@@ -331,7 +331,7 @@ std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool
 }
 
 std::span<const RunningQuantity> all_running_quantities() {
-  return table;
+  return running_quantity_table;
 }
 
 std::span<const ColumnQuantity> column_quantities() {

@@ -15,7 +15,7 @@ namespace bumpfoil {
 namespace {
 
 constexpr std::size_t columns_per_block = 6;
-constexpr std::size_t most_columns = 24;
+constexpr std::size_t most_states_shown = 24;
 constexpr std::size_t most_frequencies = 8;
 constexpr std::size_t name_width = 26;
 constexpr std::size_t unit_width = 6;
@@ -129,7 +129,7 @@ std::string limit_lines(const EquilibriumResult& result) {
 
 std::string equilibrium_table(const EquilibriumResult& result) {
   std::string out;
-  const std::size_t shown = std::min(result.states.size(), most_columns);
+  const std::size_t shown = std::min(result.states.size(), most_states_shown);
   for (std::size_t first = 0; first < shown; first += columns_per_block) {
     const std::size_t end = std::min(first + columns_per_block, shown);
     if (!out.empty()) out += '\n';

@@ -18,7 +18,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
 /// Where a vibration stands among those of a result.
 std::size_t place_of(const VibrationSettings& vibration, std::size_t load, std::size_t motion, std::size_t amplitude) {
@@ -184,7 +184,7 @@ LinearFoils linear_foils_of(const FirstHarmonic& counterclockwise, const FirstHa
   const FirstHarmonic& b = clockwise;
   LinearFoils foils;
   foils.residual = std::max(a.residual, b.residual);
-  foils.loss_factor = {unknown, unknown};
+  foils.loss_factor = {not_computed, not_computed};
   foils.stiffness << 0.5 * (a.stiffness + b.stiffness), 0.5 * (b.loss - a.loss);
   foils.loss << 0.5 * (a.loss + b.loss), 0.5 * (a.stiffness - b.stiffness);
   return foils;
@@ -198,7 +198,7 @@ struct Answer {
 
 /// The matrix M with M n = the part of the harmonic, for the direction n of each answer.
 Eigen::Matrix2d matrix_of(const std::vector<Answer>& answers, Eigen::Vector2d FirstHarmonic::*part) {
-  Eigen::Matrix2d matrix = Eigen::Matrix2d::Constant(answers.size() == 2 ? 0.0 : unknown);
+  Eigen::Matrix2d matrix = Eigen::Matrix2d::Constant(answers.size() == 2 ? 0.0 : not_computed);
   for (const auto& [n, vibration] : answers) {
     const Eigen::Vector2d& column = (*vibration.harmonic).*part;
     if (answers.size() == 2) {
@@ -213,12 +213,12 @@ Eigen::Matrix2d matrix_of(const std::vector<Answer>& answers, Eigen::Vector2d Fi
 LinearFoils linear_foils_of(const std::vector<Answer>& answers) {
   LinearFoils foils{.stiffness = matrix_of(answers, &FirstHarmonic::stiffness),
                     .loss = matrix_of(answers, &FirstHarmonic::loss),
-                    .residual = unknown,
-                    .loss_factor = {unknown, unknown}};
+                    .residual = not_computed,
+                    .loss_factor = {not_computed, not_computed}};
   for (const auto& [n, vibration] : answers) {
     foils.residual = std::fmax(foils.residual, vibration.harmonic->residual);  // not a number is none
     if (n.x() != 0.0 && n.y() != 0.0) continue;
-    foils.loss_factor[n.x() == 0.0 ? 1 : 0] = vibration.cycle.loss_factor.value_or(unknown);
+    foils.loss_factor[n.x() == 0.0 ? 1 : 0] = vibration.cycle.loss_factor.value_or(not_computed);
   }
   return foils;
 }

@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr std::size_t column_width = 12;
+constexpr std::size_t vibration_column_width = 12;
 
 std::string cell(const VibrationQuantity& quantity, const Vibration& vibration) {
   const double value = quantity.value(vibration);
@@ -81,14 +81,14 @@ std::vector<Column> columns_of(const Case& input, const VibrationResult& result)
 std::string vibration_table(const Case& input, const VibrationResult& result) {
   const std::vector<Column> columns = columns_of(input, result);
   std::string out;
-  for (const Column& column : columns) out += fmt::format("{:>{}}", column.name, column_width);
+  for (const Column& column : columns) out += fmt::format("{:>{}}", column.name, vibration_column_width);
   out += '\n';
   for (const Column& column : columns) {
-    out += fmt::format("{:>{}}", unit_beside(column.unit, column.cells), column_width);
+    out += fmt::format("{:>{}}", unit_beside(column.unit, column.cells), vibration_column_width);
   }
-  out += '\n' + std::string(columns.size() * column_width, '-') + '\n';
+  out += '\n' + std::string(columns.size() * vibration_column_width, '-') + '\n';
   for (std::size_t i = 0; i < result.vibrations.size(); ++i) {
-    for (const Column& column : columns) out += fmt::format("{:>{}}", column.cells[i], column_width);
+    for (const Column& column : columns) out += fmt::format("{:>{}}", column.cells[i], vibration_column_width);
     out += '\n';
   }
   return out;

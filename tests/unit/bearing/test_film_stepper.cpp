@@ -8,10 +8,10 @@
 namespace bumpfoil {
 namespace {
 
-constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
+constexpr FilmResolution four_rows{.columns_per_pitch = 4, .rows = 4};
 
 TEST(FilmStepper, KeepsTheHistoryOfFriction) {
-  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -29,7 +29,7 @@ TEST(FilmStepper, KeepsTheHistoryOfFriction) {
 
 TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(coarse);
+  const FilmBearing bearing = film_reference_bearing(four_rows);
   FilmStepper stepper(bearing);
   BearingState state;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
@@ -58,7 +58,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
 
 TEST(FilmStepper, StuckContactsAreStiffer) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
@@ -70,7 +70,7 @@ TEST(FilmStepper, StuckContactsAreStiffer) {
 
 TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
   const double speed = speed_of_rpm(45000.0);
-  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
   ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);

@@ -17,7 +17,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Eigen::Vector2d push = unit_vector(0.7);
 
 SolverSettings solver(SolverName name) {

@@ -14,11 +14,11 @@ namespace {
 const Eigen::Vector2d up(0.0, 1.0);
 
 /// A made-up step of the reference bearing: bump 3 pressed, everything else open.
-struct Example {
+struct IncrementExample {
   SharedFoils foils = make_bearing_foils(case_with_given_constants());
   Step step;
 
-  Example() {
+  IncrementExample() {
     step.state = BearingState::unstressed(*foils);
     step.state.position = {1e-6, 2e-6};
     step.state.contacts.normal_force[6] = 20.0;
@@ -30,7 +30,7 @@ struct Example {
 };
 
 TEST(PlaceIncrement, ResolvesTheForceOnTheJournal) {
-  const Example example;
+  const IncrementExample example;
   const Increment increment = place_increment(*example.foils, example.step, up);
   const Case input = case_with_given_constants();
   const double phi = polar_angles(input.bearing, crest_angles(input))[2];
@@ -41,7 +41,7 @@ TEST(PlaceIncrement, ResolvesTheForceOnTheJournal) {
 }
 
 TEST(PlaceIncrement, CopiesPlaceEnergiesAndCost) {
-  const Example example;
+  const IncrementExample example;
   const Increment increment = place_increment(*example.foils, example.step, up);
   EXPECT_EQ(increment.x, 1e-6);
   EXPECT_EQ(increment.y, 2e-6);
@@ -55,7 +55,7 @@ TEST(PlaceIncrement, CopiesPlaceEnergiesAndCost) {
 }
 
 TEST(Judge, FindsEnergyAndResiduals) {
-  Example example;
+  IncrementExample example;
   example.step.state.contacts.x[0] = 1e-6;
   Increment increment = place_increment(*example.foils, example.step, up);
   judge(*example.foils, example.step.state, increment);
@@ -66,7 +66,7 @@ TEST(Judge, FindsEnergyAndResiduals) {
 }
 
 TEST(FailedIncrement, KnowsItsPlaceAndItsReasonAlone) {
-  Example example;
+  IncrementExample example;
   example.step.status = Status::no_modes;
   const Increment increment = failed_increment(example.step, up);
   EXPECT_EQ(increment.status, Status::no_modes);

@@ -13,10 +13,10 @@
 namespace bumpfoil {
 namespace {
 
-using testing::cut;
-using testing::refusal;
-using testing::whole_case;
-using testing::with;
+using test_support::cut;
+using test_support::refusal;
+using test_support::whole_case;
+using test_support::with;
 
 TEST(Overrides, TakeTomlAndBareStrings) {
   EXPECT_EQ(with({"friction.coefficient=0.2"}).friction.top_bump, 0.2);

@@ -15,14 +15,14 @@
 namespace bumpfoil {
 namespace {
 
-using testing::cut;
-using testing::expect_in;
-using testing::refusal;
-using testing::TemporaryFolder;
-using testing::whole_case;
-using testing::with;
+using test_support::cut;
+using test_support::expect_in;
+using test_support::refusal;
+using test_support::TemporaryFolder;
+using test_support::whole_case;
+using test_support::with;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(ParseCase, ReadsEnsembles) {
   EXPECT_FALSE(with({}).montecarlo);

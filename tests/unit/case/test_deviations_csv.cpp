@@ -19,7 +19,7 @@ class DeviationsCsv : public ::testing::Test {
     return "";
   }
 
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(DeviationsCsv, HoldsANumberInEachLine) {

@@ -35,7 +35,7 @@ class HeightErrorsCsv : public ::testing::Test {
     EXPECT_NE(said.find(message), std::string::npos) << said;
   }
 
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(HeightErrorsCsv, AreReadAsPeopleHaveThem) {

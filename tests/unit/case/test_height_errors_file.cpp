@@ -16,9 +16,9 @@
 namespace bumpfoil {
 namespace {
 
-using testing::cut;
-using testing::TemporaryFolder;
-using testing::whole_case;
+using test_support::cut;
+using test_support::TemporaryFolder;
+using test_support::whole_case;
 
 TEST(HeightErrorsFile, GivesHeightsOverThoseOfItsBumps) {
   const TemporaryFolder folder;

@@ -25,7 +25,7 @@ class ProfileFile : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(ProfileFile, HasALineForEachOfEqualAngles) {

@@ -134,9 +134,9 @@ TEST(ParseQuantity, SurvivesHostileTexts) {
 }
 
 TEST(ParseQuantity, PrintsNothing) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   fault_of("3 parsnips", Dimension::length);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(Dimension, TextsBelongToTheirDimension) {

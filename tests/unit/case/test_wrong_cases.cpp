@@ -11,11 +11,11 @@
 namespace bumpfoil {
 namespace {
 
-using testing::WrongCase;
+using test_support::WrongCase;
 
 /// Reads the text as the program does: from a file.
 std::vector<Fault> faults_of(const std::string& text) {
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   try {
     const std::string file = folder.write("wrong.toml", text);
     static_cast<void>(check_case(read_case_text(file), file));
@@ -40,12 +40,12 @@ std::string listed(const std::vector<Fault>& faults) {
 }
 
 TEST(WholeCase, IsRight) {
-  const std::vector<Fault> faults = faults_of(testing::whole_case());
+  const std::vector<Fault> faults = faults_of(test_support::whole_case());
   EXPECT_TRUE(faults.empty()) << listed(faults);
 }
 
 TEST(WrongCases, EveryFaultIsNamedOnceWithPlaceAndAdvice) {
-  for (const WrongCase& wrong : testing::wrong_cases()) {
+  for (const WrongCase& wrong : test_support::wrong_cases()) {
     SCOPED_TRACE(wrong.name);
     const std::vector<Fault> faults = faults_of(wrong.text);
     EXPECT_EQ(faults.size(), wrong.faults) << listed(faults);
@@ -63,7 +63,7 @@ TEST(WrongCases, EveryFaultIsNamedOnceWithPlaceAndAdvice) {
 
 TEST(WrongCases, AreManyAndHaveNoTwins) {
   std::set<std::string> names, texts;
-  for (const WrongCase& wrong : testing::wrong_cases()) {
+  for (const WrongCase& wrong : test_support::wrong_cases()) {
     names.insert(wrong.name);
     texts.insert(wrong.text);
   }
@@ -72,7 +72,7 @@ TEST(WrongCases, AreManyAndHaveNoTwins) {
 }
 
 TEST(WrongCase, SaysEverythingAtOnce) {
-  std::string text = testing::whole_case();
+  std::string text = test_support::whole_case();
   const auto replace = [&text](const std::string& from, const std::string& to) {
     ASSERT_NE(text.find(from), std::string::npos) << from;
     text.replace(text.find(from), from.size(), to);

@@ -15,8 +15,8 @@ std::unique_ptr<PathFollower> stepper_of(const ContactProblem& problem) {
 }
 
 /// A whole path at once.
-FollowReport follow(PathFollower& stepper, const ContactLoading& from, const ContactLoading& to, ContactState& state,
-                    const PartVisitor& visit, std::vector<ContactEvent>& events) {
+FollowReport follow_events(PathFollower& stepper, const ContactLoading& from, const ContactLoading& to,
+                           ContactState& state, const PartVisitor& visit, std::vector<ContactEvent>& events) {
   stepper.set_out({from, to}, state);
   return stepper.follow_to(1.0, state, visit, events);
 }
@@ -25,11 +25,11 @@ TEST(EventStepper, FractionsRunFromBeginToEndOfTheStep) {
   const auto stepper = stepper_of(toy::dragged_block());
   ContactState state = ContactState::unstressed(toy::dragged_block());
   std::vector<ContactEvent> events;
-  ASSERT_TRUE(follow(*stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).converged());
+  ASSERT_TRUE(follow_events(*stepper, toy::pull(0.0, 40.0), toy::pull(0.0, 40.0), state, {}, events).converged());
   events.clear();
   // There and back: slips at 20 N, sticks at once on the way back, slips back when 40 N are taken.
-  ASSERT_TRUE(follow(*stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).converged());
-  const FollowReport back = follow(*stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
+  ASSERT_TRUE(follow_events(*stepper, toy::pull(0.0, 40.0), toy::pull(30.0, 40.0), state, {}, events).converged());
+  const FollowReport back = follow_events(*stepper, toy::pull(30.0, 40.0), toy::pull(-30.0, 40.0), state, {}, events);
   EXPECT_TRUE(back.converged());
   EXPECT_EQ(back.substeps, 0);
   ASSERT_EQ(events.size(), 3U);
@@ -46,7 +46,7 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
   std::vector<ContactEvent> events;
   const ContactLoading apart{.initial_gap = Eigen::Vector2d(10e-6, 4e-6), .load = Vector::Zero(2)};
   const ContactLoading pressed{.initial_gap = Eigen::Vector2d(-2e-6, -3e-6), .load = Vector::Zero(2)};
-  ASSERT_TRUE(follow(*stepper, apart, apart, state, {}, events).converged());
+  ASSERT_TRUE(follow_events(*stepper, apart, apart, state, {}, events).converged());
   Vector joint = state.x;
   int parts = 0;
   const auto visit = [&](const ResponsePart& part) {
@@ -57,7 +57,7 @@ TEST(EventStepper, PartsJoinWithoutAGap) {
     ++parts;
   };
   events.clear();
-  ASSERT_TRUE(follow(*stepper, apart, pressed, state, visit, events).converged());
+  ASSERT_TRUE(follow_events(*stepper, apart, pressed, state, visit, events).converged());
   EXPECT_EQ(joint, state.x);
   EXPECT_EQ(parts, 3);  // two contacts close on the way
   EXPECT_EQ(events.size(), 2U);
@@ -81,7 +81,7 @@ TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
   const auto visit = [&](const ResponsePart& part) { before = part.begin; };
   std::vector<ContactEvent> events;
   const ContactLoading end = walls(-1e-10, 5e-15);
-  ASSERT_TRUE(follow(*stepper, walls(-1e-3, -1e-6), end, state, visit, events).converged());
+  ASSERT_TRUE(follow_events(*stepper, walls(-1e-3, -1e-6), end, state, visit, events).converged());
   EXPECT_TRUE(contact_residuals(problem, problem.K.multiply(state.x), end, before.x, state).within());
   EXPECT_EQ(state.normal_force[1], 0.0);
   EXPECT_NEAR(state.normal_force[0], 1e-4, 1e-12);
@@ -89,7 +89,7 @@ TEST(EventStepper, JudgesForcesByThoseThatAreLeft) {
   EXPECT_EQ(events[0].contact, 1);
   EXPECT_EQ(events[0].to, ContactMode::open);
   // The path goes on from there.
-  ASSERT_TRUE(follow(*stepper, end, walls(-1e-6, -1e-6), state, visit, events).converged());
+  ASSERT_TRUE(follow_events(*stepper, end, walls(-1e-6, -1e-6), state, visit, events).converged());
   EXPECT_NEAR(state.normal_force[1], 1.0, 1e-9);
 }
 

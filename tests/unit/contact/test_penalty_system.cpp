@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-double distance(const Vector& a, const Vector& b) {
+double distance_between(const Vector& a, const Vector& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
@@ -30,8 +30,9 @@ TEST_P(PenaltySystemSizes, SolvesLikeDense) {
   Vector x = right;
   system->solve_in_place(x);
   const Vector expected = K.partialPivLu().solve(right);
-  EXPECT_LT(distance(x, expected), 1e-11 * expected.cwiseAbs().maxCoeff());
-  EXPECT_LT(distance(system->multiply(right), dense.K * right), 1e-14 * (dense.K * right).cwiseAbs().maxCoeff());
+  EXPECT_LT(distance_between(x, expected), 1e-11 * expected.cwiseAbs().maxCoeff());
+  EXPECT_LT(distance_between(system->multiply(right), dense.K * right),
+            1e-14 * (dense.K * right).cwiseAbs().maxCoeff());
 }
 
 TEST_P(PenaltySystemSizes, TakesAnotherK) {

@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-double distance(const Vector& a, const Vector& b) {
+double relative_distance(const Vector& a, const Vector& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
@@ -68,12 +68,12 @@ TEST_P(SoftContactSystemSizes, SolvesLikeDense) {
     system->solve_in_place(x, p, t);
     const Vector expected = A.partialPivLu().solve(right);
     // Condition numbers of some 1e3 times the ratio of forces and displacements.
-    EXPECT_LT(distance(x, expected.head(n)), 1e-11 * expected.head(n).cwiseAbs().maxCoeff());
+    EXPECT_LT(relative_distance(x, expected.head(n)), 1e-11 * expected.head(n).cwiseAbs().maxCoeff());
     const double force = expected.tail(2 * contacts).cwiseAbs().maxCoeff();
-    EXPECT_LT(distance(p, expected.segment(n, contacts)), 1e-11 * force);
-    EXPECT_LT(distance(t, expected.tail(contacts)), 1e-11 * force);
+    EXPECT_LT(relative_distance(p, expected.segment(n, contacts)), 1e-11 * force);
+    EXPECT_LT(relative_distance(t, expected.tail(contacts)), 1e-11 * force);
     const Vector y = Vector::LinSpaced(n, -5.0, 9.0);
-    EXPECT_LT(distance(system->multiply(y), dense.K * y), 1e-14 * (dense.K * y).cwiseAbs().maxCoeff());
+    EXPECT_LT(relative_distance(system->multiply(y), dense.K * y), 1e-14 * (dense.K * y).cwiseAbs().maxCoeff());
   }
 }
 
@@ -117,9 +117,9 @@ TEST_P(SoftContactSystemSizes, EqualsModeSystemForModes) {
     system->solve_in_place(x, p, t);
     // Condition numbers of some 1e3.
     const double force = state.normal_force.cwiseAbs().maxCoeff() + state.friction_force.cwiseAbs().maxCoeff();
-    EXPECT_LT(distance(x, state.x), 1e-11 * state.x.cwiseAbs().maxCoeff()) << seed;
-    EXPECT_LT(distance(p, state.normal_force), 1e-11 * force + 1e-12) << seed;
-    EXPECT_LT(distance(t, state.friction_force), 1e-11 * force + 1e-12) << seed;
+    EXPECT_LT(relative_distance(x, state.x), 1e-11 * state.x.cwiseAbs().maxCoeff()) << seed;
+    EXPECT_LT(relative_distance(p, state.normal_force), 1e-11 * force + 1e-12) << seed;
+    EXPECT_LT(relative_distance(t, state.friction_force), 1e-11 * force + 1e-12) << seed;
   }
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 /// An unsymmetric matrix without any zero in its band, the diagonal heavy enough for pivoting inside the blocks.
 template <int B>
-BlockTridiagonalLU<B> example(int blocks, int size, VectorInstructions instructions = widest_vector_instructions()) {
+BlockTridiagonalLU<B> factored_example(int blocks, int size,
+                                       VectorInstructions instructions = widest_vector_instructions()) {
   BlockTridiagonalLU<B> lu(blocks, size, instructions);
   for (int b = 0; b < blocks; ++b) {
     for (int i = 0; i < size; ++i) {
@@ -52,7 +53,7 @@ void expect_solves_like_dense(BlockTridiagonalLU<B>& lu, int size) {
 
 TEST(BlockTridiagonalLU, SolvesLikeADenseMatrixOfFixedBlocks) {
   for (const int blocks : {1, 2, 3, 40}) {
-    auto lu = example<6>(blocks, 6);
+    auto lu = factored_example<6>(blocks, 6);
     ASSERT_TRUE(lu.factor());
     expect_solves_like_dense(lu, 6);
   }
@@ -60,7 +61,7 @@ TEST(BlockTridiagonalLU, SolvesLikeADenseMatrixOfFixedBlocks) {
 
 TEST(BlockTridiagonalLU, SolvesLikeADenseMatrixOfBlocksOfAnySize) {
   for (const int size : {1, 2, 5, 11}) {
-    auto lu = example<Eigen::Dynamic>(7, size);
+    auto lu = factored_example<Eigen::Dynamic>(7, size);
     ASSERT_TRUE(lu.factor());
     expect_solves_like_dense(lu, size);
   }
@@ -69,17 +70,17 @@ TEST(BlockTridiagonalLU, SolvesLikeADenseMatrixOfBlocksOfAnySize) {
 TEST(BlockTridiagonalLU, SolvesLargeBlocksWithEachOfTheInstructionsOfThisProcessor) {
   for (const VectorInstructions instructions : vector_instructions()) {
     SCOPED_TRACE(name_of(instructions));
-    auto fixed = example<22>(7, 22, instructions);
+    auto fixed = factored_example<22>(7, 22, instructions);
     ASSERT_TRUE(fixed.factor());
     expect_solves_like_dense(fixed, 22);
-    auto any = example<Eigen::Dynamic>(7, 13, instructions);
+    auto any = factored_example<Eigen::Dynamic>(7, 13, instructions);
     ASSERT_TRUE(any.factor());
     expect_solves_like_dense(any, 13);
   }
 }
 
 TEST(BlockTridiagonalLU, FactorsAgainFromTheFirstChangedBlock) {
-  auto lu = example<6>(10, 6);
+  auto lu = factored_example<6>(10, 6);
   ASSERT_TRUE(lu.factor());
   lu.diagonal(4)(2, 3) += 5.0;
   lu.lower(4)(0, 0) -= 1.0;
@@ -102,13 +103,13 @@ TEST(BlockTridiagonalLU, SolvesForManyRightHandSidesAtOnce) {
       EXPECT_LT((panel.col(c) - x).norm(), 1e-13 * x.norm());
     }
   };
-  check(example<6>(4, 6));
-  check(example<8>(3, 8));
-  check(example<Eigen::Dynamic>(6, 4));
+  check(factored_example<6>(4, 6));
+  check(factored_example<8>(3, 8));
+  check(factored_example<Eigen::Dynamic>(6, 4));
 }
 
 TEST(BlockTridiagonalLU, SolvesForRightHandSidesOfOneBlock) {
-  auto lu = example<6>(9, 6);
+  auto lu = factored_example<6>(9, 6);
   ASSERT_TRUE(lu.factor());
   const Matrix A = dense(lu, 6);
   using Block = BlockTridiagonalLU<6>::Block;
@@ -126,7 +127,7 @@ TEST(BlockTridiagonalLU, SolvesForRightHandSidesOfOneBlock) {
 }
 
 TEST(BlockTridiagonalLU, DoesNotReadBlocksOutsideTheMatrix) {
-  auto lu = example<Eigen::Dynamic>(3, 2);
+  auto lu = factored_example<Eigen::Dynamic>(3, 2);
   lu.lower(0).setConstant(std::numeric_limits<double>::infinity());
   lu.upper(2).setConstant(std::numeric_limits<double>::infinity());
   ASSERT_TRUE(lu.factor());
@@ -134,17 +135,17 @@ TEST(BlockTridiagonalLU, DoesNotReadBlocksOutsideTheMatrix) {
 }
 
 TEST(BlockTridiagonalLU, ReportsSingularAndBrokenMatrices) {
-  auto singular = example<6>(4, 6);
+  auto singular = factored_example<6>(4, 6);
   singular.lower(2).row(3).setZero();
   singular.diagonal(2).row(3).setZero();
   singular.upper(2).row(3).setZero();
   EXPECT_FALSE(singular.factor());
 
-  auto broken = example<6>(4, 6);
+  auto broken = factored_example<6>(4, 6);
   broken.diagonal(1)(4, 4) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(broken.factor());
 
-  auto endless = example<6>(4, 6);
+  auto endless = factored_example<6>(4, 6);
   endless.diagonal(3).setConstant(std::numeric_limits<double>::infinity());
   EXPECT_FALSE(endless.factor());
 }

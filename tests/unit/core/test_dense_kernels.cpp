@@ -15,7 +15,7 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Heavy one place off the diagonal: without row exchanges the pivots would be poor.
-RowMajor example(int n, double seed) {
+RowMajor example_matrix(int n, double seed) {
   RowMajor a(n, n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) a(i, j) = std::sin(seed + 3 * i + 7 * i * j) + (j == (i + 1) % n ? 4.0 * n : 0.0);
@@ -61,7 +61,7 @@ void with_each(int n, Check&& check) {
 
 template <int B>
 void expect_products(int n) {
-  const RowMajor a = example(n, 0.1), b = example(n, 0.2), c = example(n, 0.3);
+  const RowMajor a = example_matrix(n, 0.1), b = example_matrix(n, 0.2), c = example_matrix(n, 0.3);
   const LineVector A = stored<B>(a), rows = stored<B>(b), before = stored<B>(c);
   with_each<B>(n, [&](const auto& kernels) {
     LineVector C = before;
@@ -91,7 +91,7 @@ void expect_products(int n) {
 
 template <int B>
 void expect_solutions(int n) {
-  const RowMajor a = example(n, 0.1), b = example(n, 0.2);
+  const RowMajor a = example_matrix(n, 0.1), b = example_matrix(n, 0.2);
   std::vector<int> pivots(static_cast<std::size_t>(n));
   std::vector<double> room(static_cast<std::size_t>(n));
   const RowMajor solution = a.partialPivLu().solve(b);

@@ -16,13 +16,13 @@ class EnsembleCheckpoints : public ::testing::Test {
  protected:
   void begin(const Case& input) { open_ensemble_log(path_, false, input, 2).append(std::vector{1.0, 2.0, 3.0, 4.0}); }
 
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
   std::filesystem::path path_{folder_.path() / checkpoint_name};
 };
 
 TEST_F(EnsembleCheckpoints, AreNeitherReplacedNorGoneOnWithUnasked) {
   EXPECT_NO_THROW(require_no_checkpoint(path_, "ask"));
-  begin(testing::ensemble_case(10));
+  begin(test_support::ensemble_case(10));
   try {
     require_no_checkpoint(path_, "ask for it");
     FAIL() << "a checkpoint was there";
@@ -34,7 +34,7 @@ TEST_F(EnsembleCheckpoints, AreNeitherReplacedNorGoneOnWithUnasked) {
 }
 
 TEST_F(EnsembleCheckpoints, AreGoneOnWithOrBegunAnew) {
-  const Case input = testing::ensemble_case(10);
+  const Case input = test_support::ensemble_case(10);
   begin(input);
   EXPECT_EQ(EnsembleLog::identity_of(path_), ensemble_identity(input));
   EXPECT_EQ(open_ensemble_log(path_, true, input, 2).samples(), 2U);
@@ -42,7 +42,7 @@ TEST_F(EnsembleCheckpoints, AreGoneOnWithOrBegunAnew) {
 }
 
 TEST_F(EnsembleCheckpoints, OfAnotherEnsembleAreRefused) {
-  Case input = testing::ensemble_case(10);
+  Case input = test_support::ensemble_case(10);
   begin(input);
   input.montecarlo->seed += 1;
   EXPECT_THROW(open_ensemble_log(path_, true, input, 2), Error);

@@ -11,7 +11,7 @@ namespace bumpfoil {
 namespace {
 
 using nlohmann::json;
-using testing::EnsembleFiles;
+using test_support::EnsembleFiles;
 
 TEST_F(EnsembleFiles, SummaryTellsStatisticsAndFailures) {
   const json summary = json::parse(folder_.read("results/summary.json"));

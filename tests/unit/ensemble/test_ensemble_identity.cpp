@@ -18,7 +18,7 @@ std::string refusal(const std::string& identity, const Case& input) {
 }
 
 TEST(EnsembleIdentity, IsNotOfTheNumberOfSamples) {
-  const Case input = testing::ensemble_case(10);
+  const Case input = test_support::ensemble_case(10);
   Case more = input;
   more.montecarlo->samples = 1000;
   more.title = "another";
@@ -26,7 +26,7 @@ TEST(EnsembleIdentity, IsNotOfTheNumberOfSamples) {
 }
 
 TEST(EnsembleIdentity, EveryDifferenceIsNamed) {
-  const Case input = testing::ensemble_case(10);
+  const Case input = test_support::ensemble_case(10);
   Case other = input;
   other.montecarlo->seed = 2;
   other.bump_foil.height = 0.6e-3;
@@ -46,7 +46,7 @@ TEST(EnsembleIdentity, EveryDifferenceIsNamed) {
 }
 
 TEST(EnsembleIdentity, TablesThatOneCaseHasMoreOfAreDifferences) {
-  Case input = testing::ensemble_case(10);
+  Case input = test_support::ensemble_case(10);
   input.bump_foil.shims = {{1, 2, 5e-6}};
   Case other = input;
   other.bump_foil.shims.push_back({4, 5, 6e-6});
@@ -62,7 +62,7 @@ TEST(EnsembleIdentity, TablesThatOneCaseHasMoreOfAreDifferences) {
 }
 
 TEST(EnsembleIdentity, HoldsTheCase) {
-  const Case input = testing::ensemble_case(30);
+  const Case input = test_support::ensemble_case(30);
   EXPECT_EQ(ensemble_identity(case_of_identity(ensemble_identity(input))), ensemble_identity(input));
   EXPECT_THROW(case_of_identity("bumpfoil 9\nx86-64\n[unheard_of]\n"), Error);
 }

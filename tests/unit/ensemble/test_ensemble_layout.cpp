@@ -15,7 +15,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
-  Case input = testing::ensemble_case(1);
+  Case input = test_support::ensemble_case(1);
   input.cycle.clearance_forces = {5.0, 1e6};
   const EnsembleLayout layout = make_ensemble_layout(input);
   EXPECT_EQ(layout.columns.front().meaning.name, "status");
@@ -48,7 +48,7 @@ TEST(EnsembleLayout, RowsHoldTheQuantitiesOfEveryCycle) {
 }
 
 TEST(EnsembleLayout, OfWhatWasNotRunOnlyTheStatusIsKnown) {
-  const Case input = testing::ensemble_case(1);
+  const Case input = test_support::ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
   const std::vector<double> row = make_ensemble_row(layout, input, SampleResult{});
   for (std::size_t k = 0; k < layout.per_place(); ++k) {
@@ -61,7 +61,7 @@ TEST(EnsembleLayout, OfWhatWasNotRunOnlyTheStatusIsKnown) {
 }
 
 TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
-  const Case input = testing::running_ensemble_case(1);
+  const Case input = test_support::running_ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
   ASSERT_EQ(layout.places.size(), 2U);
   EXPECT_EQ(layout.places[1].name, "44996.3 rpm, load (40, 0) N");
@@ -93,7 +93,7 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
 }
 
 TEST(EnsembleLayout, OfARunningBearingThatIsNoneOnlyTheStatusIsKnown) {
-  const Case input = testing::running_ensemble_case(1);
+  const Case input = test_support::running_ensemble_case(1);
   const EnsembleLayout layout = make_ensemble_layout(input);
   const std::vector<double> row = make_ensemble_row(layout, input, SampleResult{});
   EXPECT_EQ(layout.status_name(static_cast<int>(row[0])), "not_physical");

@@ -17,7 +17,7 @@ class EnsembleLogs : public ::testing::Test {
     log.append(std::vector<double>{4.0, NAN});
   }
 
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
   std::filesystem::path path_{folder_.path() / "log"};
 };
 

@@ -24,9 +24,9 @@ class EnsembleRuns : public ::testing::Test {
     }
   }
 
-  Case input_{testing::ensemble_case(60)};
+  Case input_{test_support::ensemble_case(60)};
   EnsembleLayout layout_{make_ensemble_layout(input_)};
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(EnsembleRuns, ThreadsMakeNoDifference) {

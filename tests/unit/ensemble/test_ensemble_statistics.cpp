@@ -28,9 +28,9 @@ class EnsembleStatisticsOfRows : public ::testing::Test {
     log_.append(rows);
   }
 
-  Case input_{testing::ensemble_case(3)};
+  Case input_{test_support::ensemble_case(3)};
   EnsembleLayout layout_{make_ensemble_layout(input_)};
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
   EnsembleLog log_{folder_.path() / "log", "", layout_.width()};
 };
 

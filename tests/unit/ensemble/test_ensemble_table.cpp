@@ -10,7 +10,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(EnsembleTable, ShowsEveryDirectionAndEveryFailure) {
-  const EnsembleLayout layout = make_ensemble_layout(testing::ensemble_case(3));
+  const EnsembleLayout layout = make_ensemble_layout(test_support::ensemble_case(3));
   EnsembleStatistics statistics{.samples = 2,
                                 .places = {},
                                 .failures = {{.sample = 17, .place = 1, .status = static_cast<int>(Status::no_modes)}}};
@@ -34,13 +34,13 @@ TEST(EnsembleTable, ShowsEveryDirectionAndEveryFailure) {
 
 /// Statistics over several branches are of none of them.
 TEST(EnsembleTable, WarnsWhereSamplesLieOnSeveralBranches) {
-  const EnsembleLayout cycles = make_ensemble_layout(testing::ensemble_case(3));
+  const EnsembleLayout cycles = make_ensemble_layout(test_support::ensemble_case(3));
   EnsembleStatistics statistics{.samples = 4, .places = std::vector<PlaceStatistics>(2), .failures = {}};
   for (PlaceStatistics& place : statistics.places)
     place.columns.assign(cycles.columns.size(), statistics_of({1.0, 2.0}));
-  EXPECT_TRUE(warning_lines(testing::ensemble_case(3), cycles, statistics).empty());  // they have no branches
+  EXPECT_TRUE(warning_lines(test_support::ensemble_case(3), cycles, statistics).empty());  // they have no branches
 
-  const EnsembleLayout states = make_ensemble_layout(testing::running_ensemble_case(4));
+  const EnsembleLayout states = make_ensemble_layout(test_support::running_ensemble_case(4));
   const auto column = [&](std::string_view name) {
     const auto found = std::find_if(states.columns.begin(), states.columns.end(),
                                     [name](const EnsembleColumn& one) { return one.meaning.name == name; });
@@ -53,7 +53,7 @@ TEST(EnsembleTable, WarnsWhereSamplesLieOnSeveralBranches) {
     }
     statistics.places.back().columns.at(column("jumps")) = statistics_of(jumps);
     statistics.places.back().columns.at(column("lifted_bumps_at_entry")) = statistics_of(lifted);
-    return warning_lines(testing::running_ensemble_case(4), states, statistics);
+    return warning_lines(test_support::running_ensemble_case(4), states, statistics);
   };
   EXPECT_TRUE(lines_for({0.0, 0.0, 0.0, 0.0}, {4.0, 4.0, 5.0, 5.0}).empty());  // one bump more is a matter of heights
   EXPECT_TRUE(lines_for({1.0, 1.0, 1.0, 1.0}, {4.0, 4.0, 4.0, 4.0}).empty());

@@ -11,9 +11,9 @@
 namespace bumpfoil {
 namespace {
 
-const EnsembleLayout layout = make_ensemble_layout(testing::ensemble_case(4));
+const EnsembleLayout layout = make_ensemble_layout(test_support::ensemble_case(4));
 
-std::string refusal(const std::string& limit) {
+std::string limit_refusal(const std::string& limit) {
   try {
     parse_limits({limit}, layout);
   } catch (const Error& error) {
@@ -35,13 +35,13 @@ TEST(EnsembleYield, LimitsAreQuantitiesWithUnits) {
 }
 
 TEST(EnsembleYield, WrongLimitsAreRefused) {
-  EXPECT_NE(refusal("clearance_5N = 20 um").find("has no < and no >"), std::string::npos);
-  EXPECT_EQ(refusal("clearence_5N > 20 um"),
+  EXPECT_NE(limit_refusal("clearance_5N = 20 um").find("has no < and no >"), std::string::npos);
+  EXPECT_EQ(limit_refusal("clearence_5N > 20 um"),
             "--limit = clearence_5N > 20 um: does not name a quantity of the ensemble; did you mean \"clearance_5N\"?");
-  EXPECT_NE(refusal("clearance_5N > 20 N"), "");
-  EXPECT_NE(refusal("loss_factor > 20 N").find("write a number"), std::string::npos);
-  EXPECT_NE(refusal("status < 1"), "");
-  EXPECT_NE(refusal("max_force < inf"), "");
+  EXPECT_NE(limit_refusal("clearance_5N > 20 N"), "");
+  EXPECT_NE(limit_refusal("loss_factor > 20 N").find("write a number"), std::string::npos);
+  EXPECT_NE(limit_refusal("status < 1"), "");
+  EXPECT_NE(limit_refusal("max_force < inf"), "");
 }
 
 TEST(EnsembleYield, BearingsPassInEveryDirection) {
@@ -63,7 +63,7 @@ TEST(EnsembleYield, BearingsPassInEveryDirection) {
   at(2, 1, clearance) = 15e-6;
   at(3, 0, force) = 1000.0;
   at(4, 1, 0) = static_cast<double>(Status::no_modes);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   EnsembleLog log(folder.path() / "log", "", layout.width());
   log.append(rows);
   const EnsembleYields yields = make_yields(limits, layout, log);

@@ -9,7 +9,7 @@ namespace bumpfoil {
 namespace {
 
 TEST(RunningSample, ComesToTheStatesOfItsCase) {
-  const Case input = testing::running_ensemble_case(1);
+  const Case input = test_support::running_ensemble_case(1);
   const EquilibriumResult result = run_running_sample(sampled_case(input, draw_sample(input, 0))).value();
   ASSERT_EQ(result.states.size(), 2U);
   EXPECT_TRUE(result.converged());
@@ -17,7 +17,7 @@ TEST(RunningSample, ComesToTheStatesOfItsCase) {
 }
 
 TEST(RunningSample, HasLimitsWhereTheyAreAskedFor) {
-  Case input = testing::running_ensemble_case(1);
+  Case input = test_support::running_ensemble_case(1);
   input.film.h_lift_off = 8e-6;
   const Case sampled = sampled_case(input, draw_sample(input, 0));
   EXPECT_TRUE(run_running_sample(sampled).value().limits.empty());
@@ -27,13 +27,13 @@ TEST(RunningSample, HasLimitsWhereTheyAreAskedFor) {
 }
 
 TEST(RunningSample, IsNothingWhereWhatWasDrawnMakesNoBearing) {
-  Case sampled = testing::running_ensemble_case(1);
+  Case sampled = test_support::running_ensemble_case(1);
   sampled.bump_foil.thickness = -0.1e-3;
   EXPECT_FALSE(run_running_sample(sampled));
 }
 
 TEST(RunningSample, CanBeStopped) {
-  const Case input = testing::running_ensemble_case(1);
+  const Case input = test_support::running_ensemble_case(1);
   const EquilibriumResult result =
       run_running_sample(sampled_case(input, draw_sample(input, 0)), [](double) { return false; }).value();
   EXPECT_EQ(result.states[0].report.status, FilmStatus::interrupted);

@@ -9,7 +9,7 @@ namespace bumpfoil {
 namespace {
 
 /// A well-posed chain without any zero.
-std::unique_ptr<ColumnChain> example(int columns, int size) {
+std::unique_ptr<ColumnChain> example_chain(int columns, int size) {
   auto chain = make_column_chain(columns, size);
   for (int c = 0; c < columns; ++c) {
     for (int i = 0; i < size; ++i) {
@@ -38,7 +38,7 @@ Matrix dense(ColumnChain& chain) {
 TEST(ColumnChain, SolvesAndAnswersItsNeighboursLikeADenseMatrix) {
   for (const int size : {1, 3, 8, 10, 16, 18}) {  // of code of their own, and of none
     for (const int columns : {1, 2, 6}) {
-      const auto chain = example(columns, size);
+      const auto chain = example_chain(columns, size);
       const Eigen::Index n = size;
       ASSERT_TRUE(chain->factor());
       const Matrix A = dense(*chain);
@@ -62,7 +62,7 @@ TEST(ColumnChain, SolvesAndAnswersItsNeighboursLikeADenseMatrix) {
 }
 
 TEST(ColumnChain, ReportsSingularEquations) {
-  const auto chain = example(4, 3);
+  const auto chain = example_chain(4, 3);
   chain->lower(2).row(1).setZero();
   chain->diagonal(2).row(1).setZero();
   chain->upper(2).row(1).setZero();

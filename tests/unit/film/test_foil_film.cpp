@@ -16,7 +16,7 @@ constexpr double stiffness = 7.9e-4;  // EI', N m^2
 constexpr double pitch = 4.572e-3;
 
 /// A top foil over `spans` supports, m columns from one to the next, the first and the last span half as long.
-FoilFilm example(int spans, int m, int rows) {
+FoilFilm example_film(int spans, int m, int rows) {
   std::vector<int> supports;
   for (int i = 0; i < spans; ++i) supports.push_back(m / 2 + i * m);
   const FilmMesh mesh = make_slotted_mesh(spans * m, rows, 1.0, spans * pitch / scales.radius);
@@ -71,7 +71,7 @@ Matrix solve_condensed(FoilFilmSystem& system, const Matrix& condensed) {
 }
 
 TEST(FoilFilmSystem, FindsNewtonsStep) {
-  const FoilFilm foil = example(4, 6, 3);
+  const FoilFilm foil = example_film(4, 6, 3);
   for (const double Lam : {-1.9, 8.0}) {
     const ReynoldsEquation equation{.mesh = foil.mesh, .bearing_number = Lam, .knudsen = 0.01};
     const FoilFilmState state = wavy(foil);
@@ -128,7 +128,7 @@ FoilFilmState pressed(const FoilFilm& foil, double excess) {
 }
 
 TEST(FoilFilm, BalancesTheLoadsOfTheFilmLikeTheComplianceForm) {
-  const FoilFilm foil = example(6, 6, 4);
+  const FoilFilm foil = example_film(6, 6, 4);
   const FoilFilmState state = pressed(foil, 0.5);
   FoilFilmResidual residual;
   foil_residual(foil, state, residual);
@@ -143,7 +143,7 @@ TEST(FoilFilm, BalancesTheLoadsOfTheFilmLikeTheComplianceForm) {
 }
 
 TEST(FoilFilm, CarriesItsOverhangByTheMomentOverTheLastSupport) {
-  const FoilFilm foil = example(6, 6, 4);
+  const FoilFilm foil = example_film(6, 6, 4);
   const FoilFilmState state = pressed(foil, 0.5);
   // Loads on the two columns behind the last support, and none at the free end.
   const double load = foil.load_scale * 3.5 * 0.5;
@@ -158,7 +158,7 @@ TEST(FoilFilm, SagsAsTheClosedFormSays) {
   double defect[2];
   for (const int i : {0, 1}) {
     const int m = 12 << i;
-    const FoilFilm foil = example(6, m, 4);
+    const FoilFilm foil = example_film(6, m, 4);
     const FoilFilmState state = pressed(foil, 0.5);
     const double R = scales.radius;
     const double q = 0.5 * scales.gas.ambient_pressure * 2.0 * R * foil.mesh.dzeta * 3.5;
@@ -179,7 +179,7 @@ TEST(FoilFilm, SagsAsTheClosedFormSays) {
 }
 
 TEST(FoilFilm, RestsUndeformedAtAmbientPressure) {
-  const FoilFilm foil = example(3, 4, 2);
+  const FoilFilm foil = example_film(3, 4, 2);
   const FoilFilmState state = undeformed(foil, foil.mesh.field(0.7));
   FoilFilmResidual residual;
   foil_film_residual(foil, {.mesh = foil.mesh}, state, residual);

@@ -17,7 +17,7 @@ void fill(ColumnCoupling& coupling, int n, double seed) {
   }
 }
 
-Matrix dense(const ColumnCoupling& coupling, int n) {
+Matrix dense_coupling(const ColumnCoupling& coupling, int n) {
   Matrix S = Matrix::Zero(n, n);
   for (int j = 0; j < n; ++j) {
     const auto i = static_cast<std::size_t>(j);
@@ -49,11 +49,11 @@ Example example(int columns, int n, bool has_before, VectorInstructions instruct
     }
     const Eigen::Index row = Eigen::Index{n} * (c + 1);
     it.A.block(row, row, n, n) = span.own(c);
-    if (c > 0 || has_before) it.A.block(row, row - n, n, n) = dense(span.to_before(c), n);
-    it.A.block(row, row + n, n, n) = dense(span.to_after(c), n);
+    if (c > 0 || has_before) it.A.block(row, row - n, n, n) = dense_coupling(span.to_before(c), n);
+    it.A.block(row, row + n, n, n) = dense_coupling(span.to_after(c), n);
   }
-  if (has_before) it.A.block(0, n, n, n) = dense(span.of_before(), n);
-  it.A.block(Eigen::Index{n} * (columns + 1), Eigen::Index{n} * columns, n, n) = dense(span.of_after(), n);
+  if (has_before) it.A.block(0, n, n, n) = dense_coupling(span.of_before(), n);
+  it.A.block(Eigen::Index{n} * (columns + 1), Eigen::Index{n} * columns, n, n) = dense_coupling(span.of_after(), n);
   return it;
 }
 

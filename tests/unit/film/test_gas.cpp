@@ -8,24 +8,27 @@ namespace bumpfoil {
 namespace {
 
 /// Air in a bearing of 19.05 mm radius and 31.8 um clearance at 45,000 rpm, the film running against theta.
-const FilmScales scales{
+const FilmScales gas_scales{
     {.viscosity = 1.85e-5, .ambient_pressure = 101325.0, .mean_free_path = 64e-9}, 19.05e-3, 31.8e-6};
 constexpr double speed = -45000.0 * std::numbers::pi / 30.0 * 19.05e-3;
 
 TEST(FilmScales, AreThoseOfTheReferenceBearing) {
-  EXPECT_NEAR(scales.bearing_number(speed), -1.852606648, 1e-9);
-  EXPECT_NEAR(scales.squeeze_time(), 0.786e-3, 0.5e-6);  // printed to three digits
-  EXPECT_NEAR(scales.knudsen(), 64.0 / 31800.0, 1e-15);
+  EXPECT_NEAR(gas_scales.bearing_number(speed), -1.852606648, 1e-9);
+  EXPECT_NEAR(gas_scales.squeeze_time(), 0.786e-3, 0.5e-6);  // printed to three digits
+  EXPECT_NEAR(gas_scales.knudsen(), 64.0 / 31800.0, 1e-15);
 }
 
 TEST(FilmScales, AgreeWithEachOther) {
   // Lam is 6 mu U R / (pa c^2): what the shear of the surface is to that of the pressure, times three.
-  EXPECT_NEAR(3.0 * scales.couette_torque(speed) / scales.poiseuille_torque(), scales.bearing_number(speed), 1e-12);
+  EXPECT_NEAR(3.0 * gas_scales.couette_torque(speed) / gas_scales.poiseuille_torque(), gas_scales.bearing_number(speed),
+              1e-12);
   // The surface carries U c / 2 per width: Lam in units of flow().
-  EXPECT_NEAR(scales.flow() * scales.bearing_number(speed), 0.5 * speed * scales.thickness * scales.radius, 1e-18);
+  EXPECT_NEAR(gas_scales.flow() * gas_scales.bearing_number(speed),
+              0.5 * speed * gas_scales.thickness * gas_scales.radius, 1e-18);
   // T0 fills the volume c R^2 with the flow().
-  EXPECT_NEAR(scales.flow() * scales.squeeze_time(), scales.thickness * scales.radius * scales.radius, 1e-20);
-  EXPECT_NEAR(scales.force(), 36.7711, 1e-4);
+  EXPECT_NEAR(gas_scales.flow() * gas_scales.squeeze_time(),
+              gas_scales.thickness * gas_scales.radius * gas_scales.radius, 1e-20);
+  EXPECT_NEAR(gas_scales.force(), 36.7711, 1e-4);
 }
 
 }  // namespace

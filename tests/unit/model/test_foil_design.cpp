@@ -10,8 +10,9 @@ namespace bumpfoil {
 namespace {
 
 /// A few roundings of numbers of order one.
-constexpr double rounding = 1e-14;
-constexpr BumpShape reference{.pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.406e-3, .thickness = 0.102e-3};
+constexpr double design_rounding = 1e-14;
+constexpr BumpShape reference_shape{
+    .pitch = 4.572e-3, .half_length = 1.778e-3, .rise = 0.406e-3, .thickness = 0.102e-3};
 
 FoilDesign row_of(std::vector<BumpShape> bumps) {
   FoilDesign foils;
@@ -21,7 +22,7 @@ FoilDesign row_of(std::vector<BumpShape> bumps) {
 
 /// Bumps whose pitches and chords grow.
 FoilDesign graded() {
-  FoilDesign foils = row_of({reference, reference, reference});
+  FoilDesign foils = row_of({reference_shape, reference_shape, reference_shape});
   foils.bumps[1].pitch = 5e-3;
   foils.bumps[1].half_length = 2e-3;
   foils.bumps[2].pitch = 6e-3;
@@ -31,21 +32,21 @@ FoilDesign graded() {
 
 TEST(BumpArc, MeetsItsDefinition) {
   for (const double rise : {0.1e-3, 0.406e-3, 3e-3}) {  // the last is more than a half circle
-    BumpShape bump = reference;
+    BumpShape bump = reference_shape;
     bump.rise = rise;
     const BumpArc arc = make_bump_arc(bump);
-    EXPECT_NEAR(std::sin(arc.half_angle), arc.half_length / arc.radius, rounding);
-    EXPECT_NEAR(arc.radius * (1.0 - std::cos(arc.half_angle)), arc.rise, rounding);
+    EXPECT_NEAR(std::sin(arc.half_angle), arc.half_length / arc.radius, design_rounding);
+    EXPECT_NEAR(arc.radius * (1.0 - std::cos(arc.half_angle)), arc.rise, design_rounding);
     EXPECT_EQ(arc.half_angle > std::numbers::pi / 2, arc.rise > arc.half_length);
-    EXPECT_NEAR(arc.flat, 1.016e-3, rounding);
+    EXPECT_NEAR(arc.flat, 1.016e-3, design_rounding);
   }
 }
 
 TEST(CrestPositions, OfEqualPitchesAreMultiplesToTheLastDigit) {
-  const Vector crests = crest_positions(row_of(std::vector<BumpShape>(100'000, reference)));
+  const Vector crests = crest_positions(row_of(std::vector<BumpShape>(100'000, reference_shape)));
   ASSERT_EQ(crests.size(), 100'000);
   for (const Eigen::Index i : {0, 1, 25, 99'999}) {
-    EXPECT_EQ(crests[i], reference.pitch * (static_cast<double>(i) + 0.5));
+    EXPECT_EQ(crests[i], reference_shape.pitch * (static_cast<double>(i) + 0.5));
   }
 }
 
@@ -53,9 +54,9 @@ TEST(CrestPositions, StandInTheMiddleOfPitchesThatAddUp) {
   const Vector crests = crest_positions(graded());
   EXPECT_LT((crests - Vector{{2.286e-3, 4.572e-3 + 2.5e-3, 9.572e-3 + 3e-3}}).norm(), 1e-17);
   // Runs of equal pitches inside a foil.
-  FoilDesign groups = row_of({reference, reference, reference, reference, reference});
+  FoilDesign groups = row_of({reference_shape, reference_shape, reference_shape, reference_shape, reference_shape});
   groups.bumps[2].pitch = groups.bumps[3].pitch = 1e-3;
-  const double p = reference.pitch;
+  const double p = reference_shape.pitch;
   const Vector expected{{0.5 * p, 1.5 * p, 2.0 * p + 0.5e-3, 2.0 * p + 1.5e-3, 2.5 * p + 2e-3}};
   EXPECT_LT((crest_positions(groups) - expected).norm(), 1e-17);
 }
@@ -73,7 +74,7 @@ TEST(FootPositions, StandBetweenTheCrestsOrAtTheEndsOfTheArcs) {
 }
 
 TEST(FoilDesign, ScalesByThePitchOfTheFirstBump) {
-  EXPECT_EQ(graded().reference_length(), reference.pitch);
+  EXPECT_EQ(graded().reference_length(), reference_shape.pitch);
 }
 
 }  // namespace

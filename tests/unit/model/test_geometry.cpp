@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// A few roundings of numbers of order one.
 constexpr double rounding = 1e-14;
 

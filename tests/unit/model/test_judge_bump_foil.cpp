@@ -13,11 +13,11 @@
 namespace bumpfoil {
 namespace {
 
-using testing::faulty_keys;
-using testing::Keys;
+using test_support::faulty_keys;
+using test_support::Keys;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(FindFaults, LetsOnlyTheFrameHaveBumpsOfTheirOwnShape) {
   const auto change = [](BumpFoilModel model, std::vector<double> errors) {
@@ -153,7 +153,7 @@ TEST(FindFaults, ComparesListsWithTheBumps) {
             Keys{"bump_foil.sleeve_gaps"});
   EXPECT_EQ(faulty_keys([](Case& input) {
               input.bump_foil.height_errors.assign(26, 0.0);
-              input.bump_foil.height_errors[2] = nan;
+              input.bump_foil.height_errors[2] = not_a_number;
               input.bump_foil.height_errors[25] = -0.41e-3;  // the rise is 0.406 mm
             }),
             (Keys{"bump_foil.height_errors[3]", "bump_foil.height_errors[26]"}));
@@ -165,7 +165,7 @@ TEST(FindFaults, WantsPositiveSpringsAndSlantingRods) {
             }),
             Keys{});
   EXPECT_EQ(faulty_keys([](Case& input) {
-              input.bump_foil.truss = {.k1 = 0.0, .k2 = -1.0, .k3 = nan, .k4 = infinity, .theta_d = 0.0};
+              input.bump_foil.truss = {.k1 = 0.0, .k2 = -1.0, .k3 = not_a_number, .k4 = infinite, .theta_d = 0.0};
             }),
             (Keys{"bump_foil.truss.k1", "bump_foil.truss.k2", "bump_foil.truss.k3", "bump_foil.truss.k4",
                   "bump_foil.truss.theta_d"}));

@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case of_pads(std::size_t pads) {
   Case input = reference_case();

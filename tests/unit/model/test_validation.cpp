@@ -14,8 +14,8 @@
 namespace bumpfoil {
 namespace {
 
-using testing::faulty_keys;
-using testing::Keys;
+using test_support::faulty_keys;
+using test_support::Keys;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -392,7 +392,7 @@ TEST(FindFaults, WantsEveryDirectionOnce) {
   const auto directions = [](std::vector<double> list) {
     return faulty_keys([&](Case& input) { input.cycle.directions = list; });
   };
-  constexpr double pi = std::numbers::pi;
+  using std::numbers::pi;
   const double degree = pi / 180.0;
   EXPECT_EQ(directions({0.0, pi, 0.5 * pi, -0.25 * pi}), Keys{});
   EXPECT_EQ(directions({0.0, 1e-6}), Keys{});  // close, yet two

@@ -11,10 +11,10 @@
 namespace bumpfoil {
 namespace {
 
-constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
+constexpr FilmResolution branch_resolution{.columns_per_pitch = 4, .rows = 4};
 
 TEST(Branch, ColdStartsAndFollowsToSolutions) {
-  const FilmBearing bearing = film_reference_bearing(coarse);
+  const FilmBearing bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -31,7 +31,7 @@ TEST(Branch, ColdStartsAndFollowsToSolutions) {
 }
 
 TEST(Branch, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
-  const FilmBearing bearing = film_reference_bearing(coarse);
+  const FilmBearing bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing);
   const BearingState rest = resting(bearing, Eigen::Vector2d::Zero(), 0.0);
   BearingState state = rest;
@@ -53,7 +53,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
     for (const double f : {0.0, 0.1}) {
       if (clearance < 0.0 && f > 0.0) continue;  // touches
       SCOPED_TRACE(testing::Message() << clearance << ' ' << f);
-      Case input = film_reference_case(coarse, f);
+      Case input = film_reference_case(branch_resolution, f);
       input.bearing.radial_clearance = clearance;
       const FilmBearing bearing = make_film_bearing(input);
       FilmStepper stepper(bearing);
@@ -86,7 +86,7 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
 }
 
 TEST(Branch, SaysWhenSurfacesTouch) {
-  const FilmBearing bearing = film_reference_bearing(coarse);
+  const FilmBearing bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing, {.newton = {.thickness_floor = 0.5}});
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
@@ -121,7 +121,7 @@ TEST(Branch, JumpsWhereTheBranchUnderALoadEnds) {
 }
 
 TEST(Branch, FindsThePositionThatCarriesALoad) {
-  const FilmBearing bearing = film_reference_bearing(coarse);
+  const FilmBearing bearing = film_reference_bearing(branch_resolution);
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);

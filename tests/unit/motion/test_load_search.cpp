@@ -10,8 +10,8 @@ namespace bumpfoil {
 namespace {
 
 const Eigen::Vector2d push = unit_vector(0.7);
-constexpr double reach = 0.3e-3;
-constexpr double least = 1e-6;  // N
+constexpr double search_reach = 0.3e-3;
+constexpr double least_load = 1e-6;  // N
 
 /// A bearing that was pushed to 60 um in three increments.
 class LoadedBearing : public testing::TestWithParam<SolverName> {
@@ -43,7 +43,7 @@ TEST_P(LoadedBearing, FindsALoadWhereMovingThereMeetsIt) {
        {Eigen::Vector2d(1.3 * now), Eigen::Vector2d(0.8 * now), Eigen::Vector2d((1.0 - 1e-6) * now),
         Eigen::Vector2d(now + 0.1 * Eigen::Vector2d(-now.y(), now.x()))}) {
     Step by_load, by_place;
-    advance_to_load(stepper, state, load, least, reach, by_load);
+    advance_to_load(stepper, state, load, least_load, search_reach, by_load);
     ASSERT_TRUE(by_load.converged()) << load.transpose() << ": " << explanation(by_load.status);
     // The tolerance of the search; the regularised solver has a residual of its own.
     const double met = (GetParam() == SolverName::uzawa ? 1e-5 : 1e-9) * load.norm();
@@ -62,7 +62,7 @@ TEST_P(LoadedBearing, FindsALoadWhereMovingThereMeetsIt) {
 
 TEST_P(LoadedBearing, SaysThatALoadIsOutOfReach) {
   Step step;
-  advance_to_load(stepper, state, 3.0 * force(state), least, 65e-6, step);
+  advance_to_load(stepper, state, 3.0 * force(state), least_load, 65e-6, step);
   EXPECT_EQ(step.status, Status::load_out_of_reach);
   EXPECT_GT(step.cost.iterations, 0);
 }
@@ -76,7 +76,7 @@ TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
   Step first, step;
   stepper.assemble({}, first);
   EXPECT_EQ(holding_force(*foils, first.state.contacts.normal_force).norm(), 0.0);  // nothing tells the way
-  advance_to_load(stepper, first.state, 5.0 * push, least, reach, step);
+  advance_to_load(stepper, first.state, 5.0 * push, least_load, search_reach, step);
   ASSERT_TRUE(step.converged());
   EXPECT_LT((holding_force(*foils, step.state.contacts.normal_force) - 5.0 * push).norm(), 1e-8);
   EXPECT_GT(step.state.position.norm(), 31.8e-6);
@@ -87,9 +87,9 @@ TEST(LoadSearch, StandsStillWhereTheLoadIsThere) {
   FoilStepper stepper(foils, {});
   Step first, loaded, again;
   stepper.assemble({}, first);
-  advance_to_load(stepper, first.state, 50.0 * push, least, reach, loaded);
+  advance_to_load(stepper, first.state, 50.0 * push, least_load, search_reach, loaded);
   ASSERT_TRUE(loaded.converged());
-  advance_to_load(stepper, loaded.state, 50.0 * push, least, reach, again);
+  advance_to_load(stepper, loaded.state, 50.0 * push, least_load, search_reach, again);
   EXPECT_TRUE(again.converged());
   EXPECT_EQ(again.cost, SolveCost{});
   EXPECT_EQ(again.state.position, loaded.state.position);

@@ -28,10 +28,10 @@ class March : public ::testing::Test {
   BearingState state_;
 };
 
-const Program push{{Branch::loading, Control::displacement, {}, 0.0, 60e-6, 3}};
+const Program pushed{{Branch::loading, Control::displacement, {}, 0.0, 60e-6, 3}};
 
 TEST_F(March, TakesLegsOfBothKinds) {
-  Program program = push;
+  Program program = pushed;
   program.push_back({Branch::loading, Control::load, {}, 300.0, 400.0, 2});
   int taken = 0;
   Eigen::Vector2d before = state_.position;
@@ -59,7 +59,7 @@ TEST_F(March, KeepsTheStateOfAnIncrementThatStopsItAndNotOfOneThatIsRefused) {
     stepper_.assemble({}, step_);
     state_ = step_.state;
     int taken = 0;
-    EXPECT_FALSE(take(push, [&](const Passage&) { return ++taken == 2 ? verdict : Verdict::go_on; }));
+    EXPECT_FALSE(take(pushed, [&](const Passage&) { return ++taken == 2 ? verdict : Verdict::go_on; }));
     EXPECT_EQ(taken, 2);
     EXPECT_DOUBLE_EQ(state_.position.x(), verdict == Verdict::stop ? 40e-6 : 20e-6);
   }

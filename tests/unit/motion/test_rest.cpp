@@ -7,11 +7,11 @@
 namespace bumpfoil {
 namespace {
 
-constexpr FilmResolution coarse{.columns_per_pitch = 4, .rows = 4};
+constexpr FilmResolution rest_resolution{.columns_per_pitch = 4, .rows = 4};
 
 /// Let go, the journal comes to rest where it carries its load. Time passes on the way, as long as the film takes.
 TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
-  const FilmBearing bearing = film_reference_bearing(coarse, 0.1);
+  const FilmBearing bearing = film_reference_bearing(rest_resolution, 0.1);
   FilmStepper stepper(bearing);
   BearingState start;
   const double speed = speed_of_rpm(45000.0);
@@ -29,7 +29,7 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
 }
 
 TEST(Rest, StopsWhenTold) {
-  const FilmBearing bearing = film_reference_bearing(coarse);
+  const FilmBearing bearing = film_reference_bearing(rest_resolution);
   int solves = 0;
   FilmStepper stepper(bearing, {.keep_going = [&] { return ++solves < 5; }});
   BearingState state;

@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-Case former_case(double friction) {
+Case rubbing_former_case(double friction) {
   Case input = case_with_given_constants();
   input.bump_foil.model = BumpFoilModel::former;
   input.friction = {.top_bump = friction, .bump_sleeve = friction};
@@ -28,7 +28,7 @@ FormerSolution solve(const Case& input, const Eigen::Vector2d& position) {
 }
 
 TEST(FormerModel, FollowsTheJournalAndTheSleeve) {
-  Case input = former_case(0.1);
+  Case input = rubbing_former_case(0.1);
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[20] = 60e-6;  // stands out far enough to be reached on the other side
   const FormerModel model = make_former_model(input);
@@ -56,7 +56,7 @@ TEST(FormerModel, FollowsTheJournalAndTheSleeve) {
 
 /// Without friction: prescribed displacements eliminated from the dense matrix.
 TEST(FormerModel, IsLinearElasticWithoutFriction) {
-  const FormerModel model = make_former_model(former_case(0.0));
+  const FormerModel model = make_former_model(rubbing_former_case(0.0));
   const Eigen::Vector2d position(-50e-6, 30e-6);
   const FormerSolution solution = FormerSolver(model).solve(position);
   ASSERT_TRUE(solution.report.converged());
@@ -83,7 +83,7 @@ TEST(FormerModel, IsLinearElasticWithoutFriction) {
 /// Coulomb's law against the total displacement, tensions included, spelt out.
 TEST(FormerModel, FrictionOpposesTheTotalDisplacement) {
   for (const double friction : {0.05, 0.1, 0.3}) {
-    const FormerModel model = make_former_model(former_case(friction));
+    const FormerModel model = make_former_model(rubbing_former_case(friction));
     const FormerSolution solution = FormerSolver(model).solve({0.0, 70e-6});
     ASSERT_TRUE(solution.report.converged());
     const ContactState& s = solution.state;
@@ -115,7 +115,7 @@ TEST(FormerModel, FrictionOpposesTheTotalDisplacement) {
 }
 
 TEST(FormerModel, ResidualsTellAWrongState) {
-  const FormerModel model = make_former_model(former_case(0.1));
+  const FormerModel model = make_former_model(rubbing_former_case(0.1));
   const FormerSolution good = FormerSolver(model).solve({60e-6, 0.0});
   ASSERT_TRUE(good.residuals.within());
   // The same judge under twice the friction finds the slipping contacts inside their cone.
@@ -126,7 +126,7 @@ TEST(FormerModel, ResidualsTellAWrongState) {
 }
 
 TEST(FormerModel, TangentIsTheSlopeOfTheForce) {
-  const FormerModel model = make_former_model(former_case(0.1));
+  const FormerModel model = make_former_model(rubbing_former_case(0.1));
   FormerSolver solver(model);
   for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
     const Eigen::Vector2d n = unit_vector(angle);
@@ -139,7 +139,7 @@ TEST(FormerModel, TangentIsTheSlopeOfTheForce) {
 }
 
 TEST(FormerModel, DoesNotDependOnWhatWasSolvedBefore) {
-  FormerSolver solver(make_former_model(former_case(0.1)));
+  FormerSolver solver(make_former_model(rubbing_former_case(0.1)));
   const FormerSolution first = solver.solve({0.0, 70e-6});
   (void)solver.solve({0.0, -70e-6});
   const FormerSolution again = solver.solve({0.0, 70e-6});
@@ -151,7 +151,7 @@ TEST(FormerModel, SolvesRandomPositionsWithScatterAndFriction) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::normal_distribution<double> scatter(0.0, 20e-6);
   for (int trial = 0; trial < 100; ++trial) {
-    Case input = former_case(0.0);
+    Case input = rubbing_former_case(0.0);
     input.friction = {.top_bump = 0.3 * uniform(generator), .bump_sleeve = 0.3 * uniform(generator)};
     for (int bump = 0; bump < 26; ++bump) input.bump_foil.height_errors.push_back(scatter(generator));
     const Eigen::Vector2d n = unit_vector(6.283 * uniform(generator));
@@ -249,7 +249,7 @@ TEST(FormerModel, SolvesAStiffRowUnderFrictionOfNearlyOne) {
 }
 
 TEST(FormerModel, FeetStayOnTheSleeveAcrossGaps) {
-  Case input = former_case(0.0);
+  Case input = rubbing_former_case(0.0);
   input.bump_foil.sleeve_gaps.assign(26, 5e-6);
   const FormerSolution solution = solve(input, Eigen::Vector2d::Zero());
   ASSERT_TRUE(solution.report.converged());

@@ -25,7 +25,7 @@ namespace bumpfoil {
 namespace {
 
 using nlohmann::json;
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 /// A variable as a file is to declare it.
 struct Declared {

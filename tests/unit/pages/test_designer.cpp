@@ -81,7 +81,7 @@ TEST(DesignerAnswer, OffersUnitsWithTheirSizes) {
 TEST(DesignerAnswer, CyclesAreThoseOfAReport) {
   const Case input = parse_case(case_text(), "case");
   const CycleResult result = run_cycles(input);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& file : cycle_files(input, result, status_of(result), {}))
     folder.write(file.name, file.contents);
   json expected = json::parse(report_json({folder.path()}))["runs"][0];
@@ -190,7 +190,7 @@ TEST(DesignerAnswer, RunningBearingsAreThoseOfAReport) {
   input.equilibrium->loads = {{20.0, 0.0}, {5000.0, 0.0}};  // of which the second is too much
   const EquilibriumResult result = run_equilibrium(input);
   ASSERT_EQ(status_of(result), RunStatus::failed);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& file : equilibrium_files(input, result, status_of(result), {}))
     folder.write(file.name, file.contents);
   const json expected = json::parse(report_json({folder.path()}))["runs"][0];

@@ -24,7 +24,7 @@ class MeasuredLoopsCsv : public ::testing::Test {
     return "";
   }
 
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(MeasuredLoopsCsv, AreReadAsProgramsWriteThem) {

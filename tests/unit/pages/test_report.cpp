@@ -26,7 +26,7 @@ namespace bumpfoil {
 namespace {
 
 using nlohmann::json;
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 Case short_case() {
   Case input = reference_case();

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-class ReportOfEnsembles : public testing::EnsembleFiles {
+class ReportOfEnsembles : public test_support::EnsembleFiles {
  protected:
   [[nodiscard]] std::size_t column_of(std::string_view name) const {
     const auto found = std::find_if(layout_.columns.begin(), layout_.columns.end(),

@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-class SampledCase : public testing::EnsembleFiles {
+class SampledCase : public test_support::EnsembleFiles {
  protected:
   [[nodiscard]] std::string refusal(std::size_t number, const Case& input) const {
     try {

@@ -14,7 +14,7 @@
 namespace bumpfoil {
 namespace {
 
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 const std::vector<std::string> names{"cycle.csv", "result.nc", "summary.json"};
 

@@ -11,7 +11,7 @@
 namespace bumpfoil {
 namespace {
 
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 TEST(WriteFile, IsWholeOrNotThere) {
   const TemporaryFolder folder;

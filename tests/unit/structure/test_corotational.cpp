@@ -32,7 +32,7 @@ ElementVector some_displacements(int number) {
 }
 
 /// Size of an entry in units that make displacements (m) and rotations comparable.
-const ElementVector unit{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};
+const ElementVector unit_scales{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};
 
 TEST(Corotational, ForcesAreTheGradientOfTheEnergy) {
   for (const FrameElement& element : elements) {
@@ -43,11 +43,11 @@ TEST(Corotational, ForcesAreTheGradientOfTheEnergy) {
         double best = 1.0;
         double coarsest = 0.0;
         for (const double h : {1e-2, 1e-3, 1e-4, 1e-5}) {
-          const ElementVector step = h * unit[i] * ElementVector::Unit(i);
+          const ElementVector step = h * unit_scales[i] * ElementVector::Unit(i);
           const double difference = (corotational_response(carried(element), q + step).energy -
                                      corotational_response(carried(element), q - step).energy) /
-                                    (2.0 * h * unit[i]);
-          const double scale = response.forces.cwiseProduct(unit).cwiseAbs().maxCoeff() / unit[i];
+                                    (2.0 * h * unit_scales[i]);
+          const double scale = response.forces.cwiseProduct(unit_scales).cwiseAbs().maxCoeff() / unit_scales[i];
           const double error = std::abs(difference - response.forces[i]) / scale;
           if (coarsest == 0.0) coarsest = error;
           best = std::min(best, error);
@@ -65,17 +65,18 @@ TEST(Corotational, TangentIsTheDerivativeOfTheForces) {
     for (int number = 0; number < 5; ++number) {
       const ElementVector q = some_displacements(number);
       const ElementMatrix tangent = corotational_response(carried(element), q).tangent;
-      const double scale = (unit.asDiagonal() * tangent * unit.asDiagonal()).cwiseAbs().maxCoeff();
-      EXPECT_LT((unit.asDiagonal() * (tangent - tangent.transpose()) * unit.asDiagonal()).norm(), 1e-14 * scale);
+      const double scale = (unit_scales.asDiagonal() * tangent * unit_scales.asDiagonal()).cwiseAbs().maxCoeff();
+      EXPECT_LT((unit_scales.asDiagonal() * (tangent - tangent.transpose()) * unit_scales.asDiagonal()).norm(),
+                1e-14 * scale);
       for (int i = 0; i < 6; ++i) {
         double best = 1.0;
         for (const double h : {1e-3, 1e-4, 1e-5, 1e-6}) {
-          const ElementVector step = h * unit[i] * ElementVector::Unit(i);
+          const ElementVector step = h * unit_scales[i] * ElementVector::Unit(i);
           const ElementVector difference = (corotational_response(carried(element), q + step).forces -
                                             corotational_response(carried(element), q - step).forces) /
                                            (2.0 * h);
-          const ElementVector exact = unit[i] * tangent.col(i);
-          best = std::min(best, (difference - exact).cwiseProduct(unit).norm() / scale);
+          const ElementVector exact = unit_scales[i] * tangent.col(i);
+          best = std::min(best, (difference - exact).cwiseProduct(unit_scales).norm() / scale);
         }
         EXPECT_LT(best, 1e-9) << "element turning " << element.turning << ", unknown " << i;  // as above
       }
@@ -87,7 +88,7 @@ TEST(Corotational, StableTangentNeverPullsAndLacksNothingUnderTension) {
   for (const FrameElement& element : elements) {
     for (int number = 0; number < 5; ++number) {
       const CorotationalResponse response = corotational_response(carried(element), some_displacements(number));
-      const ElementMatrix scaled = unit.asDiagonal() * response.stable_tangent * unit.asDiagonal();
+      const ElementMatrix scaled = unit_scales.asDiagonal() * response.stable_tangent * unit_scales.asDiagonal();
       const ElementVector values = Eigen::SelfAdjointEigenSolver<ElementMatrix>(scaled).eigenvalues();
       EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());  // zero for the rigid motions
     }
@@ -95,8 +96,9 @@ TEST(Corotational, StableTangentNeverPullsAndLacksNothingUnderTension) {
     const Eigen::Vector2d stretch = 1e-3 * element.chord;
     const ElementVector q{{0.0, 0.0, 0.0, stretch.x(), stretch.y(), 0.0}};
     const CorotationalResponse stretched = corotational_response(carried(element), q);
-    EXPECT_LT((unit.asDiagonal() * (stretched.tangent - stretched.stable_tangent) * unit.asDiagonal()).norm(),
-              1e-12 * (unit.asDiagonal() * stretched.tangent * unit.asDiagonal()).norm());
+    EXPECT_LT(
+        (unit_scales.asDiagonal() * (stretched.tangent - stretched.stable_tangent) * unit_scales.asDiagonal()).norm(),
+        1e-12 * (unit_scales.asDiagonal() * stretched.tangent * unit_scales.asDiagonal()).norm());
   }
 }
 
@@ -107,7 +109,7 @@ TEST(Corotational, RigidMotionStrainsNothing) {
       const ElementVector q{{5e-3, -7e-3, angle, 5e-3 + moved.x(), -7e-3 + moved.y(), angle}};
       const CorotationalResponse response = corotational_response(carried(element), q);
       const CorotationalResponse bent =
-          corotational_response(carried(element), q + 1e-3 * unit.cwiseProduct(ElementVector::Unit(3)));
+          corotational_response(carried(element), q + 1e-3 * unit_scales.cwiseProduct(ElementVector::Unit(3)));
       // Rounding of displacements of millimetres against a micrometre that strains.
       EXPECT_LT(response.forces.norm(), 1e-10 * bent.forces.norm());
       EXPECT_LT(response.energy, 1e-20 * bent.energy + 1e-24);
@@ -121,8 +123,8 @@ TEST(Corotational, AtRestIsTheLinearElement) {
     const ElementMatrix linear = frame_element_stiffness(foil_section, element);
     const CorotationalResponse at_rest = corotational_response(carried(element), ElementVector::Zero());
     EXPECT_EQ(at_rest.forces.norm(), 0.0);
-    EXPECT_LT((unit.asDiagonal() * (at_rest.tangent - linear) * unit.asDiagonal()).norm(),
-              1e-13 * (unit.asDiagonal() * linear * unit.asDiagonal()).norm());
+    EXPECT_LT((unit_scales.asDiagonal() * (at_rest.tangent - linear) * unit_scales.asDiagonal()).norm(),
+              1e-13 * (unit_scales.asDiagonal() * linear * unit_scales.asDiagonal()).norm());
     // Small displacements: the forces differ by the square of the displacements.
     const ElementVector q = 1e-3 * ElementVector{{2e-6, -1e-6, 3e-3, 1e-6, 4e-6, -2e-3}};
     for (const double factor : {1.0, 0.1}) {
@@ -177,7 +179,7 @@ Vector equilibrium(const ElementChain& chain, const Eigen::Vector3d& end_load) {
 }
 
 /// Bends but hardly stretches: EI = 1 N m^2, EA = 1e8 N.
-const Section inextensible{.bending_stiffness = 1.0, .axial_stiffness = 1e8, .modulus = 1.0};
+const Section inextensible_beam{.bending_stiffness = 1.0, .axial_stiffness = 1e8, .modulus = 1.0};
 
 TEST(Corotational, CantileverUnderAnEndForceMeetsTheElastica) {
   // Elliptic integrals [Mattiasson1981, Table I]: drop and approach of the end over the length, and its slope.
@@ -191,7 +193,7 @@ TEST(Corotational, CantileverUnderAnEndForceMeetsTheElastica) {
   for (const Row& row : table) {
     double coarse_error = 0.0;
     for (const int count : {20, 80}) {
-      const Vector x = equilibrium(cantilever(count, 1.0, 0.0, inextensible), {0.0, row.load, 0.0});
+      const Vector x = equilibrium(cantilever(count, 1.0, 0.0, inextensible_beam), {0.0, row.load, 0.0});
       const Eigen::Vector3d end = x.tail<3>();
       const double error = (end - Eigen::Vector3d(-row.approach, row.drop, row.slope)).cwiseAbs().maxCoeff();
       // Second order in the element: 20 of them stay within 0.2 %, and four times as many are sixteen times closer,
@@ -207,7 +209,7 @@ TEST(Corotational, CantileverUnderAnEndMomentBendsToAPolygonOnACircle) {
   // chord, turned half-way between its ends.
   const double slope = 0.95 * std::numbers::pi;
   constexpr int count = 8;
-  const Vector x = equilibrium(cantilever(count, 1.0, 0.0, inextensible), {0.0, 0.0, slope});
+  const Vector x = equilibrium(cantilever(count, 1.0, 0.0, inextensible_beam), {0.0, 0.0, slope});
   Eigen::Vector2d end(0.0, 0.0);
   for (int i = 0; i < count; ++i)
     end += Eigen::Vector2d(std::cos(slope * (i + 0.5) / count), std::sin(slope * (i + 0.5) / count)) / count;
@@ -223,7 +225,7 @@ TEST(Corotational, CurvedBeamStraightensUnderItsMoment) {
   const double quarter = 0.5 * std::numbers::pi;
   double coarse_error = 0.0;
   for (const int count : {4, 16}) {
-    const Vector x = equilibrium(cantilever(count, 1.0, quarter, inextensible), {0.0, 0.0, -quarter});
+    const Vector x = equilibrium(cantilever(count, 1.0, quarter, inextensible_beam), {0.0, 0.0, -quarter});
     EXPECT_NEAR(x[3 * count - 1], -quarter, 1e-9);
     const double radius = 1.0 / quarter;
     const double error = std::hypot(x[3 * count - 3] + radius - 1.0, x[3 * count - 2] + radius);
@@ -233,7 +235,7 @@ TEST(Corotational, CurvedBeamStraightensUnderItsMoment) {
 }
 
 TEST(Corotational, ClampedStartHasNoUnknowns) {
-  const ElementChain chain = cantilever(2, 1.0, 0.0, inextensible);
+  const ElementChain chain = cantilever(2, 1.0, 0.0, inextensible_beam);
   const Vector x = Vector::LinSpaced(6, 0.01, 0.06);
   EXPECT_EQ(end_displacements(chain, chain.elements.front(), x).head<3>().norm(), 0.0);
   EXPECT_EQ(Vector(end_displacements(chain, chain.elements.back(), x)), x);

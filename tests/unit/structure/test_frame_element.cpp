@@ -13,10 +13,10 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const Section foil = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
+using std::numbers::pi;
+const Section element_section = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
 /// Bending alone: stretching a hundred million times stiffer, which leaves 1e-8 or less of it.
-const Section inextensible{.bending_stiffness = 1.0, .axial_stiffness = 1e8, .modulus = 1.0};
+const Section inextensible_section{.bending_stiffness = 1.0, .axial_stiffness = 1e8, .modulus = 1.0};
 
 using Long = long double;
 using LongMatrix3 = Eigen::Matrix<Long, 3, 3>;
@@ -62,8 +62,8 @@ TEST(FrameElement, EqualsTheInverseOfTheIntegratedFlexibility) {
   for (const double turning : {0.0, 1e-9, 1e-4, 0.02, 0.898, -0.898, 2.5, 4.5}) {
     for (const double direction : {0.0, -0.449, 2.0}) {
       const FrameElement element{{c * std::cos(direction), c * std::sin(direction)}, turning};
-      const ElementMatrix K = frame_element_stiffness(foil, element);
-      const LongMatrix3 exact = integrated_flexibility(foil, element).inverse();
+      const ElementMatrix K = frame_element_stiffness(element_section, element);
+      const LongMatrix3 exact = integrated_flexibility(element_section, element).inverse();
       // Rotations times the chord, so that all entries are N/m.
       const Eigen::Matrix<Long, 3, 1> scale(1, 1, 1 / Long{c});
       const LongMatrix3 error =
@@ -71,7 +71,7 @@ TEST(FrameElement, EqualsTheInverseOfTheIntegratedFlexibility) {
       const LongMatrix3 reference = scale.asDiagonal() * exact * scale.asDiagonal();
       EXPECT_LT(error.norm(), 1e-12L * reference.norm()) << turning << ' ' << direction;
       // The soft directions too: the flexibility, not the stiffness, is what loads on a foil meet.
-      const LongMatrix3 product = scale.cwiseInverse().asDiagonal() * integrated_flexibility(foil, element) *
+      const LongMatrix3 product = scale.cwiseInverse().asDiagonal() * integrated_flexibility(element_section, element) *
                                   K.bottomRightCorner<3, 3>().cast<Long>() * scale.asDiagonal();
       EXPECT_LT((product - LongMatrix3::Identity()).norm(), 1e-10L) << turning << ' ' << direction;
     }
@@ -117,7 +117,7 @@ TEST(FrameElement, QuarterCircleCantileverHasThePublishedDeflections) {
   // Strength of Materials, part I].
   const FrameElement quarter{{1.0, 1.0}, pi / 2};  // starts along x, ends along y
   const Eigen::Matrix3d flexibility =
-      frame_element_stiffness(inextensible, quarter).bottomRightCorner<3, 3>().inverse();
+      frame_element_stiffness(inextensible_section, quarter).bottomRightCorner<3, 3>().inverse();
   constexpr double stretching_left = 2e-8;
   EXPECT_NEAR(flexibility(0, 0), pi / 4, stretching_left);
   EXPECT_NEAR(flexibility(1, 0), -0.5, stretching_left);
@@ -130,7 +130,7 @@ TEST(FrameElement, FixedSemicircularArchHasThePublishedThrustAndMoments) {
   // crown and springings follow from it and from the zero rotation of the crown.
   const FrameElement half{{1.0, -1.0}, pi / 2};  // springing (rising along -y) to crown
   // Crown: u = 0, rotation 0 by symmetry; half the load acts on v.
-  const ElementMatrix K = frame_element_stiffness(inextensible, half);
+  const ElementMatrix K = frame_element_stiffness(inextensible_section, half);
   ElementVector ends = ElementVector::Zero();
   ends[4] = 0.5 / K(4, 4);
   const ElementVector reactions = K * ends;
@@ -139,7 +139,7 @@ TEST(FrameElement, FixedSemicircularArchHasThePublishedThrustAndMoments) {
   EXPECT_NEAR(std::abs(reactions[3]), thrust, 1e-6);
   EXPECT_NEAR(reactions[1], -0.5, 1e-12);
 
-  const ElementForces forces = element_forces(inextensible, half, ends);
+  const ElementForces forces = element_forces(inextensible_section, half, ends);
   // M(phi) from the crown: M_c - H (1 - cos) + (P/2) sin up to the sign, its mean zero.
   const double crown = (thrust * (pi / 2 - 1) - 0.5) / (pi / 2);
   EXPECT_NEAR(std::abs(bending_moment(half, forces, 0.5)), std::abs(crown), 1e-6);
@@ -177,8 +177,8 @@ TEST(FrameElement, MomentIsLargestInsideAnArcUnderPureThrust) {
 }
 
 TEST(StiffnessInSeries, OfTwoHalvesIsThatOfTheWhole) {
-  const ElementMatrix half = frame_element_stiffness(foil, flat_element(0.7e-3));
-  const ElementMatrix whole = frame_element_stiffness(foil, flat_element(1.4e-3));
+  const ElementMatrix half = frame_element_stiffness(element_section, flat_element(0.7e-3));
+  const ElementMatrix whole = frame_element_stiffness(element_section, flat_element(1.4e-3));
   const ElementVector unit{{1e-3, 1e-3, 1.0, 1e-3, 1e-3, 1.0}};  // displacements beside rotations
   const ElementMatrix difference = unit.asDiagonal() * (stiffness_in_series(half, half) - whole) * unit.asDiagonal();
   EXPECT_LT(difference.norm(), 1e-13 * (unit.asDiagonal() * whole * unit.asDiagonal()).norm());
@@ -190,14 +190,14 @@ TEST(StiffnessInSeries, BendsASteppedCantileverAsTheTextbookSays) {
   const double a = 1e-3;
   const double b = 2e-3;
   const ElementMatrix K = stiffness_in_series(frame_element_stiffness(thick, flat_element(a)),
-                                              frame_element_stiffness(foil, flat_element(b)));
+                                              frame_element_stiffness(element_section, flat_element(b)));
   const Eigen::Matrix3d free_end = K.bottomRightCorner<3, 3>();
   const Eigen::Vector3d moved = free_end.inverse() * Eigen::Vector3d(5.0, 3.0, 0.0);
-  const double stretch = 5.0 * (a / thick.axial_stiffness + b / foil.axial_stiffness);
+  const double stretch = 5.0 * (a / thick.axial_stiffness + b / element_section.axial_stiffness);
   const double drop = 3.0 * ((std::pow(a + b, 3) - std::pow(b, 3)) / (3.0 * thick.bending_stiffness) +
-                             std::pow(b, 3) / (3.0 * foil.bending_stiffness));
-  const double slope =
-      3.0 * ((std::pow(a + b, 2) - b * b) / (2.0 * thick.bending_stiffness) + b * b / (2.0 * foil.bending_stiffness));
+                             std::pow(b, 3) / (3.0 * element_section.bending_stiffness));
+  const double slope = 3.0 * ((std::pow(a + b, 2) - b * b) / (2.0 * thick.bending_stiffness) +
+                              b * b / (2.0 * element_section.bending_stiffness));
   EXPECT_NEAR(moved[0], stretch, 1e-12 * stretch);
   EXPECT_NEAR(moved[1], drop, 1e-12 * drop);
   EXPECT_NEAR(moved[2], slope, 1e-12 * slope);

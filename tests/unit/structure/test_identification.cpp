@@ -18,7 +18,7 @@ namespace bumpfoil {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-const Section foil = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
+const Section identified_foil = make_section(214e9, 0.29, 38.1e-3, 0.102e-3);
 
 BumpArc reference_arc(HeightReference reference) {
   BumpFoil bump = reference_case().bump_foil;
@@ -28,8 +28,8 @@ BumpArc reference_arc(HeightReference reference) {
 
 TEST(Identification, ReferenceBumpWithTheHeightOfTheMidSurface) {
   const BumpArc arc = reference_arc(HeightReference::midsurface);  // rise 0.508 mm
-  const BumpCell cell = make_bump_cell(arc, foil);
-  const TrussConstants truss = identify_truss_constants(arc, foil);
+  const BumpCell cell = make_bump_cell(arc, identified_foil);
+  const TrussConstants truss = identify_truss_constants(arc, identified_foil);
   // Published to three or four digits; they are met to 0.1 %.
   EXPECT_NEAR(cell.a, 24.53e6, 1e-3 * 24.53e6);
   EXPECT_NEAR(cell.b, 34.92e6, 1e-3 * 34.92e6);
@@ -44,8 +44,8 @@ TEST(Identification, ReferenceBumpWithTheHeightOfTheMidSurface) {
 
 TEST(Identification, ReferenceBumpWithTheOverallHeight) {
   const BumpArc arc = reference_arc(HeightReference::overall);  // rise 0.406 mm
-  const BumpCell cell = make_bump_cell(arc, foil);
-  const TrussConstants truss = identify_truss_constants(arc, foil);
+  const BumpCell cell = make_bump_cell(arc, identified_foil);
+  const TrussConstants truss = identify_truss_constants(arc, identified_foil);
   EXPECT_NEAR(cell.a, 22.32e6, 1e-3 * 22.32e6);
   EXPECT_NEAR(cell.b, 39.36e6, 1e-3 * 39.36e6);
   EXPECT_NEAR(cell.d, 76.21e6, 1e-3 * 76.21e6);
@@ -59,8 +59,8 @@ TEST(Identification, ReferenceBumpWithTheOverallHeight) {
 
 TEST(Identification, TrussIsExactForTheUniformCell) {
   const BumpArc arc = reference_arc(HeightReference::overall);
-  const BumpCell cell = make_bump_cell(arc, foil);
-  const TrussConstants truss = identify_truss_constants(arc, foil);
+  const BumpCell cell = make_bump_cell(arc, identified_foil);
+  const TrussConstants truss = identify_truss_constants(arc, identified_foil);
   // One bump of an endless truss whose crests move by v and whose pitch grows by e: elongations of the four springs.
   const double v = 3e-6;
   const double e = -2e-6;
@@ -69,7 +69,8 @@ TEST(Identification, TrussIsExactForTheUniformCell) {
   EXPECT_NEAR(energy, 0.5 * cell.a * v * v - cell.b * v * e + 0.5 * cell.d * e * e, 1e-12 * energy);
 }
 
-/// Loads on the crests of a foil in the frame model where all are pressed by 1 m, feet on the sleeve and sliding.
+/// Loads on the crests of a foil in the frame model where all are pressed by 1 m, feet on the sleeve and
+/// sliding.
 Vector frame_crest_loads(const FoilDesign& foils) {
   const FrameModel model = make_frame_model(foils);
   const BumpDofs dofs = frame_dofs();
@@ -113,7 +114,7 @@ TEST(Identification, CellIsThatOfALongFrame) {
   // cell whose pitch adapts.
   Case input = reference_case();
   input.bump_foil.bumps = 12;
-  const double cell = make_bump_cell(make_bump_arc(nominal_bump(input.bump_foil)), foil).crest_stiffness();
+  const double cell = make_bump_cell(make_bump_arc(nominal_bump(input.bump_foil)), identified_foil).crest_stiffness();
   const Vector loads = frame_crest_loads(make_bearing_design(input));
   EXPECT_NEAR(loads[6], cell, 1e-4 * cell);  // the ends are felt by less than a tenth per bump
 }

@@ -21,7 +21,7 @@ struct Foil {
 /// M = R^2 q (1 - cos(a - theta)) give, clamped at theta = 0,
 ///
 ///     u = (R^4 q / EI') (1 - cos(theta) - (theta sin(theta - a) + sin(a) sin(theta)) / 2)
-Vector cantilever(const TopFoilBeam& beam, double a, double q) {
+Vector cantilever_loads(const TopFoilBeam& beam, double a, double q) {
   const double scale = std::pow(beam.radius, 4) * q / beam.bending_stiffness;
   return beam.theta.unaryExpr(
       [=](double t) { return scale * (1.0 - std::cos(t) - 0.5 * (t * std::sin(t - a) + std::sin(a) * std::sin(t))); });
@@ -31,11 +31,11 @@ TEST(CrestLoads, UniformLoadDisplacesTheCrestsAsTheClosedFormSays) {
   const Foil foil;
   const Vector uniform = Vector::Constant(foil.crests + 1, 3.0);
   const Vector loads = crest_loads(foil.beam, foil.form, foil.end_angle, uniform);
-  const Vector expected = top_foil_loads(foil.form, cantilever(foil.beam, foil.end_angle, 3.0));
+  const Vector expected = top_foil_loads(foil.form, cantilever_loads(foil.beam, foil.end_angle, 3.0));
   // Displacements of 200 mm that differ by what counts: the closed form loses some digits of its 16.
   EXPECT_LT((loads - expected).cwiseAbs().maxCoeff(), 1e-8 * loads.cwiseAbs().maxCoeff());
   const Vector u = top_foil_compliance(foil.beam) * loads;
-  const Vector exact = cantilever(foil.beam, foil.end_angle, 3.0);
+  const Vector exact = cantilever_loads(foil.beam, foil.end_angle, 3.0);
   EXPECT_LT((u - exact).cwiseAbs().maxCoeff(), 1e-9 * exact.cwiseAbs().maxCoeff());
 }
 
@@ -71,7 +71,7 @@ TEST(CrestLoads, AreThoseOfOneSpanWhereThereIsOneCrest) {
   TopFoilBeam beam{.radius = 0.02, .bending_stiffness = 0.003, .theta = Vector::Constant(1, 0.3)};
   const Vector loads = crest_loads(beam, make_top_foil_moments(beam), 0.4, Vector::Constant(2, 7.0));
   const Vector u = top_foil_compliance(beam) * loads;
-  EXPECT_NEAR(u[0], cantilever(beam, 0.4, 7.0)[0], 1e-10 * std::abs(u[0]));
+  EXPECT_NEAR(u[0], cantilever_loads(beam, 0.4, 7.0)[0], 1e-10 * std::abs(u[0]));
 }
 
 }  // namespace

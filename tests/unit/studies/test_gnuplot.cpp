@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
 TEST(Gnuplot, DrawsWithTheVariablesItIsGiven) {
   const TemporaryFolder folder;

@@ -70,7 +70,7 @@ class SweepFiles : public ::testing::Test {
   Sweep sweep_;
   std::vector<CycleResult> results_;
   std::vector<SweepPoint> points_;
-  testing::TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
 };
 
 TEST_F(SweepFiles, AreASetThatVouchesForItself) {
@@ -237,7 +237,7 @@ TEST(SweepFilesOfStrips, HaveRoomForTheLongest) {
                                    .overrides = {"strip.bumps=2", "strip.displacement=10 um"}});
   std::vector<SweepPoint> points(4);  // none is begun
   complete(sweep, points);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
   const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
   EXPECT_EQ(file.getDim("cycle").getSize(), 2U);
@@ -272,7 +272,7 @@ std::vector<double> numbers_of(const netCDF::NcVar& variable, std::vector<std::s
 TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
   const Sweep sweep = sweep_of_vibrations({"bump_foil.height=[0.5 mm, 0.52 mm]", "friction.coefficient=[0.1, 0.2]"},
                                           {"vibration.steps=4"});
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   std::vector<SweepPoint> points(sweep.cases.size());
   for (std::size_t i = 0; i + 1 < points.size(); ++i) points[i] = run_point(sweep, i);  // the last was not begun
   complete(sweep, points);
@@ -337,7 +337,7 @@ TEST(SweepFilesOfVibrations, HaveAllThatEachRunHas) {
 TEST(SweepFilesOfVibrations, HaveRoomForTheLongestLoop) {
   const Sweep sweep = sweep_of_vibrations({"vibration.steps=[3, 5]"}, {});
   std::vector<SweepPoint> points{run_point(sweep, 0), run_point(sweep, 1)};
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
   const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
   const std::vector<double> shorter = numbers_of(file.getVar("displacement"), {0, 1, 1, 1});
@@ -365,7 +365,7 @@ TEST(SweepFilesOfRunningBearings, HaveStatesOverSpeedAndLoadWhateverTheirOrder) 
     complete(sweep, points);
     EXPECT_EQ(points[1].status, RunStatus::complete);
     EXPECT_EQ(points[0].status, RunStatus::interrupted);
-    const testing::TemporaryFolder folder;
+    const test_support::TemporaryFolder folder;
     for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
     const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
     EXPECT_EQ(numbers_of(file.getVar("speed")), (std::vector<double>{4700.0, 4000.0}));
@@ -432,7 +432,7 @@ TEST(SweepFilesOfRunningBearings, TakePositions) {
                    .overrides = {"equilibrium.speeds=[4700]", "equilibrium.positions=[[1e-6, 0], [2e-6, 3e-6]]"}});
   std::vector<SweepPoint> points(2);
   complete(sweep, points);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& one : sweep_files(sweep, points, {})) folder.write(one.name, one.contents);
   const netCDF::NcFile file((folder.path() / "sweep.nc").string(), netCDF::NcFile::read);
   EXPECT_EQ(numbers_of(file.getVar("position_y")), (std::vector<double>{0.0, 3e-6}));

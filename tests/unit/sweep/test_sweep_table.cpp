@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-Sweep sweep_over(const std::vector<std::string>& over) {
+Sweep tabulated_sweep(const std::vector<std::string>& over) {
   return parse_sweep(case_template("gen1"), "case.toml",
                      {.command = "cycle", .over = over, .overrides = {"cycle.directions=[\"+X\", \"-X\"]"}});
 }
@@ -45,7 +45,7 @@ bool has(const std::string& text, const std::string& part) {
 }
 
 TEST(SweepTable, ValuesOfOneKeyStandDownAndQuantitiesAcross) {
-  const Sweep sweep = sweep_over({"cycle.amplitude=[60 um, 65 um, 70 um]"});
+  const Sweep sweep = tabulated_sweep({"cycle.amplitude=[60 um, 65 um, 70 um]"});
   CycleResult failed = result_of(200.0, 2);
   failed.cycles[1].status = Status::no_modes;
   const std::string table = sweep_table(sweep, points_of(sweep, {result_of(100.0, 2), failed, {}}));
@@ -64,7 +64,7 @@ TEST(SweepTable, ValuesOfOneKeyStandDownAndQuantitiesAcross) {
 }
 
 TEST(SweepTable, GridsShowTheirExtremes) {
-  const Sweep sweep = sweep_over({"cycle.amplitude=[60 um, 70 um]", "friction.coefficient=[0, 0.1]"});
+  const Sweep sweep = tabulated_sweep({"cycle.amplitude=[60 um, 70 um]", "friction.coefficient=[0, 0.1]"});
   const std::vector<SweepPoint> points =
       points_of(sweep, {result_of(300.0, 1), result_of(100.0, 1), {}, result_of(200.0, 1)});
   const std::string table = sweep_table(sweep, points);
@@ -75,7 +75,7 @@ TEST(SweepTable, GridsShowTheirExtremes) {
 }
 
 TEST(SweepTable, ManyValuesShowTheirExtremes) {
-  const Sweep sweep = sweep_over({"friction.coefficient=0.01:0.51:0.01"});
+  const Sweep sweep = tabulated_sweep({"friction.coefficient=0.01:0.51:0.01"});
   const std::vector<SweepPoint> points =
       points_of(sweep, std::vector<std::optional<CycleResult>>(51, result_of(100.0, 2)));
   const std::string table = sweep_table(sweep, points);
@@ -84,7 +84,7 @@ TEST(SweepTable, ManyValuesShowTheirExtremes) {
 }
 
 TEST(SweepTable, FailuresAndWarningsNameTheirPoint) {
-  const Sweep sweep = sweep_over({"friction.coefficient=[0, 0.1]"});
+  const Sweep sweep = tabulated_sweep({"friction.coefficient=[0, 0.1]"});
   CycleResult first = result_of(100.0, 2);
   first.cycles[0].compression = CompressionPeak{.compression = 300e-6, .bump = 2};
   CycleResult second = result_of(100.0, 2);

@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case short_case(int steps = 10) {
   Case input = case_with_given_constants();

@@ -12,7 +12,7 @@
 namespace bumpfoil {
 namespace {
 
-CycleResult short_run() {
+CycleResult tabulated_run() {
   Case input = reference_case();
   input.cycle.directions = {0.0, 1.0};
   input.cycle.steps = 3;
@@ -27,7 +27,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 TEST(CycleCsv, HasOneLinePerDirectionAndIncrement) {
-  const std::vector<std::string> lines = split(cycle_csv(short_run()), '\n');
+  const std::vector<std::string> lines = split(cycle_csv(tabulated_run()), '\n');
   ASSERT_EQ(lines.size(), 1U + 2U * 7U);
   EXPECT_EQ(lines[0],
             "direction_deg,increment,branch,displacement_m,x_m,y_m,force_x_N,force_y_N,force_direct_N,force_cross_N,"
@@ -42,7 +42,7 @@ TEST(CycleCsv, HasOneLinePerDirectionAndIncrement) {
 }
 
 TEST(CycleCsv, NumbersReadBackToTheLastBit) {
-  const CycleResult result = short_run();
+  const CycleResult result = tabulated_run();
   const std::vector<std::string> cells = split(split(cycle_csv(result), '\n')[1 + 7 + 3], ',');
   const Increment& increment = result.cycles[1].increments[3];
   EXPECT_EQ(std::stod(cells[3]), increment.displacement);
@@ -61,7 +61,7 @@ TEST(CycleCsv, NumbersReadBackToTheLastBit) {
 }
 
 TEST(CycleCsv, LeavesOutWhatIsNotFinite) {
-  CycleResult result = short_run();
+  CycleResult result = tabulated_run();
   result.cycles[0].increments[0].force_x = std::numeric_limits<double>::quiet_NaN();
   const std::string text = cycle_csv(result);
   EXPECT_EQ(text.find("nan"), std::string::npos);
@@ -69,7 +69,7 @@ TEST(CycleCsv, LeavesOutWhatIsNotFinite) {
 }
 
 TEST(CycleCsv, AFailedIncrementHasItsPlaceAndStatusButNoNumbers) {
-  const CycleResult result = failed_at_increment_three(short_run());
+  const CycleResult result = failed_at_increment_three(tabulated_run());
   const std::vector<std::string> lines = split(cycle_csv(result), '\n');
   ASSERT_EQ(lines.size(), 1U + 4U);
   const std::vector<std::string> cells = split(lines[4], ',');

@@ -31,9 +31,9 @@ namespace {
 using netCDF::NcDim;
 using netCDF::NcFile;
 using netCDF::NcVar;
-using testing::TemporaryFolder;
+using test_support::TemporaryFolder;
 
-Case short_case() {
+Case described_case() {
   Case input = reference_case();
   input.cycle.directions = {0.3, 0.5 * std::numbers::pi};
   input.cycle.steps = 5;
@@ -52,7 +52,7 @@ Cycle ended(Status status) {
 /// A result as its readers find it.
 class OpenedResult {
  public:
-  explicit OpenedResult(const CycleResult& result, const Case& input = short_case(),
+  explicit OpenedResult(const CycleResult& result, const Case& input = described_case(),
                         RunStatus status = RunStatus::complete, const Provenance& provenance = {}) {
     const std::vector<ResultFile> files = cycle_files(input, result, status, provenance);
     folder_.write("result.nc", files[1].contents);
@@ -91,7 +91,7 @@ class OpenedResult {
 };
 
 TEST(CycleDataset, HoldsEveryIncrementToTheLastBit) {
-  const CycleResult result = run_cycles(short_case());
+  const CycleResult result = run_cycles(described_case());
   const OpenedResult file(result);
   EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
   EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
@@ -125,7 +125,7 @@ TEST(CycleDataset, HoldsEveryIncrementToTheLastBit) {
 }
 
 TEST(CycleDataset, HoldsEveryBumpAndFoot) {
-  Case input = short_case();
+  Case input = described_case();
   input.bump_foil.model = BumpFoilModel::frame;  // two feet per bump: bumps and feet cannot be mistaken
   const CycleResult result = run_cycles(input);
   ASSERT_TRUE(result.converged());
@@ -173,7 +173,7 @@ TEST(CycleDataset, HoldsEveryBumpAndFoot) {
 }
 
 TEST(CycleDataset, EveryUnitIsOneOfUdunits) {
-  const OpenedResult file(run_cycles(short_case()));
+  const OpenedResult file(run_cycles(described_case()));
   ut_set_error_message_handler(ut_ignore);
   ut_system* units = ut_read_xml(nullptr);
   ASSERT_NE(units, nullptr);
@@ -190,7 +190,7 @@ TEST(CycleDataset, EveryUnitIsOneOfUdunits) {
 }
 
 TEST(CycleDataset, HoldsWhatItTakesToDrawTheBearing) {
-  const Case input = short_case();
+  const Case input = described_case();
   const OpenedResult file(run_cycles(input));
   EXPECT_EQ(file.at("bearing_radius"), input.bearing.radius);
   EXPECT_EQ(file.at("axial_length"), input.bearing.axial_length);
@@ -202,7 +202,7 @@ TEST(CycleDataset, HoldsWhatItTakesToDrawTheBearing) {
 }
 
 TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
-  Case input = short_case();
+  Case input = described_case();
   const auto values = [&](const std::string& name) {
     for (const NamedNumbers& numbers : make_result_layout(input, Experiment::cycle).at_bumps) {
       if (numbers.name == name) return numbers.values;
@@ -231,7 +231,7 @@ TEST(ResultLayout, HasOneNumberPerBumpWhereBumpsDiffer) {
 }
 
 TEST(CycleDataset, HasADimensionForSeveralPads) {
-  Case input = short_case();
+  Case input = described_case();
   input.bump_foil.height_errors.clear();
   input.bump_foil.bumps = 7;
   input.bearing.radial_clearance = -2e-6;
@@ -257,7 +257,7 @@ TEST(CycleDataset, HasADimensionForSeveralPads) {
   EXPECT_GT(file.at("stress_top_foil_weld", {1, 5, 0}), 0.0);
   EXPECT_EQ(file.at("stress_top_foil_weld", {1, 5, 1}), 0.0);  // the journal has left it
 
-  const OpenedResult one(run_cycles(short_case()));
+  const OpenedResult one(run_cycles(described_case()));
   EXPECT_TRUE(one.file().getDim("pad").isNull());
   for (const char* name : {"pad", "bump_pad", "foot_pad", "pad_lobe", "pad_force_x", "pad_forces_x"}) {
     EXPECT_TRUE(one.file().getVar(name).isNull()) << name;
@@ -266,7 +266,7 @@ TEST(CycleDataset, HasADimensionForSeveralPads) {
 }
 
 TEST(CycleDataset, SaysWhereItComesFrom) {
-  const Case input = short_case();
+  const Case input = described_case();
   const OpenedResult file(run_cycles(input), input, RunStatus::complete,
                           {.command_line = "bumpfoil cycle 'my case.toml' -o out", .case_text = "# as written\n"});
   EXPECT_EQ(file.attribute("Conventions"), "CF-1.8");
@@ -285,7 +285,7 @@ TEST(CycleDataset, SaysWhereItComesFrom) {
 TEST(CycleDataset, KeepsItsVariablesInOrderAndTakesFurtherOnes) {
   const TemporaryFolder folder;
   const std::string path = folder.write(
-      "result.nc", cycle_files(short_case(), run_cycles(short_case()), RunStatus::complete, {})[1].contents);
+      "result.nc", cycle_files(described_case(), run_cycles(described_case()), RunStatus::complete, {})[1].contents);
   int file = 0;
   // netCDF adds to no file that has forgotten its order.
   ASSERT_EQ(nc_open(path.c_str(), NC_WRITE, &file), NC_NOERR);
@@ -300,16 +300,16 @@ TEST(CycleDataset, KeepsItsVariablesInOrderAndTakesFurtherOnes) {
 
 TEST(CycleDataset, TakesTheLargestCaseFile) {
   const std::string text(10'000'000, '#');
-  const OpenedResult file(run_cycles(short_case()), short_case(), RunStatus::complete,
+  const OpenedResult file(run_cycles(described_case()), described_case(), RunStatus::complete,
                           {.command_line = {}, .case_text = text});
   EXPECT_EQ(file.attribute("case_text"), text);
 }
 
 TEST(CycleDataset, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
-  const CycleResult result = failed_at_increment_three(run_cycles(short_case()));
-  const OpenedResult file(result, short_case(), RunStatus::failed);
+  const CycleResult result = failed_at_increment_three(run_cycles(described_case()));
+  const OpenedResult file(result, described_case(), RunStatus::failed);
   EXPECT_EQ(file.attribute("status"), "partial");
-  EXPECT_EQ(file.attribute("status_message"), failure_lines(short_case(), result).at(0));
+  EXPECT_EQ(file.attribute("status_message"), failure_lines(described_case(), result).at(0));
   // It is as large as the whole would be.
   EXPECT_EQ(file.file().getDim("direction").getSize(), 2U);
   EXPECT_EQ(file.file().getDim("increment").getSize(), 11U);
@@ -349,7 +349,7 @@ TEST(CycleDataset, APartialResultIsFlaggedAndHasNoNumbersWhereThereAreNone) {
 }
 
 TEST(CycleDataset, AnInterruptedRunSaysSo) {
-  const OpenedResult file({.solver = SolverName::newton, .cycles = {ended(Status::interrupted)}}, short_case(),
+  const OpenedResult file({.solver = SolverName::newton, .cycles = {ended(Status::interrupted)}}, described_case(),
                           RunStatus::interrupted);
   EXPECT_EQ(file.attribute("status"), "partial");
   EXPECT_NE(file.attribute("status_message").find("interrupted"), std::string::npos);
@@ -358,7 +358,7 @@ TEST(CycleDataset, AnInterruptedRunSaysSo) {
 }
 
 TEST(CycleDataset, NeverHoldsNanAsANumber) {
-  CycleResult result = run_cycles(short_case());
+  CycleResult result = run_cycles(described_case());
   result.cycles[0].increments[2].force_x = std::numeric_limits<double>::quiet_NaN();
   result.cycles[0].fields.crest_v(2, 7) = std::numeric_limits<double>::infinity();
   result.cycles[0].turning_point->max_force = std::numeric_limits<double>::quiet_NaN();
@@ -371,7 +371,7 @@ TEST(CycleDataset, NeverHoldsNanAsANumber) {
 }
 
 TEST(CycleDataset, HoldsEventsWhereTheyWereFollowed) {
-  Case input = short_case();
+  Case input = described_case();
   EXPECT_TRUE(OpenedResult(run_cycles(input)).file().getDim("event").isNull());
   input.solver.name = SolverName::events;
   const CycleResult result = run_cycles(input);

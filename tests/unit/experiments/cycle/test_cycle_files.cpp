@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-const CycleResult& short_run() {
+const CycleResult& filed_run() {
   static const CycleResult result = [] {
     Case input = reference_case();
     input.cycle.directions = {0.0};
@@ -30,10 +30,10 @@ std::vector<ResultFile> files_of(const CycleResult& result) {
 }
 
 TEST(CycleFiles, SummaryKnowsTheOthersByTheirChecksums) {
-  const std::vector<ResultFile> files = files_of(short_run());
+  const std::vector<ResultFile> files = files_of(filed_run());
   ASSERT_EQ(files.size(), 3U);
   EXPECT_EQ(files[0].name, "cycle.csv");
-  EXPECT_EQ(files[0].contents, cycle_csv(short_run()));
+  EXPECT_EQ(files[0].contents, cycle_csv(filed_run()));
   EXPECT_EQ(files[1].name, "result.nc");
   ASSERT_EQ(files[2].name, "summary.json");
   const json summary = json::parse(files[2].contents);
@@ -45,16 +45,16 @@ TEST(CycleFiles, SummaryKnowsTheOthersByTheirChecksums) {
 }
 
 TEST(CycleFiles, CarryTheSameRunIdAndEveryRunItsOwn) {
-  const std::vector<ResultFile> files = files_of(short_run());
+  const std::vector<ResultFile> files = files_of(filed_run());
   const std::string run_id = json::parse(files[2].contents).at("run_id");
   EXPECT_EQ(run_id.size(), 32U);
   EXPECT_EQ(run_id.find_first_not_of("0123456789abcdef"), std::string::npos) << run_id;
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(folder.write("result.nc", files[1].contents), netCDF::NcFile::read);
   std::string in_netcdf;
   file.getAtt("run_id").getValues(in_netcdf);
   EXPECT_EQ(in_netcdf, run_id);
-  EXPECT_NE(json::parse(files_of(short_run())[2].contents).at("run_id"), run_id);
+  EXPECT_NE(json::parse(files_of(filed_run())[2].contents).at("run_id"), run_id);
 }
 
 TEST(CycleFiles, OfAStripAreNamedSo) {

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-Case short_case() {
+Case summarised_case() {
   Case input = reference_case();
   input.cycle.directions = {0.5 * std::numbers::pi, 0.3};
   input.cycle.steps = 5;
@@ -31,7 +31,7 @@ Case short_case() {
 /// The run stopped by the user after `increments` of the first direction.
 CycleResult stopped_after(int increments) {
   int count = 0;
-  return run_cycles(short_case(), [&](double) { return ++count < increments; });
+  return run_cycles(summarised_case(), [&](double) { return ++count < increments; });
 }
 
 double sum(const json& numbers) {
@@ -41,7 +41,7 @@ double sum(const json& numbers) {
 }
 
 TEST(CycleJson, StandsBehindWhatWasRun) {
-  const Case input = short_case();
+  const Case input = summarised_case();
   const json summary = json::parse(cycle_files(input, run_cycles(input), RunStatus::complete, {})[2].contents);
   EXPECT_EQ(summary.at("schema"), "bumpfoil-summary/2");
   EXPECT_EQ(summary.at("version"), version());
@@ -52,7 +52,7 @@ TEST(CycleJson, StandsBehindWhatWasRun) {
 }
 
 TEST(CycleJson, CarriesTheQuantitiesOfEveryCycle) {
-  const Case input = short_case();
+  const Case input = summarised_case();
   const CycleResult result = run_cycles(input);
   ASSERT_TRUE(result.converged());
   const json cycle = json(cycle_lists(input, result)).at("cycles").at(0);
@@ -145,7 +145,7 @@ TEST(CycleJson, CarriesTheQuantitiesOfEveryCycle) {
 }
 
 TEST(CycleJson, SaysWhereAFoilIsBentMost) {
-  Case input = short_case();
+  Case input = summarised_case();
   input.bump_foil.model = BumpFoilModel::frame;
   input.bump_foil.yield_stress = 100e6;  // a ninth of what the bumps will bear
   const CycleResult result = run_cycles(input);
@@ -162,13 +162,13 @@ TEST(CycleJson, SaysWhereAFoilIsBentMost) {
   EXPECT_TRUE(cycle.at("max_stress_top_foil_at").at("bump").is_null());
   EXPECT_TRUE(cycle.at("above_yield_top_foil").is_null());  // its yield stress is not given
 
-  const json truss = json(cycle_lists(short_case(), run_cycles(short_case())));
+  const json truss = json(cycle_lists(summarised_case(), run_cycles(summarised_case())));
   EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_Pa").is_null());
   EXPECT_TRUE(truss.at("cycles")[0].at("max_stress_bump_foil_at").is_null());
 }
 
 TEST(CycleJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
-  const json before = json(cycle_lists(short_case(), stopped_after(3)));
+  const json before = json(cycle_lists(summarised_case(), stopped_after(3)));
   ASSERT_EQ(before.at("cycles").size(), 1U);
   EXPECT_EQ(before.at("cycles")[0].at("converged"), false);
   EXPECT_EQ(before.at("cycles")[0].at("status"), "interrupted");
@@ -179,14 +179,14 @@ TEST(CycleJson, LeavesOutWhatAnInterruptedRunDoesNotKnow) {
   EXPECT_TRUE(before.at("cycles")[0].at("loop_energy_J").is_null());
   EXPECT_EQ(before.at("cycles")[0].at("initial_force_N"), 0.0);
 
-  const json after = json(cycle_lists(short_case(), stopped_after(8)));
+  const json after = json(cycle_lists(summarised_case(), stopped_after(8)));
   EXPECT_TRUE(after.at("cycles")[0].at("max_force_N").is_number());
   EXPECT_TRUE(after.at("cycles")[0].at("loop_energy_J").is_null());
 }
 
 TEST(CycleJson, SaysWhatFailedWhereAndWhy) {
-  const CycleResult result = failed_at_increment_three(run_cycles(short_case()));
-  const json cycle = json(cycle_lists(short_case(), result)).at("cycles").at(0);
+  const CycleResult result = failed_at_increment_three(run_cycles(summarised_case()));
+  const json cycle = json(cycle_lists(summarised_case(), result)).at("cycles").at(0);
   const Cycle& failed = result.cycles[0];
   EXPECT_EQ(cycle.at("converged"), false);
   EXPECT_EQ(cycle.at("status"), name_of(failed.status));
@@ -196,23 +196,23 @@ TEST(CycleJson, SaysWhatFailedWhereAndWhy) {
 }
 
 TEST(CycleJson, NeverHoldsNanAsANumber) {
-  CycleResult result = run_cycles(short_case());
+  CycleResult result = run_cycles(summarised_case());
   result.cycles[0].turning_point->max_force = std::numeric_limits<double>::quiet_NaN();
   result.cycles[0].loop_energy = std::numeric_limits<double>::infinity();
-  const json cycle = json(cycle_lists(short_case(), result)).at("cycles").at(0);
+  const json cycle = json(cycle_lists(summarised_case(), result)).at("cycles").at(0);
   EXPECT_TRUE(cycle.at("max_force_N").is_null());
   EXPECT_TRUE(cycle.at("loop_energy_J").is_null());
 }
 
 TEST(CycleJson, HoldsACycleWithoutIncrements) {
   const CycleResult result{.solver = SolverName::newton, .cycles = {Cycle{}}};
-  const json cycle = json(cycle_lists(short_case(), result)).at("cycles").at(0);
+  const json cycle = json(cycle_lists(summarised_case(), result)).at("cycles").at(0);
   EXPECT_TRUE(cycle.at("initial_force_N").is_null());
 }
 
 TEST(RunStatus, IsInterruptedWhereverTheUserStopsIt) {
   int due = 0;
-  run_cycles(short_case(), [&](double) { return ++due > 0; });
+  run_cycles(summarised_case(), [&](double) { return ++due > 0; });
   // Between two directions, too, where all that there is has converged.
   bool between = false;
   for (int increments = 1; increments < due; ++increments) {
@@ -222,7 +222,7 @@ TEST(RunStatus, IsInterruptedWhereverTheUserStopsIt) {
     between = between || (result.cycles.size() == 1 && result.cycles[0].converged());
   }
   EXPECT_TRUE(between);
-  EXPECT_EQ(status_of(run_cycles(short_case())), RunStatus::complete);
+  EXPECT_EQ(status_of(run_cycles(summarised_case())), RunStatus::complete);
 }
 
 TEST(RunStatus, IsFailedWhereNothingWasInterrupted) {

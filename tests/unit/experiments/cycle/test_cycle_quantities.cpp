@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Points 10 um apart with these forces.
 LoadingCurve curve(const std::vector<double>& forces, std::optional<double> first_contact = {}) {

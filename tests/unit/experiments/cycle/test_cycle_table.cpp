@@ -35,7 +35,7 @@ CycleResult short_run(int directions) {
 }
 
 /// A cycle that ended before it began.
-Cycle ended(Status status) {
+Cycle ended_row(Status status) {
   Cycle cycle;
   cycle.status = status;
   return cycle;
@@ -183,7 +183,7 @@ TEST(CycleTable, OfAStripShowsTheFirstAndTheLastCycles) {
 
 TEST(CycleTable, DashesStandForWhatIsNotKnown) {
   const std::string text =
-      cycle_table(reference_case(), {.solver = SolverName::newton, .cycles = {ended(Status::no_modes)}});
+      cycle_table(reference_case(), {.solver = SolverName::newton, .cycles = {ended_row(Status::no_modes)}});
   for (const char* name : {"maximum force", "force at the start", "maximum bump load", "on bump", "loss factor"}) {
     EXPECT_EQ(last_cell(text, name), "-");
   }

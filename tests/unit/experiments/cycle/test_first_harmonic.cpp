@@ -10,7 +10,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Points of one loop about `middle`, from there up, down and back, so many per quarter. The second argument of `force`
 /// says whether the displacement rises.

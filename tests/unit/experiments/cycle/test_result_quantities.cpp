@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-Case short_case() {
+Case measured_case() {
   Case input = reference_case();
   input.cycle.directions = {0.0};
   input.cycle.steps = 3;
@@ -39,7 +39,7 @@ void expect_described(const Quantities& quantities, const Wording& wording, std:
 }
 
 TEST(ResultQuantities, AreDescribedOnce) {
-  Case input = short_case();
+  Case input = measured_case();
   input.strip = StripSettings{.bumps = 3, .amplitude = {Control::displacement, 20e-6}};
   for (const Experiment experiment : {Experiment::cycle, Experiment::strip}) {
     const Wording wording = wording_of(input, experiment);
@@ -75,12 +75,12 @@ TEST(ResultQuantities, NothingIsKnownOfACycleThatFailedAtOnce) {
   cycle.status = Status::no_modes;
   for (const CycleQuantity& quantity : cycle_quantities(Experiment::cycle)) {
     if (quantity.is(tag::of_solver) || quantity.name == "amplitude") continue;
-    EXPECT_TRUE(std::isnan(quantity.value(cycle, short_case()))) << quantity.name;
+    EXPECT_TRUE(std::isnan(quantity.value(cycle, measured_case()))) << quantity.name;
   }
 }
 
 TEST(ResultQuantities, TheAmplitudeOfAStripUnderLoadIsWhatItFindsOut) {
-  Case input = short_case();
+  Case input = measured_case();
   input.strip = StripSettings{.bumps = 3, .amplitude = {Control::load, 1e6}, .steps = 4};
   const std::vector<CycleQuantity> quantities = cycle_quantities(Experiment::strip);
   const CycleQuantity& amplitude = called(quantities, "amplitude");
@@ -91,7 +91,7 @@ TEST(ResultQuantities, TheAmplitudeOfAStripUnderLoadIsWhatItFindsOut) {
 }
 
 TEST(ResultQuantities, YieldIsKnownWhereStressAndItsBoundAre) {
-  Case input = short_case();
+  Case input = measured_case();
   const Cycle cycle = run_cycles(input).cycles.at(0);
   const StressedFoil& top_foil = stressed_foils()[0];
   EXPECT_TRUE(std::isnan(above_yield(top_foil, cycle, input)));
@@ -103,7 +103,7 @@ TEST(ResultQuantities, YieldIsKnownWhereStressAndItsBoundAre) {
 }
 
 TEST(ResultQuantities, FieldsAreTheMatricesOfTheFoils) {
-  const FoilFields fields = run_cycles(short_case()).cycles.at(0).fields;
+  const FoilFields fields = run_cycles(measured_case()).cycles.at(0).fields;
   for (const FieldQuantity& quantity : field_quantities()) {
     const FieldMatrix values = quantity.value(fields);
     EXPECT_EQ(values.rows(), 7) << quantity.name;

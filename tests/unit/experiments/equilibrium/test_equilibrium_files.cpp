@@ -41,7 +41,7 @@ const EquilibriumResult& example(bool fails = false) {
   return fails ? failed : result;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> rows_of_csv(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = text.find('\n', at);
@@ -74,7 +74,7 @@ TEST(EquilibriumFiles, AreOneSet) {
 }
 
 TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
-  const std::vector<std::string> lines = lines_of(equilibrium_csv(example(true)));
+  const std::vector<std::string> lines = rows_of_csv(equilibrium_csv(example(true)));
   ASSERT_EQ(lines.size(), 3U);
   const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
   EXPECT_EQ(commas(lines[0]), 25);
@@ -84,7 +84,7 @@ TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
 }
 
 TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
-  const std::vector<std::string> lines = lines_of(film_coefficients_csv(example(true)));
+  const std::vector<std::string> lines = rows_of_csv(film_coefficients_csv(example(true)));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0],
             "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,path,frequency_rad_per_s,kxx_N_per_m,kxy_N_per_m,kyx_N_per_m,"
@@ -114,7 +114,7 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
   tabulate_whirls(input, result);
   const std::vector<FilmWhirl>& whirls = result.states[1].whirls;
   const std::vector<ResultFile> files = equilibrium_files(input, result, RunStatus::complete, {});
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(folder.write("result.nc", files[3].contents), netCDF::NcFile::read);
   std::vector<double> frequencies(3), stiffness(6), damping(6);
   file.getVar("frequency").getVar(frequencies.data());
@@ -141,7 +141,7 @@ TEST(EquilibriumFiles, KeepStiffnessAndDampingAtEveryFrequency) {
 TEST(EquilibriumFiles, KeepTheFrequenciesOfTheExportWhereTheCaseNamesNone) {
   EquilibriumResult result = example();
   tabulate_whirls(small_case(), result);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(
       folder.write("result.nc", equilibrium_files(small_case(), result, RunStatus::complete, {})[3].contents),
       netCDF::NcFile::read);
@@ -166,7 +166,7 @@ TEST(EquilibriumFiles, KeepTheLastStateOfOneThatWasNotFound) {
 }
 
 TEST(EquilibriumFiles, NetcdfHoldsTheFilmAndTheFoils) {
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const std::string path =
       folder.write("result.nc", equilibrium_files(small_case(), example(true), RunStatus::failed, {})[3].contents);
   const netCDF::NcFile file(path, netCDF::NcFile::read);
@@ -217,7 +217,7 @@ const EquilibriumResult& padded_example() {
 TEST(EquilibriumFiles, HaveThePadsInARow) {
   const EquilibriumResult& result = padded_example();
   ASSERT_TRUE(result.converged());
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const std::vector<ResultFile> files = equilibrium_files(padded_case(), result, RunStatus::complete, {});
   const std::string path = folder.write("result.nc", files[3].contents);
   const netCDF::NcFile file(path, netCDF::NcFile::read);
@@ -338,7 +338,7 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
 }
 
 TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});
   for (const ResultFile& file : files) folder.write(file.name, file.contents);
   const json run = json::parse(report_json({folder.path()})).at("runs").at(0);

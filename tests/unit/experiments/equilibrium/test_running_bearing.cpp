@@ -9,7 +9,7 @@
 namespace bumpfoil {
 namespace {
 
-Case running_case(const EquilibriumSettings& equilibrium) {
+Case coarse_case(const EquilibriumSettings& equilibrium) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8}, 0.1);
   input.equilibrium = equilibrium;
   return input;
@@ -33,14 +33,14 @@ TEST(RunningBearing, IsComparedWithAPathOfAnotherKind) {
 /// A ramp over 10 and 20 N ends at 50 N on another branch than coasting down under 50 N: the foil has lifted farther.
 TEST(RunningBearing, SaysWhereASecondPathEndsElsewhere) {
   EquilibriumSettings settings{.speeds = {speed_of_rpm(45000.0)}, .loads = {{10.0, 0.0}, {20.0, 0.0}, {50.0, 0.0}}};
-  const EquilibriumResult two = analyse_running_bearing(running_case(settings));
+  const EquilibriumResult two = analyse_running_bearing(coarse_case(settings));
   ASSERT_EQ(two.states.size(), 3U);  // of the second path none is kept
   EXPECT_FALSE(two.states[0].before.has_value());
   EXPECT_EQ(two.states[2].before, two.states[1].asked);
   EXPECT_TRUE(two.states[2].mesh_error.has_value());
 
   settings.paths = ComparedPaths::all;
-  const EquilibriumResult all = analyse_running_bearing(running_case(settings));
+  const EquilibriumResult all = analyse_running_bearing(coarse_case(settings));
   ASSERT_EQ(all.states.size(), 12U);
   EXPECT_TRUE(all.other_branches.empty());
   const auto h_min = [&](const RunningState& state) {
@@ -63,12 +63,12 @@ TEST(RunningBearing, SaysWhereASecondPathEndsElsewhere) {
   EXPECT_GT(different, 0U);
 
   settings.paths = ComparedPaths::one;
-  EXPECT_TRUE(analyse_running_bearing(running_case(settings)).other_branches.empty());
+  EXPECT_TRUE(analyse_running_bearing(coarse_case(settings)).other_branches.empty());
 }
 
 TEST(RunningBearing, TellsProgressOfAllParts) {
   std::vector<double> fractions;
-  Case input = running_case({.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}}, .steps = 2});
+  Case input = coarse_case({.speeds = {speed_of_rpm(45000.0)}, .loads = {{30.0, 0.0}}, .steps = 2});
   input.film.columns_per_pitch = 4;
   input.film.rows = 4;
   input.film.h_lift_off = 5e-6;

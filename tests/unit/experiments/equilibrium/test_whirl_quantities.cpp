@@ -35,7 +35,7 @@ TEST(WhirlQuantities, AreTheRealAndTheImaginaryPart) {
 }
 
 /// Two states, of which the second was not found.
-EquilibriumResult example(bool tabulated) {
+EquilibriumResult whirling_example(bool tabulated) {
   EquilibriumResult result;
   result.bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   result.states.resize(2);
@@ -48,7 +48,7 @@ EquilibriumResult example(bool tabulated) {
 TEST(WhirlQuantities, StandInDatasetsOverTheFrequenciesOfTheCase) {
   const EquilibriumSettings settings{.speeds = {10.0}, .frequencies = {7.0, 5.0}};
   Dataset data;
-  add_whirls(settings, example(false), {"state"}, {1, 0}, data);
+  add_whirls(settings, whirling_example(false), {"state"}, {1, 0}, data);
   ASSERT_EQ(data.dims.size(), 1U);
   EXPECT_EQ(data.dims[0].name, "frequency");
   EXPECT_EQ(data.coordinates.at(0).values(), settings.frequencies);
@@ -64,10 +64,10 @@ TEST(WhirlQuantities, StandInDatasetsOverTheFrequenciesOfTheCase) {
 
 TEST(WhirlQuantities, OfCasesThatNameNoFrequencyAreThoseTabulatedIfAny) {
   const EquilibriumSettings settings{.speeds = {10.0}};
-  EXPECT_TRUE(common_frequencies(settings, example(false)).empty());
-  EXPECT_EQ(common_frequencies(settings, example(true)), tabulated_frequencies(settings));
+  EXPECT_TRUE(common_frequencies(settings, whirling_example(false)).empty());
+  EXPECT_EQ(common_frequencies(settings, whirling_example(true)), tabulated_frequencies(settings));
   Dataset data;
-  add_whirls(settings, example(false), {"state"}, {0, 1}, data);
+  add_whirls(settings, whirling_example(false), {"state"}, {0, 1}, data);
   EXPECT_TRUE(data.dims.empty() && data.variables.empty());
 }
 

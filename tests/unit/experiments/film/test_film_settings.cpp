@@ -13,8 +13,8 @@
 namespace bumpfoil {
 namespace {
 
-using testing::faulty_keys;
-using testing::Keys;
+using test_support::faulty_keys;
+using test_support::Keys;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

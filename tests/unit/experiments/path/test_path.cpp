@@ -13,7 +13,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case along(const std::vector<Eigen::Vector2d>& points, Control control = Control::displacement) {
   Case input = reference_case();

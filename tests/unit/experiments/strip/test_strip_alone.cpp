@@ -15,7 +15,7 @@
 namespace bumpfoil {
 namespace {
 
-using testing::whole_case;
+using test_support::whole_case;
 
 std::string cut(std::string text, const std::string& part) {
   const std::size_t at = text.find(part);

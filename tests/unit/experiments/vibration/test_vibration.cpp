@@ -16,7 +16,7 @@
 namespace bumpfoil {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Case vibration_case(SolverName solver = SolverName::newton) {
   Case input = case_with_given_constants();

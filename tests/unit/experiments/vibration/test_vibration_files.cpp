@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 /// One load is within reach, one is not.
-Case vibration_case() {
+Case filed_vibration_case() {
   Case input = reference_case();
   input.vibration = VibrationSettings{.loads = {{0.0, -50.0}, {0.0, -1e8}},
                                       .directions = {0.0, 0.5 * std::numbers::pi},
@@ -33,7 +33,7 @@ Case vibration_case() {
 }
 
 struct Run {
-  Case input{vibration_case()};
+  Case input{filed_vibration_case()};
   VibrationResult result{run_vibration(input)};
   std::vector<LinearFoils> foils{linear_foils(*input.vibration, result)};
   std::vector<ResultFile> files{
@@ -138,7 +138,7 @@ TEST(VibrationFiles, SummaryHasTheSameNumbers) {
 }
 
 TEST(VibrationFiles, NetcdfHasTheLoopsAndTheSameNumbers) {
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   const netCDF::NcFile file(folder.write("result.nc", run().file("result.nc")), netCDF::NcFile::read);
   std::string text;
   file.getAtt("bumpfoil_command").getValues(text);
@@ -159,13 +159,13 @@ TEST(VibrationFiles, NetcdfHasTheLoopsAndTheSameNumbers) {
 }
 
 TEST(VibrationFiles, TellWhatEachPadTakes) {
-  Case input = vibration_case();
+  Case input = filed_vibration_case();
   input.bump_foil.bumps = 7;
   input.bearing.radial_clearance = -2e-6;
   input.pads.resize(3);
   input.vibration->directions.pop_back();
   const VibrationResult result = run_vibration(input);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& file :
        vibration_files(input, result, status_of(result), {.command_line = "bumpfoil", .case_text = ""})) {
     folder.write(file.name, file.contents);
@@ -199,7 +199,7 @@ TEST(VibrationFiles, TellWhatEachPadTakes) {
 }
 
 TEST(VibrationFiles, AreReadByReports) {
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& file : run().files) folder.write(file.name, file.contents);
   const json one = json::parse(report_json({folder.path()})).at("runs").at(0);
   EXPECT_EQ(one.at("kind"), "vibration");
@@ -263,13 +263,13 @@ TEST(ExportedFrequencies, AreFiveAtLeast) {
 }
 
 TEST(VibrationFiles, OfOrbitsHaveASenseForADirection) {
-  Case input = vibration_case();
+  Case input = filed_vibration_case();
   input.vibration->loads.pop_back();
   input.vibration->motion = Motion::orbit;
   input.vibration->directions.clear();
   const VibrationResult result = run_vibration(input);
   const std::vector<LinearFoils> foils = linear_foils(*input.vibration, result);
-  const testing::TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   for (const ResultFile& file :
        vibration_files(input, result, status_of(result), {.command_line = "bumpfoil", .case_text = ""})) {
     folder.write(file.name, file.contents);
