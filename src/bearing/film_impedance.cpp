@@ -3,6 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "bearing/krylov_space.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -34,33 +37,22 @@ Coordinates solve(const Eigen::Ref<const Matrix>& H, double start, double next, 
 std::optional<std::vector<Eigen::Vector2cd>> film_forces(const FilmAnswer& moved,
                                                          const std::function<FilmAnswer(const Vector&)>& stored,
                                                          const std::vector<std::complex<double>>& excess) {
-  const Eigen::Index most = std::min<Eigen::Index>(most_directions, moved.content.size());
-  Matrix basis(moved.content.size(), most + 1);
-  Matrix H = Matrix::Zero(most, most);
-  Eigen::Matrix2Xd forces(2, most);
   const double start = moved.content.norm();
-  basis.col(0) = moved.content / start;
-  for (Eigen::Index m = 1; m <= most; ++m) {
-    FilmAnswer answer = stored(basis.col(m - 1));
-    forces.col(m - 1) = answer.force;
-    // Twice: once leaves what roundings of the first time make.
-    for (int pass = 0; pass < 2; ++pass) {
-      const Vector parts = basis.leftCols(m).transpose() * answer.content;
-      answer.content.noalias() -= basis.leftCols(m) * parts;
-      H.col(m - 1).head(m) += parts;
-    }
-    const double next = answer.content.norm();
+  KrylovSpace space(moved.content, std::min<Eigen::Index>(most_directions, moved.content.size()));
+  Eigen::Matrix2Xd forces(2, 0);
+  while (space.can_grow()) {
+    FilmAnswer answer = stored(space.direction());
+    space.add(std::move(answer.content));
+    forces.conservativeResize(Eigen::NoChange, space.size());
+    forces.col(space.size() - 1) = answer.force;
     std::vector<Eigen::Vector2cd> found;
     found.reserve(excess.size());
     for (const std::complex<double> e : excess) {
-      const Coordinates coordinates = solve(H.topLeftCorner(m, m), start, next, e);
+      const Coordinates coordinates = solve(space.H(), start, space.next(), e);
       if (!(coordinates.residual <= tolerance * start)) break;
-      found.emplace_back(moved.force + e * (forces.leftCols(m) * coordinates.w));
+      found.emplace_back(moved.force + e * (forces * coordinates.w));
     }
     if (found.size() == excess.size()) return found;
-    if (m == most || !(next > 0.0)) break;
-    H(m, m - 1) = next;
-    basis.col(m) = answer.content / next;
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bearing/film_impedance.hpp"
+#include "bearing/rightmost_pole.hpp"
 #include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
@@ -20,7 +21,22 @@ constexpr double newton_forced_fraction = 0.25;
 constexpr double longest_opening = 0.00625;
 constexpr double weight_of_opening = 30.0;
 
-Eigen::Index unknown_pressures(const FilmMesh& mesh) {
+/// Poles with the journal held are looked for from a shift of so many speeds of rotation, which lies right of them, and
+/// up to imaginary parts of so many. Film poles faster than that are damped by several speeds.
+constexpr double shift_in_speeds = 2.0;
+constexpr double frequency_in_speeds = 3.0;
+/// What stands for slower speeds there, in units of 1 / T0: a journal at rest has a shift, too.
+constexpr double least_rate = 1e-2;
+/// Residual of the equations of all unknowns that a pole is believed with, as part of what its motion stores.
+constexpr double largest_residual = 1e-8;
+
+/// Square of the norm of the residuals of a film per area of a cell.
+double film_square(const FilmMesh& mesh, const Matrix& residual) {
+  return residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
+         (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
+}
+
+Eigen::Index unknown_pressures_of(const FilmMesh& mesh) {
   return Eigen::Index{mesh.unknown_rows()} * mesh.unknown_columns();
 }
 
@@ -81,8 +97,7 @@ double FilmNewton::find_residual(const Move& to, const FilmEquations& equations,
     FoilFilmResidual& residual = part.residual;
     read_part(pad, state.film, part.state);
     foil_film_residual(pad.foil, equations[k], part.state, residual);
-    square += residual.film.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()).squaredNorm() /
-              (mesh.dtheta * mesh.dtheta * mesh.dzeta * mesh.dzeta);
+    square += film_square(mesh, residual.film);
     const double unit = pad.foil.stiffness * bearing_.scales.thickness;
     double balance = residual.balance.squaredNorm();
     for (int i = 0; i < pad.bumps(); ++i) {
@@ -242,6 +257,52 @@ std::optional<SlowMotion> FilmNewton::slow_motion(const BearingState& state, boo
   return motion;
 }
 
+/// Linearises about a state where every rate of storage answers to P H as in a step of implicit Euler, at a rate s =
+/// shift / T0, with contacts in its modes, or with all closed ones stuck.
+/// @return whether that leaves a regular system
+bool FilmNewton::linearise_at(double shift, const BearingState& state, bool stuck) {
+  FilmEquations equations = film_equations(bearing_, state.speed);
+  squeeze(bearing_, shift, film_content(state.film), equations);
+  return linearise(equations, state, stuck);
+}
+
+Eigen::Index FilmNewton::unknown_pressures() const {
+  Eigen::Index unknown = 0;
+  for (const Part& part : parts_) unknown += unknown_pressures_of(part.pad.foil.mesh);
+  return unknown;
+}
+
+/// Change of P H at the nodes whose pressure is unknown, pad after pad.
+Vector FilmNewton::content_of(const FoilFilmState& change, const FilmState& state) const {
+  const Matrix content = change.pressure.cwiseProduct(state.thickness) + state.pressure.cwiseProduct(change.thickness);
+  Vector inside(unknown_pressures());
+  Eigen::Index first = 0;
+  for (const Part& part : parts_) {
+    const FilmMesh& mesh = part.pad.foil.mesh;
+    const Eigen::Index size = unknown_pressures_of(mesh);
+    inside.segment(first, size) =
+        content.block(0, part.pad.first_column + mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns())
+            .reshaped();
+    first += size;
+  }
+  return inside;
+}
+
+/// Makes the rates at which the volumes of the nodes store something the residuals of the films.
+void FilmNewton::store(const Vector& rates) {
+  Eigen::Index first = 0;
+  for (Part& part : parts_) {
+    const FilmMesh& mesh = part.pad.foil.mesh;
+    const Eigen::Index size = unknown_pressures_of(mesh);
+    Matrix& residual = part.residual.film;
+    residual = mesh.field(0.0);
+    residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
+        mesh.dtheta * mesh.dzeta * rates.segment(first, size).reshaped(mesh.unknown_rows(), mesh.unknown_columns());
+    for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+    first += size;
+  }
+}
+
 std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const BearingState& state,
                                                                     const std::vector<std::complex<double>>& rates,
                                                                     bool stuck) {
@@ -249,43 +310,17 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const Bearin
   double largest = 0.0;
   for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
   const double shift = largest * T0;
-  FilmEquations equations = film_equations(bearing_, state.speed);
-  squeeze(bearing_, shift, film_content(state.film), equations);
-  if (!linearise(equations, state, stuck)) return std::nullopt;
+  if (!linearise_at(shift, state, stuck)) return std::nullopt;
 
   std::vector<std::complex<double>> excess;
   excess.reserve(rates.size());
   for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - shift);
-  Eigen::Index unknown = 0;
-  for (const Part& part : parts_) unknown += unknown_pressures(part.pad.foil.mesh);
   const auto told = [&](const FoilFilmState& change) {
-    const Matrix content =
-        change.pressure.cwiseProduct(state.film.thickness) + state.film.pressure.cwiseProduct(change.thickness);
-    Vector inside(unknown);
-    Eigen::Index first = 0;
-    for (const Part& part : parts_) {
-      const FilmMesh& mesh = part.pad.foil.mesh;
-      const Eigen::Index size = unknown_pressures(mesh);
-      inside.segment(first, size) =
-          content.block(0, part.pad.first_column + mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns())
-              .reshaped();
-      first += size;
-    }
-    return FilmAnswer{std::move(inside), force_of(change)};
+    return FilmAnswer{content_of(change, state.film), force_of(change)};
   };
   Step change;
   const auto stored = [&](const Vector& content) {
-    Eigen::Index first = 0;
-    for (Part& part : parts_) {
-      const FilmMesh& mesh = part.pad.foil.mesh;
-      const Eigen::Index size = unknown_pressures(mesh);
-      Matrix& residual = part.residual.film;
-      residual = mesh.field(0.0);
-      residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
-          mesh.dtheta * mesh.dzeta * content.segment(first, size).reshaped(mesh.unknown_rows(), mesh.unknown_columns());
-      for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
-      first += size;
-    }
+    store(content);
     answer(change);
     return told(change.film);
   };
@@ -296,6 +331,86 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const Bearin
     if (!forces) return std::nullopt;
     for (std::size_t i = 0; i < rates.size(); ++i) found[i].col(axis) = (*forces)[i];
   }
+  return found;
+}
+
+/// Square of the norm of what closed contacts open and sticking ones slip, in units of c.
+double FilmNewton::contact_square(const ContactState& change) const {
+  double square = 0.0;
+  for_each_contact(bearing_.problem, [&](const CoulombContact& contact) {
+    const ContactMode mode = change.mode[static_cast<std::size_t>(contact.index)];
+    if (mode == ContactMode::open) return;
+    const double gap = contact.gap(change.x);
+    square += gap * gap;
+    if (mode != ContactMode::stick || is_frictionless(contact.site)) return;
+    const double slip = change.x[contact.row + contact.site.tangential];
+    square += slip * slip;
+  });
+  return square / (bearing_.scales.thickness * bearing_.scales.thickness);
+}
+
+/// Square of the norm of the residuals of all linearised equations where all unknowns change, in the units of
+/// find_residual(): where the system was linearised last. What the volumes store more than at the shift is in the
+/// residuals of the films already, see store().
+double FilmNewton::equation_square(const Step& change) {
+  Vector& forces = find_bump_forces(change.contact);
+  forces -= contact_forces(bearing_.problem, change.contact.normal_force, change.contact.friction_force);
+  const Eigen::Index size = bump_K_.block_size();
+  double square = contact_square(change.contact);
+  for (Part& part : parts_) {
+    const FilmMesh& mesh = part.pad.foil.mesh;
+    const FilmJacobian& jacobian = part.system.film_jacobian();
+    read_part(part.pad, change.film, part.change);
+    part.residual.film += stencil_product(mesh, jacobian.by_pressure, part.change.pressure) +
+                          stencil_product(mesh, jacobian.by_thickness, part.change.thickness);
+    part.change.pressure.array() += 1.0;  // foils are loaded by P - 1
+    foil_residual(part.pad.foil, part.change, part.residual);
+    const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
+    auto own = forces.segment(part.pad.first_block * size, part.pad.bumps() * size);
+    auto supports = own(Eigen::seqN(Eigen::Index{bearing_.dofs().top_u}, part.pad.bumps(), size));
+    part.residual.balance(part.pad.foil.supports) += supports / unit;
+    supports.setZero();
+    square += film_square(mesh, part.residual.film) + part.residual.balance.squaredNorm() +
+              part.residual.compatibility.squaredNorm() + own.squaredNorm() / (unit * unit);
+  }
+  return square;
+}
+
+std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, bool stuck) {
+  const double T0 = bearing_.scales.squeeze_time();
+  const double unit = std::max(std::abs(state.speed) * T0, least_rate);
+  const double shift = shift_in_speeds * unit;
+  if (!linearise_at(shift, state, stuck)) return std::nullopt;
+  Step change;
+  const auto stored = [&](const Vector& rates) {
+    store(rates);
+    answer(change);
+    return content_of(change.film, state.film);
+  };
+  const std::optional<FilmPole> pole = rightmost_pole(stored, unknown_pressures(), frequency_in_speeds * unit);
+  if (!pole) return std::nullopt;
+
+  // The motion itself, and what it leaves of the equations of all unknowns.
+  std::array<Step, 2> motion;  // real and imaginary part
+  Eigen::MatrixX2d content(unknown_pressures(), 2);
+  for (const Eigen::Index i : {0, 1}) {
+    store(i == 0 ? Vector(pole->stored.real()) : Vector(pole->stored.imag()));
+    answer(motion[static_cast<std::size_t>(i)]);
+    content.col(i) = content_of(motion[static_cast<std::size_t>(i)].film, state.film);
+  }
+  const Eigen::Matrix2d times_excess{{pole->excess.real(), pole->excess.imag()},
+                                     {-pole->excess.imag(), pole->excess.real()}};
+  const Eigen::MatrixX2d more = content * times_excess;
+  double square = 0.0;
+  double whole = 0.0;
+  for (const Eigen::Index i : {0, 1}) {
+    store(more.col(i));
+    for (const Part& part : parts_) whole += film_square(part.pad.foil.mesh, part.residual.film);
+    square += equation_square(motion[static_cast<std::size_t>(i)]);
+  }
+  HeldMotion found{.rate = (shift + pole->excess) / T0, .residual = std::sqrt(square / whole)};
+  if (!(found.residual <= largest_residual)) return std::nullopt;
+  (motion[0].film.lift.cwiseAbs2() + motion[1].film.lift.cwiseAbs2()).maxCoeff(&found.column);
   return found;
 }
 

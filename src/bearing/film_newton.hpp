@@ -39,6 +39,9 @@ class FilmNewton {
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck);
 
+  /// @return nothing if the modes leave a singular system, or the pole is not found
+  [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck);
+
   /// Largest difference of P, U and position over c.
   [[nodiscard]] double distance(const BearingState& a, const BearingState& b) const;
 
@@ -70,7 +73,13 @@ class FilmNewton {
   bool find_step(const BearingState& state, FilmReport& report);
   bool linearise_films(const FilmEquations& equations, const BearingState& state);
   bool linearise(const FilmEquations& equations, const BearingState& state, bool stuck);
+  bool linearise_at(double shift, const BearingState& state, bool stuck);
   void answer(Step& change);
+  [[nodiscard]] Eigen::Index unknown_pressures() const;
+  [[nodiscard]] Vector content_of(const FoilFilmState& change, const FilmState& state) const;
+  void store(const Vector& rates);
+  [[nodiscard]] double contact_square(const ContactState& change) const;
+  double equation_square(const Step& change);
   [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
   Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
   Eigen::Matrix2d find_rates();

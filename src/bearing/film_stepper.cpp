@@ -61,4 +61,8 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmStepper::impedances(const Beari
   return newton_->impedances(state, rates, stuck);
 }
 
+std::optional<HeldMotion> FilmStepper::held_motion(const BearingState& state, bool stuck) {
+  return newton_->held_motion(state, stuck);
+}
+
 }  // namespace bumpfoil

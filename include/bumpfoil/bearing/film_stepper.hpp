@@ -82,6 +82,14 @@ struct SlowMotion {
   double foil_response{};
 };
 
+/// The free motion e^{s t} of film and foils about a state, with the journal held, that grows fastest or, where the
+/// state lasts, dies out last.
+struct HeldMotion {
+  std::complex<double> rate;  ///< s, 1/s: its real part is the growth rate; imaginary part not negative
+  double residual{};          ///< of the linearised equations of all unknowns, as part of what the motion stores
+  Eigen::Index column{};      ///< of all pads, where the top foil moves most
+};
+
 /// Takes a running bearing from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
 /// friction in one system, and the position of the journal with them. Newton's method on the film; in each step the
 /// contact problem of the linearised system, condensed to the crests, is solved exactly (NewtonSolver). Film and foils
@@ -133,6 +141,12 @@ class FilmStepper {
   [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck = false);
+
+  /// The pole of the bearing with its journal held that lies farthest to the right: what Z has among its own poles,
+  /// whatever carries the journal. The state lasts where its real part is negative. Contacts keep their modes or stick,
+  /// as in stiffness().
+  /// @return nothing if the modes leave a singular system, or the equations of all unknowns are not met to 1e-8
+  [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck = false);
 
   [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
   [[nodiscard]] const FilmBearingOptions& options() const { return options_; }

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bumpfoil/core/block_tridiagonal.hpp"
+
+namespace bumpfoil {
+
+/// Orthonormal basis V of the Krylov space of a real operator C, one direction after the other by Arnoldi's method
+/// [Saad2011]:
+///
+///     C V = V H + next v_next e_last^T
+class KrylovSpace {
+ public:
+  /// @param start  first direction, of any length but zero
+  /// @param most   directions that there may be
+  KrylovSpace(const Vector& start, Eigen::Index most);
+
+  /// Directions whose image is known: the columns of V.
+  [[nodiscard]] Eigen::Index size() const { return size_; }
+  /// Whether another one can be added: not where the space holds all that C makes of it.
+  [[nodiscard]] bool can_grow() const { return size_ == 0 || (size_ < H_.cols() && next_ > 0.0); }
+  /// The direction whose image is to be added.
+  [[nodiscard]] auto direction() const { return basis_.col(size_); }
+  /// Adds the image of direction().
+  void add(Vector image);
+
+  [[nodiscard]] auto V() const { return basis_.leftCols(size_); }
+  [[nodiscard]] auto H() const { return H_.topLeftCorner(size_, size_); }
+  [[nodiscard]] double next() const { return next_; }
+
+ private:
+  Matrix basis_;
+  Matrix H_;
+  Eigen::Index size_{};
+  double next_{};
+};
+
+}  // namespace bumpfoil

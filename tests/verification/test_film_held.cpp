@@ -1,0 +1,331 @@
+// docs/verification/film.md: motions of film and foils with the journal held, against an independent prototype, a dense
+// solution of all equations, time and symmetry.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "bumpfoil/contact/coulomb_contact.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/motion/rest.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A cold start at 0.1 C_r along the load, and the film marched on in time until it rests under the load.
+BearingState loaded_state(FilmStepper& stepper, const Eigen::Vector2d& load, double speed) {
+  BearingState state;
+  EXPECT_EQ(cold_start(stepper, 0.1 * stepper.bearing().clearance * load.normalized(), speed, state).status,
+            FilmStatus::converged);
+  EXPECT_EQ(settle(stepper, OperatingPoint::loaded_by(load, speed), state).status, FilmStatus::converged);
+  return state;
+}
+
+/// In speeds of rotation.
+Complex held_rate(FilmStepper& stepper, const BearingState& state, bool stuck = false) {
+  const std::optional<HeldMotion> motion = stepper.held_motion(state, stuck);
+  EXPECT_TRUE(motion.has_value());
+  if (!motion) return {};
+  EXPECT_LT(motion->residual, 1e-8);
+  return motion->rate / std::abs(state.speed);
+}
+
+/// Largest real part of film and foils with the journal held, load along +X, f = 0; speed in rpm, load in N.
+struct HeldReference {
+  double rpm, load;
+  Complex rate;  ///< in speeds of rotation
+};
+
+/// Gas that enters at the free end makes it flutter, gas that enters at the weld does not.
+TEST(FilmHeld, GrowsAndDecaysAsInThePrototype) {
+  const std::vector<HeldReference> references{
+      {45000.0, 9.81, {0.1727, 0.4808}},   {45000.0, 20.0, {0.1922, 0.516}},     {45000.0, 50.0, {0.2469, 0.6118}},
+      {45000.0, 100.0, {0.2911, 0.6463}},  {45000.0, 200.0, {0.2992, 0.7092}},   {12000.0, 9.81, {0.50152, 0.78821}},
+      {-45000.0, 9.81, {-0.8613, 0.7416}}, {-45000.0, 20.0, {-0.7257, 0.0}},     {-45000.0, 50.0, {-1.1258, 0.0}},
+      {-45000.0, 100.0, {-1.2507, 0.0}},   {-45000.0, 200.0, {-0.4023, 1.3197}},
+  };
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 6, .rows = 8});
+  FilmStepper stepper(bearing);
+  for (const HeldReference& reference : references) {
+    SCOPED_TRACE(reference.rpm);
+    SCOPED_TRACE(reference.load);
+    const BearingState state = loaded_state(stepper, {reference.load, 0.0}, speed_of_rpm(reference.rpm));
+    // What the prototype prints.
+    EXPECT_LT(std::abs(held_rate(stepper, state) - reference.rate), 2e-4);
+  }
+}
+
+TEST(FilmHeld, GrowsOnAFinerMeshAsInThePrototype) {
+  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 12, .rows = 16}));
+  const BearingState state = loaded_state(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
+  EXPECT_LT(std::abs(held_rate(stepper, state) - Complex(0.50035, 0.78645)), 2e-5);
+}
+
+/// All equations of film and foil, bump foil and contacts about a state, J X + s T0 S X = 0, as dense matrices:
+/// unknowns P, U, M, displacements of the bump foil over c, contact forces over EI' c / p^3.
+class DensePencil {
+ public:
+  DensePencil(const FilmBearing& bearing, const BearingState& state, bool stuck)
+      : bearing_(bearing), pad_(bearing.pads.front()), mesh_(pad_.foil.mesh), size_(bearing.dofs().size) {
+    first_lift_ = Eigen::Index{mesh_.unknown_rows()} * mesh_.unknown_columns();
+    first_bump_ = first_lift_ + 2 * Eigen::Index{mesh_.columns};
+    first_force_ = first_bump_ + Eigen::Index{pad_.bumps()} * size_;
+    const Eigen::Index n = first_force_ + Eigen::Index{pad_.bumps()} * bearing.contacts_per_block() * 2;
+    J_.setZero(n, n);
+    S_.setZero(n, n);
+    add_film(state);
+    add_foil();
+    add_bumps();
+    add_contacts(state, stuck);
+  }
+
+  /// Rightmost pole in speeds of rotation, of those with imaginary parts up to ten of them.
+  [[nodiscard]] Complex rightmost(double speed) const {
+    const double unit = std::abs(speed) * bearing_.scales.squeeze_time();
+    const double shift = 0.7 * unit;
+    const Eigen::EigenSolver<Matrix> solver(Matrix((J_ + shift * S_).partialPivLu().solve(S_)), false);
+    Complex found(-1e9, 0.0);
+    for (const Complex mu : solver.eigenvalues()) {
+      if (std::abs(mu) < 1e-3 / unit) continue;  // infinite: no volumes store in most equations
+      const Complex s = (shift - 1.0 / mu) / unit;
+      if (s.real() > found.real()) found = {s.real(), std::abs(s.imag())};
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index pressure(int j, int k) const { return Eigen::Index{k - 1} * mesh_.rows + j; }
+  [[nodiscard]] Eigen::Index lift(int k) const { return first_lift_ + k - 1; }
+  [[nodiscard]] Eigen::Index moment(int k) const { return first_lift_ + mesh_.columns + k; }
+  /// Of a place in the block of a bump. The place of the moment over the crest stays empty.
+  [[nodiscard]] Eigen::Index displacement(int bump, int place) const {
+    if (place == bearing_.dofs().top_u) return lift(pad_.foil.supports[static_cast<std::size_t>(bump)]);
+    return first_bump_ + Eigen::Index{bump} * size_ + place;
+  }
+
+  void add_film(const BearingState& state) {
+    const ReynoldsEquation equation = film_equation(bearing_, pad_, state.speed);
+    Matrix residual;
+    FilmJacobian jacobian;
+    linearise_reynolds(equation, state.film, residual, jacobian);
+    const auto add = [&](const FilmStencil& stencil, const Matrix& change, Eigen::Index unknown) {
+      const Matrix product = stencil_product(mesh_, stencil, change);
+      for (int k = 1; k < mesh_.columns; ++k) {
+        for (int j = 0; j < mesh_.rows; ++j) J_(pressure(j, k), unknown) += product(j, k);
+      }
+    };
+    for (int k = 1; k < mesh_.columns; ++k) {
+      for (int j = 0; j < mesh_.rows; ++j) {
+        Matrix change = mesh_.field(0.0);
+        change(j, k) = 1.0;
+        add(jacobian.by_pressure, change, pressure(j, k));
+        const double volume = mesh_.row_weight(j) * mesh_.dtheta * mesh_.dzeta;
+        S_(pressure(j, k), pressure(j, k)) = volume * state.film.thickness(j, k);
+        S_(pressure(j, k), lift(k)) = volume * state.film.pressure(j, k);
+      }
+    }
+    for (int k = 1; k <= mesh_.columns; ++k) {
+      Matrix change = mesh_.field(0.0);
+      change.col(k).setOnes();
+      add(jacobian.by_thickness, change, lift(k));
+    }
+  }
+
+  /// Balance of columns 1 to the last, compatibility of 0 to the last but one, by unit changes.
+  void add_foil() {
+    FoilFilmState unit{{mesh_.field(1.0), {}}, Vector::Zero(mesh_.nodes()), Vector::Zero(mesh_.nodes())};
+    FoilFilmResidual residual;
+    const auto add = [&](double& value, Eigen::Index unknown) {
+      value += 1.0;
+      foil_residual(pad_.foil, unit, residual);
+      value -= 1.0;
+      for (int k = 1; k <= mesh_.columns; ++k) J_(lift(k), unknown) += residual.balance[k];
+      for (int k = 0; k < mesh_.columns; ++k) J_(moment(k), unknown) += residual.compatibility[k];
+    };
+    for (int k = 1; k < mesh_.columns; ++k) {
+      for (int j = 0; j < mesh_.rows; ++j) add(unit.pressure(j, k), pressure(j, k));
+    }
+    for (int k = 1; k <= mesh_.columns; ++k) add(unit.lift[k], lift(k));
+    for (int k = 0; k < mesh_.columns; ++k) add(unit.moment[k], moment(k));
+  }
+
+  void add_bumps() {
+    const BlockTridiagonal& K = bearing_.problem.K;
+    const auto is_bump = [&](int i) { return i != bearing_.dofs().top_u && i != bearing_.dofs().top_moment; };
+    for (int b = 0; b < pad_.bumps(); ++b) {
+      const auto at = static_cast<std::size_t>(b);
+      for (int i = 0; i < size_; ++i) {
+        if (!is_bump(i)) {
+          J_(first_bump_ + b * size_ + i, first_bump_ + b * size_ + i) = 1.0;  // an empty place
+          continue;
+        }
+        for (int j = 0; j < size_; ++j) {
+          if (!is_bump(j)) continue;
+          J_(displacement(b, i), displacement(b, j)) += K.diagonal[at](i, j) / pad_.foil.stiffness;
+          if (b + 1 == pad_.bumps()) continue;
+          J_(displacement(b, i), displacement(b + 1, j)) += K.upper[at](i, j) / pad_.foil.stiffness;
+          J_(displacement(b + 1, j), displacement(b, i)) += K.upper[at](i, j) / pad_.foil.stiffness;
+        }
+      }
+    }
+  }
+
+  void add_contacts(const BearingState& state, bool stuck) {
+    Eigen::Index p = first_force_;
+    for_each_contact(bearing_.problem, [&](const CoulombContact& contact) {
+      const ContactSite& site = contact.site;
+      if (site.block >= pad_.bumps()) return;
+      const Eigen::Index t = p + 1;
+      ContactMode mode = state.contacts.mode[static_cast<std::size_t>(contact.index)];
+      if (stuck && mode != ContactMode::open) mode = ContactMode::stick;
+      if (site.plus >= 0) J_(displacement(site.block, site.plus), p) -= 1.0;
+      if (site.minus >= 0) J_(displacement(site.block, site.minus), p) += 1.0;
+      if (site.tangential >= 0) J_(displacement(site.block, site.tangential), t) -= 1.0;
+      if (mode == ContactMode::open) {
+        J_(p, p) = 1.0;
+      } else {
+        if (site.plus >= 0) J_(p, displacement(site.block, site.plus)) += 1.0;
+        if (site.minus >= 0) J_(p, displacement(site.block, site.minus)) -= 1.0;
+      }
+      if (mode == ContactMode::stick && !is_frictionless(site)) {
+        J_(t, displacement(site.block, site.tangential)) = 1.0;
+      } else {
+        J_(t, t) = 1.0;
+        if (slips(mode)) J_(t, p) = -friction_sign(mode) * site.friction_coefficient;
+      }
+      p += 2;
+    });
+  }
+
+  const FilmBearing& bearing_;
+  const FilmPad& pad_;
+  const FilmMesh& mesh_;
+  int size_;
+  Eigen::Index first_lift_{}, first_bump_{}, first_force_{};
+  Matrix J_, S_;
+};
+
+/// A foil over 110 degrees with eight bumps.
+Case short_foil(double friction_coefficient) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, friction_coefficient);
+  input.bump_foil.bumps = 8;
+  input.bearing.weld_angle = 0.75 * std::numbers::pi;
+  return input;
+}
+
+/// Pushed towards +X step by step, so that bumps slip, and drawn back.
+TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
+  for (const double friction_coefficient : {0.0, 0.3}) {
+    const FilmBearing bearing = make_film_bearing(short_foil(friction_coefficient));
+    FilmStepper stepper(bearing);
+    for (const double rpm : {45000.0, -45000.0, -6000.0}) {
+      BearingState state;
+      ASSERT_EQ(cold_start(stepper, {-0.3 * bearing.clearance, 0.0}, speed_of_rpm(rpm), state).status,
+                FilmStatus::converged);
+      for (const double e : {-0.3, 0.2, 0.6, 0.9, 0.5}) {
+        SCOPED_TRACE(testing::Message() << friction_coefficient << ' ' << rpm << ' ' << e);
+        const OperatingPoint point = OperatingPoint::held_at({e * bearing.clearance, 0.0}, speed_of_rpm(rpm));
+        ASSERT_EQ(stepper.advance(point, state).status, FilmStatus::converged);
+        for (const bool stuck : {false, true}) {
+          const Complex expected = DensePencil(bearing, state, stuck).rightmost(state.speed);
+          EXPECT_LT(std::abs(held_rate(stepper, state, stuck) - expected), 1e-8) << expected;
+        }
+      }
+    }
+  }
+}
+
+/// The other way round: what grows in time. A step dt of implicit Euler multiplies a motion e^{s t} by 1 / (1 - s dt);
+/// once all others have died out, three changes in turn obey d_2 - 2 Re(z) d_1 + |z|^2 d_0 = 0.
+TEST(FilmHeld, GrowsInTime) {
+  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}), {.marching_tolerance = 1e-11});
+  const double speed = speed_of_rpm(12000.0);
+  const BearingState rest = loaded_state(stepper, {9.81, 0.0}, speed);
+  const Complex s = held_rate(stepper, rest) * speed;
+  ASSERT_GT(s.real(), 0.0);
+  const double dt = 0.1 / speed;
+  const Move move = stepper.move_to(OperatingPoint::held_at(rest.position, speed), dt);
+  BearingState state = rest;
+  state.film.pressure(0, 60) += 1e-6;
+  std::vector<Matrix> changes;
+  for (int i = 0; i < 160; ++i) {
+    const Matrix before = state.film.pressure;
+    ASSERT_EQ(stepper.advance(move, state).status, FilmStatus::converged);
+    changes.push_back(state.film.pressure - before);
+  }
+  ASSERT_EQ(state.contacts.mode, rest.contacts.mode);
+  const auto before = [&](std::size_t steps) { return changes[changes.size() - 1 - steps].reshaped(); };
+  Eigen::MatrixX2d terms(before(0).size(), 2);
+  terms << 2.0 * before(1), -before(2);
+  const Eigen::Vector2d fitted = (terms.transpose() * terms).partialPivLu().solve(terms.transpose() * before(0));
+  const Complex z = 1.0 / (1.0 - s * dt);
+  EXPECT_NEAR(fitted[0], z.real(), 1e-4);
+  EXPECT_NEAR(fitted[1], std::norm(z), 1e-4);
+}
+
+/// Z has the same pole: there it grows like 1 / |s - s_0|.
+TEST(FilmHeld, IsAPoleOfTheImpedance) {
+  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
+  const double speed = speed_of_rpm(12000.0);
+  const BearingState state = loaded_state(stepper, {9.81, 0.0}, speed);
+  const Complex pole = held_rate(stepper, state) * speed;
+  const double distance = 1e-4 * speed;
+  const auto Z = stepper.impedances(state, {pole + distance, pole + 2.0 * distance, pole - 2.0 * distance});
+  ASSERT_TRUE(Z.has_value());
+  EXPECT_NEAR((*Z)[0].norm() / (*Z)[1].norm(), 2.0, 0.02);
+  EXPECT_NEAR((*Z)[2].norm() / (*Z)[1].norm(), 1.0, 0.02);
+}
+
+/// Turned with its load, or mirrored with its load and speed, a bearing is the same.
+TEST(FilmHeld, IsTheSameTurnedAndMirrored) {
+  const Eigen::Vector2d load(40.0, 15.0);
+  const double speed = speed_of_rpm(45000.0);
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, 0.1);
+  FilmStepper here(make_film_bearing(input));
+  const BearingState state = loaded_state(here, load, speed);
+  const Eigen::Rotation2Dd turn(0.7);
+  Case turned = input;
+  turned.bearing.weld_angle += turn.angle();
+  FilmStepper there(make_film_bearing(turned));
+  const BearingState turned_state = loaded_state(there, turn * load, speed);
+  Case mirrored = input;
+  mirrored.bearing.weld_angle = -input.bearing.weld_angle;
+  mirrored.bearing.wrap = input.bearing.wrap == Wrap::clockwise ? Wrap::counterclockwise : Wrap::clockwise;
+  FilmStepper image(make_film_bearing(mirrored));
+  const BearingState mirrored_state = loaded_state(image, {load.x(), -load.y()}, -speed);
+  for (const bool stuck : {false, true}) {
+    const Complex rate = held_rate(here, state, stuck);
+    EXPECT_LT(std::abs(held_rate(there, turned_state, stuck) - rate), 1e-6);
+    EXPECT_LT(std::abs(held_rate(image, mirrored_state, stuck) - rate), 1e-6);
+  }
+}
+
+TEST(FilmHeld, DiesOutWhereTheJournalIsAtRest) {
+  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.5 * stepper.bearing().clearance, 0.0}, 0.0, state).status, FilmStatus::converged);
+  const std::optional<HeldMotion> motion = stepper.held_motion(state);
+  ASSERT_TRUE(motion.has_value());
+  EXPECT_LT(motion->rate.real(), 0.0);
+  EXPECT_EQ(motion->rate.imag(), 0.0);
+}
+
+/// The free end of the default bearing, where the gas enters.
+TEST(FilmHeld, MovesMostWhereTheFoilIsDetached) {
+  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
+  const BearingState state = loaded_state(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
+  const auto motion = stepper.held_motion(state);
+  ASSERT_TRUE(motion.has_value());
+  EXPECT_GE(motion->column, 100);  // of 104, the last of them at the free end
+}
+
+}  // namespace
+}  // namespace bumpfoil
