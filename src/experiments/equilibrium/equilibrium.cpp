@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -61,6 +62,10 @@ std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state
     if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
   }
   return whirls;
+}
+
+bool any_slips(const BearingState& state) {
+  return std::any_of(state.contacts.mode.begin(), state.contacts.mode.end(), slips);
 }
 
 /// Walks along paths and keeps what is found.
@@ -124,6 +129,8 @@ class PathWalker {
     if (moving || stuck) {
       found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
     }
+    found.held = stepper_.held_motion(*state_);
+    found.stuck_held = any_slips(*state_) ? stepper_.held_motion(*state_, true) : found.held;
     found.whirls = whirls_at(stepper_, *state_, frequencies_of(settings_, state_->speed));
     find_stresses(found);
   }
@@ -264,6 +271,12 @@ std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const Equilibr
 }
 
 }  // namespace
+
+std::optional<bool> RunningState::is_stable() const {
+  const auto grows = [](const std::optional<HeldMotion>& motion) { return motion && motion->rate.real() >= 0.0; };
+  if (grows(held) || grows(stuck_held)) return false;
+  return held && stuck_held ? std::optional(true) : std::nullopt;
+}
 
 bool EquilibriumResult::converged() const {
   const auto found = [](const auto& one) { return one.found(); };

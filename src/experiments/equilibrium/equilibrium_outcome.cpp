@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
+#include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -14,6 +18,26 @@ namespace {
 constexpr double most_foil_response = 100.0;
 /// Motions of the foil up to this part of the minimum film thickness are small ones.
 constexpr double linear_part = 0.1;
+
+/// What flutters in an unstable state, where, and what helps.
+std::string flutter_text(const FilmBearing& bearing, const RunningState& state) {
+  const bool sliding = state.held && (!state.stuck_held || state.held->rate.real() >= state.stuck_held->rate.real());
+  const HeldMotion& motion = sliding ? *state.held : *state.stuck_held;
+  const HeldPlace place = held_place(bearing, motion);
+  const FilmPad& pad = bearing.pads[place.pad];
+  const double per_revolution = 2.0 * std::numbers::pi * motion.rate.real() / std::abs(state.last->speed);
+  const double frequency = motion.rate.imag() / (2.0 * std::numbers::pi);
+  std::string text = fmt::format(
+      "the top foil{} moves most {:.4g} deg from the weld and would {}, growing {:.3g}-fold each revolution",
+      bearing.pads.size() > 1 ? fmt::format(" of pad {}", place.pad + 1) : "", to_degrees(place.theta),
+      frequency > 0.0 ? fmt::format("flutter at {:.4g} Hz", frequency) : "snap over", std::exp(per_revolution));
+  if (bearing.surface_speed(pad, state.last->speed) < 0.0) {
+    text +=
+        "; the gas enters at the free end: let it enter at the weld (reverse the speed or bearing.wrap), or hold the "
+        "free end down";
+  }
+  return text;
+}
 
 std::string times_text(int count) {
   return count == 1 ? "once" : fmt::format("{} times", count);
@@ -51,6 +75,9 @@ std::vector<std::string> failure_lines(const EquilibriumResult& result) {
 std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result) {
   std::vector<std::string> lines = input.remarks;
   std::size_t lifted = 0;
+  std::size_t unstable = 0;
+  std::string first_unstable;
+  std::size_t unknown = 0;
   std::string first_lifted;
   for (const RunningState& state : result.states) {
     if (!state.found()) continue;
@@ -62,6 +89,13 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     }
     if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
       first_lifted = fmt::format("{}: {} bumps", name_of_state(state), bumps);
+    }
+    if (result.bearing->has_foils()) {
+      const std::optional<bool> stable = state.is_stable();
+      if (!stable) ++unknown;
+      if (!stable.value_or(true) && unstable++ == 0) {
+        first_unstable = fmt::format("{}: {}", name_of_state(state), flutter_text(*result.bearing, state));
+      }
     }
     if (state.foil_response.value_or(0.0) > most_foil_response) {
       lines.push_back(
@@ -100,6 +134,15 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
         fmt::format("in {} of {} states the foil is detached at the inlet ({}); the extent may depend on the path: "
                     "compare with --paths",
                     lifted, result.states.size(), first_lifted));
+  }
+  if (unstable > 0) {
+    lines.push_back(fmt::format(
+        "{} of {} states are unstable with the journal held, so that no bearing stays in them ({}); see growth_held",
+        unstable, result.states.size(), first_unstable));
+  }
+  if (unknown > 0) {
+    lines.push_back(fmt::format("whether {} of {} states are stable with the journal held is not known", unknown,
+                                result.states.size()));
   }
   return lines;
 }

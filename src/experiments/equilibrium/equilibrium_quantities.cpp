@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -76,6 +77,15 @@ template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int colum
 double whirl_damping(const FilmBearing&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
   return (*(state.whirls.front().*member))(row, column).imag() / state.whirls.front().frequency;
+}
+
+template <std::optional<HeldMotion> RunningState::*member>
+double held_growth(const FilmBearing&, const RunningState& state) {
+  return state.*member ? (*(state.*member)).rate.real() / std::abs(state.last->speed) : absent;
+}
+template <std::optional<HeldMotion> RunningState::*member>
+double held_whirl_ratio(const FilmBearing&, const RunningState& state) {
+  return state.*member ? (*(state.*member)).rate.imag() / std::abs(state.last->speed) : absent;
 }
 
 template <int FilmReport::*member>
@@ -212,6 +222,30 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      "largest slow displacement of the top foil per displacement of the journal: large where the state is nearly "
      "singular",
      [](const B&, const S& state) { return state.foil_response.value_or(absent); }, of_foils},
+    {"stable", "",
+     "whether film and foils stay at the state with the journal held: no motion grows, sliding or full stick",
+     [](const B&, const S& state) {
+       const std::optional<bool> stable = state.is_stable();
+       return stable ? static_cast<double>(*stable) : absent;
+     },
+     csv | of_foils | shown_first | sampled, "stable, journal held", shown::unitless, yes_or_no},
+    {"growth_held", "1",
+     "growth rate over the speed of rotation, film and foils with the journal held: largest real part, unstable if "
+     "positive; sliding contacts keep sliding",
+     held_growth<&S::held>, csv | of_foils | shown_first | sampled, "growth, journal held", shown::unitless},
+    {"whirl_ratio_held", "1", "angular frequency of growth_held over the speed of rotation", held_whirl_ratio<&S::held>,
+     csv | of_foils | sampled, "  whirl ratio", shown::unitless},
+    {"growth_held_theta", "degree", "angle from the weld along the foil where the top foil moves most in that motion",
+     [](const B& bearing, const S& state) {
+       if (!state.held) return absent;
+       const HeldPlace place = held_place(bearing, *state.held);
+       return to_degrees(place.theta);
+     },
+     of_foils, "  at, from the weld", shown::degrees},
+    {"growth_held_stuck", "1", "growth rate over the speed of rotation, journal held, full stick",
+     held_growth<&S::stuck_held>, csv | of_foils | sampled},
+    {"whirl_ratio_held_stuck", "1", "angular frequency of growth_held_stuck over the speed of rotation",
+     held_whirl_ratio<&S::stuck_held>, csv | of_foils},
     {"whirl_frequency", "rad/s", "first frequency of small motions; default: that of the rotation (synchronous)",
      [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; }, of_foils,
      "whirl frequency", shown::revolutions},
@@ -401,6 +435,14 @@ std::string running_failure(const FilmBearing& bearing, const RunningState& stat
     }
   }
   return text;
+}
+
+HeldPlace held_place(const FilmBearing& bearing, const HeldMotion& motion) {
+  const auto behind = std::find_if(bearing.pads.begin(), bearing.pads.end(),
+                                   [&](const FilmPad& pad) { return pad.first_column > motion.column; });
+  const FilmPad& pad = *std::prev(behind);
+  return {.pad = static_cast<std::size_t>(std::distance(bearing.pads.begin(), behind)) - 1,
+          .theta = static_cast<double>(motion.column - pad.first_column) * pad.foil.mesh.dtheta};
 }
 
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {

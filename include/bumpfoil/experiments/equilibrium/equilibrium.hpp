@@ -40,6 +40,9 @@ struct RunningState {
   /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
   std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
   std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
+  /// Of film and foils with the journal held, further motion and stuck; absent where no pole is found that solves all
+  /// equations.
+  std::optional<HeldMotion> held, stuck_held;
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
   std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
@@ -54,6 +57,9 @@ struct RunningState {
   std::optional<double> lift_off_speed, load_capacity;
 
   [[nodiscard]] bool found() const { return report.status == FilmStatus::converged; }
+  /// Whether film and foils stay at the state with the journal held, whether contacts slip on or stick; nothing where
+  /// that is not known.
+  [[nodiscard]] std::optional<bool> is_stable() const;
 };
 
 /// What is varied until the film is as thin as film.h_lift_off.

@@ -52,6 +52,13 @@ Matrix film_pressure(const FilmBearing& bearing, const BearingState& state);
 /// A bump (from 0, through all pads) as tables call it: "3"; of several pads "2.3", the third of pad 2.
 std::string running_bump_text(const FilmBearing& bearing, int bump);
 
+/// Where the top foil moves most in a motion with the journal held.
+struct HeldPlace {
+  std::size_t pad{};  ///< from 0
+  double theta{};     ///< from the weld along the foil, rad
+};
+HeldPlace held_place(const FilmBearing& bearing, const HeldMotion& motion);
+
 /// Detached bumps at the inlet: bumps in a row, from where gas enters, that the top foil does not load. With several
 /// pads, on that where they are most; 0 for a state that was not found, and where no bump is loaded at all.
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state);

@@ -59,6 +59,34 @@ TEST(Equilibrium, TellsHowStatesAnswerToSmallMotions) {
   EXPECT_LT(((*Z)[0] - *state.whirls[0].stuck_impedance).norm(), 1e-8 * (*Z)[0].norm());
 }
 
+/// Gas enters at the free end, or at the weld.
+TEST(Equilibrium, TellsWhetherStatesLast) {
+  const EquilibriumResult result = run_equilibrium(
+      running_case({.speeds = {speed, -speed}, .loads = {{30.0, 0.0}}, .path = FilmPath::cold_start}, 0.1));
+  ASSERT_TRUE(result.converged());
+  for (const RunningState& state : result.states) {
+    const bool at_weld = state.asked.speed < 0.0;
+    ASSERT_TRUE(state.held && state.stuck_held);
+    EXPECT_EQ(state.is_stable(), at_weld);
+    EXPECT_EQ(state.held->rate.real() < 0.0, at_weld);
+    EXPECT_EQ(state.stuck_held->rate.real() < 0.0, at_weld);
+    EXPECT_NE(state.held->rate, state.stuck_held->rate);
+  }
+}
+
+TEST(RunningState, IsStableWhereBothMotionsDecay) {
+  RunningState state;
+  EXPECT_FALSE(state.is_stable().has_value());
+  state.held = HeldMotion{.rate = {-1.0, 2.0}};
+  EXPECT_FALSE(state.is_stable().has_value());  // the other one may grow
+  state.stuck_held = HeldMotion{.rate = {-1.0, 0.0}};
+  EXPECT_EQ(state.is_stable(), true);
+  state.stuck_held->rate = 0.5;
+  EXPECT_EQ(state.is_stable(), false);
+  state.held.reset();
+  EXPECT_EQ(state.is_stable(), false);
+}
+
 TEST(Equilibrium, TabulatesFrequenciesThatCoverTheSpeeds) {
   const std::vector<double> of_one = tabulated_frequencies({.speeds = {-1000.0}});
   ASSERT_EQ(of_one.size(), 10U);

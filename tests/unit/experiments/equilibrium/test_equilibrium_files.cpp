@@ -77,10 +77,10 @@ TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
   const std::vector<std::string> lines = rows_of_csv(equilibrium_csv(example(true)));
   ASSERT_EQ(lines.size(), 3U);
   const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
-  EXPECT_EQ(commas(lines[0]), 25);
-  for (const std::string& line : lines) EXPECT_EQ(commas(line), 25);
+  EXPECT_EQ(commas(lines[0]), 30);
+  for (const std::string& line : lines) EXPECT_EQ(commas(line), 30);
   EXPECT_NE(lines[1].find(",converged,load_ramp,"), std::string::npos);
-  EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,");
+  EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,,,,,,");
 }
 
 TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
@@ -335,6 +335,30 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   };
   EXPECT_TRUE(says("speed_ramp ends in another state, with a minimum film thickness of 3.25 um instead of"));
   EXPECT_TRUE(says("load (30, 0) N: the state is nearly singular: the top foil moves 1e+04 times as far"));
+}
+
+TEST(EquilibriumLines, WarnOfStatesThatDoNotLast) {
+  EquilibriumResult result = example();
+  const double speed = result.states[0].last->speed;
+  const auto lines_with = [&](std::string_view what) {
+    std::vector<std::string> lines = warning_lines(small_case(), result);
+    std::erase_if(lines, [what](const std::string& line) { return line.find(what) == std::string::npos; });
+    return lines;
+  };
+  const Eigen::Index last = result.bearing->columns() - 1;
+  result.states[0].held = result.states[0].stuck_held = HeldMotion{.rate = {-0.1 * speed, 0.0}, .column = last};
+  result.states[1].held = result.states[1].stuck_held = result.states[0].held;
+  EXPECT_TRUE(lines_with("unstable").empty());
+  result.states[1].stuck_held = HeldMotion{.rate = speed * std::complex<double>(0.1, 0.5), .column = last};
+  const std::vector<std::string> unstable = lines_with("unstable");
+  ASSERT_EQ(unstable.size(), 1U);
+  for (const std::string_view what :
+       {"1 of ", "load (60, 0) N", "would flutter at 375 Hz, growing 1.87-fold each revolution", "at the free end"}) {
+    EXPECT_NE(unstable.front().find(what), std::string::npos) << what << '\n' << unstable.front();
+  }
+  EXPECT_TRUE(lines_with("is not known").empty());
+  result.states[0].stuck_held.reset();
+  EXPECT_EQ(lines_with("is not known").size(), 1U);
 }
 
 TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {

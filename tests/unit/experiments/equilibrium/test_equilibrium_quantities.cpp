@@ -121,6 +121,21 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   EXPECT_EQ(running_bump_text(bearing, 8 + 4), "2.5");
 }
 
+TEST(RunningQuantities, PlaceMotionsOnTheirPad) {
+  Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4});
+  input.bump_foil.bumps = 8;
+  input.pads.resize(2);
+  const FilmBearing bearing = make_film_bearing(input);
+  const double column = bearing.pads.front().foil.mesh.dtheta;
+  HeldMotion motion;
+  motion.column = 32;  // the free end of pad 1
+  EXPECT_EQ(held_place(bearing, motion).pad, 0U);
+  EXPECT_DOUBLE_EQ(held_place(bearing, motion).theta, 32 * column);
+  motion.column = 33 + 5;
+  EXPECT_EQ(held_place(bearing, motion).pad, 1U);
+  EXPECT_DOUBLE_EQ(held_place(bearing, motion).theta, 5 * column);
+}
+
 TEST(ColumnQuantities, IntegrateOverTheWidth) {
   const Example example;
   for (const ColumnQuantity& quantity : column_quantities()) {
