@@ -28,10 +28,10 @@ constexpr double least_load = 1e-6;
 }  // namespace
 
 BearingStepper::BearingStepper(const Case& input)
-    : foils_(make_bearing_foils(input)), settings_(input.solver), stepper_(foils_, settings_) {}
+    : foils_(make_bearing_foils(input)), settings_(input.solver), stepper_(make_stepper(foils_, settings_)) {}
 
 BearingStepper::BearingStepper(const BearingStepper& other)
-    : foils_(other.foils_), settings_(other.settings_), stepper_(foils_, settings_) {}
+    : foils_(other.foils_), settings_(other.settings_), stepper_(make_stepper(foils_, settings_)) {}
 
 Excitation BearingStepper::excitation_of(Excitation excitation, const Destination& to) const {
   if (to.position && to.load) refuse("advance", "both a position and a load are given", "give one of them");

@@ -5,8 +5,6 @@
 
 #include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/contact/mode_system.hpp"
-#include "bumpfoil/contact/newton.hpp"
-#include "bumpfoil/contact/uzawa.hpp"
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
@@ -27,25 +25,6 @@ Excitation between(const Excitation& begin, const Excitation& end, double fracti
 
 }  // namespace
 
-std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
-                                                 const std::shared_ptr<ModeSystem>& modes, Rates rates) {
-  switch (settings.chosen()) {
-    case SolverName::newton:
-      return make_increment_follower(std::make_unique<NewtonSolver>(problem, modes));
-    case SolverName::events:
-      return make_event_stepper(problem, modes, rates);
-    case SolverName::uzawa:
-      break;
-  }
-  const UzawaParameters& given = settings.uzawa;
-  UzawaOptions options = uzawa_options_for(*problem);
-  options.eps_alm = given.eps_alm.value_or(options.eps_alm);
-  options.eps_f = given.eps_f.value_or(options.eps_f);
-  options.eps_r = given.eps_r.value_or(options.eps_r);
-  options.tau_f = given.tau_f.value_or(options.tau_f);
-  return make_increment_follower(std::make_unique<UzawaSolver>(*problem, options));
-}
-
 BearingState BearingState::unstressed(const Foils& foils) {
   BearingState state;
   state.loading = ContactLoading::none(foils.problem);
@@ -54,15 +33,12 @@ BearingState BearingState::unstressed(const Foils& foils) {
   return state;
 }
 
-FoilStepper::FoilStepper(SharedFoils foils, const SolverSettings& settings, Rates rates)
+FoilStepper::FoilStepper(SharedFoils foils, const FollowerMaker& make_follower)
     : foils_(std::move(foils)),
       modes_(make_mode_system(foils_->problem)),
-      follower_(make_path_follower(SharedProblem({foils_, &foils_->problem}), settings, modes_, rates)),
+      follower_(make_follower(SharedProblem({foils_, &foils_->problem}), modes_)),
       dissipation_(foils_->problem),
-      follows_events_(settings.chosen() == SolverName::events),
       rate_(ContactState::unstressed(foils_->problem)) {}
-
-FoilStepper::~FoilStepper() = default;
 
 bool FoilStepper::set_foils(const SharedFoils& foils) {
   if (!is_same(foils_->problem, foils->problem)) return false;

@@ -43,6 +43,7 @@ class EventStepper final : public PathFollower {
   EventStepper(const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes, Rates rates);
 
   [[nodiscard]] SolverBounds bounds() const override { return newton_.bounds(); }
+  [[nodiscard]] bool follows_events() const override { return true; }
   [[nodiscard]] SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
                                      ContactState& state) override;
   void set_out(const LoadingPath& path, const ContactState& state) override;

@@ -1,9 +1,14 @@
 #include "bumpfoil/experiments/build.hpp"
 
 #include <memory>
+#include <utility>
 
+#include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "bumpfoil/origin/uzawa.hpp"
+#include "experiments/cycle/cycle_run.hpp"
+#include "origin/former_cycle.hpp"
 
 namespace bumpfoil {
 
@@ -16,6 +21,35 @@ SharedFoils make_strip_foils(const Case& input) {
   require_valid(input, {"strip"});
   if (!input.strip) throw Error(ErrorKind::input, {{"", 0, "strip", "", "this table is missing", "add [strip]"}});
   return std::make_shared<const Foils>(make_foils(input, *input.strip));
+}
+
+std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
+                                                 const std::shared_ptr<ModeSystem>& modes, Rates rates) {
+  switch (settings.chosen()) {
+    case SolverName::newton:
+      return make_increment_follower(std::make_unique<NewtonSolver>(problem, modes));
+    case SolverName::events:
+      return make_event_stepper(problem, modes, rates);
+    case SolverName::uzawa:
+      break;
+  }
+  const UzawaParameters& given = settings.uzawa;
+  UzawaOptions options = uzawa_options_for(*problem);
+  options.eps_alm = given.eps_alm.value_or(options.eps_alm);
+  options.eps_f = given.eps_f.value_or(options.eps_f);
+  options.eps_r = given.eps_r.value_or(options.eps_r);
+  options.tau_f = given.tau_f.value_or(options.tau_f);
+  return make_increment_follower(std::make_unique<UzawaSolver>(*problem, options));
+}
+
+FoilStepper make_stepper(SharedFoils foils, const SolverSettings& settings, Rates rates) {
+  return {std::move(foils), [&](const SharedProblem& problem, const std::shared_ptr<ModeSystem>& modes) {
+            return make_path_follower(problem, settings, modes, rates);
+          }};
+}
+
+CycleRun make_cycle_run(const Case& input) {
+  return input.bump_foil.model == BumpFoilModel::former ? former_cycle_run(input) : present_cycle_run(input);
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {

@@ -1,4 +1,5 @@
 #include "bumpfoil/motion/march.hpp"
+
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 
@@ -22,12 +23,11 @@ Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Le
   return least * (carried.norm() > 0.0 ? Eigen::Vector2d(carried.normalized()) : Eigen::Vector2d::UnitX());
 }
 
-/// Leg after leg. @param program  outlives the schedule
+}  // namespace
+
 Schedule schedule_of(const Program& program) {
   return [&program, next = program.begin()]() mutable { return next == program.end() ? nullptr : &*next++; };
 }
-
-}  // namespace
 
 bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe) {

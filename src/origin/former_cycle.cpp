@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <utility>
 
 #include "bumpfoil/experiments/cycle/cycle_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "bumpfoil/motion/program.hpp"
+#include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/origin/former_model.hpp"
-#include "experiments/cycle/run_each_cycle.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -95,9 +95,9 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
   cycle.fields = make_former_fields(model, cycle.due);
   CycleQuantities quantities(cycle);
 
-  const auto take = [&](double displacement, Branch branch, bool ends_leg) {
+  FormerSolution solution = solver.solve(line.base);
+  const auto add = [&](double displacement, Branch branch, bool ends_leg) {
     const Eigen::Vector2d position = line.place(displacement);
-    const FormerSolution solution = solver.solve(position);
     Increment next = make_increment(model, position, normal, solution);
     next.displacement = displacement;
     next.index = static_cast<int>(cycle.increments.size());
@@ -128,9 +128,16 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
     if (next.converged() && stopped && !all) cycle.status = Status::interrupted;
     return cycle.converged();
   };
-  bool good = take(0.0, Branch::loading, false);
-  for (const Leg& leg : program) {
-    for (int k = 1; k <= leg.steps && good; ++k) good = take(leg.target(k), leg.branch, k == leg.steps);
+  if (add(0.0, Branch::loading, false)) {
+    // Nothing but the position passes from one increment to the next.
+    const auto take = [&](const Leg& leg, int taken, const BearingState&) {
+      solution = solver.solve(line.place(leg.target(taken)));
+    };
+    BearingState state;
+    Step step;
+    march(schedule_of(program), take, state, step, [&](const Passage& at) {
+      return add(at.target, at.leg.branch, at.ends_leg) ? Verdict::go_on : Verdict::refuse;
+    });
   }
   cycle.fields.truncate(std::ssize(cycle.increments));
   quantities.finish();
@@ -140,14 +147,12 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
 
 }  // namespace
 
-CycleResult run_former_cycles(const Case& input, const ProgressCallback& progress) {
-  const FormerModel model = make_former_model(input);
-  FormerSolver solver(model);
-  return run_each_cycle(Experiment::cycle, input, std::ssize(input.cycle.directions), progress,
-                        [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
-                          return run_former_cycle(model, solver, input.cycle.directions[i], input.cycle,
-                                                  progress_of_cycle);
-                        });
+CycleRun former_cycle_run(const Case& input) {
+  const auto model = std::make_shared<const FormerModel>(make_former_model(input));
+  return [model, solver = std::make_shared<FormerSolver>(*model), &input](double direction,
+                                                                          const ProgressCallback& progress) {
+    return run_former_cycle(*model, *solver, direction, input.cycle, progress);
+  };
 }
 
 }  // namespace bumpfoil

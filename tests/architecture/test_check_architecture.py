@@ -76,6 +76,17 @@ class CheckArchitecture(unittest.TestCase):
         self.write("src/bearing/bearing.cpp", '#include <vector>\n#include "film/faces.hpp"\n')
         self.assertEqual(find_faults(self.root), [])
 
+    def test_origin_is_reached_through_its_door(self):
+        uzawa = '#include "bumpfoil/origin/uzawa.hpp"\n'
+        self.write("src/experiments/build.cpp", uzawa)
+        self.write("src/origin/uzawa.cpp", uzawa)
+        self.assertEqual(find_faults(self.root), [])
+        self.write("src/experiments/cycle/cycle.cpp", uzawa)
+        self.assert_one_fault("src/experiments/cycle/cycle.cpp:1", "experiments must not include origin")
+        self.write("src/experiments/cycle/cycle.cpp", "")
+        self.write("bench/bench.cpp", uzawa)
+        self.assert_one_fault("bench/bench.cpp:1", "src/experiments/build.cpp")
+
     def test_programs_use_public_headers(self):
         self.write("src/film/faces.hpp", "#pragma once\n")
         self.write("bench/bench_film.cpp", '#include "film/faces.hpp"\n')

@@ -61,7 +61,7 @@ struct Run {
 class Push {
  public:
   Push(const Case& input, const SharedFoils& foils, SolverName solver)
-      : input_(input), foils_(foils), stepper_(foils, {.name = solver, .uzawa = {}}) {}
+      : input_(input), foils_(foils), stepper_(make_stepper(foils, {.name = solver, .uzawa = {}})) {}
 
   Run run(int every);
 

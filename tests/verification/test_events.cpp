@@ -69,7 +69,7 @@ TEST_P(EventCycles, AgreeWithIncrementsPlacedAtTheEvents) {
     const Cycle events = run_single_cycle(with_events(input), GetParam());
     ASSERT_TRUE(events.converged());
 
-    FoilStepper newton(make_bearing_foils(input), {.name = SolverName::newton, .uzawa = {}});
+    FoilStepper newton = make_stepper(make_bearing_foils(input), {.name = SolverName::newton, .uzawa = {}});
     const Eigen::Vector2d n = unit_vector(GetParam());
     Step step;
     newton.assemble({}, step);

@@ -96,7 +96,7 @@ TEST(LargeDisplacements, TangentsAreThoseOfTheDeformedFoils) {
   const auto tangents_of = [&](const SharedFoils& of) {
     BearingState where = BearingState::unstressed(foils);
     where.contacts = state;
-    return FoilStepper(of, {}).tangents(where).along(n);
+    return make_stepper(of).tangents(where).along(n);
   };
   const TangentStiffnesses tangents = tangents_of(shared);
   constexpr double step = 1e-10;  // short of the next event; a thousand times what the residual leaves of the force

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "bumpfoil/bearing/foils.hpp"
-#include "bumpfoil/contact/uzawa.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/origin/uzawa.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/uzawa_comparison.hpp"
 

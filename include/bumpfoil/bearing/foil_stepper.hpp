@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -7,29 +8,23 @@
 #include "bumpfoil/bearing/bearing_state.hpp"
 #include "bumpfoil/bearing/energy.hpp"
 #include "bumpfoil/bearing/tangents.hpp"
-#include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
 
 class ModeSystem;
 
-/// The solver of a case, made for a problem of its own or somebody else's.
-/// @param modes  linear system of the problem, which the follower shares with its caller
-/// @param rates  of the event-driven solver
-std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
-                                                 const std::shared_ptr<ModeSystem>& modes,
-                                                 Rates rates = Rates::by_solves);
+/// Makes what follows the contacts of a problem, on a linear system of it that it shares with its caller.
+using FollowerMaker =
+    std::function<std::unique_ptr<PathFollower>(const SharedProblem&, const std::shared_ptr<ModeSystem>&)>;
 
-/// Takes foils from state to state. It holds the solver of a case and its workspace, and nothing of the states: those
+/// Takes foils from state to state. It holds a solver and its workspace, and nothing of the states: those
 /// belong to the caller, who keeps the new one or the old one. One thread at a time; as many steppers as threads share
 /// the foils.
 ///
 /// In all functions `step` receives the result, its storage is reused, and it must not hold the state to start from.
 class FoilStepper {
  public:
-  /// @param rates  of the event-driven solver
-  FoilStepper(SharedFoils foils, const SolverSettings& settings, Rates rates = Rates::by_solves);
-  ~FoilStepper();
+  FoilStepper(SharedFoils foils, const FollowerMaker& make_follower);
 
   /// Takes other foils of the same stiffness and contacts, whose gaps alone may differ. An assembly must follow.
   /// @return false if these are others; then it keeps those it has
@@ -55,7 +50,7 @@ class FoilStepper {
 
   [[nodiscard]] const Foils& foils() const { return *foils_; }
   /// Whether increments are followed from one change of contact to the next.
-  [[nodiscard]] bool follows_events() const { return follows_events_; }
+  [[nodiscard]] bool follows_events() const { return follower_->follows_events(); }
   /// What converged states meet.
   [[nodiscard]] SolverBounds bounds() const { return follower_->bounds(); }
 
@@ -64,7 +59,6 @@ class FoilStepper {
   std::shared_ptr<ModeSystem> modes_;  ///< shared with the follower: no other is made for tangents
   std::unique_ptr<PathFollower> follower_;
   FrictionDissipation dissipation_;
-  bool follows_events_;
   Excitation path_begin_, path_end_;
   std::vector<ContactEvent> events_;
   ContactState rate_;

@@ -68,6 +68,9 @@ class PathFollower {
   /// What converged states meet.
   [[nodiscard]] virtual SolverBounds bounds() const = 0;
 
+  /// Whether it goes from one change of contact to the next.
+  [[nodiscard]] virtual bool follows_events() const { return false; }
+
   /// One step from the unstressed foils to the first loading.
   [[nodiscard]] virtual SolveReport assemble(const ContactLoading& loading, const ContactState& unstressed,
                                              ContactState& state) = 0;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bumpfoil/bearing/film_bearing.hpp"
-#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
 #include "bumpfoil/model/case.hpp"
 
 /// Where cases end: they are checked, and what is below takes designs, gases and settings.
@@ -18,6 +19,17 @@ SharedFoils make_bearing_foils(const Case& input, const std::vector<std::string>
 /// The strip of a case between its plate and the base.
 /// @throws Error (input) if the case cannot be built, has no strip, or is of the Le Lez (2007) model
 SharedFoils make_strip_foils(const Case& input);
+
+/// The solver of a case, made for a contact problem: this is where the method of the source paper comes in
+/// (origin/uzawa.hpp).
+/// @param modes  linear system of the problem, which the follower shares with its caller
+/// @param rates  of the event-driven solver
+std::unique_ptr<PathFollower> make_path_follower(const SharedProblem& problem, const SolverSettings& settings,
+                                                 const std::shared_ptr<ModeSystem>& modes,
+                                                 Rates rates = Rates::by_solves);
+
+/// Takes foils from state to state by the solver of a case.
+FoilStepper make_stepper(SharedFoils foils, const SolverSettings& settings = {}, Rates rates = Rates::by_solves);
 
 /// The bearing of a case, in gas.
 /// @throws Error (input) if the case cannot be built

@@ -15,7 +15,7 @@ namespace bumpfoil {
 enum class SolverName { newton, uzawa, events };
 
 /// Parameters of the augmented Lagrangian method with penalty friction [Arghir2019, Eqs. 14-25]; see
-/// contact/uzawa.hpp for what each does. Those that are absent follow from the stiffness of the foils, see
+/// origin/uzawa.hpp for what each does. Those that are absent follow from the stiffness of the foils, see
 /// uzawa_options_for() there.
 struct UzawaParameters {
   std::optional<double> eps_alm{};  ///< penalty of the normal contacts, N/m

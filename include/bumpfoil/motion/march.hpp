@@ -36,6 +36,9 @@ using FilmObserver = std::function<Verdict(const FilmPassage&)>;
 /// Says which leg comes next; nothing at the end. It may go by what an observer has seen.
 using Schedule = std::function<const Leg*()>;
 
+/// That of a program, leg after leg. @param program  outlives the schedule
+Schedule schedule_of(const Program& program);
+
 /// Goes through a schedule, increment by increment: the one loop that does so. What is recorded, accumulated or watched
 /// for is the observer's business; halving increments, following events and crossing folds is that of what takes them.
 /// @param take   take(leg, i, from) takes increment i = 1..steps of a leg from the state `from` into `step`

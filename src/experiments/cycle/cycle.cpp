@@ -1,14 +1,13 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 
-#include "bumpfoil/experiments/build.hpp"
-
 #include <algorithm>
+#include <memory>
 #include <utility>
 
-#include "bearing/settling.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "experiments/cycle/cycle_run.hpp"
 #include "experiments/cycle/cycle_series.hpp"
 #include "experiments/cycle/run_each_cycle.hpp"
-#include "origin/former_cycle.hpp"
 
 namespace bumpfoil {
 
@@ -32,7 +31,7 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
   std::vector<Clearance> clearances;
   for (const double force : settings.clearance_forces) clearances.push_back({force, {}});
   const auto run_with = [&](std::optional<FoilStepper>& stepper, Rates rates, int steps) {
-    if (!stepper) stepper.emplace(foils_, settings_, rates);
+    if (!stepper) stepper = make_stepper(foils_, settings_, rates);
     const CycleCourse course{.direction = direction,
                              .amplitude = settings.amplitude,
                              .preload = settings.preload,
@@ -52,14 +51,19 @@ Cycle CycleRunner::run(double direction, const CycleSettings& settings, Recordin
   return run_with(exact_, Rates::by_solves, settings.steps);
 }
 
+CycleRun present_cycle_run(const Case& input) {
+  const auto runner = std::make_shared<CycleRunner>(make_bearing_foils(input, {"cycle"}), input.solver);
+  return [runner, &input](double direction, const ProgressCallback& progress) {
+    return runner->run(direction, input.cycle, Recording::everything, progress);
+  };
+}
+
 CycleResult run_cycles(const Case& input, const ProgressCallback& progress) {
-  if (input.bump_foil.model == BumpFoilModel::former) return run_former_cycles(input, progress);
-  CycleRunner runner(make_bearing_foils(input, {"cycle"}), input.solver);
-  const CycleSettings& settings = input.cycle;
-  return run_each_cycle(Experiment::cycle, input, std::ssize(settings.directions), progress,
-                        [&](std::size_t i, const ProgressCallback& progress_of_cycle) {
-                          return runner.run(settings.directions[i], settings, Recording::everything, progress_of_cycle);
-                        });
+  const CycleRun run = make_cycle_run(input);
+  const std::vector<double>& directions = input.cycle.directions;
+  return run_each_cycle(
+      Experiment::cycle, input, std::ssize(directions), progress,
+      [&](std::size_t i, const ProgressCallback& progress_of_cycle) { return run(directions[i], progress_of_cycle); });
 }
 
 }  // namespace bumpfoil

@@ -148,7 +148,7 @@ CycleResult run_path(const Case& input, const ProgressCallback& progress) {
   const PathSettings* const path = input.settings.find<PathSettings>();
   if (path == nullptr) throw Error(ErrorKind::input, {{"", 0, "path", "", "this table is missing", "add [path]"}});
   const auto begin = std::chrono::steady_clock::now();
-  FoilStepper stepper(foils, input.solver);
+  FoilStepper stepper = make_stepper(foils, input.solver);
   CycleResult result{.solver = input.solver.chosen(), .experiment = Experiment::path, .due = 1, .cycles = {}};
   result.cycles.push_back(follow(stepper, *path, foils->clearance + foils->rise, progress));
   result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -17,7 +17,7 @@ CycleResult run_strip(const Case& input, const ProgressCallback& progress) {
                      .steps = strip.steps,
                      .reach = foils->rise};
   if (strip.preload) course.preload = {strip.preload->control, {strip.preload->value, 0.0}};
-  FoilStepper stepper(foils, input.solver);
+  FoilStepper stepper = make_stepper(foils, input.solver);
   Step step;
   CycleSeries series(stepper, course, {}, step);
   return run_each_cycle(Experiment::strip, input, strip.cycles, progress,

@@ -41,7 +41,7 @@ class VibrationRunner {
   VibrationRunner(const Case& input, const ProgressCallback& progress)
       : vibration_(*input.vibration),
         progress_(progress),
-        stepper_(make_bearing_foils(input, {"vibration"}), input.solver),
+        stepper_(make_stepper(make_bearing_foils(input, {"vibration"}), input.solver)),
         reach_(stepper_.foils().clearance + stepper_.foils().rise),
         all_(vibration_.loads.size() * vibration_.motions() * vibration_.amplitudes.size()) {}
 

@@ -48,7 +48,7 @@ class PushedStepper : public testing::TestWithParam<SolverName> {
   }
 
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilStepper stepper{foils, solver(GetParam())};
+  FoilStepper stepper = make_stepper(foils, solver(GetParam()));
   BearingState state;
   Step step;
 };
@@ -75,7 +75,7 @@ TEST_P(PushedStepper, LeavesTheOldStateToGoBackTo) {
   stepper.advance(kept, at(75e-6 * push), far);
   ASSERT_TRUE(far.converged());
   stepper.advance(kept, at(62e-6 * push), again);
-  FoilStepper other(foils, solver(GetParam()));
+  FoilStepper other = make_stepper(foils, solver(GetParam()));
   Step fresh;
   other.advance(kept, at(62e-6 * push), fresh);
   EXPECT_EQ(again.state.contacts.x, fresh.state.contacts.x);
@@ -85,7 +85,7 @@ TEST_P(PushedStepper, LeavesTheOldStateToGoBackTo) {
 
 /// Increments of one path, and each increment as a path of its own.
 TEST_P(PushedStepper, MovesTheSameWayAlongOnePathOrMany) {
-  FoilStepper other(foils, solver(GetParam()));
+  FoilStepper other = make_stepper(foils, solver(GetParam()));
   Step one;
   other.assemble({}, one);
   BearingState from = one.state;
@@ -114,7 +114,7 @@ TEST_P(PushedStepper, MovesTheSameWayAlongOnePathOrMany) {
 TEST_P(PushedStepper, AssemblyForgetsWhatWasBefore) {
   Step again;
   stepper.assemble({}, again);
-  FoilStepper other(foils, solver(GetParam()));
+  FoilStepper other = make_stepper(foils, solver(GetParam()));
   Step fresh;
   other.assemble({}, fresh);
   EXPECT_EQ(again.state.contacts.x, fresh.state.contacts.x);
@@ -128,7 +128,7 @@ TEST(FoilStepper, CountsTheFrictionOfTheAssembly) {
   Case input = case_with_given_constants();
   input.bump_foil.height_errors.assign(26, 0.0);
   input.bump_foil.height_errors[3] = 60e-6;  // squeezed between journal and sleeve at once
-  FoilStepper stepper(make_bearing_foils(input), solver(SolverName::newton));
+  FoilStepper stepper = make_stepper(make_bearing_foils(input), solver(SolverName::newton));
   Step step;
   stepper.assemble({}, step);
   ASSERT_TRUE(step.converged());
@@ -144,11 +144,11 @@ TEST(FoilStepper, FollowsGapsThatChange) {
   grown.bump_foil.height_errors[3] = 60e-6;
   Excitation end;
   end.gap_offset = make_bearing_foils(grown)->assembled_gap - foils->assembled_gap;
-  FoilStepper stepper(foils, solver(SolverName::newton));
+  FoilStepper stepper = make_stepper(foils, solver(SolverName::newton));
   Step first, offset, built;
   stepper.assemble({}, first);
   stepper.advance(first.state, end, offset);
-  FoilStepper(make_bearing_foils(grown), solver(SolverName::newton)).assemble({}, built);
+  make_stepper(make_bearing_foils(grown), solver(SolverName::newton)).assemble({}, built);
   ASSERT_TRUE(offset.converged() && built.converged());
   // One increment from foils without load is the assembly.
   EXPECT_LT((offset.state.contacts.normal_force - built.state.contacts.normal_force).cwiseAbs().maxCoeff(), 1e-9);
@@ -169,7 +169,7 @@ TEST(FoilStepper, APressureLiftsTheTopFoilAsTheClosedFormSays) {
   Excitation suction;
   suction.top_load = crest_loads(beam, make_top_foil_moments(beam), end_angle, Vector::Constant(27, q));
   for (const SolverName name : {SolverName::newton, SolverName::events}) {
-    FoilStepper stepper(foils, solver(name));
+    FoilStepper stepper = make_stepper(foils, solver(name));
     Step first, step;
     stepper.assemble({}, first);
     stepper.advance(first.state, suction, step);
@@ -213,7 +213,7 @@ class Pushed : public testing::TestWithParam<double> {
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
   const Eigen::Vector2d n = unit_vector(GetParam());
   NewtonSolver solver{foils->problem};
-  FoilStepper stepper{foils, {}};
+  FoilStepper stepper = make_stepper(foils);
   BearingState state = BearingState::unstressed(*foils);
 };
 
@@ -256,7 +256,7 @@ TEST(TangentStiffnesses, OfUntouchedFoilsAreZero) {
   BearingState state = BearingState::unstressed(*foils);
   state.contacts.mode.assign(78, ContactMode::stick);
   for (std::size_t i = 0; i < 26; ++i) state.contacts.mode[3 * i] = ContactMode::open;
-  const TangentStiffnesses tangent = FoilStepper(foils, {}).tangents(state).along(unit_vector(0.0));
+  const TangentStiffnesses tangent = make_stepper(foils).tangents(state).along(unit_vector(0.0));
   EXPECT_EQ(tangent.loading, 0.0);
   EXPECT_EQ(tangent.unloading, 0.0);
 }
@@ -272,7 +272,7 @@ TEST(TangentStiffnesses, OfFoilsThatNothingHoldsAreAbsent) {
   const auto foils = std::make_shared<const Foils>(loose);
   BearingState state = BearingState::unstressed(*foils);
   state.contacts.mode.assign(78, ContactMode::open);
-  const TangentStiffnesses tangent = FoilStepper(foils, {}).tangents(state).along(unit_vector(0.0));
+  const TangentStiffnesses tangent = make_stepper(foils).tangents(state).along(unit_vector(0.0));
   EXPECT_EQ(tangent.loading, std::nullopt);
   EXPECT_EQ(tangent.unloading, std::nullopt);
 }

@@ -29,7 +29,7 @@ class FollowedLoad : public testing::TestWithParam<BumpFoilModel> {
 
   /// From the unstressed foils through the loads, each in so many equal increments.
   Step through(const std::vector<Eigen::Vector2d>& loads, int increments, SolverName solver = SolverName::events) {
-    FoilStepper stepper(foils, {.name = solver, .uzawa = {}});
+    FoilStepper stepper = make_stepper(foils, {.name = solver, .uzawa = {}});
     Step step, next;
     stepper.assemble({}, step);
     Eigen::Vector2d from(0.0, 0.0);
@@ -78,7 +78,7 @@ TEST_P(FollowedLoad, TurnsRoundWhateverTheIncrements) {
 
 TEST_P(FollowedLoad, KeepsTheEnergyAndTheLine) {
   Step step = through({first_load}, 1);
-  FoilStepper stepper(foils, {.name = SolverName::events, .uzawa = {}});
+  FoilStepper stepper = make_stepper(foils, {.name = SolverName::events, .uzawa = {}});
   const BearingState begin = step.state;
   advance_to_load(stepper, begin, side_load, least, reach, step);
   ASSERT_TRUE(step.converged());
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Models, FollowedLoad, testing::Values(BumpFoilModel::tr
 
 TEST(FollowLoad, SaysWhereNothingDeterminesTheWay) {
   const SharedFoils foils = make_bearing_foils(reference_case());
-  FoilStepper stepper(foils, {.name = SolverName::events, .uzawa = {}});
+  FoilStepper stepper = make_stepper(foils, {.name = SolverName::events, .uzawa = {}});
   Step step;
   stepper.assemble({}, step);
   EXPECT_FALSE(follow_load(stepper, {0.0, -5.0}, 1e-9, reach, step));
@@ -136,7 +136,7 @@ TEST(FollowLoad, SaysWhereNothingDeterminesTheWay) {
 TEST(FollowLoad, SaysThatNothingIsInTheWay) {
   Case input = reference_case();
   input.bump_foil.bumps = 9;
-  FoilStepper stepper(make_bearing_foils(input), {.name = SolverName::events, .uzawa = {}});
+  FoilStepper stepper = make_stepper(make_bearing_foils(input), {.name = SolverName::events, .uzawa = {}});
   Step first, step;
   stepper.assemble({}, first);
   // No bump has a part of this normal, and the journal leaves the bearing.

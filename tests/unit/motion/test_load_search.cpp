@@ -32,7 +32,7 @@ class LoadedBearing : public testing::TestWithParam<SolverName> {
   }
 
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilStepper stepper{foils, {.name = GetParam(), .uzawa = {}}};
+  FoilStepper stepper = make_stepper(foils, {.name = GetParam(), .uzawa = {}});
   BearingState state;
 };
 
@@ -49,7 +49,7 @@ TEST_P(LoadedBearing, FindsALoadWhereMovingThereMeetsIt) {
     const double met = (GetParam() == SolverName::uzawa ? 1e-5 : 1e-9) * load.norm();
     EXPECT_LT((force(by_load.state) - load).norm(), met);
     if (GetParam() == SolverName::events) continue;  // goes there by its own way
-    FoilStepper fresh(foils, {.name = GetParam(), .uzawa = {}});
+    FoilStepper fresh = make_stepper(foils, {.name = GetParam(), .uzawa = {}});
     fresh.advance(state, by_load.state, by_place);
     ASSERT_TRUE(by_place.converged());
     // Both are solved to the same bound, by a solver that has seen other increments: 1e-6 is that of the multipliers.
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(LoadSearch, LoadedBearing,
 
 TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilStepper stepper(foils, {});
+  FoilStepper stepper = make_stepper(foils);
   Step first, step;
   stepper.assemble({}, first);
   EXPECT_EQ(holding_force(*foils, first.state.contacts.normal_force).norm(), 0.0);  // nothing tells the way
@@ -84,7 +84,7 @@ TEST(LoadSearch, FindsTheFirstLoadAcrossAnOpenGap) {
 
 TEST(LoadSearch, StandsStillWhereTheLoadIsThere) {
   const SharedFoils foils = make_bearing_foils(case_with_given_constants());
-  FoilStepper stepper(foils, {});
+  FoilStepper stepper = make_stepper(foils);
   Step first, loaded, again;
   stepper.assemble({}, first);
   advance_to_load(stepper, first.state, 50.0 * push, least_load, search_reach, loaded);

@@ -23,7 +23,7 @@ class March : public ::testing::Test {
   }
 
   SharedFoils foils_{make_bearing_foils(case_with_given_constants())};
-  FoilStepper stepper_{foils_, {}};
+  FoilStepper stepper_ = make_stepper(foils_);
   Step step_;
   BearingState state_;
 };

@@ -79,7 +79,7 @@ TEST(FormerCycle, TouchesWhereTheFirstCrestIsReached) {
 
 TEST(FormerCycle, StopsWhenAsked) {
   int calls = 0;
-  const CycleResult result = run_former_cycles(former_case(), [&](double) { return ++calls < 5; });
+  const CycleResult result = run_cycles(former_case(), [&](double) { return ++calls < 5; });
   ASSERT_EQ(result.cycles.size(), 1U);
   EXPECT_EQ(result.cycles.front().increments.size(), 5U);
   EXPECT_FALSE(result.converged());

@@ -173,7 +173,7 @@ TEST_P(FreeStrip, DoesNotDependOnTheSpringsThatKeepItInPlace) {
   }
   const Eigen::Vector2d down(1.0, 0.0);
   const auto pressed = [&](const SharedFoils& these) {
-    FoilStepper stepper(these, input.solver);
+    FoilStepper stepper = make_stepper(these, input.solver);
     Step step;
     stepper.assemble({}, step);
     for (int k = 1; k <= 8; ++k) {

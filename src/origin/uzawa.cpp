@@ -1,4 +1,4 @@
-#include "bumpfoil/contact/uzawa.hpp"
+#include "bumpfoil/origin/uzawa.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,13 @@
-#include "bumpfoil/contact/uzawa.hpp"
+#include "bumpfoil/origin/uzawa.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "bumpfoil/contact/newton.hpp"
 #include "bumpfoil/contact/residual.hpp"
+#include "support/toy_problems.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -60,6 +62,12 @@ TEST(UzawaOptions, FollowFromStiffnessAndForces) {
   stacked.sites = in_every_block({{.plus = 2}, {.plus = 1, .minus = 2, .tangential = 0, .friction_coefficient = 0.3}},
                                  stacked.K.blocks());
   EXPECT_DOUBLE_EQ(uzawa_options_for(stacked).eps_alm, 4.5e6);
+}
+
+TEST(Uzawa, ItsStatesAreNotJudgedByResiduals) {
+  const UzawaSolver uzawa(toy::dragged_block(), options);
+  EXPECT_GT(uzawa.bounds().force, 1e300);
+  EXPECT_GT(uzawa.bounds().load, NewtonSolver(toy::dragged_block()).bounds().load);
 }
 
 TEST(Uzawa, HoldsAPointInsideTheCone) {
