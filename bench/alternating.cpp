@@ -147,9 +147,9 @@ AlternatingReport alternate(const FilmBearing& bearing, const Eigen::Vector2d& p
   AlternatingReport report;
   while (report.end == End::spent && report.iterations < options.most) {
     ++report.iterations;
-    const FilmStatus film = films.solve(equation, H, state.film).status;
-    if (film != FilmStatus::converged) {
-      report.end = film == FilmStatus::no_room ? End::no_room : End::no_film;
+    const Status film = films.solve(equation, H, state.film).status;
+    if (film != Status::converged) {
+      report.end = film == Status::no_room ? End::no_room : End::no_film;
       break;
     }
     const Vector loads = loads_of(bearing, state.film.pressure);

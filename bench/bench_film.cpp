@@ -32,7 +32,7 @@ BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchma
   BearingState state;
   FilmStepper stepper(bearing);
   const FilmReport report = cold_start(stepper, {eccentricity * bearing.clearance, 0.0}, speed, state);
-  if (report.status != FilmStatus::converged) bench.SkipWithError("no state");
+  if (report.status != Status::converged) bench.SkipWithError("no state");
   return state;
 }
 
@@ -74,7 +74,7 @@ void step_of_a_path(const FilmBearing& bearing, benchmark::State& bench) {
   for (auto _ : bench) {
     BearingState state = start;
     const FilmReport report = stepper.advance(OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, speed), state);
-    if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
+    if (report.status != Status::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
   bench.counters["iterations"] = iterations;
@@ -148,12 +148,12 @@ void equilibrium_from_a_neighbour(benchmark::State& bench) {
   BearingState start = cold_state(bearing, 0.6, bench);
   FilmStepper stepper(bearing);
   const FilmReport there = follow(stepper, OperatingPoint::loaded_by({45.0, 0.0}, speed), start);
-  if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
+  if (there.status != Status::converged) bench.SkipWithError("no state");
   int iterations = 0;
   for (auto _ : bench) {
     BearingState state = start;
     const FilmReport report = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), state);
-    if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
+    if (report.status != Status::converged) bench.SkipWithError("not converged");
     iterations = report.iterations;
   }
   bench.counters["iterations"] = iterations;
@@ -180,7 +180,7 @@ void coasting_down(benchmark::State& bench) {
   BearingState start = cold_state(bearing, 0.6, bench);
   FilmStepper stepper(bearing);
   const FilmReport there = follow(stepper, OperatingPoint::loaded_by({50.0, 0.0}, speed), start);
-  if (there.status != FilmStatus::converged) bench.SkipWithError("no state");
+  if (there.status != Status::converged) bench.SkipWithError("no state");
   int iterations = 0;
   for (auto _ : bench) {
     BearingState state = start;
@@ -188,7 +188,7 @@ void coasting_down(benchmark::State& bench) {
     for (int i = 1; i <= speeds; ++i) {
       const OperatingPoint to = OperatingPoint::loaded_by({50.0, 0.0}, speed * (1.0 - 8.0 / 9.0 * i / speeds));
       const FilmReport report = follow(stepper, to, state);
-      if (report.status != FilmStatus::converged) bench.SkipWithError("not converged");
+      if (report.status != Status::converged) bench.SkipWithError("not converged");
       iterations += report.iterations;
     }
   }

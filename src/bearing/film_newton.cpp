@@ -506,7 +506,7 @@ FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState&
   iterate_.film.thickness = bearing_.undeformed_thickness(state.position, state.opening);
   iterate_.film.thickness.rowwise() += iterate_.film.lift.transpose();
   if (iterate_.film.thickness.minCoeff() <= 0.0) {
-    report.status = FilmStatus::no_room;
+    report.status = Status::no_room;
     return report;
   }
   report.residual = find_residual(to, equations, iterate_);
@@ -524,7 +524,7 @@ FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState&
     if (fraction == 1.0 && largest < aim.tolerance) {
       take_step(1.0, iterate_, trial_);
       const bool touches = trial_.film.thickness.minCoeff() < options_.thickness_floor;
-      report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
+      report.status = touches ? Status::touchdown : Status::converged;
       if (to.law.holds_position()) trial_.position = to.law.position;
       trial_.opening = to.opening;
       report.predicted_change = distance(predicted_, state);

@@ -30,10 +30,10 @@ Move FilmStepper::move_to(const OperatingPoint& point, double dt) const {
 }
 
 FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_near) {
-  if (options_.keep_going && !options_.keep_going()) return {.status = FilmStatus::interrupted};
+  if (options_.keep_going && !options_.keep_going()) return {.status = Status::interrupted};
   const double tolerance = move.dt > 0.0 ? options_.marching_tolerance : options_.newton.step_tolerance;
   const FilmReport report = newton_->solve(move, {.tolerance = tolerance, .stays_near = stays_near}, state);
-  if (report.status == FilmStatus::converged) state.time += move.dt;
+  if (report.status == Status::converged) state.time += move.dt;
   return report;
 }
 

@@ -15,6 +15,11 @@ constexpr std::array<std::string_view, enum_names<Status>.size()> explanations{
     "the run was interrupted",
     "the equilibrium of the journal under its load is unstable",
     "the load does not determine the journal position: nothing resists its motion",
+    "Newton's method finds no state, even with the smallest steps",
+    "touchdown: the film is thinner than the contact threshold film.h_floor",
+    "the journal does not fit between the undeformed foils where the path starts",
+    "the branch of states ends, and the film does not settle to another state",
+    "not computed, since an earlier state of its path was not found",
 };
 
 }  // namespace

@@ -85,7 +85,7 @@ void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
 void lay_out_states(const Case& input, EnsembleLayout& layout) {
   // What no bearing of the case could do is its fault, and not that of what is drawn.
   static_cast<void>(require_running_bearing(input));
-  for (const RunningState& state : planned_states(*input.equilibrium, FilmStatus::not_reached)) {
+  for (const RunningState& state : planned_states(*input.equilibrium, Status::not_reached)) {
     layout.places.push_back({name_of_point(state.asked), state.asked});
   }
   const bool by_load = !input.equilibrium->loads.empty();
@@ -110,10 +110,10 @@ Vector bump_loads(const SampleResult& result, std::size_t place) {
 }
 
 /// Statuses of a command, and behind them that of samples that make no bearing.
-template <typename Status>
+template <const Form& statuses>
 constexpr auto sample_statuses = [] {
-  std::array<std::string_view, enum_names<Status>.size() + 1> names;
-  std::copy(enum_names<Status>.begin(), enum_names<Status>.end(), names.begin());
+  std::array<std::string_view, statuses.words.size() + 1> names;
+  std::copy(statuses.words.begin(), statuses.words.end(), names.begin());
   names.back() = "not_physical";
   return names;
 }();
@@ -126,8 +126,8 @@ std::string_view EnsembleLayout::status_name(int status) const {
 
 std::string_view EnsembleLayout::status_reason(int status) const {
   if (status == no_bearing()) return "invalid sample";
-  return command == EnsembleCommand::cycle ? explanation(static_cast<Status>(status))
-                                           : reason_of(static_cast<FilmStatus>(status));
+  return explanation(command == EnsembleCommand::cycle ? static_cast<Status>(status)
+                                                       : running_statuses.at(static_cast<std::size_t>(status)));
 }
 
 EnsembleLayout make_ensemble_layout(const Case& input) {
@@ -137,10 +137,10 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
                         .bumps = static_cast<std::size_t>(total_bumps(input))};
   if (layout.command == EnsembleCommand::cycle) {
     lay_out_cycles(input, layout);
-    layout.columns.front().meaning.form.words = sample_statuses<Status>;
+    layout.columns.front().meaning.form.words = sample_statuses<flags<Status>>;
   } else {
     lay_out_states(input, layout);
-    layout.columns.front().meaning.form.words = sample_statuses<FilmStatus>;
+    layout.columns.front().meaning.form.words = sample_statuses<running_status>;
   }
   return layout;
 }

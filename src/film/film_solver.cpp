@@ -90,7 +90,7 @@ FilmReport FilmSolver::Workspace::solve(const ReynoldsEquation& equation, const 
   iterate.thickness = rigid_thickness;
   add_yield(foundation, mesh, film.pressure - mesh.field(1.0), iterate.thickness);
   if (iterate.thickness.minCoeff() <= 0.0) {
-    report.status = FilmStatus::no_room;
+    report.status = Status::no_room;
     return report;
   }
   while (report.iterations < options.max_iterations) {
@@ -108,7 +108,7 @@ FilmReport FilmSolver::Workspace::solve(const ReynoldsEquation& equation, const 
       film.pressure = iterate.pressure + step.pressure;
       film.thickness = iterate.thickness + step.thickness;
       const bool touches = film.thickness.minCoeff() < options.thickness_floor;
-      report.status = touches ? FilmStatus::touchdown : FilmStatus::converged;
+      report.status = touches ? Status::touchdown : Status::converged;
       return report;
     }
     double part = fraction;
@@ -149,7 +149,7 @@ FilmReport FilmSolver::follow(const ReynoldsEquation& equation, const Matrix& fr
     const double next = std::min(1.0, reached + step);
     const FilmReport report = workspace_->solve(equation, from + next * (to - from), film);
     total += report;
-    if (report.status == FilmStatus::converged) {
+    if (report.status == Status::converged) {
       reached = next;
       if (report.iterations <= few_iterations) step *= step_growth;
     } else {

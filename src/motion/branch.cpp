@@ -65,10 +65,10 @@ OperatingPoint BranchFollower::at(double fraction) const {
 FilmReport BranchFollower::solve_on_branch(const OperatingPoint& to) {
   BearingState found = state_;
   FilmReport report = stepper_.solve(stepper_.move_to(to), found, to.by_load());
-  if (report.status != FilmStatus::converged) return report;
+  if (report.status != Status::converged) return report;
   if (to.by_load() &&
       report.departure > std::max(options_.largest_departure * report.predicted_change, options_.resolved_departure)) {
-    report.status = FilmStatus::not_converged;
+    report.status = Status::not_converged;
     return report;
   }
   state_ = std::move(found);
@@ -88,24 +88,24 @@ void BranchFollower::jump() {
   const bool marches_first = comes_to_rest_ || !to_.by_load();
   if (marches_first) {
     total_ += march_to_rest(stepper_, behind(leap_), state_);
-    comes_to_rest_ = total_.status == FilmStatus::converged;
+    comes_to_rest_ = total_.status == Status::converged;
   }
-  FilmStatus rested = total_.status;
-  if (rested == FilmStatus::interrupted) return;
-  for (double leap = leap_; total_.status != FilmStatus::converged && to_.by_load(); leap *= step_growth_off_branch) {
+  Status rested = total_.status;
+  if (rested == Status::interrupted) return;
+  for (double leap = leap_; total_.status != Status::converged && to_.by_load(); leap *= step_growth_off_branch) {
     total_ += stepper_.solve(stepper_.move_to(behind(leap)), state_);
-    if (total_.status == FilmStatus::interrupted) return;
+    if (total_.status == Status::interrupted) return;
     if (leap >= longest_) break;
   }
-  if (total_.status != FilmStatus::converged && !marches_first) {
+  if (total_.status != Status::converged && !marches_first) {
     total_ += march_to_rest(stepper_, behind(leap_), state_);
     rested = total_.status;
-    if (rested == FilmStatus::interrupted) return;
+    if (rested == Status::interrupted) return;
   }
-  if (total_.status == FilmStatus::converged) {
+  if (total_.status == Status::converged) {
     if (stepper_.distance(last, state_) > options_.resolved_departure) ++total_.jumps;
   } else {
-    total_.status = rested == FilmStatus::not_converged ? FilmStatus::fold : rested;
+    total_.status = rested == Status::not_converged ? Status::fold : rested;
   }
 }
 
@@ -116,8 +116,8 @@ FilmReport BranchFollower::follow() {
     const double next = std::min(1.0, reached_ + step);
     const FilmReport report = solve_on_branch(at(next));
     total_ += report;
-    if (report.status == FilmStatus::interrupted) return total_;
-    if (report.status == FilmStatus::converged) {
+    if (report.status == Status::interrupted) return total_;
+    if (report.status == Status::converged) {
       reached_ = next;
       leap_ = shortest_;
       if (report.iterations < easy_iterations) step *= options_.time_growth;
@@ -125,14 +125,14 @@ FilmReport BranchFollower::follow() {
     }
     step *= 0.5;
     if (step >= leap_) continue;
-    if (report.status != FilmStatus::not_converged) return total_;
+    if (report.status != Status::not_converged) return total_;
     // The branch ends: no state near the last one goes on.
     if (ends++ == options_.max_ends) {
-      total_.status = FilmStatus::fold;
+      total_.status = Status::fold;
       return total_;
     }
     jump();
-    if (total_.status != FilmStatus::converged) return total_;
+    if (total_.status != Status::converged) return total_;
     // Where the next step fails at once the end has not been left yet.
     leap_ = std::min(step_growth_off_branch * leap_, longest_);
     step = leap_;

@@ -1,5 +1,7 @@
 #include "bumpfoil/motion/march.hpp"
 
+#include <utility>
+
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/load_search.hpp"
 
@@ -29,15 +31,30 @@ Schedule schedule_of(const Program& program) {
   return [&program, next = program.begin()]() mutable { return next == program.end() ? nullptr : &*next++; };
 }
 
+bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe) {
+  while (const Leg* leg = next_leg()) {
+    for (int taken = 1; taken <= leg->steps; ++taken) {
+      take(*leg, taken, state, step);
+      const Verdict verdict = observe(
+          {.from = state, .step = step, .leg = *leg, .ends_leg = taken == leg->steps, .target = leg->target(taken)});
+      if (verdict == Verdict::refuse) return false;
+      if (verdict == Verdict::retry) break;
+      std::swap(state, step.state);
+      if (verdict == Verdict::stop) return false;
+    }
+  }
+  return true;
+}
+
 bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe) {
   const double largest = largest_place(program);
-  const auto take = [&](const Leg& leg, int taken, const BearingState& from) {
+  const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
     const Eigen::Vector2d place = leg.line.place(leg.target(taken));
     if (leg.control == Control::load) {
       const Eigen::Vector2d load = never_zero(place, largest, leg, stepper.foils(), from);
       const double none = least_load * largest * (1.0 + 1e-9);  // round-off of the least load included
-      advance_to_load(stepper, from, load, none, reach, step);
+      advance_to_load(stepper, from, load, none, reach, next);
       return;
     }
     if (taken == 1) {
@@ -45,19 +62,19 @@ bool march(FoilStepper& stepper, const Program& program, double reach, BearingSt
       end.position = leg.line.place(leg.end);
       stepper.set_out(from, end);
     }
-    stepper.advance_to(static_cast<double>(taken) / leg.steps, from, step);
-    step.state.position = place;
+    stepper.advance_to(static_cast<double>(taken) / leg.steps, from, next);
+    next.state.position = place;
   };
   return march(schedule_of(program), take, state, step, observe);
 }
 
-bool march(FilmStepper& stepper, const Program& program, BearingState& state, FilmStep& step,
-           const FilmObserver& observe) {
-  const auto take = [&](const Leg& leg, int taken, const BearingState& from) {
-    step.state = from;
+bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe) {
+  const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
+    next.state = from;
     const OperatingPoint to = leg.point(taken);
-    step.report =
-        leg.dt > 0.0 ? stepper.advance(stepper.move_to(to, leg.dt), step.state) : follow(stepper, to, step.state);
+    next.film =
+        leg.dt > 0.0 ? stepper.advance(stepper.move_to(to, leg.dt), next.state) : follow(stepper, to, next.state);
+    next.status = next.film.status;
   };
   return march(schedule_of(program), take, state, step, observe);
 }

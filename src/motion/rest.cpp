@@ -34,16 +34,16 @@ class RestSearch {
   /// The schedule.
   const Leg* next() {
     if (!rests_ && steps_++ == options_.max_time_steps) {
-      total_.status = FilmStatus::not_converged;
+      total_.status = Status::not_converged;
       return nullptr;
     }
     leg_.dt = rests_ ? 0.0 : dt_;
     return &leg_;
   }
 
-  Verdict see(const FilmPassage& at) {
-    total_ += at.step.report;
-    if (total_.status == FilmStatus::interrupted) return Verdict::refuse;
+  Verdict see(const Passage& at) {
+    total_ += at.step.film;
+    if (total_.status == Status::interrupted) return Verdict::refuse;
     return rests_ ? see_rest() : see_step(at);
   }
 
@@ -52,13 +52,13 @@ class RestSearch {
  private:
   Verdict see_rest() {
     rests_ = false;
-    if (total_.status == FilmStatus::converged) return Verdict::stop;
-    if (total_.status != FilmStatus::not_converged) return Verdict::refuse;
+    if (total_.status == Status::converged) return Verdict::stop;
+    if (total_.status != Status::not_converged) return Verdict::refuse;
     grow();
     return Verdict::retry;
   }
 
-  Verdict see_step(const FilmPassage& at) {
+  Verdict see_step(const Passage& at) {
     if (!at.step.converged()) {
       dt_ *= 0.25;
       return dt_ < smallest_time_step * first_ ? Verdict::refuse : Verdict::retry;
@@ -98,13 +98,14 @@ class RestSearch {
 FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, BearingState& state) {
   RestSearch search(stepper, to, state);
   BearingState moving = state;
-  FilmStep step;
-  const auto take = [&](const Leg& leg, int taken, const BearingState& from) {
-    step.state = from;
-    step.report = stepper.solve(stepper.move_to(leg.point(taken), leg.dt), step.state);
+  Step step;
+  const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
+    next.state = from;
+    next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt), next.state);
+    next.status = next.film.status;
   };
-  march([&] { return search.next(); }, take, moving, step, [&](const FilmPassage& at) { return search.see(at); });
-  if (search.report().status == FilmStatus::converged) state = std::move(moving);
+  march([&] { return search.next(); }, take, moving, step, [&](const Passage& at) { return search.see(at); });
+  if (search.report().status == Status::converged) state = std::move(moving);
   return search.report();
 }
 
@@ -117,7 +118,7 @@ FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, dou
                       double opening) {
   BearingState start = resting(stepper.bearing(), position, speed, opening);
   const FilmReport report = settle(stepper, OperatingPoint::held_at(position, speed, opening), start);
-  if (report.status == FilmStatus::converged) state = std::move(start);
+  if (report.status == Status::converged) state = std::move(start);
   return report;
 }
 

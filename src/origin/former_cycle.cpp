@@ -130,7 +130,7 @@ Cycle run_former_cycle(const FormerModel& model, FormerSolver& solver, double di
   };
   if (add(0.0, Branch::loading, false)) {
     // Nothing but the position passes from one increment to the next.
-    const auto take = [&](const Leg& leg, int taken, const BearingState&) {
+    const auto take = [&](const Leg& leg, int taken, const BearingState&, Step&) {
       solution = solver.solve(line.place(leg.target(taken)));
     };
     BearingState state;

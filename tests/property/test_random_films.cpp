@@ -82,7 +82,7 @@ TEST(RandomFilms, ObeyTheLawsAndRest) {
     BearingState state;
     const FilmReport report = cold_start(stepper, random.position, random.speed, state);
     // The march itself may touch down, and says so.
-    if (report.status != FilmStatus::converged) continue;
+    if (report.status != Status::converged) continue;
     ++found;
     expect_lawful(bearing, state, met);
     const FilmFlows flows = film_bearing_outcome(bearing, state).flows;
@@ -91,7 +91,7 @@ TEST(RandomFilms, ObeyTheLawsAndRest) {
     // Time goes on, and leaves the state where it is.
     BearingState later = state;
     const OperatingPoint point = OperatingPoint::held_at(random.position, random.speed);
-    ASSERT_EQ(settle(stepper, point, later).status, FilmStatus::converged);
+    ASSERT_EQ(settle(stepper, point, later).status, Status::converged);
     // Both are roots that Newton's last full step, below 1e-9, ended at.
     EXPECT_LT((later.film.pressure - state.film.pressure).cwiseAbs().maxCoeff(), 1e-6);
     EXPECT_LT((later.film.lift - state.film.lift).cwiseAbs().maxCoeff(), 1e-6);
@@ -112,7 +112,7 @@ TEST(RandomFilms, LoseTheirFrictionWithoutAJump) {
       const FilmBearing bearing = make_film_bearing(random.input);
       BearingState state;
       FilmStepper stepper(bearing);
-      found = cold_start(stepper, random.position, random.speed, state).status == FilmStatus::converged && found;
+      found = cold_start(stepper, random.position, random.speed, state).status == Status::converged && found;
       if (found) force[i] = film_force(bearing, state.film.pressure);
     }
     // A part of the load of the order of f is carried by friction.

@@ -102,7 +102,7 @@ SolvedFilm solve_reference_film(const ReferenceFilm& reference, int columns, int
   const Matrix start = eccentric_thickness(mesh, first_eps, reference.attitude);
   solved.film = {mesh.field(1.0), start};
   solved.report = solver.solve(solved.equation, start, solved.film);
-  if (solved.report.status == FilmStatus::converged) {
+  if (solved.report.status == Status::converged) {
     solved.report = solver.follow(solved.equation, start, target, solved.film);
   }
   return solved;

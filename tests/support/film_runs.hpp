@@ -59,8 +59,8 @@ inline void expect_run(const ReferenceRun& run, const ReferenceRun::Level& level
   BearingState state;
   const Eigen::Vector2d position = run.position * bearing.clearance;
   ASSERT_EQ(cold_start(stepper, std::min(1.0, 0.7 / run.position.norm()) * position, run.speed, state).status,
-            FilmStatus::converged);
-  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, run.speed), state).status, FilmStatus::converged);
+            Status::converged);
+  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, run.speed), state).status, Status::converged);
   const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
   // Both solve the same equations on the same mesh, the prototype to 1e-8.
   constexpr double same = 1e-6;

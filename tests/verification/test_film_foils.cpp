@@ -31,7 +31,7 @@ TEST(FilmOverFoils, MeetsThePrototypeAlongAFrictionPath) {
     const FilmReport report = first ? cold_start(stepper, position, path.speed, state)
                                     : stepper.advance(OperatingPoint::held_at(position, path.speed), state);
     first = false;
-    ASSERT_EQ(report.status, FilmStatus::converged);
+    ASSERT_EQ(report.status, Status::converged);
     const Vector slip = tangential_displacements(bearing.problem, state.contacts.x) -
                         tangential_displacements(bearing.problem, state.slip_origin);
     dissipated += state.contacts.friction_force.cwiseProduct(slip).cwiseAbs().sum();
@@ -75,10 +75,10 @@ TEST(FilmOverFoils, WhirlsOverFrictionAsThePrototypeDoes) {
   const FilmBearing bearing = film_reference_bearing(path.resolution, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, path.speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.1 * bearing.clearance, 0.0}, path.speed, state).status, Status::converged);
   for (int i = 2; i <= 8; ++i) {
     const Eigen::Vector2d position(0.1 * i * bearing.clearance, 0.0);
-    ASSERT_EQ(stepper.advance(OperatingPoint::held_at(position, path.speed), state).status, FilmStatus::converged);
+    ASSERT_EQ(stepper.advance(OperatingPoint::held_at(position, path.speed), state).status, Status::converged);
   }
   for (const ReferenceWhirl& reference : reference_friction_whirls()) {
     SCOPED_TRACE(reference.frequency);
@@ -95,7 +95,7 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
   const Eigen::Vector2d position(0.5 * bearing.clearance, 0.1 * bearing.clearance);
   SolvedFilm rigid =
       solve_rigid_film(film_equation(bearing, bearing.pads.front(), speed), bearing.undeformed_thickness(position));
-  ASSERT_EQ(rigid.report.status, FilmStatus::converged);
+  ASSERT_EQ(rigid.report.status, Status::converged);
 
   constexpr double stiffer = 1e9;
   for (Matrix& block : bearing.problem.K.diagonal) block *= stiffer;
@@ -106,7 +106,7 @@ TEST(FilmOverFoils, TendsToTheRigidSlot) {
   bearing.pads.front().foil.load_scale /= stiffer;
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
   const FilmIntegrals wall = film_integrals(rigid.equation, rigid.film);
   const FilmIntegrals foils = film_integrals(rigid.equation, state.film);
   const double load = std::hypot(wall.cosine, wall.sine);
@@ -126,8 +126,8 @@ TEST(FilmOverFoils, MirroredBearingGivesTheMirroredForce) {
   const double c = bearing.clearance;
   BearingState there, here;
   FilmStepper over_there(bearing), over_here(mirrored);
-  ASSERT_EQ(cold_start(over_there, {0.5 * c, 0.3 * c}, speed, there).status, FilmStatus::converged);
-  ASSERT_EQ(cold_start(over_here, {0.5 * c, -0.3 * c}, -speed, here).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(over_there, {0.5 * c, 0.3 * c}, speed, there).status, Status::converged);
+  ASSERT_EQ(cold_start(over_here, {0.5 * c, -0.3 * c}, -speed, here).status, Status::converged);
   const FilmBearingOutcome a = film_bearing_outcome(bearing, there);
   const FilmBearingOutcome b = film_bearing_outcome(mirrored, here);
   EXPECT_EQ(a.force.x(), b.force.x());
@@ -143,7 +143,7 @@ TEST(FilmOverFoils, IdentitiesHoldToTheOrderOfTheScheme) {
     const double speed = speed_of_rpm(45000.0);
     BearingState state;
     FilmStepper stepper(bearing);
-    ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+    ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
     const FilmBearingOutcome outcome = film_bearing_outcome(bearing, state);
     EXPECT_NEAR(outcome.flows.start, outcome.flows.end + outcome.flows.sides, 1e-12 * std::abs(outcome.flows.start));
     energy[i] = outcome.dissipation / outcome.power - 1.0;

@@ -59,7 +59,7 @@ TEST(FilmInterference, FreeEndsLetInNoMoreThanTheClearance) {
     EXPECT_LT(std::abs(film.pressure.maxCoeff() * c * film.thickness.minCoeff() / clearance - 1.0), 0.05);
   }
   const RunningState none = state_of(0.0, 50.0, coarse, 45000.0);
-  EXPECT_EQ(none.report.status, FilmStatus::touchdown);
+  EXPECT_EQ(none.report.status, Status::touchdown);
   EXPECT_NEAR(none.last->opening, 0.28e-6, 0.03e-6);
 }
 

@@ -50,7 +50,7 @@ Case unlike_pads(const FilmResolution& resolution = coarse) {
 /// A bearing with its journal held, from a cold start.
 struct Running {
   Running(const Case& input, const Eigen::Vector2d& position, double rate = speed) : stepper(make_film_bearing(input)) {
-    EXPECT_EQ(cold_start(stepper, position, rate, state).status, FilmStatus::converged);
+    EXPECT_EQ(cold_start(stepper, position, rate, state).status, Status::converged);
     outcome = film_bearing_outcome(stepper.bearing(), state);
   }
   FilmStepper stepper;
@@ -86,9 +86,9 @@ TEST(FilmPads, TurnWithTheLoadWhereTheyAreEqual) {
     EXPECT_LT((turn * here.outcome.pad_forces.col((k + 1) % 3) - there.outcome.pad_forces.col(k)).norm(), 1e-9 * size);
   }
   const Eigen::Vector2d load(20.0, -30.0);
-  ASSERT_EQ(follow(here.stepper, OperatingPoint::loaded_by(load, speed), here.state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(here.stepper, OperatingPoint::loaded_by(load, speed), here.state).status, Status::converged);
   ASSERT_EQ(follow(there.stepper, OperatingPoint::loaded_by(turn * load, speed), there.state).status,
-            FilmStatus::converged);
+            Status::converged);
   EXPECT_LT((film_force(here.stepper.bearing(), here.state.film.pressure) - load).norm(), 1e-7 * load.norm());
   EXPECT_LT((turn * here.state.position - there.state.position).norm(), 1e-9 * here.stepper.bearing().clearance);
 }
@@ -175,7 +175,7 @@ TEST(FilmPads, CarryALoad) {
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};
   Running pads(input, {6e-6, -6e-6});
   const Eigen::Vector2d load(25.0, -10.0);
-  ASSERT_EQ(follow(pads.stepper, OperatingPoint::loaded_by(load, speed), pads.state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(pads.stepper, OperatingPoint::loaded_by(load, speed), pads.state).status, Status::converged);
   EXPECT_LT((film_bearing_outcome(pads.stepper.bearing(), pads.state).force - load).norm(), 1e-7 * load.norm());
   const auto K = pads.stepper.stiffness(pads.state);
   ASSERT_TRUE(K);
@@ -185,7 +185,7 @@ TEST(FilmPads, CarryALoad) {
     for (const int side : {0, 1}) {
       BearingState moved = pads.state;
       const Eigen::Vector2d there = pads.state.position + (side == 0 ? -step : step) * Eigen::Vector2d::Unit(axis);
-      ASSERT_EQ(pads.stepper.advance(OperatingPoint::held_at(there, speed), moved).status, FilmStatus::converged);
+      ASSERT_EQ(pads.stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
       forces[static_cast<std::size_t>(side)] = film_force(pads.stepper.bearing(), moved.film.pressure);
     }
     const Eigen::Vector2d rate = (forces[1] - forces[0]) / (2.0 * step);
@@ -219,7 +219,7 @@ TEST(FilmPads, TendToRigidArcs) {
   constexpr double stiffer = 1e9;
   for (FilmPad& pad : bearing.pads) {
     const SolvedFilm rigid = solve_rigid_film(film_equation(bearing, pad, speed), part_of(pad, H));
-    ASSERT_EQ(rigid.report.status, FilmStatus::converged);
+    ASSERT_EQ(rigid.report.status, Status::converged);
     Matrix pressure = bearing.field(1.0);
     pressure(Eigen::all, pad.columns()) = rigid.film.pressure;
     force += film_force(bearing, pressure);
@@ -234,7 +234,7 @@ TEST(FilmPads, TendToRigidArcs) {
   // Heights differ: crests that stand back are out of reach of stiff foils.
   bearing.assembled_gap.setZero();
   FilmStepper stepper(bearing);
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
   const Eigen::Vector2d found = film_force(bearing, state.film.pressure);
   EXPECT_LT((found - force).norm(), 5e-6 * force.norm());
   EXPECT_GT((found - force).norm(), 1e-12 * force.norm());

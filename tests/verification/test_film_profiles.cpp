@@ -20,7 +20,7 @@ FilmBearingOutcome outcome_of(const Case& input, const Eigen::Vector2d& position
   const FilmBearing bearing = make_film_bearing(input);
   BearingState state;
   FilmStepper stepper(bearing);
-  EXPECT_EQ(cold_start(stepper, position, film_speed, state).status, FilmStatus::converged);
+  EXPECT_EQ(cold_start(stepper, position, film_speed, state).status, Status::converged);
   return film_bearing_outcome(bearing, state);
 }
 

@@ -28,7 +28,7 @@ TEST(FilmRefinement, MeetsTheClosedFormOfSmallEccentricities) {
 
 FilmIntegrals integrals_on(const ReferenceFilm& reference, int columns, int rows) {
   const SolvedFilm solved = solve_reference_film(reference, columns, rows);
-  EXPECT_EQ(solved.report.status, FilmStatus::converged);
+  EXPECT_EQ(solved.report.status, Status::converged);
   return film_integrals(solved.equation, solved.film);
 }
 
@@ -52,8 +52,8 @@ TEST(FilmRefinement, ConvergesOverFoilsToSecondOrder) {
       const double speed = speed_of_rpm(45000.0);
       const Eigen::Vector2d position(limit.eccentricity * bearing.clearance, 0.0);
       const Eigen::Vector2d start = std::min(1.0, 0.7 / limit.eccentricity) * position;
-      ASSERT_EQ(cold_start(stepper, start, speed, state).status, FilmStatus::converged);
-      ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, speed), state).status, FilmStatus::converged);
+      ASSERT_EQ(cold_start(stepper, start, speed, state).status, Status::converged);
+      ASSERT_EQ(follow(stepper, OperatingPoint::held_at(position, speed), state).status, Status::converged);
       force[i] = film_force(bearing, state.film.pressure);
     }
     const double ratio = (force[1] - force[0]).norm() / (force[2] - force[1]).norm();

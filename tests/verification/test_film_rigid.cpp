@@ -40,7 +40,7 @@ TEST(FilmLimits, NarrowBearing) {
     constexpr double Lam = 1.0;
     constexpr double eps = 0.5;
     const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam}, eccentric_thickness(mesh, eps));
-    ASSERT_EQ(solved.report.status, FilmStatus::converged);
+    ASSERT_EQ(solved.report.status, Status::converged);
     double expected = 0.0;
     for (int k = 0; k < mesh.columns; ++k) {
       const double theta = k * mesh.dtheta;
@@ -76,7 +76,7 @@ TEST(FilmLimits, HighSpeed) {
   for (const int i : {0, 1}) {
     const double Lam = i == 0 ? -200.0 : -800.0;
     const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam}, eccentric_thickness(mesh, eps));
-    ASSERT_EQ(solved.report.status, FilmStatus::converged);
+    ASSERT_EQ(solved.report.status, Status::converged);
     distance[i] = film_integrals(solved.equation, solved.film).cosine - limit;
     EXPECT_NEAR(solved.film.pressure.maxCoeff(), highest, 2e-3 * highest);  // P H is carried through undiminished
   }
@@ -137,7 +137,7 @@ TEST(FilmLimits, WideBearing) {
 
   const FilmMesh mesh = make_slotted_mesh(columns, 10, 40.0, theta_end);
   const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam}, eccentric_thickness(mesh, eps));
-  ASSERT_EQ(solved.report.status, FilmStatus::converged);
+  ASSERT_EQ(solved.report.status, Status::converged);
   double worst = 0.0;
   for (int k = 0; k <= columns; ++k) worst = std::max(worst, std::abs(solved.film.pressure(0, k) - exact[4 * k]));
   EXPECT_LT(worst, 2e-5);  // second order: dtheta^2 = 6e-5
@@ -197,7 +197,7 @@ TEST(FilmPositivity, HoldsFarBeyondWhatAMeshResolves) {
         for (const FilmMesh& mesh : {make_closed_mesh(24, 3, 1.0), make_slotted_mesh(24, 3, 0.3, 6.2)}) {
           const SolvedFilm solved = solve_rigid_film({.mesh = mesh, .bearing_number = Lam, .knudsen = Kn},
                                                      eccentric_thickness(mesh, eps, 2.0));
-          EXPECT_EQ(solved.report.status, FilmStatus::converged) << Lam << ' ' << eps << ' ' << Kn;
+          EXPECT_EQ(solved.report.status, Status::converged) << Lam << ' ' << eps << ' ' << Kn;
           EXPECT_GT(solved.film.pressure.minCoeff(), 0.0);
         }
       }

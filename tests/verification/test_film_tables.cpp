@@ -15,7 +15,7 @@ constexpr double same_mesh = 1e-7;
 void expect_level(const ReferenceFilm& reference, const ReferenceFilm::Values& level) {
   SCOPED_TRACE(reference.name() + ", " + std::to_string(level.columns) + " columns");
   const SolvedFilm solved = solve_reference_film(reference, level.columns, level.rows);
-  ASSERT_EQ(solved.report.status, FilmStatus::converged);
+  ASSERT_EQ(solved.report.status, Status::converged);
   const FilmIntegrals sums = film_integrals(solved.equation, solved.film);
   const double load = std::hypot(level.cosine, level.sine);
   EXPECT_NEAR(sums.cosine, level.cosine, same_mesh * load);

@@ -4,6 +4,7 @@
 
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/contact/path_follower.hpp"
+#include "bumpfoil/film/film_solver.hpp"
 #include "bumpfoil/film/foil_film.hpp"
 
 namespace bumpfoil {
@@ -50,8 +51,9 @@ struct Step {
   std::vector<StepEvent> events;    ///< only where they are followed
   std::vector<Waypoint> waypoints;  ///< between its ends: forces are linear from one to the next, as far as is known
   SolveCost cost;
-  int substeps{};    ///< extra solves because the increment had to be halved
-  bool is_linear{};  ///< in pieces, so that W = E_end - E_begin + D holds to rounding
+  int substeps{};     ///< extra solves because the increment had to be halved
+  bool is_linear{};   ///< in pieces, so that W = E_end - E_begin + D holds to rounding
+  FilmReport film{};  ///< how that of a running bearing was found
 
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };

@@ -63,14 +63,6 @@ struct Move {
   double dt{};       ///< time step of implicit Euler, journal and foils without mass, s; 0: quasi-static
 };
 
-/// An increment of a running bearing as it was taken: where it led, and how it ended.
-struct FilmStep {
-  BearingState state;
-  FilmReport report;
-
-  [[nodiscard]] bool converged() const { return report.status == FilmStatus::converged; }
-};
-
 /// The operating point of a state, by the position of its journal or by the load that it carries.
 OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -8,8 +9,8 @@
 
 namespace bumpfoil {
 
-/// How an increment, or a run of increments, ended: the same in memory, in result files, on the terminal and in the
-/// report.
+/// How a solve, an increment or a run of increments ended: the same in memory, in result files, on the terminal and in
+/// the report.
 enum class Status : std::uint8_t {
   converged,             ///< the state obeys every equation and inequality within the bounds of its solver
   no_modes,              ///< no contact modes were found whose exact solution contradicts none of their inequalities
@@ -22,13 +23,27 @@ enum class Status : std::uint8_t {
   interrupted,           ///< the run was stopped from outside
   unstable,              ///< under load control: the tangent stiffness with sliding contacts is not positive: unstable
   not_unique,            ///< under load control: that tangent stiffness vanishes; other positions meet the load too
+  not_converged,         ///< of a film: the iterations were spent, or the equations became singular
+  touchdown,             ///< converged, but the film is thinner than it may be somewhere
+  no_room,               ///< the undeformed gap is closed somewhere at the start
+  fold,                  ///< of a path: the branch of states ends, and the film settles to no other state from there
+  not_reached,           ///< of a path: an earlier state was not found
 };
 
 /// As files spell it.
 template <>
 inline constexpr auto enum_names<Status> = std::to_array<std::string_view>(
     {"converged", "no_modes", "no_tangent", "iterations_spent", "energy_defect", "residual_above_bound",
-     "load_out_of_reach", "load_not_met", "interrupted", "unstable", "not_unique"});
+     "load_out_of_reach", "load_not_met", "interrupted", "unstable", "not_unique", "not_converged", "touchdown",
+     "no_room", "fold", "not_reached"});
+
+/// Foils that no film presses know the statuses before this one, which have their own numbers in files.
+inline constexpr auto foil_statuses = static_cast<std::size_t>(Status::not_converged);
+
+/// Those of running bearings, in the order of their numbers in files.
+inline constexpr std::array running_statuses{Status::converged,  Status::not_converged, Status::touchdown,
+                                             Status::no_room,    Status::fold,          Status::not_reached,
+                                             Status::interrupted};
 
 /// What happened, in words that complete "increment 37: ...".
 std::string_view explanation(Status status);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "bumpfoil/core/status.hpp"
 #include "bumpfoil/film/reynolds.hpp"
 
 namespace bumpfoil {
@@ -25,17 +26,6 @@ struct Foundation {
 /// adds that of H.
 void add_yield(const Foundation& foundation, const FilmMesh& mesh, const Matrix& excess, Matrix& thickness);
 
-/// How the search for a film ended.
-enum class FilmStatus : std::uint8_t {
-  converged,      ///< the last full step moved P and H by less than FilmSolverOptions::step_tolerance
-  not_converged,  ///< max_iterations were spent, or the equations became singular
-  touchdown,      ///< converged, but somewhere H < FilmSolverOptions::thickness_floor
-  no_room,        ///< H <= 0 somewhere at the start
-  fold,           ///< of a path: the branch of states ends, and the film settles to no other state from there
-  not_reached,    ///< of a path: an earlier state was not found
-  interrupted,    ///< stopped from outside
-};
-
 struct FilmSolverOptions {
   double step_tolerance{1e-9};   ///< largest change of P and H in a full step of a film that has converged
   double thickness_floor{0.0};   ///< H below which surfaces count as touching
@@ -49,7 +39,7 @@ double longest_step(const FilmSolverOptions& options, const FilmState& film, con
 
 /// How a solve ended and what it cost.
 struct FilmReport {
-  FilmStatus status{FilmStatus::not_converged};
+  Status status{Status::not_converged};
   int iterations{};      ///< Newton steps, a factorisation of the film each
   int factorisations{};  ///< of contact systems, where there are contacts
   double residual{};     ///< norm of the residuals at the last step, the film's per area of a cell

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <utility>
 
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/bearing/foil_stepper.hpp"
@@ -10,16 +9,13 @@
 namespace bumpfoil {
 
 /// An increment of a march, as its observer sees it.
-template <typename StepTaken>
-struct PassageOf {
+struct Passage {
   const BearingState& from;  ///< state before the increment
-  const StepTaken& step;     ///< the increment as it was taken, with the state that it led to; it may have failed
+  const Step& step;          ///< the increment as it was taken, with the state that it led to; it may have failed
   const Leg& leg;            ///< that it belongs to
   bool ends_leg{};           ///< it is the last one of its leg
   double target{};           ///< where it was to lead on the line of its leg, m or N
 };
-using Passage = PassageOf<Step>;
-using FilmPassage = PassageOf<FilmStep>;
 
 /// What becomes of an increment, and of the march.
 enum class Verdict {
@@ -31,7 +27,9 @@ enum class Verdict {
 
 /// Called after every increment, failed ones included.
 using Observer = std::function<Verdict(const Passage&)>;
-using FilmObserver = std::function<Verdict(const FilmPassage&)>;
+
+/// Takes increment `taken` = 1..steps of a leg from a state into `step`.
+using Taker = std::function<void(const Leg& leg, int taken, const BearingState& from, Step& step)>;
 
 /// Says which leg comes next; nothing at the end. It may go by what an observer has seen.
 using Schedule = std::function<const Leg*()>;
@@ -41,25 +39,10 @@ Schedule schedule_of(const Program& program);
 
 /// Goes through a schedule, increment by increment: the one loop that does so. What is recorded, accumulated or watched
 /// for is the observer's business; halving increments, following events and crossing folds is that of what takes them.
-/// @param take   take(leg, i, from) takes increment i = 1..steps of a leg from the state `from` into `step`
 /// @param state  where the march begins; receives the last state that was kept
 /// @param step   receives the increments, one after the other; its storage is reused
 /// @return whether the schedule was taken to its end
-template <typename StepTaken, typename Take, typename Observe>
-bool march(const Schedule& next_leg, Take&& take, BearingState& state, StepTaken& step, Observe&& observe) {
-  while (const Leg* leg = next_leg()) {
-    for (int taken = 1; taken <= leg->steps; ++taken) {
-      take(*leg, taken, std::as_const(state));
-      const Verdict verdict = observe(PassageOf<StepTaken>{
-          .from = state, .step = step, .leg = *leg, .ends_leg = taken == leg->steps, .target = leg->target(taken)});
-      if (verdict == Verdict::refuse) return false;
-      if (verdict == Verdict::retry) break;
-      std::swap(state, step.state);
-      if (verdict == Verdict::stop) return false;
-    }
-  }
-  return true;
-}
+bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe);
 
 /// Takes foils through a program.
 /// @param reach  loads are not looked for beyond this displacement, m
@@ -68,7 +51,6 @@ bool march(FoilStepper& stepper, const Program& program, double reach, BearingSt
 
 /// Takes a bearing that runs through a program: quasi-static increments by follow(), those that take time by one
 /// implicit step each.
-bool march(FilmStepper& stepper, const Program& program, BearingState& state, FilmStep& step,
-           const FilmObserver& observe);
+bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe);
 
 }  // namespace bumpfoil

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "bumpfoil/core/enum_names.hpp"
+#include "bumpfoil/core/status.hpp"
 
 /// What is told of every quantity of a result: a `name`, that of the variable in result.nc; a `unit` as UDUNITS spells
 /// it, "1" where there is none, empty for words; a `long_name`; and a Form.
@@ -29,6 +29,10 @@ struct Form {
 
 template <typename Enum>
 inline constexpr Form flags{Form::flag, enum_names<Enum>};
+
+/// Of foils under no film.
+template <>
+inline constexpr Form flags<Status>{Form::flag, std::span(enum_names<Status>).first(foil_statuses)};
 
 inline constexpr Form whole_number{Form::whole};
 inline constexpr std::array<std::string_view, 2> truth_words{"no", "yes"};

@@ -91,16 +91,16 @@ class PathWalker {
       found.asked = point;
       found.before = std::exchange(before, point);
       const auto begin = std::chrono::steady_clock::now();
-      found.report.status = FilmStatus::converged;
+      found.report.status = Status::converged;
       if (!reached_) {
-        found.report.status = FilmStatus::not_reached;
+        found.report.status = Status::not_reached;
       } else if (state_) {
         go(point, found.report);
       } else {
         start(path, point, found.report);
       }
       reached_ = found.found();
-      if (state_ && found.report.status != FilmStatus::not_reached) judge(found);
+      if (state_ && found.report.status != Status::not_reached) judge(found);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
     reached_ = true;
@@ -180,7 +180,7 @@ class PathWalker {
         break;
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
-        if (by_load && total.status == FilmStatus::converged) {
+        if (by_load && total.status == Status::converged) {
           total += settle(stepper_, opened, *state_);
         }
         break;
@@ -200,25 +200,25 @@ class PathWalker {
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     BearingState started;
     total += cold_start(stepper_, position, speed, started, opening_);
-    if (total.status == FilmStatus::converged) state_ = std::move(started);
+    if (total.status == Status::converged) state_ = std::move(started);
   }
 
   /// begin(); where that throws the foil onto the journal, at the centre instead, and from there on to the position.
   void begin_gently(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     begin(position, speed, total);
-    if (total.status != FilmStatus::touchdown) return;
+    if (total.status != Status::touchdown) return;
     begin(Eigen::Vector2d::Zero(), speed, total);
     ramp(OperatingPoint::held_at(position, speed, opening_), total);
   }
 
   /// On to a point in equal increments; a point that is there already takes none.
   void ramp(const OperatingPoint& point, FilmReport& total) {
-    if (total.status != FilmStatus::converged) return;
+    if (total.status != Status::converged) return;
     const OperatingPoint from = point_of(*result_.bearing, *state_, point.control);
     if (from == point) return;
     int taken = 0;
-    march(stepper_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const FilmPassage& at) {
-      total += at.step.report;
+    march(stepper_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
+      total += at.step.film;
       done_of_state_ = static_cast<double>(++taken % settings_.steps) / settings_.steps;
       return at.step.converged() ? Verdict::go_on : Verdict::stop;
     });
@@ -236,7 +236,7 @@ class PathWalker {
   bool reached_{true};
   FilmStepper stepper_;
   std::optional<BearingState> state_;  ///< where the path is
-  FilmStep step_;
+  Step step_;
 };
 
 /// All loads or positions, at speed 0.
@@ -283,7 +283,7 @@ bool EquilibriumResult::converged() const {
   return std::all_of(states.begin(), states.end(), found) && std::all_of(limits.begin(), limits.end(), found);
 }
 
-std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, FilmStatus status) {
+std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, Status status) {
   std::vector<RunningState> states;
   for (const auto& chain : chains_of(equilibrium.path, equilibrium)) {
     std::optional<OperatingPoint> before;

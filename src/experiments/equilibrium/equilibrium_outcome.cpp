@@ -53,21 +53,21 @@ RunStatus status_of(const EquilibriumResult& result) {
   if (result.converged()) return RunStatus::complete;
   const bool interrupted =
       std::any_of(result.states.begin(), result.states.end(),
-                  [](const RunningState& state) { return state.report.status == FilmStatus::interrupted; }) ||
+                  [](const RunningState& state) { return state.report.status == Status::interrupted; }) ||
       std::any_of(result.limits.begin(), result.limits.end(),
-                  [](const FilmLimit& limit) { return limit.status == FilmStatus::interrupted; });
+                  [](const FilmLimit& limit) { return limit.status == Status::interrupted; });
   return interrupted ? RunStatus::interrupted : RunStatus::failed;
 }
 
 std::vector<std::string> failure_lines(const EquilibriumResult& result) {
   std::vector<std::string> lines;
   for (const RunningState& state : result.states) {
-    if (state.found() || state.report.status == FilmStatus::interrupted) continue;
+    if (state.found() || state.report.status == Status::interrupted) continue;
     lines.push_back(running_failure(*result.bearing, state));
   }
   for (const FilmLimit& limit : result.limits) {
-    if (limit.found() || limit.status == FilmStatus::interrupted) continue;
-    lines.push_back(fmt::format("{}: {}", name_of_limit(limit), reason_of(limit.status)));
+    if (limit.found() || limit.status == Status::interrupted) continue;
+    lines.push_back(fmt::format("{}: {}", name_of_limit(limit), explanation(limit.status)));
   }
   return lines;
 }

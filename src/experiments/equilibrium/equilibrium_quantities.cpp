@@ -201,8 +201,11 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B&, const S& state) { return state.bump_foil_stress.value_or(absent); }, of_foils | sampled,
      "maximum stress, bump foil", shown::megapascals},
     {"status", "", "how the search for the state ended",
-     [](const B&, const S& state) { return static_cast<double>(state.report.status); },
-     of_solver | csv | asked | shown_first | sampled, "status", shown::unitless, flags<FilmStatus>},
+     [](const B&, const S& state) {
+       const auto *const place = std::find(running_statuses.begin(), running_statuses.end(), state.report.status);
+       return static_cast<double>(place - running_statuses.begin());
+     },
+     of_solver | csv | asked | shown_first | sampled, "status", shown::unitless, running_status},
     {"path", "", "path that leads to the state",
      [](const B&, const S& state) { return static_cast<double>(state.path); }, of_solver | csv | asked, "path",
      shown::unitless, flags<FilmPath>},
@@ -328,26 +331,6 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
 
 }  // namespace
 
-std::string_view reason_of(FilmStatus status) {
-  switch (status) {
-    case FilmStatus::converged:
-      break;
-    case FilmStatus::not_converged:
-      return "Newton's method finds no state, even with the smallest steps";
-    case FilmStatus::touchdown:
-      return "touchdown: the film is thinner than the contact threshold film.h_floor";
-    case FilmStatus::no_room:
-      return "the journal does not fit between the undeformed foils where the path starts";
-    case FilmStatus::fold:
-      return "the branch of states ends, and the film does not settle to another state";
-    case FilmStatus::not_reached:
-      return "not computed, since an earlier state of its path was not found";
-    case FilmStatus::interrupted:
-      return "interrupted";
-  }
-  return "";
-}
-
 std::string name_of_limit(const FilmLimit& limit) {
   return limit.kind == FilmLimitKind::lift_off_speed
              ? fmt::format("lift-off speed under the load ({:.6g}, {:.6g}) N", limit.thick.journal.x(),
@@ -421,7 +404,7 @@ std::string name_of_state(const RunningState& state) {
 
 std::string running_failure(const FilmBearing& bearing, const RunningState& state) {
   if (state.found()) return {};
-  std::string text = fmt::format("{}: {}", name_of_state(state), reason_of(state.report.status));
+  std::string text = fmt::format("{}: {}", name_of_state(state), explanation(state.report.status));
   if (state.outcome) {
     text += fmt::format(
         "; last state found: {:.6g} rpm, journal ({:.5g}, {:.5g}) um, force ({:.5g}, "

@@ -32,18 +32,18 @@ class LimitSearch {
     for (int i = 0; is_thick(there) == begins_thick; ++i) {
       if (i > 0) here = there;
       // A film that is too thin at the start and cannot be followed to where it is thicker.
-      if (i == max_steps || std::isnan(here.h)) return nothing(FilmStatus::not_converged);
+      if (i == max_steps || std::isnan(here.h)) return nothing(Status::not_converged);
       there = go(here, begins_thick ? here.demand * step_factor : here.demand / step_factor);
-      if (interrupted_) return nothing(FilmStatus::interrupted);
+      if (interrupted_) return nothing(Status::interrupted);
     }
     Place thick = begins_thick ? here : there;
     Place thin = begins_thick ? there : here;
     while (thin.demand - thick.demand > last_step * thick.demand) {
       const Place middle = go(thick, 0.5 * (thick.demand + thin.demand));
-      if (interrupted_) return nothing(FilmStatus::interrupted);
+      if (interrupted_) return nothing(Status::interrupted);
       (is_thick(middle) ? thick : thin) = middle;
     }
-    FilmLimit limit = nothing(FilmStatus::converged);
+    FilmLimit limit = nothing(Status::converged);
     limit.thick = point(thick.demand);
     limit.thin = point(thin.demand);
     limit.h_thick = thick.h;
@@ -55,7 +55,7 @@ class LimitSearch {
   }
 
   /// Nothing is known but where the search began.
-  [[nodiscard]] FilmLimit nothing(FilmStatus status) const {
+  [[nodiscard]] FilmLimit nothing(Status status) const {
     constexpr double absent = std::numeric_limits<double>::quiet_NaN();
     return {.kind = kind_,
             .status = status,
@@ -100,8 +100,8 @@ class LimitSearch {
     Place to{demand, std::numeric_limits<double>::quiet_NaN(), from.state, from.jumps};
     const FilmReport report = follow(stepper_, point(demand), to.state);
     to.jumps += report.jumps;
-    interrupted_ = report.status == FilmStatus::interrupted;
-    if (report.status == FilmStatus::converged) to.h = thickness(to.state);
+    interrupted_ = report.status == Status::interrupted;
+    if (report.status == Status::converged) to.h = thickness(to.state);
     return to;
   }
 

@@ -91,7 +91,7 @@ class MeshComparison {
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {
     const FilmBearing& other = stepper_.bearing();
     BearingState found = transferred(bearing_, other, *state.last);
-    if (stepper_.advance(state.asked, found).status != FilmStatus::converged) return {};
+    if (stepper_.advance(state.asked, found).status != Status::converged) return {};
     const double thickness =
         (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_.scales.thickness;
     Eigen::Vector2d force = film_force(other, found.film.pressure) - state.outcome->force;

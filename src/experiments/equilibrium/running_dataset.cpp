@@ -250,7 +250,7 @@ EquilibriumResult equilibrium_not_begun(const Case& input) {
   Case bearing = input;
   bearing.equilibrium.reset();  // a layout of all speeds has none that could be run
   result.bearing = std::make_shared<const FilmBearing>(make_film_bearing(bearing));
-  result.states = planned_states(*input.equilibrium, FilmStatus::interrupted);
+  result.states = planned_states(*input.equilibrium, Status::interrupted);
   result.with_limits = input.equilibrium->limits;
   return result;
 }

@@ -32,7 +32,7 @@ FilmReport find_film(FilmSolver& solver, const ReynoldsEquation& equation, const
   const Matrix centred = bearing.undeformed_thickness(Eigen::Vector2d::Zero());
   const Matrix there = bearing.undeformed_thickness(state.position);
   FilmReport report = solver.solve(equation, centred, state.film);
-  if (report.status != FilmStatus::converged) return report;
+  if (report.status != Status::converged) return report;
   return report += solver.follow(equation, centred, there, state.film);
 }
 
@@ -84,7 +84,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       found.asked = OperatingPoint::held_at({position[0], position[1]}, speed);
       const double done = static_cast<double>(result.states.size() - 1);
       if (progress && !progress(done / static_cast<double>(count))) {
-        found.report.status = FilmStatus::interrupted;
+        found.report.status = Status::interrupted;
         return result;
       }
       const auto begin = std::chrono::steady_clock::now();

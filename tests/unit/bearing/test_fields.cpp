@@ -106,7 +106,7 @@ TEST(FieldsUnderAFilm, AreThoseOfFoilsUnderTheirLoads) {
     FilmStepper stepper(bearing);
     BearingState state;
     ASSERT_EQ(cold_start(stepper, {0.7 * bearing.clearance, 0.0}, speed_of_rpm(45000.0), state).status,
-              FilmStatus::converged);
+              Status::converged);
     FoilFields fields = make_fields(bearing, 1);
     record(bearing, state, 0, fields);
     EXPECT_EQ((fields.top_bump.normal_force.array() > 0.0).count(), film_bearing_outcome(bearing, state).loaded_bumps);
@@ -136,7 +136,7 @@ TEST(FieldsUnderAFilm, HaveTheBumpsOfAllPadsInARow) {
       const FilmBearing bearing = make_film_bearing(one);
       BearingState state;
       FilmStepper stepper(bearing);
-      EXPECT_EQ(cold_start(stepper, {12e-6, -4e-6}, speed, state).status, FilmStatus::converged);
+      EXPECT_EQ(cold_start(stepper, {12e-6, -4e-6}, speed, state).status, Status::converged);
       FoilFields fields = make_fields(bearing, 1);
       record(bearing, state, 0, fields);
       return fields;

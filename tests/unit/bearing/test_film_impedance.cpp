@@ -64,7 +64,7 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   FilmStepper stepper(bearing, {.marching_tolerance = 1e-10});
   BearingState rest;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.2 * bearing.clearance);
-  ASSERT_EQ(cold_start(stepper, position, speed, rest).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, position, speed, rest).status, Status::converged);
 
   constexpr int steps = 24;
   constexpr int turns = 6;
@@ -83,7 +83,7 @@ TEST(FilmImpedance, IsWhatMarchingInTimeFinds) {
   for (int i = 1; i <= steps * turns; ++i) {
     phase *= turn;
     const OperatingPoint held = OperatingPoint::held_at(position + (motion * phase).real(), speed);
-    ASSERT_EQ(stepper.advance(stepper.move_to(held, dt), state).status, FilmStatus::converged);
+    ASSERT_EQ(stepper.advance(stepper.move_to(held, dt), state).status, Status::converged);
     EXPECT_NEAR(state.time - rest.time, i * dt, 1e-12 * state.time);
     if (i <= steps * (turns - 1)) continue;
     const Eigen::Vector2d expected = ((*Z)[0] * motion * phase).real();

@@ -16,11 +16,11 @@ TEST(FilmStepper, KeepsTheHistoryOfFriction) {
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
   const auto at = [&](double e) { return Eigen::Vector2d(e * bearing.clearance, 0.0); };
-  ASSERT_EQ(cold_start(stepper, at(0.5), speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, at(0.5), speed, state).status, Status::converged);
   expect_solved(bearing, state);
   const double loaded = film_bearing_outcome(bearing, state).force.x();
   for (const double e : {0.8, 0.5}) {
-    ASSERT_EQ(stepper.advance(OperatingPoint::held_at(at(e), speed), state).status, FilmStatus::converged);
+    ASSERT_EQ(stepper.advance(OperatingPoint::held_at(at(e), speed), state).status, Status::converged);
     expect_solved(bearing, state);
   }
   EXPECT_LT(film_bearing_outcome(bearing, state).force.x(),
@@ -33,7 +33,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
   FilmStepper stepper(bearing);
   BearingState state;
   const Eigen::Vector2d position(0.6 * bearing.clearance, 0.1 * bearing.clearance);
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
   const auto motion = stepper.slow_motion(state);
   const auto K = stepper.stiffness(state);
   ASSERT_TRUE(motion && K && motion->stiffness == *K);
@@ -45,7 +45,7 @@ TEST(FilmStepper, StiffnessIsTheDerivativeOfTheForce) {
     for (const int side : {0, 1}) {
       BearingState moved = state;
       const Eigen::Vector2d there = position + (side == 0 ? -h : h) * Eigen::Vector2d::Unit(axis);
-      ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, FilmStatus::converged);
+      ASSERT_EQ(stepper.advance(OperatingPoint::held_at(there, speed), moved).status, Status::converged);
       force[side] = film_bearing_outcome(bearing, moved).force;
       lift[side] = bearing.scales.thickness * moved.film.lift;
     }
@@ -61,7 +61,7 @@ TEST(FilmStepper, StuckContactsAreStiffer) {
   const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   const auto slipping = stepper.stiffness(state);
   const auto stuck = stepper.stiffness(state, true);
   ASSERT_TRUE(slipping.has_value() && stuck.has_value());
@@ -73,7 +73,7 @@ TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
   const FilmBearing bearing = film_reference_bearing(four_rows, 0.1);
   FilmStepper stepper(bearing);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.8 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   for (const bool stuck : {false, true}) {
     const auto K = stepper.stiffness(state, stuck);
     const std::complex<double> whirl(0.0, speed);

@@ -34,11 +34,11 @@ TEST(JournalLaw, MayBeThatOfASpring) {
   const double speed = speed_of_rpm(45000.0);
   FilmStepper stepper(bearing, {.newton = {.step_tolerance = 1e-10}});
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.5 * bearing->clearance, 0.0}, speed, state).status, Status::converged);
   JournalLaw spring = loaded_journal({10.0, 2.0}, bearing->scales);
   spring.by_position = 2e6 * Eigen::Matrix2d::Identity();  // N/m, of the order of the bearing's stiffness
   spring.position = state.position;
-  ASSERT_EQ(stepper.advance(Move{spring, speed}, state).status, FilmStatus::converged);
+  ASSERT_EQ(stepper.advance(Move{spring, speed}, state).status, Status::converged);
   const Eigen::Vector2d carried = film_force(*bearing, state.film.pressure);
   EXPECT_GT((state.position - spring.position).norm(), 0.01e-6);  // it moved
   // To the tolerance of a step, 1e-10 c, times the stiffness of both.

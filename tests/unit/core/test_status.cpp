@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace bumpfoil {
 namespace {
@@ -33,6 +34,20 @@ TEST(Status, NamesAreThoseOfTheEnumerators) {
   EXPECT_EQ(name_of(Status::interrupted), "interrupted");
   EXPECT_EQ(name_of(Status::unstable), "unstable");
   EXPECT_EQ(name_of(Status::not_unique), "not_unique");
+  EXPECT_EQ(name_of(Status::not_converged), "not_converged");
+  EXPECT_EQ(name_of(Status::touchdown), "touchdown");
+  EXPECT_EQ(name_of(Status::no_room), "no_room");
+  EXPECT_EQ(name_of(Status::fold), "fold");
+  EXPECT_EQ(name_of(Status::not_reached), "not_reached");
+}
+
+/// Files of earlier versions are read by these numbers.
+TEST(Status, KeepTheirNumbersInFiles) {
+  EXPECT_EQ(foil_statuses, 11U);
+  std::vector<std::string_view> running;
+  for (const Status status : running_statuses) running.push_back(name_of(status));
+  EXPECT_EQ(running, (std::vector<std::string_view>{"converged", "not_converged", "touchdown", "no_room", "fold",
+                                                    "not_reached", "interrupted"}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ TEST(RunningSample, ComesToTheStatesOfItsCase) {
   const EquilibriumResult result = run_running_sample(sampled_case(input, draw_sample(input, 0))).value();
   ASSERT_EQ(result.states.size(), 2U);
   EXPECT_TRUE(result.converged());
-  EXPECT_EQ(result.states[1].asked, planned_states(*input.equilibrium, FilmStatus::not_reached)[1].asked);
+  EXPECT_EQ(result.states[1].asked, planned_states(*input.equilibrium, Status::not_reached)[1].asked);
 }
 
 TEST(RunningSample, HasLimitsWhereTheyAreAskedFor) {
@@ -36,7 +36,7 @@ TEST(RunningSample, CanBeStopped) {
   const Case input = test_support::running_ensemble_case(1);
   const EquilibriumResult result =
       run_running_sample(sampled_case(input, draw_sample(input, 0)), [](double) { return false; }).value();
-  EXPECT_EQ(result.states[0].report.status, FilmStatus::interrupted);
+  EXPECT_EQ(result.states[0].report.status, Status::interrupted);
 }
 
 }  // namespace

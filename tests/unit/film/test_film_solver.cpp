@@ -59,7 +59,7 @@ TEST(FilmSolver, SolvesTheEquations) {
       const Matrix rigid = eccentric_thickness(mesh, 0.6, 0.3);
       FilmState film{mesh.field(1.0), {}};
       const FilmReport report = solver.solve(equation, rigid, film);
-      ASSERT_EQ(report.status, FilmStatus::converged);
+      ASSERT_EQ(report.status, Status::converged);
       EXPECT_LE(report.iterations, 9);  // quadratic at the end: a wrong derivative needs more
       Matrix residual;
       reynolds_residual(equation, film, residual);
@@ -78,7 +78,7 @@ TEST(FilmSolver, KeepsTheGivenPressuresAtTheEdges) {
   const ReynoldsEquation equation{.mesh = slotted, .bearing_number = 0.0};
   FilmState film{slotted.field(1.0), {}};
   film.pressure.col(0).setConstant(1.4);
-  ASSERT_EQ(solver.solve(equation, slotted.field(1.0), film).status, FilmStatus::converged);
+  ASSERT_EQ(solver.solve(equation, slotted.field(1.0), film).status, Status::converged);
   EXPECT_EQ(film.pressure.col(0), Vector::Constant(6, 1.4));
   EXPECT_EQ(film.pressure.col(40), Vector::Ones(6));
   EXPECT_GT(film.pressure(0, 1), 1.2);
@@ -89,7 +89,7 @@ TEST(FilmSolver, SaysWhenThereIsNoRoom) {
   FilmState film{slotted.field(1.0), slotted.field(7.0)};
   const FilmReport report =
       solver.solve({.mesh = slotted, .bearing_number = 1.0}, eccentric_thickness(slotted, 1.2), film);
-  EXPECT_EQ(report.status, FilmStatus::no_room);
+  EXPECT_EQ(report.status, Status::no_room);
   EXPECT_EQ(film.thickness, slotted.field(7.0));
 }
 
@@ -97,8 +97,8 @@ TEST(FilmSolver, SaysWhenSurfacesTouch) {
   FilmSolver solver(slotted, {}, {.thickness_floor = 0.45});
   FilmState film{slotted.field(1.0), {}};
   const ReynoldsEquation equation{.mesh = slotted, .bearing_number = 1.0};
-  EXPECT_EQ(solver.solve(equation, eccentric_thickness(slotted, 0.5), film).status, FilmStatus::converged);
-  EXPECT_EQ(solver.solve(equation, eccentric_thickness(slotted, 0.6), film).status, FilmStatus::touchdown);
+  EXPECT_EQ(solver.solve(equation, eccentric_thickness(slotted, 0.5), film).status, Status::converged);
+  EXPECT_EQ(solver.solve(equation, eccentric_thickness(slotted, 0.6), film).status, Status::touchdown);
 }
 
 TEST(FilmSolver, GivesUpAndLeavesTheFilmAsItWas) {
@@ -106,7 +106,7 @@ TEST(FilmSolver, GivesUpAndLeavesTheFilmAsItWas) {
   FilmState film{slotted.field(1.0), slotted.field(7.0)};
   const FilmReport report =
       solver.solve({.mesh = slotted, .bearing_number = 20.0}, eccentric_thickness(slotted, 0.8), film);
-  EXPECT_EQ(report.status, FilmStatus::not_converged);
+  EXPECT_EQ(report.status, Status::not_converged);
   EXPECT_EQ(report.iterations, 2);
   EXPECT_EQ(film.pressure, slotted.field(1.0));
   EXPECT_EQ(film.thickness, slotted.field(7.0));
@@ -119,8 +119,8 @@ TEST(FilmSolver, FollowsAFilmToWhereNoStartIsNear) {
   const Matrix near = eccentric_thickness(slotted, 0.5);
   const Matrix far = eccentric_thickness(slotted, 1.5);
   FilmState film{slotted.field(1.0), {}};
-  ASSERT_EQ(solver.solve(equation, near, film).status, FilmStatus::converged);
-  ASSERT_EQ(solver.follow(equation, near, far, film).status, FilmStatus::converged);
+  ASSERT_EQ(solver.solve(equation, near, film).status, Status::converged);
+  ASSERT_EQ(solver.follow(equation, near, far, film).status, Status::converged);
   EXPECT_GT(film.thickness.minCoeff(), 0.2);
   FilmState again = film;
   const FilmReport report = solver.solve(equation, far, again);
@@ -137,7 +137,7 @@ TEST(FilmSolver, MarchesToTheSteadyFilm) {
   double first_load = 0.0;
   for (int step = 0; step < 60; ++step) {
     equation.previous_content = film_content(film);
-    ASSERT_EQ(solver.solve(equation, H, film).status, FilmStatus::converged);
+    ASSERT_EQ(solver.solve(equation, H, film).status, Status::converged);
     if (step == 0) first_load = film_integrals(equation, film).cosine;
   }
   const SolvedFilm steady = solve_rigid_film({.mesh = slotted, .bearing_number = 5.0}, H);

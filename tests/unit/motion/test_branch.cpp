@@ -19,13 +19,13 @@ TEST(Branch, ColdStartsAndFollowsToSolutions) {
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
   const Eigen::Vector2d position(0.7 * bearing.clearance, 0.0);
-  ASSERT_EQ(cold_start(stepper, position, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, position, speed, state).status, Status::converged);
   EXPECT_EQ(state.position, position);
   expect_solved(bearing, state);
-  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(2.0 * position, speed), state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(2.0 * position, speed), state).status, Status::converged);
   EXPECT_EQ(state.position, 2.0 * position);
   expect_solved(bearing, state);
-  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(2.0 * position, 0.5 * speed), state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(2.0 * position, 0.5 * speed), state).status, Status::converged);
   EXPECT_EQ(state.speed, 0.5 * speed);
   expect_solved(bearing, state);
 }
@@ -36,11 +36,11 @@ TEST(Branch, SaysWhenThereIsNoRoomAndLeavesTheStateAsItWas) {
   const BearingState rest = resting(bearing, Eigen::Vector2d::Zero(), 0.0);
   BearingState state = rest;
   const Eigen::Vector2d outside(1.2 * bearing.clearance, 0.0);
-  EXPECT_EQ(cold_start(stepper, outside, 1000.0, state).status, FilmStatus::no_room);
+  EXPECT_EQ(cold_start(stepper, outside, 1000.0, state).status, Status::no_room);
   EXPECT_EQ(state.film.pressure, rest.film.pressure);
   EXPECT_EQ(state.position, rest.position);
   // With foils that give way on the way there is.
-  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(outside, 4000.0), state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(stepper, OperatingPoint::held_at(outside, 4000.0), state).status, Status::converged);
   EXPECT_EQ(state.position, outside);
 }
 
@@ -59,13 +59,13 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       FilmStepper stepper(bearing);
       BearingState state;
       const double opening = 10e-6 - clearance;
-      ASSERT_EQ(cold_start(stepper, {5e-6, 0.0}, speed, state, opening).status, FilmStatus::converged);
+      ASSERT_EQ(cold_start(stepper, {5e-6, 0.0}, speed, state, opening).status, Status::converged);
       EXPECT_EQ(state.opening, opening);
       OperatingPoint loaded = OperatingPoint::loaded_by(load, speed, opening);
-      ASSERT_EQ(follow(stepper, loaded, state).status, FilmStatus::converged);
+      ASSERT_EQ(follow(stepper, loaded, state).status, Status::converged);
       EXPECT_EQ(state.opening, opening);
       loaded.opening = 0.0;
-      ASSERT_EQ(follow(stepper, loaded, state).status, FilmStatus::converged);
+      ASSERT_EQ(follow(stepper, loaded, state).status, Status::converged);
       EXPECT_EQ(state.opening, 0.0);
       expect_solved(bearing, state);
       EXPECT_LT((film_force(bearing, state.film.pressure) - load).norm(), 1e-7);  // N
@@ -77,8 +77,8 @@ TEST(Branch, ClosesTheClearanceOfAJournalAtWork) {
       if (f > 0.0) continue;
       // A clearance that need not be opened: the same state.
       BearingState direct;
-      ASSERT_EQ(cold_start(stepper, {0.6 * clearance, 0.0}, speed, direct).status, FilmStatus::converged);
-      ASSERT_EQ(follow(stepper, loaded, direct).status, FilmStatus::converged);
+      ASSERT_EQ(cold_start(stepper, {0.6 * clearance, 0.0}, speed, direct).status, Status::converged);
+      ASSERT_EQ(follow(stepper, loaded, direct).status, Status::converged);
       EXPECT_LT((direct.position - state.position).norm(), 1e-8 * clearance);
       EXPECT_LT((direct.film.pressure - state.film.pressure).cwiseAbs().maxCoeff(), 1e-7);
     }
@@ -90,9 +90,9 @@ TEST(Branch, SaysWhenSurfacesTouch) {
   FilmStepper stepper(bearing, {.newton = {.thickness_floor = 0.5}});
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.2 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.2 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   EXPECT_EQ(follow(stepper, OperatingPoint::held_at({0.9 * bearing.clearance, 0.0}, speed), state).status,
-            FilmStatus::touchdown);
+            Status::touchdown);
   EXPECT_GE(state.film.thickness.minCoeff(), 0.5);  // the last good state
   EXPECT_GT(state.position.x(), 0.2 * bearing.clearance);
 }
@@ -105,13 +105,13 @@ TEST(Branch, JumpsWhereTheBranchUnderALoadEnds) {
   const auto end_of = [&](int steps) {
     FilmStepper stepper(bearing);
     BearingState state;
-    EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+    EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
     const Eigen::Vector2d from = film_force(bearing, state.film.pressure);
     int jumps = 0;
     for (int i = 1; i <= steps; ++i) {
       const Eigen::Vector2d load = from + static_cast<double>(i) / steps * (Eigen::Vector2d(20.0, 0.0) - from);
       const FilmReport report = follow(stepper, OperatingPoint::loaded_by(load, speed), state);
-      EXPECT_EQ(report.status, FilmStatus::converged);
+      EXPECT_EQ(report.status, Status::converged);
       jumps += report.jumps;
     }
     return std::pair(jumps, film_bearing_outcome(bearing, state).loaded_bumps);
@@ -125,10 +125,10 @@ TEST(Branch, FindsThePositionThatCarriesALoad) {
   FilmStepper stepper(bearing);
   BearingState state;
   const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   const Eigen::Vector2d load(40.0, 0.0);
   const BearingState start = state;
-  ASSERT_EQ(follow(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), state).status, FilmStatus::converged);
+  ASSERT_EQ(follow(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), state).status, Status::converged);
   EXPECT_EQ(state.speed, 0.8 * speed);
   // Newton's last step moved P by less than 1e-9: some 1e-8 N.
   EXPECT_LT((film_bearing_outcome(bearing, state).force - load).norm(), 1e-7);

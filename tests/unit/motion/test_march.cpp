@@ -78,7 +78,7 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   FilmStepper stepper(bearing);
   const double speed = speed_of_rpm(45000.0);
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * bearing.clearance, 0.0}, speed, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.5 * bearing.clearance, 0.0}, speed, state).status, Status::converged);
   state.time = 0.0;
   const OperatingPoint begin = point_of(bearing, state, Control::displacement);
   const OperatingPoint further = OperatingPoint::held_at({0.55 * bearing.clearance, 0.0}, 0.9 * speed);
@@ -86,10 +86,10 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   constexpr double dt = 1e-5;  // s
   Program program{ramp(begin, further, 2), ramp(loaded, loaded, 5)};
   program.back().dt = dt;
-  FilmStep step;
+  Step step;
   int taken = 0;
   BearingState before = state;
-  ASSERT_TRUE(march(stepper, program, state, step, [&](const FilmPassage& at) {
+  ASSERT_TRUE(march(stepper, program, state, step, [&](const Passage& at) {
     EXPECT_TRUE(at.step.converged());
     EXPECT_EQ(at.from.contacts.x, before.contacts.x);
     EXPECT_EQ(at.step.state.slip_origin, at.from.contacts.x);
@@ -111,9 +111,9 @@ TEST(FilmMarch, ARetryGoesByTheSchedule) {
   int legs = 0;
   BearingState state;
   Step step;
-  const auto take = [&](const Leg& of, int taken, const BearingState& from) {
+  const auto take = [&](const Leg& of, int taken, const BearingState& from, Step& next) {
     EXPECT_EQ(from.position.x(), legs == 1 ? 0.0 : 0.5 * (taken - 1));
-    step.state.position = of.point(taken).journal;
+    next.state.position = of.point(taken).journal;
   };
   const bool all = march([&]() -> const Leg* { return ++legs == 3 ? nullptr : &leg; }, take, state, step,
                          [&](const Passage&) { return legs == 1 ? Verdict::retry : Verdict::go_on; });

@@ -15,11 +15,11 @@ TEST(Rest, IsWhereTheJournalCarriesItsLoad) {
   FilmStepper stepper(bearing);
   BearingState start;
   const double speed = speed_of_rpm(45000.0);
-  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
   EXPECT_GT(start.time, FilmBearingOptions().last_time_step);
   const Eigen::Vector2d load(40.0, 0.0);
   BearingState released = start;
-  ASSERT_EQ(settle(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), released).status, FilmStatus::converged);
+  ASSERT_EQ(settle(stepper, OperatingPoint::loaded_by(load, 0.8 * speed), released).status, Status::converged);
   // Newton's last step moved P by less than 1e-9: some 1e-8 N.
   EXPECT_LT((film_bearing_outcome(bearing, released).force - load).norm(), 1e-7);
   EXPECT_EQ(released.speed, 0.8 * speed);
@@ -33,7 +33,7 @@ TEST(Rest, StopsWhenTold) {
   int solves = 0;
   FilmStepper stepper(bearing, {.keep_going = [&] { return ++solves < 5; }});
   BearingState state;
-  EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, FilmStatus::interrupted);
+  EXPECT_EQ(cold_start(stepper, {0.6 * bearing.clearance, 0.0}, 4000.0, state).status, Status::interrupted);
   EXPECT_EQ(solves, 5);
 }
 

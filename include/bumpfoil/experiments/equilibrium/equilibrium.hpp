@@ -56,7 +56,7 @@ struct RunningState {
   /// were not found.
   std::optional<double> lift_off_speed, load_capacity;
 
-  [[nodiscard]] bool found() const { return report.status == FilmStatus::converged; }
+  [[nodiscard]] bool found() const { return report.status == Status::converged; }
   /// Whether film and foils stay at the state with the journal held, whether contacts slip on or stick; nothing where
   /// that is not known.
   [[nodiscard]] std::optional<bool> is_stable() const;
@@ -74,14 +74,14 @@ inline constexpr auto enum_names<FilmLimitKind> = std::to_array<std::string_view
 /// Where the minimum film thickness crosses film.h_lift_off, between two neighbours on a path.
 struct FilmLimit {
   FilmLimitKind kind{};
-  FilmStatus status{FilmStatus::not_converged};  ///< converged where the crossing lies between the neighbours
-  OperatingPoint thick;                          ///< the neighbour whose film is thicker
-  OperatingPoint thin;                           ///< the one whose film is thinner, or which has none
-  double h_thick{}, h_thin{};  ///< minimum film thicknesses there, m; not a number where there is no film
-  double value{};              ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
-  int jumps{};                 ///< to other branches on the way from the load ramp to the neighbours
+  Status status{Status::not_converged};  ///< converged where the crossing lies between the neighbours
+  OperatingPoint thick;                  ///< the neighbour whose film is thicker
+  OperatingPoint thin;                   ///< the one whose film is thinner, or which has none
+  double h_thick{}, h_thin{};            ///< minimum film thicknesses there, m; not a number where there is no film
+  double value{};  ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
+  int jumps{};     ///< to other branches on the way from the load ramp to the neighbours
 
-  [[nodiscard]] bool found() const { return status == FilmStatus::converged; }
+  [[nodiscard]] bool found() const { return status == Status::converged; }
 };
 
 /// Where another path to the same point ends in another state.
@@ -157,7 +157,7 @@ void tabulate_whirls(const Case& input, EquilibriumResult& result);
 
 /// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
 /// and all have this status.
-std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, FilmStatus status);
+std::vector<RunningState> planned_states(const EquilibriumSettings& equilibrium, Status status);
 
 /// Paths that lead to the states of a case: a ramp of loads needs loads.
 std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium);

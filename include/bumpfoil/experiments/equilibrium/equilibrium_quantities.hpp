@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -11,10 +13,14 @@
 /// table on the terminal take it from here.
 namespace bumpfoil {
 
-template <>
-inline constexpr auto enum_names<FilmStatus> = std::to_array<std::string_view>({"converged", "not_converged",
-                                                                                "touchdown", "no_room", "fold",
-                                                                                "not_reached", "interrupted"});
+/// Of running_statuses.
+inline constexpr auto running_status_words = [] {
+  std::array<std::string_view, running_statuses.size()> words;
+  std::transform(running_statuses.begin(), running_statuses.end(), words.begin(), name_of<Status>);
+  return words;
+}();
+/// As files number and spell how the search for a state ended.
+inline constexpr Form running_status{Form::flag, running_status_words};
 
 namespace tag {
 
@@ -72,9 +78,6 @@ std::string name_of_state(const RunningState& state);
 
 /// A limit as messages call it: "lift-off speed under the load (50, 0) N".
 std::string name_of_limit(const FilmLimit& limit);
-
-/// What a status means, in words that complete "load_ramp, 45000 rpm, ...: ".
-std::string_view reason_of(FilmStatus status);
 
 /// Why a state was not found, and where the last one is; empty for one that was.
 std::string running_failure(const FilmBearing& bearing, const RunningState& state);

@@ -109,7 +109,7 @@ TEST(Equilibrium, TabulatesSmallMotionsOfTheStatesThatWereFound) {
   Case input = running_case(settings, 0.1);
   EquilibriumResult result = run_equilibrium(input);
   EXPECT_FALSE(result.states[0].synchronous);
-  result.states[1].report.status = FilmStatus::fold;
+  result.states[1].report.status = Status::fold;
   tabulate_whirls(input, result);
   EXPECT_FALSE(result.states[1].synchronous);
   EXPECT_TRUE(result.states[1].tabulated.empty());
@@ -173,19 +173,19 @@ TEST(Equilibrium, SaysWhatItDidNotFindAndKeepsTheLastState) {
   EXPECT_FALSE(result.converged());
   EXPECT_TRUE(result.states[0].found());
   const RunningState& failed = result.states[1];
-  EXPECT_EQ(failed.report.status, FilmStatus::touchdown);
+  EXPECT_EQ(failed.report.status, Status::touchdown);
   ASSERT_TRUE(failed.outcome.has_value());
   EXPECT_GT(failed.outcome->force.x(), 50.0);  // on the way
   EXPECT_LT(failed.outcome->force.x(), 100.0);
   EXPECT_NEAR(failed.outcome->thinnest.thickness * 31.8, 10.0, 0.2);
-  EXPECT_EQ(result.states[2].report.status, FilmStatus::not_reached);
+  EXPECT_EQ(result.states[2].report.status, Status::not_reached);
   EXPECT_FALSE(result.states[2].last.has_value());
 }
 
 TEST(Equilibrium, HasNoRoomBeyondTheClearance) {
   const Case input = running_case({.speeds = {speed}, .positions = {{40e-6, 0.0}}, .path = FilmPath::cold_start});
   const EquilibriumResult result = run_equilibrium(input);
-  EXPECT_EQ(result.states.at(0).report.status, FilmStatus::no_room);
+  EXPECT_EQ(result.states.at(0).report.status, Status::no_room);
   EXPECT_FALSE(result.states[0].outcome.has_value());
 }
 
@@ -210,7 +210,7 @@ TEST(Equilibrium, ClosesAClearanceThatWasOpened) {
       const EquilibriumResult result = states(path, settings);
       ASSERT_EQ(result.states.size(), 4U);
       for (const RunningState& state : result.states) {
-        ASSERT_EQ(state.report.status, FilmStatus::converged) << static_cast<int>(path);
+        ASSERT_EQ(state.report.status, Status::converged) << static_cast<int>(path);
         EXPECT_EQ(state.last->opening, 0.0);
         EXPECT_GT(state.last->position.x(), 2e-6);
         EXPECT_GT(state.last->film.thickness.minCoeff(), 0.0);
@@ -229,7 +229,7 @@ TEST(Equilibrium, SaysHowFarAClearanceClosed) {
   input.film.h_floor = 0.1e-6;
   const EquilibriumResult result = run_equilibrium(input);
   const RunningState& failed = result.states.at(0);
-  EXPECT_EQ(failed.report.status, FilmStatus::touchdown);
+  EXPECT_EQ(failed.report.status, Status::touchdown);
   ASSERT_TRUE(failed.last && failed.outcome);
   const double clearance = input.bearing.radial_clearance + failed.last->opening;
   EXPECT_GT(clearance, 0.2e-6);
@@ -237,7 +237,7 @@ TEST(Equilibrium, SaysHowFarAClearanceClosed) {
   const double h = failed.outcome->thinnest.thickness * result.bearing->scales.thickness;
   EXPECT_GE(h, input.film.h_floor);
   EXPECT_LT(h, 1.1 * input.film.h_floor);
-  EXPECT_EQ(result.states.at(1).report.status, FilmStatus::not_reached);
+  EXPECT_EQ(result.states.at(1).report.status, Status::not_reached);
 }
 
 /// Lobes of all the clearance and more: the journal finds room between the pads' middles once they give way.
@@ -250,7 +250,7 @@ TEST(Equilibrium, ClosesPadsInOnTheJournal) {
   input.pads.assign(3, {.lobe = 21e-6});
   const EquilibriumResult result = run_equilibrium(input);
   EXPECT_LT(result.bearing->room, 0.0);
-  ASSERT_EQ(result.states.at(0).report.status, FilmStatus::converged);
+  ASSERT_EQ(result.states.at(0).report.status, Status::converged);
   EXPECT_EQ(result.states[0].last->opening, 0.0);
   EXPECT_LT((result.states[0].outcome->force - Eigen::Vector2d(20.0, 0.0)).norm(), 1e-7);  // N
 }
@@ -266,19 +266,19 @@ TEST(Equilibrium, BeginsAtTheCentreWhereTheColdStartTouches) {
     input.equilibrium->path = path;
     return run_equilibrium(input).states.at(0);
   };
-  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, FilmStatus::touchdown);
+  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, Status::touchdown);
   const RunningState ramped = state_on(FilmPath::load_ramp);
-  ASSERT_EQ(ramped.report.status, FilmStatus::converged);
+  ASSERT_EQ(ramped.report.status, Status::converged);
   // Increment by increment what position_ray does.
   const RunningState ray = state_on(FilmPath::position_ray);
-  ASSERT_EQ(ray.report.status, FilmStatus::converged);
+  ASSERT_EQ(ray.report.status, Status::converged);
   EXPECT_EQ(ramped.last->position, ray.last->position);
-  EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, FilmStatus::converged);
+  EXPECT_EQ(state_on(FilmPath::speed_ramp).report.status, Status::converged);
   // The same where that position is asked for.
   input.equilibrium->loads.clear();
   input.equilibrium->positions = {{0.6 * input.bearing.radial_clearance, 0.0}};
-  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, FilmStatus::touchdown);
-  EXPECT_EQ(state_on(FilmPath::position_ray).report.status, FilmStatus::converged);
+  EXPECT_EQ(state_on(FilmPath::cold_start).report.status, Status::touchdown);
+  EXPECT_EQ(state_on(FilmPath::position_ray).report.status, Status::converged);
 }
 
 /// Lobes of half the clearance: 0.6 of all of it would be beyond the foils.
@@ -290,7 +290,7 @@ TEST(Equilibrium, StartsInTheRoomThatLobesLeave) {
     input.bearing.weld_angle = 1.0;  // the load points to the middle of the first pad
     input.pads.assign(3, {.lobe = 16e-6});
     const EquilibriumResult result = run_equilibrium(input);
-    EXPECT_EQ(result.states.at(0).report.status, FilmStatus::converged) << static_cast<int>(path);
+    EXPECT_EQ(result.states.at(0).report.status, Status::converged) << static_cast<int>(path);
     EXPECT_EQ(result.bearing->room, input.bearing.radial_clearance - 16e-6);
   }
 }
@@ -308,7 +308,7 @@ TEST(Equilibrium, ReportsProgressAndStops) {
   const EquilibriumResult stopped = run_equilibrium(input, {}, [&](double fraction) { return fraction < 0.5; });
   ASSERT_EQ(stopped.states.size(), 2U);
   EXPECT_TRUE(stopped.states[0].found());
-  EXPECT_EQ(stopped.states[1].report.status, FilmStatus::interrupted);
+  EXPECT_EQ(stopped.states[1].report.status, Status::interrupted);
 }
 
 TEST(Equilibrium, NeedsItsTable) {

@@ -35,7 +35,7 @@ const EquilibriumResult& example(bool fails = false) {
   static const EquilibriumResult result = run_equilibrium(small_case());
   static const EquilibriumResult failed = [] {
     EquilibriumResult half = result;
-    half.states[1].report.status = FilmStatus::fold;
+    half.states[1].report.status = Status::fold;
     return half;
   }();
   return fails ? failed : result;
@@ -321,7 +321,7 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   result.states[0].foil_response = 1e4;
   FilmLimit& limit = result.limits.emplace_back();
   limit.kind = FilmLimitKind::load_capacity;
-  limit.status = FilmStatus::converged;
+  limit.status = Status::converged;
   limit.thick = result.states[0].asked;
   limit.jumps = 2;
   const std::vector<std::string> warnings = warning_lines(small_case(), result);

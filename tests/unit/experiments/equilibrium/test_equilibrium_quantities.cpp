@@ -19,7 +19,7 @@ struct Example {
 
   Example() {
     state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
-    state.report.status = FilmStatus::converged;
+    state.report.status = Status::converged;
     state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
     state.last->film.pressure.block(0, 40, 4, 2).setConstant(1.5);
     state.last->contacts.normal_force[2 * 3] = 4.0;  // top_bump of bump 4
@@ -84,7 +84,7 @@ TEST(RunningQuantities, AttitudeAngleTurnsWithTheJournal) {
 
 TEST(RunningQuantities, KnowOfFailedStatesWhatWasAskedForAlone) {
   Example example;
-  example.state.report.status = FilmStatus::touchdown;
+  example.state.report.status = Status::touchdown;
   EXPECT_EQ(example.value("speed"), 1000.0);
   EXPECT_EQ(example.value("load_x"), 50.0);
   EXPECT_TRUE(std::isnan(example.value("x")));
@@ -107,7 +107,7 @@ TEST(RunningQuantities, LiftedBumpsAreThoseOfThePadThatHasMost) {
   const FilmBearing bearing = make_film_bearing(input);
   RunningState state;
   state.asked = OperatingPoint::loaded_by({50.0, -1.0}, 1000.0);
-  state.report.status = FilmStatus::converged;
+  state.report.status = Status::converged;
   state.last = resting(bearing, {10e-6, 0.0}, 1000.0);
   EXPECT_EQ(lifted_bumps_at_entry(bearing, state), 0);   // neither presses any
   state.last->contacts.normal_force[2 * 4] = 1.0;        // bump 5 of pad 1

@@ -22,7 +22,7 @@ FilmWhirl whirl_of(double frequency, double stiffness) {
 RunningState state_of(double speed, const Eigen::Vector2d& load, std::vector<FilmWhirl> whirls) {
   RunningState state;
   state.asked = OperatingPoint::loaded_by(load, speed);
-  state.report.status = FilmStatus::converged;
+  state.report.status = Status::converged;
   state.synchronous = whirl_of(std::abs(speed), 0.1 * std::abs(speed));
   state.tabulated = std::move(whirls);
   return state;
@@ -100,7 +100,7 @@ TEST(FilmRossToml, TabulatesOverSpeedAndFrequencyAndSynchronousWhirlOverTheSpeed
   // As a ramp down leaves them, with a state that was not found and one whose coefficients are not known.
   std::vector<RunningState> states{state_of(30.0, {5.0, -7.0}, at(300.0)), state_of(20.0, {5.0, -7.0}, at(200.0)),
                                    state_of(15.0, {5.0, -7.0}, at(150.0)), state_of(10.0, {5.0, -7.0}, at(100.0))};
-  states[1].report.status = FilmStatus::fold;
+  states[1].report.status = Status::fold;
   states[2].tabulated[1].impedance.reset();
   const toml::table document = parsed(case_with({}), states);
   expect_all_taken(document);

@@ -39,7 +39,7 @@ EquilibriumResult whirling_example(bool tabulated) {
   EquilibriumResult result;
   result.bearing = std::make_shared<const FilmBearing>(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   result.states.resize(2);
-  result.states[0].report.status = FilmStatus::converged;
+  result.states[0].report.status = Status::converged;
   result.states[0].whirls = {whirl_at(7.0), whirl_at(5.0)};
   if (tabulated) result.states[0].tabulated.resize(9, whirl_at(1.0));
   return result;
