@@ -29,14 +29,13 @@ struct PropertiesOptions {
 /// Position of a pad, and how much its pitches are stretched to fill its arc.
 std::string place_of(const Case& input, const PlacedPad& pad, std::size_t number) {
   const Bearing& bearing = pad.alone.bearing;
-  const double end = polar_angles(bearing, Vector::Constant(1, foil_angle(pad.alone)))[0];
   constexpr double turn = 2.0 * std::numbers::pi;
   const auto degrees = [](double angle) { return std::remainder(angle, turn) * 360.0 / turn; };
   const auto pitch = [](const BumpFoil& foil) { return foil.pitch.at(0, static_cast<std::size_t>(foil.bumps)); };
   const double stretch = pitch(pad.alone.bump_foil) / pitch(bump_foil_of(input, number));
   return fmt::format("Pad {}: weld at {:.5g} deg, {} to its free end at {:.5g} deg{}\n\n", number + 1,
                      degrees(bearing.weld_angle), bearing.wrap == Wrap::clockwise ? "clockwise" : "counterclockwise",
-                     degrees(end), stretch == 1.0 ? "" : fmt::format("; pitches stretched by {:.5g}", stretch));
+                     degrees(pad.end()), stretch == 1.0 ? "" : fmt::format("; pitches stretched by {:.5g}", stretch));
 }
 
 std::string text_of(const Case& input) {

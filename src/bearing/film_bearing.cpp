@@ -9,7 +9,6 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 
 namespace bumpfoil {
@@ -115,11 +114,11 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
   const PadDesign& alone = placed.alone;
   FilmPad pad;
   pad.foil = make_foil(alone, bearing.scales, resolution);
-  pad.wrap_sign = alone.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  pad.wrap_sign = placed.sense();
   pad.first_column = bearing.columns();
   if (!bearing.pads.empty()) pad.first_block = bearing.pads.back().first_block + bearing.pads.back().bumps() + 1;
   const Vector angles = pad.foil.mesh.angles();
-  const Eigen::Matrix2Xd normals = outward_normals(polar_angles(alone.bearing, angles));
+  const Eigen::Matrix2Xd normals = outward_normals(placed.polar(angles));
   bearing.pads.push_back(std::move(pad));
   bearing.column_normals.conservativeResize(Eigen::NoChange, bearing.columns());
   bearing.column_normals.rightCols(angles.size()) = normals;
@@ -129,15 +128,16 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 
 }  // namespace
 
-FilmBearing make_film_bearing(const BearingDesign& design, const Foils& foils, const Gas& gas,
-                              const FilmResolution& resolution) {
+FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution) {
   FilmBearing bearing;
   static_cast<Foils&>(bearing) = foils;
   bearing.under_film = true;
   bearing.room = foils.clearance;
-  for (const Pad& pad : design.pads) bearing.room = std::min(bearing.room, foils.clearance - pad.lobe);
-  bearing.scales = {gas, design.bearing.radius, film_thickness_scale(foils.clearance)};
-  for (const PlacedPad& placed : place_pads(design)) append(placed, resolution, bearing);
+  bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
+  for (const PlacedPad& placed : foils.placed) {
+    bearing.room = std::min(bearing.room, foils.clearance - placed.lobe);
+    append(placed, resolution, bearing);
+  }
   BlockTridiagonal K = bump_foils_alone(foils.structure, bearing.pads);
   const auto own = foils.problem.sites.begin();  // of a block, without the journal's
   std::vector<ContactSite> sites =

@@ -7,7 +7,6 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
 
 namespace bumpfoil {
@@ -61,14 +60,13 @@ Foils make_flat_foils(const PadDesign& pad, const FoilDesign& design) {
 /// journal thinner, and that between a foot and the sleeve by what the sleeve is wider at the foot than at the crest of
 /// its bump, so that from the journal to the sleeve under a foot all gaps together grow by what the sleeve is wider
 /// there.
-void add_profiles(const PadDesign& pad, Foils& foils) {
-  const Vector crests = crest_angles(pad);
-  const Vector crest_phi = polar_angles(pad.bearing, crests);
-  const Vector under_crests = sleeve_deviations(pad, crests);
-  const Vector under_feet = sleeve_deviations(pad, foot_angles(pad));
+void add_profiles(const PlacedPad& pad, Foils& foils) {
+  const Vector crest_phi = pad.polar(pad.crests);
+  const Vector under_crests = sleeve_deviations(pad.alone, pad.crests);
+  const Vector under_feet = sleeve_deviations(pad.alone, pad.feet);
   for (Eigen::Index bump = 0; bump < foils.bumps(); ++bump) {
     const Eigen::Index first = (foils.structure.first_bump + bump) * foils.contacts_per_block();
-    foils.assembled_gap[first] += under_crests[bump] - deviation_at(pad.bearing.journal, crest_phi[bump]);
+    foils.assembled_gap[first] += under_crests[bump] - deviation_at(pad.alone.bearing.journal, crest_phi[bump]);
     for (Eigen::Index k = 0; k < foils.feet_per_block(); ++k) {
       const double under_foot = under_feet[bump * foils.feet_per_block() + k];
       foils.assembled_gap[first + foils.first_foot() + k] += under_foot - under_crests[bump];
@@ -76,17 +74,11 @@ void add_profiles(const PadDesign& pad, Foils& foils) {
   }
 }
 
-/// The foils of a bearing that has no pads.
-Foils make_whole_foils(const PadDesign& pad) {
-  Foils foils = make_flat_foils(pad, make_bearing_design(pad));
-  foils.clearance = pad.bearing.radial_clearance;
-  foils.normals = outward_normals(polar_angles(pad.bearing, crest_angles(pad)));
-  if (!pad.bearing.is_round()) add_profiles(pad, foils);
-  return foils;
-}
-
 Foils make_pad_foils(const PlacedPad& pad) {
-  Foils foils = make_whole_foils(pad.alone);
+  Foils foils = make_flat_foils(pad.alone, make_bearing_design(pad.alone));
+  foils.clearance = pad.alone.bearing.radial_clearance;
+  foils.normals = outward_normals(pad.polar(pad.crests));
+  if (!pad.alone.bearing.is_round()) add_profiles(pad, foils);
   foils.assembled_gap(foils.pressed()) -= journal_gaps(0.0, foils.normals, pad.centre);
   return foils;
 }
@@ -139,9 +131,10 @@ std::optional<ElasticLaw> elastic_law(const FoilStructure& structure) {
 }
 
 Foils make_foils(const BearingDesign& design) {
-  const std::vector<PlacedPad> pads = place_pads(design);
+  std::vector<PlacedPad> pads = place_pads(design);
   Foils foils = make_pad_foils(pads.front());
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
+  foils.placed = std::move(pads);
   foils.problem.law = elastic_law(foils.structure);
   return foils;
 }

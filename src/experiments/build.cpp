@@ -53,7 +53,7 @@ CycleRun make_cycle_run(const Case& input) {
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  return make_film_bearing(input, *make_bearing_foils(input, {"equilibrium"}), gas, resolution);
+  return make_film_bearing(*make_bearing_foils(input, {"equilibrium"}), gas, resolution);
 }
 
 FilmBearing make_film_bearing(const Case& input) {

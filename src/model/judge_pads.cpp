@@ -79,19 +79,18 @@ bool judge_pads(Judge& judge, const Case& input, double radius) {
   return placed;
 }
 
-void judge_overlaps(Judge& judge, const Case& input) {
+void judge_overlaps(Judge& judge, const Case& input, const std::vector<PlacedPad>& pads) {
   struct Cover {
     std::size_t pad;
     double from, arc;  // in the foil direction of the bearing
   };
   const double sense = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
   std::vector<Cover> covers;
-  covers.reserve(input.pads.size());
-  for (const PlacedPad& placed : place_pads(input)) {
+  covers.reserve(pads.size());
+  for (const PlacedPad& placed : pads) {
     const Bearing& bearing = placed.alone.bearing;
-    const double arc = foil_angle(placed.alone);
-    const double from = sense * bearing.weld_angle - (bearing.wrap == input.bearing.wrap ? 0.0 : arc);
-    covers.push_back({covers.size(), from - turn * std::floor(from / turn), arc});
+    const double from = sense * bearing.weld_angle - (bearing.wrap == input.bearing.wrap ? 0.0 : placed.arc);
+    covers.push_back({covers.size(), from - turn * std::floor(from / turn), placed.arc});
   }
   std::sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.from < b.from; });
   for (std::size_t i = 0; i < covers.size(); ++i) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "model/judge.hpp"
 
 namespace bumpfoil {
@@ -11,6 +14,6 @@ namespace bumpfoil {
 bool judge_pads(Judge& judge, const Case& input, double radius);
 
 /// Checks that pads do not overlap. Their foils must be valid.
-void judge_overlaps(Judge& judge, const Case& input);
+void judge_overlaps(Judge& judge, const Case& input, const std::vector<PlacedPad>& pads);
 
 }  // namespace bumpfoil

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "bumpfoil/model/geometry.hpp"
-
 namespace bumpfoil {
 namespace {
 
@@ -23,10 +21,13 @@ std::optional<double> arc_of(const BearingDesign& design, const Pad& pad) {
   return turn / static_cast<double>(design.pads.size()) - *design.bearing.pad_gap;
 }
 
+PlacedPad place_alone(const PadDesign& alone) {
+  return {.alone = alone, .arc = foil_angle(alone), .crests = crest_angles(alone), .feet = foot_angles(alone)};
+}
+
 PlacedPad place_pad(const BearingDesign& design, std::size_t k) {
   const Pad& pad = design.pads[k];
-  PlacedPad placed{.alone = design};
-  PadDesign& alone = placed.alone;
+  PadDesign alone = design;
   alone.bearing.pad_gap.reset();
   if (pad.bump_foil) alone.bump_foil = *pad.bump_foil;
   if (pad.top_foil) alone.top_foil = *pad.top_foil;
@@ -40,15 +41,16 @@ PlacedPad place_pad(const BearingDesign& design, std::size_t k) {
   if (further > 0.0) alone.bearing.weld_angle = std::remainder(design.bearing.weld_angle + sense * further, turn);
   if (pad.weld_angle) alone.bearing.weld_angle = *pad.weld_angle;
   if (trails) alone.bearing.wrap = design.bearing.wrap == Wrap::clockwise ? Wrap::counterclockwise : Wrap::clockwise;
-  const Vector middle = polar_angles(alone.bearing, Vector::Constant(1, 0.5 * arc));
-  placed.centre = -pad.lobe * unit_vector(middle[0]);
+  PlacedPad placed = place_alone(alone);
+  placed.lobe = pad.lobe;
+  placed.centre = -pad.lobe * unit_vector(placed.polar(Vector::Constant(1, 0.5 * arc))[0]);
   return placed;
 }
 
 }  // namespace
 
 std::vector<PlacedPad> place_pads(const BearingDesign& design) {
-  if (design.pads.empty()) return {{.alone = design}};
+  if (design.pads.empty()) return {place_alone(design)};
   std::vector<PlacedPad> pads;
   pads.reserve(design.pads.size());
   for (std::size_t k = 0; k < design.pads.size(); ++k) pads.push_back(place_pad(design, k));

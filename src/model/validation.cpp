@@ -181,7 +181,7 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
   for (std::size_t k = 0; k < pads.size(); ++k) add(pads[k].alone, k);
   if (any_concerns_all(faults)) return faults;
   Judge judge;
-  judge_overlaps(judge, input);
+  judge_overlaps(judge, input, pads);
   std::vector<JudgedFault> overlaps = judge.take();
   faults.insert(faults.end(), overlaps.begin(), overlaps.end());
   return faults;

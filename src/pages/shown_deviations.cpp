@@ -17,12 +17,9 @@ constexpr std::size_t parts = 720;
 /// What the taper adds to the radius of the sleeve at a polar angle, m; NaN where no foils lie.
 double taper_at(const Case& input, const std::vector<PlacedPad>& pads, double phi) {
   for (const PlacedPad& pad : pads) {
-    const Bearing& bearing = pad.alone.bearing;
-    const double sense = bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
-    const double turns = sense * (phi - bearing.weld_angle) / turn;
+    const double turns = pad.sense() * (phi - pad.alone.bearing.weld_angle) / turn;
     const double theta = turn * (turns - std::floor(turns));
-    const double end = foil_angle(pad.alone);
-    if (theta <= end) return input.bearing.taper * theta / end;
+    if (theta <= pad.arc) return input.bearing.taper * theta / pad.arc;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

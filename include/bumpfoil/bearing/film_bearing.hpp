@@ -25,7 +25,7 @@ struct FilmResolution {
 /// The film of a pad, and the top foil under it.
 struct FilmPad {
   FoilFilm foil;       ///< theta from the weld of the pad
-  double wrap_sign{};  ///< sigma: +1 where theta runs from X to Y
+  double wrap_sign{};  ///< sigma, PlacedPad::sense()
   int first_column{};  ///< among the columns of all pads
   int first_block{};   ///< among the blocks of all pads
 
@@ -84,9 +84,8 @@ void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part
 /// Puts what a pad has in its place in the state of all.
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all);
 
-/// Foils under a film, whether they are under one already or not. @param design  that they are of
-FilmBearing make_film_bearing(const BearingDesign& design, const Foils& foils, const Gas& gas,
-                              const FilmResolution& resolution);
+/// Foils of a bearing under a film, whether they are under one already or not.
+FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution);
 
 /// P = 1, unstressed foils; H is positive where the journal leaves room.
 BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening = 0.0);

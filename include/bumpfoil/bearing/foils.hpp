@@ -8,6 +8,7 @@
 
 #include "bumpfoil/contact/problem.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/structure/foil_structure.hpp"
 #include "bumpfoil/structure/stress.hpp"
 
@@ -38,6 +39,7 @@ inline double cleared(double value, double rounding) {
 /// Without a top foil the first is missing, and the second is that of the plate with the crest. Under a film the first
 /// is missing, and the blocks of the problem are those of FilmBearing.
 struct Foils {
+  std::vector<PlacedPad> placed;  ///< the pads of a bearing, worked out once; none of a strip
   FoilStructure structure;
   std::vector<StressModel> stress;  ///< of each pad
   ContactProblem problem;

@@ -5,13 +5,24 @@
 #include <vector>
 
 #include "bumpfoil/model/bearing_design.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 
-/// A single pad.
+/// A single pad, and where its foils lie.
 struct PlacedPad {
   PadDesign alone;                   ///< the bearing as if this were all its foils
+  double lobe{};                     ///< Pad::lobe, m
   Eigen::Vector2d centre{0.0, 0.0};  ///< of the circle of the pad, m: the bearing's, displaced away from its middle
+  double arc{};                      ///< angle from the weld to the free end, rad
+  Vector crests, feet;               ///< angles from the weld along the foil, rad
+
+  /// sigma: +1 where theta runs from X to Y.
+  [[nodiscard]] double sense() const { return alone.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0; }
+  /// Polar angles of points at angles from the weld, rad.
+  [[nodiscard]] Vector polar(const Vector& theta) const { return polar_angles(alone.bearing, theta); }
+  /// Polar angle of the free end, rad.
+  [[nodiscard]] double end() const { return polar(Vector::Constant(1, arc))[0]; }
 };
 
 /// The pads of a bearing; without any, all of it is one. The bearing of pad k of n has

@@ -72,7 +72,7 @@ ResultLayout layout_of_foils(double axial_length, const std::vector<BumpFoil>& f
 }
 
 /// Where several pads are, and whose each bump and foot is.
-void add_pads(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
+void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (pads.size() == 1) return;
   layout.pads = pads.size();
   NamedNumbers weld{"pad_weld_angle", "rad", "polar angle of the weld of the pad from X towards Y", {}};
@@ -81,13 +81,12 @@ void add_pads(const Case& input, const std::vector<PlacedPad>& pads, ResultLayou
   NamedNumbers of_bumps{"bump_pad", "1", "pad that the bump belongs to", {}};
   NamedNumbers of_feet{"foot_pad", "1", "pad that the foot belongs to", {}};
   for (const PlacedPad& pad : pads) {
-    const Bearing& bearing = pad.alone.bearing;
-    weld.values.push_back(bearing.weld_angle);
-    end.values.push_back(polar_angles(bearing, Vector::Constant(1, foil_angle(pad.alone)))[0]);
-    lobe.values.push_back(input.pads[lobe.values.size()].lobe);
+    weld.values.push_back(pad.alone.bearing.weld_angle);
+    end.values.push_back(pad.end());
+    lobe.values.push_back(pad.lobe);
     const auto number = static_cast<double>(weld.values.size());
     of_bumps.values.resize(of_bumps.values.size() + static_cast<std::size_t>(pad.alone.bump_foil.bumps), number);
-    of_feet.values.resize(of_feet.values.size() + static_cast<std::size_t>(foot_angles(pad.alone).size()), number);
+    of_feet.values.resize(of_feet.values.size() + static_cast<std::size_t>(pad.feet.size()), number);
   }
   layout.at_pads = {std::move(weld), std::move(end), std::move(lobe)};
   layout.at_bumps.push_back(std::move(of_bumps));
@@ -99,12 +98,12 @@ ResultLayout layout_of_bearing(const Case& input) {
   std::vector<BumpFoil> foils;
   foils.reserve(pads.size());
   std::vector<double> theta, phi, foot_theta, foot_phi;
-  for (const auto& [alone, centre] : pads) {
-    foils.push_back(alone.bump_foil);
-    append(to_vector(crest_angles(alone)), theta);
-    append(to_vector(polar_angles(alone.bearing, crest_angles(alone))), phi);
-    append(to_vector(foot_angles(alone)), foot_theta);
-    append(to_vector(polar_angles(alone.bearing, foot_angles(alone))), foot_phi);
+  for (const PlacedPad& pad : pads) {
+    foils.push_back(pad.alone.bump_foil);
+    append(to_vector(pad.crests), theta);
+    append(to_vector(pad.polar(pad.crests)), phi);
+    append(to_vector(pad.feet), foot_theta);
+    append(to_vector(pad.polar(pad.feet)), foot_phi);
   }
   ResultLayout layout = layout_of_foils(input.bearing.axial_length, foils);
   layout.feet = foot_theta.size();
@@ -117,7 +116,7 @@ ResultLayout layout_of_bearing(const Case& input) {
                           {"phi", "rad", "polar angle of the crest from X towards Y", phi}});
   layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", foot_theta},
                     {"foot_phi", "rad", "polar angle of the foot from X towards Y", foot_phi}};
-  add_pads(input, pads, layout);
+  add_pads(pads, layout);
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
   return layout;

@@ -85,7 +85,7 @@ class MeshComparison {
       : bearing_(bearing),
         own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
         other_(other_resolution(own_)),
-        stepper_(make_film_bearing(input, bearing, bearing.scales.gas, other_),
+        stepper_(make_film_bearing(bearing, bearing.scales.gas, other_),
                  {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
 
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {

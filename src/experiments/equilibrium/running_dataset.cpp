@@ -97,8 +97,7 @@ class StateDataset {
 };
 
 /// Positions of the columns, and the pads that they belong to.
-void add_columns(const Case& input, const FilmBearing& bearing, Dataset& data) {
-  const std::vector<PlacedPad> placed = place_pads(input);
+void add_columns(const FilmBearing& bearing, Dataset& data) {
   Vector theta(bearing.columns());
   Vector phi(bearing.columns());
   Vector number(bearing.columns());
@@ -106,7 +105,7 @@ void add_columns(const Case& input, const FilmBearing& bearing, Dataset& data) {
     const FilmPad& pad = bearing.pads[k];
     const Vector angles = pad.foil.mesh.angles();
     theta(pad.columns()) = angles;
-    phi(pad.columns()) = polar_angles(placed[k].alone.bearing, angles);
+    phi(pad.columns()) = bearing.placed[k].polar(angles);
     number(pad.columns()).setConstant(static_cast<double>(k + 1));
   }
   data.dims.push_back({"column", static_cast<std::size_t>(bearing.columns())});
@@ -123,7 +122,7 @@ void add_geometry(const Case& input, const EquilibriumResult& result, const Resu
   data.add_dimension({"state", "1", "state of the running bearing, in the order of computation", {Form::whole}},
                      numbers_from(1.0, result.states.size()));
   add_foils(layout, "sleeve", data);
-  add_columns(input, bearing, data);
+  add_columns(bearing, data);
   const int rows = bearing.pads.front().foil.mesh.rows + 1;
   data.dims.push_back({"row", static_cast<std::size_t>(rows)});
   data.add_coordinate({"z", "m", "distance of the row from the mid-plane of the bearing; the last row is its side"},

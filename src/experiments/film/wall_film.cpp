@@ -55,13 +55,14 @@ FilmBearing make_wall_bearing(const Case& input) {
   const int columns = input.bump_foil.bumps * input.film.columns_per_pitch;
   FilmBearing bearing;
   bearing.scales = {gas_of(input.gas), R, film_thickness_scale(input.bearing.radial_clearance)};
+  bearing.placed = place_pads(input);
   FilmPad& pad = bearing.pads.emplace_back();
   pad.foil.mesh = input.film.closed ? make_closed_mesh(columns, input.film.rows, half_width)
                                     : make_slotted_mesh(columns, input.film.rows, half_width, foil_angle);
-  pad.wrap_sign = input.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;
+  pad.wrap_sign = bearing.placed.front().sense();
   bearing.clearance = input.bearing.radial_clearance;
   const Vector angles = pad.foil.mesh.angles();
-  bearing.column_normals = outward_normals(polar_angles(input.bearing, angles));
+  bearing.column_normals = outward_normals(bearing.placed.front().polar(angles));
   bearing.sleeve = sleeve_deviations(input, angles);
   return bearing;
 }

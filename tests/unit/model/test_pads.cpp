@@ -49,6 +49,12 @@ TEST(Pads, BeginAtEqualAnglesAndAreAsLongAsTheirBumps) {
     expect_angle(pads[2].alone.bearing.weld_angle, 0.3 + sense * 4.0 * pi / 3.0);
     for (const PlacedPad& pad : pads) {
       EXPECT_DOUBLE_EQ(foil_angle(pad.alone), arc);
+      EXPECT_DOUBLE_EQ(pad.arc, arc);
+      EXPECT_EQ(pad.sense(), pad.alone.bearing.wrap == wrap ? sense : -sense);
+      expect_angle(pad.end(), pad.alone.bearing.weld_angle + pad.sense() * arc);
+      EXPECT_DOUBLE_EQ(pad.crests[2], 2.5 * arc / 7.0);
+      EXPECT_EQ(pad.feet, foot_angles(pad.alone));
+      expect_angle(pad.polar(pad.crests)[2], pad.alone.bearing.weld_angle + pad.sense() * 2.5 * arc / 7.0);
     }
   }
 }
@@ -61,6 +67,8 @@ TEST(Pads, StretchTheirPitchesToTheirArc) {
   const std::vector<PlacedPad> pads = place_pads(input);
   EXPECT_NEAR(foil_angle(pads[0].alone), 0.5 * pi - 0.1, 1e-14);
   EXPECT_NEAR(foil_angle(pads[1].alone), 1.2, 1e-14);
+  EXPECT_NEAR(pads[1].arc, 1.2, 1e-14);
+  EXPECT_EQ(pads[1].crests, crest_angles(pads[1].alone));
   // All alike: their ratio stays.
   const std::vector<BumpShape> bumps = nominal_bumps(pads[1].alone.bump_foil);
   EXPECT_DOUBLE_EQ(bumps[1].pitch / bumps[0].pitch, 4.0 / 4.572);
@@ -93,6 +101,7 @@ TEST(Pads, LieOnCirclesDisplacedAwayFromTheirMiddle) {
   input.pads[0].arc = 2.0;
   input.bearing.weld_angle = 1.0;  // clockwise from there: the middle is at X
   const PlacedPad pad = place_pads(input).front();
+  EXPECT_EQ(pad.lobe, 10e-6);
   EXPECT_NEAR(pad.centre.x(), -10e-6, 1e-18);
   EXPECT_NEAR(pad.centre.y(), 0.0, 1e-18);
 }
