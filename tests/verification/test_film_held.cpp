@@ -24,8 +24,8 @@ using Complex = std::complex<double>;
 BearingState loaded_state(FilmStepper& stepper, const Eigen::Vector2d& load, double speed) {
   BearingState state;
   EXPECT_EQ(cold_start(stepper, 0.1 * stepper.bearing().clearance * load.normalized(), speed, state).status,
-            FilmStatus::converged);
-  EXPECT_EQ(settle(stepper, OperatingPoint::loaded_by(load, speed), state).status, FilmStatus::converged);
+            Status::converged);
+  EXPECT_EQ(settle(stepper, OperatingPoint::loaded_by(load, speed), state).status, Status::converged);
   return state;
 }
 
@@ -229,11 +229,11 @@ TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
     for (const double rpm : {45000.0, -45000.0, -6000.0}) {
       BearingState state;
       ASSERT_EQ(cold_start(stepper, {-0.3 * bearing.clearance, 0.0}, speed_of_rpm(rpm), state).status,
-                FilmStatus::converged);
+                Status::converged);
       for (const double e : {-0.3, 0.2, 0.6, 0.9, 0.5}) {
         SCOPED_TRACE(testing::Message() << friction_coefficient << ' ' << rpm << ' ' << e);
         const OperatingPoint point = OperatingPoint::held_at({e * bearing.clearance, 0.0}, speed_of_rpm(rpm));
-        ASSERT_EQ(stepper.advance(point, state).status, FilmStatus::converged);
+        ASSERT_EQ(stepper.advance(point, state).status, Status::converged);
         for (const bool stuck : {false, true}) {
           const Complex expected = DensePencil(bearing, state, stuck).rightmost(state.speed);
           EXPECT_LT(std::abs(held_rate(stepper, state, stuck) - expected), 1e-8) << expected;
@@ -258,7 +258,7 @@ TEST(FilmHeld, GrowsInTime) {
   std::vector<Matrix> changes;
   for (int i = 0; i < 160; ++i) {
     const Matrix before = state.film.pressure;
-    ASSERT_EQ(stepper.advance(move, state).status, FilmStatus::converged);
+    ASSERT_EQ(stepper.advance(move, state).status, Status::converged);
     changes.push_back(state.film.pressure - before);
   }
   ASSERT_EQ(state.contacts.mode, rest.contacts.mode);
@@ -311,7 +311,7 @@ TEST(FilmHeld, IsTheSameTurnedAndMirrored) {
 TEST(FilmHeld, DiesOutWhereTheJournalIsAtRest) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   BearingState state;
-  ASSERT_EQ(cold_start(stepper, {0.5 * stepper.bearing().clearance, 0.0}, 0.0, state).status, FilmStatus::converged);
+  ASSERT_EQ(cold_start(stepper, {0.5 * stepper.bearing().clearance, 0.0}, 0.0, state).status, Status::converged);
   const std::optional<HeldMotion> motion = stepper.held_motion(state);
   ASSERT_TRUE(motion.has_value());
   EXPECT_LT(motion->rate.real(), 0.0);
