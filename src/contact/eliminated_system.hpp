@@ -65,8 +65,8 @@ inline std::vector<Elimination> elimination_order(const ContactProblem& problem)
   return order;
 }
 
-/// SiteCoordinates of a contact, in the order of contacts: a normal one and, with friction, a tangential one behind it; -1
-/// is none.
+/// SiteCoordinates of a contact, in the order of contacts: a normal one and, with friction, a tangential one behind it;
+/// -1 is none.
 struct SiteCoordinates {
   Eigen::Index normal, tangential;
 };
