@@ -48,7 +48,7 @@ std::optional<std::vector<Eigen::Vector2cd>> film_forces(const FilmAnswer& moved
     std::vector<Eigen::Vector2cd> found;
     found.reserve(excess.size());
     for (const std::complex<double> e : excess) {
-      const Coordinates coordinates = solve(space.H(), start, space.next(), e);
+      const Coordinates coordinates = solve(space.hessenberg(), start, space.next(), e);
       if (!(coordinates.residual <= tolerance * start)) break;
       found.emplace_back(moved.force + e * (forces * coordinates.w));
     }

@@ -14,7 +14,7 @@ class KrylovSpace {
   /// @param most   directions that there may be
   KrylovSpace(const Vector& start, Eigen::Index most);
 
-  /// Directions whose image is known: the columns of V.
+  /// Directions whose image is known: the columns of V, basis().
   [[nodiscard]] Eigen::Index size() const { return size_; }
   /// Whether another one can be added: not where the space holds all that C makes of it.
   [[nodiscard]] bool can_grow() const { return size_ == 0 || (size_ < H_.cols() && next_ > 0.0); }
@@ -23,8 +23,8 @@ class KrylovSpace {
   /// Adds the image of direction().
   void add(Vector image);
 
-  [[nodiscard]] auto V() const { return basis_.leftCols(size_); }
-  [[nodiscard]] auto H() const { return H_.topLeftCorner(size_, size_); }
+  [[nodiscard]] auto basis() const { return basis_.leftCols(size_); }
+  [[nodiscard]] auto hessenberg() const { return H_.topLeftCorner(size_, size_); }
   [[nodiscard]] double next() const { return next_; }
 
  private:

@@ -30,7 +30,7 @@ Vector random_start(Eigen::Index size) {
 
 /// The rightmost of the poles around which all have converged, if these reach far enough.
 std::optional<FilmPole> rightmost_known(const KrylovSpace& space, double frequency) {
-  const Eigen::EigenSolver<Matrix> ritz(space.H());
+  const Eigen::EigenSolver<Matrix> ritz(space.hessenberg());
   if (ritz.info() != Eigen::Success) return std::nullopt;
   const auto& theta = ritz.eigenvalues();
   const Eigen::MatrixXcd vectors = ritz.eigenvectors();  // of unit length
@@ -48,7 +48,7 @@ std::optional<FilmPole> rightmost_known(const KrylovSpace& space, double frequen
   const Eigen::Index rightmost = *std::max_element(
       nearest.begin(), unknown, [&](Eigen::Index a, Eigen::Index b) { return excess(a).real() < excess(b).real(); });
   const double radius = unknown == nearest.end() ? std::numeric_limits<double>::infinity() : std::abs(excess(*unknown));
-  FilmPole pole{.excess = excess(rightmost), .stored = space.V() * vectors.col(rightmost)};
+  FilmPole pole{.excess = excess(rightmost), .stored = space.basis() * vectors.col(rightmost)};
   pole.covered = std::sqrt(std::max(0.0, radius * radius - pole.excess.real() * pole.excess.real()));
   if (pole.covered < frequency) return std::nullopt;
   if (pole.excess.imag() < 0.0) {

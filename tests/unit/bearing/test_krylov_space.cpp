@@ -19,8 +19,8 @@ TEST(KrylovSpace, IsOrthonormalAndMeetsItsEquation) {
     const Eigen::Index m = space.size();
     space.add(C * space.direction());
     ASSERT_EQ(space.size(), m + 1);
-    EXPECT_LT((space.V().transpose() * space.V() - Matrix::Identity(m + 1, m + 1)).norm(), 1e-13);
-    Matrix left = C * space.V() - space.V() * space.H();
+    EXPECT_LT((space.basis().transpose() * space.basis() - Matrix::Identity(m + 1, m + 1)).norm(), 1e-13);
+    Matrix left = C * space.basis() - space.basis() * space.hessenberg();
     if (space.can_grow()) left.col(m) -= space.next() * space.direction();
     EXPECT_LT(left.leftCols(space.can_grow() ? m + 1 : m).norm(), 1e-13 * C.norm());
   }
