@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ void add_sweep_command(CLI::App& program, Session& session);
 void add_reproduce_command(CLI::App& program, Session& session);
 void add_report_command(CLI::App& program, Session& session);
 void add_designer_command(CLI::App& program, Session& session);
+
+/// Writes a text to a file and says so; prints it where no file is named.
+/// @throws Error (file) if the file exists, unless it is forced, or if writing fails
+void write_text(const std::filesystem::path& path, const std::string& text, bool force, const Session& session);
 
 /// Checks that a value is one of these words.
 CLI::Validator one_of(const std::vector<std::string>& words);

@@ -4,10 +4,7 @@
 #include <string_view>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
-#include "output.hpp"
 
 namespace bumpfoil {
 
@@ -29,8 +26,7 @@ void run_designer(const DesignerOptions& options, const Session& session) {
           "`make designer` builds it in; without the Makefile: install Emscripten, Node.js and npm (Debian: emscripten "
           "nodejs npm), then configure with -DBUMPFOIL_BUILD_DESIGNER=ON and build again"}});
   }
-  write_file(options.path, std::string(designer_page()), options.force ? Existing::replace : Existing::refuse);
-  if (!session.quiet) print_output("wrote " + printable(options.path.string(), longest_path) + "\n");
+  write_text(options.path, std::string(designer_page()), options.force, session);
 }
 
 }  // namespace

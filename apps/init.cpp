@@ -2,10 +2,7 @@
 #include <string>
 
 #include "bumpfoil/case/case_writer.hpp"
-#include "bumpfoil/core/printable.hpp"
-#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
-#include "output.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -19,9 +16,7 @@ struct InitOptions {
 
 void run_init(const InitOptions& options, const Session& session) {
   const std::string text = options.keys ? case_reference() : case_template(options.preset);
-  if (options.path.empty()) return print_output(text);
-  write_file(options.path, text, options.force ? Existing::replace : Existing::refuse);
-  if (!session.quiet) print_output("wrote " + printable(options.path, longest_path) + "\n");
+  write_text(options.path, text, options.force, session);
 }
 
 }  // namespace

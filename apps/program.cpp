@@ -7,12 +7,21 @@
 #include <vector>
 
 #include "bumpfoil/core/nearest_name.hpp"
+#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/model/case_names.hpp"
+#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
 #include "experiment.hpp"
+#include "output.hpp"
 
 namespace bumpfoil {
+
+void write_text(const std::filesystem::path& path, const std::string& text, bool force, const Session& session) {
+  if (path.empty()) return print_output(text);
+  write_file(path, text, force ? Existing::replace : Existing::refuse);
+  if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
+}
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const auto refuse = [words](const std::string& value) -> std::string {

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/ensemble/ensemble_checkpoint.hpp"
-#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -70,14 +68,13 @@ void run_report(const ReportOptions& options, const Session& session) {
   const auto warn = [&session](const std::string& warning) {
     if (!session.quiet) print_message("warning: " + warning);
   };
-  write_file(
+  write_text(
       path,
       fill_report(
           report_page(),
           report_json(options.folders,
                       {.checked = !options.unchecked, .warn = warn, .measured = measured, .columns = options.columns})),
-      options.force ? Existing::replace : Existing::refuse);
-  if (!session.quiet) print_output("wrote " + printable(path.string(), longest_path) + "\n");
+      options.force, session);
 }
 
 }  // namespace

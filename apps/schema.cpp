@@ -1,11 +1,8 @@
 #include <memory>
 #include <string>
 
-#include "bumpfoil/core/printable.hpp"
 #include "bumpfoil/experiments/result_schema.hpp"
-#include "bumpfoil/results/write_file.hpp"
 #include "commands.hpp"
-#include "output.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -17,10 +14,7 @@ struct SchemaOptions {
 };
 
 void run_schema(const SchemaOptions& options, const Session& session) {
-  const std::string text = result_schema();
-  if (options.path.empty()) return print_output(text);
-  write_file(options.path, text, options.force ? Existing::replace : Existing::refuse);
-  if (!session.quiet) print_output("wrote " + printable(options.path, longest_path) + "\n");
+  write_text(options.path, result_schema(), options.force, session);
 }
 
 }  // namespace

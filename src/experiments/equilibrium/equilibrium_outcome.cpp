@@ -136,9 +136,10 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
                     lifted, result.states.size(), first_lifted));
   }
   if (unstable > 0) {
-    lines.push_back(fmt::format(
-        "{} of {} states are unstable with the journal held, so that no bearing stays in them ({}); see growth_held",
-        unstable, result.states.size(), first_unstable));
+    // First of all: what else is said of such a state hardly matters.
+    lines.insert(lines.begin(), fmt::format("{} of {} states are unstable with the journal held, so that no bearing "
+                                            "stays in them ({}); see growth_held",
+                                            unstable, result.states.size(), first_unstable));
   }
   if (unknown > 0) {
     lines.push_back(fmt::format("whether {} of {} states are stable with the journal held is not known", unknown,

@@ -56,6 +56,13 @@ TEST(ParallelRuns, CallerAloneHearsOfTheProgressOfAll) {
   EXPECT_GT(last, 0.0);
 }
 
+TEST(ParallelRuns, TellsOfTheProgressOfRunsThatEndAtOnce) {
+  int told = 0;
+  EXPECT_TRUE(run_in_parallel(
+      1, 1, [](std::size_t, const ProgressCallback&) {}, [&](double) { return ++told > 0; }));
+  EXPECT_GE(told, 1);
+}
+
 TEST(ParallelRuns, StopsWhatIsUnderWayAndBeginsNoMore) {
   std::atomic<int> begun{0};
   EXPECT_FALSE(run_in_parallel(
