@@ -4,22 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <nlohmann/json.hpp>
 
-#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/ensemble_table.hpp"
-#include "bumpfoil/ensemble/sample.hpp"
-#include "bumpfoil/model/pads.hpp"
-#include "bumpfoil/results/checksum.hpp"
-#include "ensemble/ensemble_netcdf.hpp"
+#include "ensemble/ensemble_dataset.hpp"
 #include "ensemble/ensemble_summary.hpp"
-#include "results/manifest.hpp"
+#include "results/result_files.hpp"
 
 namespace bumpfoil {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* netcdf_name = "ensemble.nc";
 /// Failures that the message in ensemble.nc tells.
@@ -53,14 +46,15 @@ RunStatus status_of(const EnsembleStatistics& statistics, bool stopped) {
 void stage_ensemble(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log,
                     const EnsembleStatistics& statistics, const EnsembleYields& yields, RunStatus status,
                     const Provenance& provenance, ResultFolder& folder) {
-  Manifest manifest{make_run_id(), {}};
-  const fs::path path = folder.stage(netcdf_name);
   const auto due = static_cast<std::size_t>(input.montecarlo->samples);
-  write_ensemble_netcdf(path, input, layout, log, status,
-                        message_of(layout, statistics, status == RunStatus::interrupted, due), provenance,
-                        manifest.run_id);
-  manifest.files.push_back({netcdf_name, static_cast<std::size_t>(fs::file_size(path)), xxh3_128_of_file(path)});
-  folder.stage("summary.json", ensemble_summary(input, layout, statistics, yields, status, manifest));
+  stage_result_files({.input = input,
+                      .command = "montecarlo",
+                      .status = status,
+                      .message = message_of(layout, statistics, status == RunStatus::interrupted, due),
+                      .warnings = input.remarks,
+                      .provenance = provenance},
+                     netcdf_name, "use fewer samples", ensemble_dataset(input, layout, log),
+                     ensemble_lists(input, layout, statistics, yields), folder);
 }
 
 }  // namespace bumpfoil

@@ -78,9 +78,9 @@ Json yield_json(const Yield& yield) {
 
 }  // namespace
 
-std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, const EnsembleStatistics& statistics,
-                             const EnsembleYields& yields, RunStatus status, const Manifest& manifest) {
-  Json json = summary_head("montecarlo", input, status, manifest);
+Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const EnsembleStatistics& statistics,
+                    const EnsembleYields& yields) {
+  Json json;
   json["seed"] = input.montecarlo->seed;
   json["samples_due"] = input.montecarlo->samples;
   json["samples"] = statistics.samples;
@@ -114,7 +114,7 @@ std::string ensemble_summary(const Case& input, const EnsembleLayout& layout, co
     failed["reason"] = layout.status_reason(failure.status);
     json["failed"].push_back(std::move(failed));
   }
-  return sealed_summary(json);
+  return json;
 }
 
 }  // namespace bumpfoil

@@ -8,6 +8,7 @@
 
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/dataset.hpp"
+#include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
 namespace bumpfoil {
@@ -36,11 +37,17 @@ struct ResultContents {
 /// summary.json with their checksums.
 ///
 /// netCDF is not thread-safe: to be called by one thread at a time.
-/// @param netcdf_name  result.nc, or sweep.nc
+/// @param netcdf_name  such as result.nc
 /// @param advice       what takes less memory
 /// @param contents     (run id) -> what is written
 /// @throws Error (file) if the memory does not suffice
 std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view netcdf_name, std::string_view advice,
                                           const std::function<ResultContents(const std::string&)>& contents);
+
+/// The same for a dataset that the memory may not hold: stages it in the folder piece by piece, and summary.json.
+/// @param lists  of summary.json
+/// @throws Error (file), as soon as the disk has no room for it
+void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
+                        const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder);
 
 }  // namespace bumpfoil

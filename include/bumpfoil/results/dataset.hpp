@@ -24,6 +24,8 @@ struct Variable {
   /// The last dimension runs fastest; not a number where absent; none where all are. Read when they are needed: what
   /// they are read from must live so long.
   std::function<std::vector<double>()> values{};
+  /// Instead of these, where they are more than the memory takes: those of `count` entries of the first dimension.
+  std::function<std::vector<double>(std::size_t first, std::size_t count)> rows{};
   std::map<std::string, std::string> attributes{};  ///< in netCDF files, such as `coordinates`
   bool known{};                                     ///< none is ever absent
   bool compressed{};                                ///< in its own netCDF file
@@ -40,7 +42,8 @@ struct Dataset {
   /// Adds a dimension and the coordinate of its name.
   void add_dimension(VariableMeaning meaning, std::vector<double> values);
   Variable& add_coordinate(VariableMeaning meaning, std::vector<std::string> over, std::vector<double> values);
-  Variable& add(VariableMeaning meaning, std::vector<std::string> over, std::function<std::vector<double>()> values);
+  Variable& add(VariableMeaning meaning, std::vector<std::string> over,
+                std::function<std::vector<double>()> values = {});
   Variable& add(VariableMeaning meaning, std::vector<std::string> over, std::vector<double> values);
 
   /// Numbers of a variable over its dimensions.

@@ -1,0 +1,117 @@
+#include "ensemble/ensemble_dataset.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/model/pads.hpp"
+#include "experiments/cycle/result_layout.hpp"
+
+namespace bumpfoil {
+namespace {
+
+void add_places(const EnsembleLayout& layout, Dataset& data) {
+  const std::string place(layout.dimension());
+  if (layout.command == EnsembleCommand::cycle) {
+    data.add_dimension(
+        {place, "degree", "direction of the push, from X towards Y"},
+        each(layout.places, [](const EnsemblePlace& one) { return to_degrees(std::get<double>(one.at)); }));
+    return;
+  }
+  data.add_dimension({place, "1", "state of the running bearing, in the order of its path", whole_number},
+                     numbers_from(1.0, layout.places.size()));
+  const auto add = [&](VariableMeaning meaning, const auto& value) {
+    data.add_coordinate(std::move(meaning), {place}, each(layout.places, [&](const EnsemblePlace& one) {
+                          return value(std::get<OperatingPoint>(one.at));
+                        }));
+  };
+  add({"speed", "rad/s", "speed of the journal, positive from X to Y"},
+      [](const OperatingPoint& point) { return point.speed; });
+  const bool by_load = std::get<OperatingPoint>(layout.places.front().at).by_load();
+  const std::string name = by_load ? "load_" : "position_";
+  const char* const unit = by_load ? "N" : "m";
+  const std::string what = by_load ? "load on the journal, " : "position of the journal, ";
+  add({name + "x", unit, what + "X"}, [](const OperatingPoint& point) { return point.journal.x(); });
+  add({name + "y", unit, what + "Y"}, [](const OperatingPoint& point) { return point.journal.y(); });
+}
+
+/// What was drawn is drawn again. @param of  (sample) -> its numbers
+template <typename Of>
+void add_drawn(const Case& input, Dataset& data, VariableMeaning meaning, std::vector<std::string> over, const Of& of) {
+  data.add(std::move(meaning), std::move(over)).rows = [&input, of](std::size_t first, std::size_t count) {
+    std::vector<double> all;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const std::vector<double> numbers = of(draw_sample(input, i));
+      all.insert(all.end(), numbers.begin(), numbers.end());
+    }
+    return all;
+  };
+}
+
+void add_deviations(const Case& input, Dataset& data) {
+  const MonteCarloSettings& ensemble = *input.montecarlo;
+  if (ensemble.bump_height) {
+    add_drawn(input, data, {"bump_height_deviation", "m", "deviation of the height of the bump"}, {"sample", "bump"},
+              [](const Sample& sample) { return sample.height_deviations; });
+  }
+  for (std::size_t i = 0; i < scattered_numbers().size(); ++i) {
+    const ScatteredNumber& number = scattered_numbers()[i];
+    if (!(ensemble.*number.distribution)) continue;
+    add_drawn(input, data,
+              {std::string(number.name) + "_deviation", std::string(number.unit), std::string(number.long_name)},
+              {"sample"}, [i](const Sample& sample) { return std::vector{sample.deviations[i]}; });
+  }
+  if (ensemble.sleeve_waviness) {
+    add_drawn(input, data, {"sleeve_waviness_phase", "rad", "phase of the waves of the sleeve"}, {"sample"},
+              [](const Sample& sample) { return std::vector{sample.waviness_phase}; });
+  }
+}
+
+/// So many columns of the log at each place, from one on.
+void add_logged(const EnsembleLayout& layout, const EnsembleLog& log, std::size_t column, std::size_t columns,
+                Variable& variable) {
+  variable.rows = [&layout, &log, column, columns](std::size_t first, std::size_t count) {
+    const std::size_t stride = layout.places.size() * columns;
+    std::vector<double> all(count * stride);
+    for (std::size_t place = 0; place < layout.places.size(); ++place) {
+      for (std::size_t k = 0; k < columns; ++k) {
+        const std::vector<double> values = log.column(layout.entry(place, column + k), first, count);
+        for (std::size_t i = 0; i < count; ++i) all[i * stride + place * columns + k] = values[i];
+      }
+    }
+    return all;
+  };
+}
+
+}  // namespace
+
+Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const EnsembleLog& log) {
+  Dataset data;
+  data.add_dimension({"sample", "1", "number of the sample; its bearing depends on seed and number only", whole_number},
+                     numbers_from(0.0, log.samples()));
+  add_places(layout, data);
+  data.add_dimension(
+      {"bump", "1",
+       count_pads(input) > 1 ? "number of the bump from the weld, pad after pad" : "number of the bump from the weld",
+       whole_number},
+      numbers_from(1.0, layout.bumps));
+  for (const NamedNumbers& geometry : make_result_layout(input, Experiment::cycle).at_bumps) {
+    data.add_coordinate({geometry.name, geometry.unit, geometry.long_name}, {"bump"}, geometry.values);
+  }
+  add_deviations(input, data);
+  const std::string place(layout.dimension());
+  for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+    add_logged(layout, log, k, 1, data.add(layout.columns[k].meaning, {"sample", place}));
+  }
+  add_logged(layout, log, layout.columns.size(), layout.bumps,
+             data.add({"bump_load", "N",
+                       layout.command == EnsembleCommand::cycle ? "load on the crest of the bump at full displacement"
+                                                                : "load on the crest of the bump"},
+                      {"sample", place, "bump"}));
+  return data;
+}
+
+}  // namespace bumpfoil
