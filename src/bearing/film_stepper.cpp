@@ -1,8 +1,10 @@
 #include "bumpfoil/bearing/film_stepper.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "bearing/film_newton.hpp"
+#include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
 
@@ -63,6 +65,20 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmStepper::impedances(const Beari
 
 std::optional<HeldMotion> FilmStepper::held_motion(const BearingState& state, bool stuck) {
   return newton_->held_motion(state, stuck);
+}
+
+HeldMotions FilmStepper::held_motions(const BearingState& state) {
+  HeldMotions motions;
+  motions.sliding = held_motion(state);
+  const bool any_slips = std::any_of(state.contacts.mode.begin(), state.contacts.mode.end(), slips);
+  motions.stuck = any_slips ? held_motion(state, true) : motions.sliding;
+  return motions;
+}
+
+std::optional<bool> HeldMotions::is_stable() const {
+  const auto grows = [](const std::optional<HeldMotion>& motion) { return motion && motion->rate.real() >= 0.0; };
+  if (grows(sliding) || grows(stuck)) return false;
+  return sliding && stuck ? std::optional(true) : std::nullopt;
 }
 
 }  // namespace bumpfoil

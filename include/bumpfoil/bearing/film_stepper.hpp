@@ -77,9 +77,17 @@ struct SlowMotion {
 /// The free motion e^{s t} of film and foils about a state, with the journal held, that grows fastest or, where the
 /// state lasts, dies out last.
 struct HeldMotion {
-  std::complex<double> rate;  ///< s, 1/s: its real part is the growth rate; imaginary part not negative
-  double residual{};          ///< of the linearised equations of all unknowns, as part of what the motion stores
-  Eigen::Index column{};      ///< of all pads, where the top foil moves most
+  std::complex<double> rate{};  ///< s, 1/s: its real part is the growth rate; imaginary part not negative
+  double residual{};            ///< of the linearised equations of all unknowns, as part of what the motion stores
+  Eigen::Index column{};        ///< of all pads, where the top foil moves most
+};
+
+/// The same where sliding contacts slip on, and where all closed ones stick.
+struct HeldMotions {
+  std::optional<HeldMotion> sliding, stuck;
+
+  /// Whether both decay; nothing where that is not known.
+  [[nodiscard]] std::optional<bool> is_stable() const;
 };
 
 /// Takes a running bearing from state to state: gas film, sagging top foil, bump foil, unilateral contact and Coulomb
@@ -139,6 +147,9 @@ class FilmStepper {
   /// as in stiffness().
   /// @return nothing if the modes leave a singular system, or the equations of all unknowns are not met to 1e-8
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck = false);
+
+  /// Both. Where no contact slips they are one.
+  [[nodiscard]] HeldMotions held_motions(const BearingState& state);
 
   [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
   [[nodiscard]] const FilmBearingOptions& options() const { return options_; }

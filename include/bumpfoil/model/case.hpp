@@ -183,6 +183,7 @@ struct EquilibriumSettings {
   std::vector<Eigen::Vector2d> positions{};  ///< of the journal, m; empty with loads
   FilmPath path{FilmPath::load_ramp};
   ComparedPaths paths{ComparedPaths::two};  ///< of one run; sweeps and ensembles take one path
+  bool prefer_stable{};                     ///< look for another state by other paths where one is unstable
   int steps{10};                            ///< equal increments of the ramp to the first state of a path
   std::vector<double> frequencies{};  ///< of motions for which coefficients are computed, rad/s; none: that of the
                                       ///< rotation

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -62,10 +61,6 @@ std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state
     if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
   }
   return whirls;
-}
-
-bool any_slips(const BearingState& state) {
-  return std::any_of(state.contacts.mode.begin(), state.contacts.mode.end(), slips);
 }
 
 /// Walks along paths and keeps what is found.
@@ -129,8 +124,7 @@ class PathWalker {
     if (moving || stuck) {
       found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
     }
-    found.held = stepper_.held_motion(*state_);
-    found.stuck_held = any_slips(*state_) ? stepper_.held_motion(*state_, true) : found.held;
+    found.held = stepper_.held_motions(*state_);
     found.whirls = whirls_at(stepper_, *state_, frequencies_of(settings_, state_->speed));
     find_stresses(found);
   }
@@ -270,13 +264,26 @@ std::vector<std::vector<OperatingPoint>> chains_of(FilmPath path, const Equilibr
   return chains;
 }
 
-}  // namespace
-
-std::optional<bool> RunningState::is_stable() const {
-  const auto grows = [](const std::optional<HeldMotion>& motion) { return motion && motion->rate.real() >= 0.0; };
-  if (grows(held) || grows(stuck_held)) return false;
-  return held && stuck_held ? std::optional(true) : std::nullopt;
+/// The first stable state among those that other paths lead to, to the point of an unstable one.
+std::optional<RunningState> stable_instead(const EquilibriumResult& result, const EquilibriumSettings& equilibrium,
+                                           double thickness_floor, const RunningState& unstable,
+                                           const std::function<bool(double)>& progress) {
+  EquilibriumSettings alone = equilibrium;
+  alone.speeds = {unstable.asked.speed};
+  (unstable.asked.by_load() ? alone.loads : alone.positions) = {unstable.asked.journal};
+  for (const FilmPath path : possible_paths(equilibrium)) {
+    if (path == unstable.path && !unstable.before) continue;
+    EquilibriumResult other = find_states(result.bearing, alone, thickness_floor, {path}, progress);
+    RunningState& found = other.states.front();
+    if (found.report.status == Status::interrupted) return std::nullopt;
+    if (!found.found() || found.held.is_stable() != true) continue;
+    found.instead_of_unstable = true;
+    return std::move(found);
+  }
+  return std::nullopt;
 }
+
+}  // namespace
 
 bool EquilibriumResult::converged() const {
   const auto found = [](const auto& one) { return one.found(); };
@@ -352,7 +359,16 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
                                   const std::function<bool(double)>& progress) {
   const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
   if (paths.empty()) paths.push_back(input.equilibrium->path);
-  return find_states(bearing, *input.equilibrium, input.film.h_floor, paths, progress);
+  EquilibriumResult result = find_states(bearing, *input.equilibrium, input.film.h_floor, paths, progress);
+  if (!input.equilibrium->prefer_stable || paths.size() > 1) return result;
+  for (RunningState& state : result.states) {
+    if (!state.found() || state.held.is_stable() != false) continue;
+    const auto keep_going = [&](double) { return !progress || progress(1.0); };
+    if (auto better = stable_instead(result, *input.equilibrium, input.film.h_floor, state, keep_going)) {
+      state = std::move(*better);
+    }
+  }
+  return result;
 }
 
 EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,

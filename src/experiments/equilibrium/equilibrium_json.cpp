@@ -77,6 +77,7 @@ Json limit_json(const FilmLimit& limit) {
           {"status", name_of(limit.status)},
           {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
           {"jumps", limit.jumps},
+          {"stable", limit.stable ? Json(*limit.stable) : Json()},
           {"thick", point_json(limit.thick, limit.h_thick)},
           {"thin", point_json(limit.thin, limit.h_thin)}};
 }

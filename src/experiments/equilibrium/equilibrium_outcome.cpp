@@ -21,8 +21,8 @@ constexpr double linear_part = 0.1;
 
 /// What flutters in an unstable state, where, and what helps.
 std::string flutter_text(const FilmBearing& bearing, const RunningState& state) {
-  const bool sliding = state.held && (!state.stuck_held || state.held->rate.real() >= state.stuck_held->rate.real());
-  const HeldMotion& motion = sliding ? *state.held : *state.stuck_held;
+  const auto& [sliding, stuck] = state.held;
+  const HeldMotion& motion = sliding && (!stuck || sliding->rate.real() >= stuck->rate.real()) ? *sliding : *stuck;
   const HeldPlace place = held_place(bearing, motion);
   const FilmPad& pad = bearing.pads[place.pad];
   const double per_revolution = 2.0 * std::numbers::pi * motion.rate.real() / std::abs(state.last->speed);
@@ -87,11 +87,15 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
                       "states exist at this point: compare with --paths",
                       name_of_state(state), times_text(state.report.jumps)));
     }
+    if (state.instead_of_unstable) {
+      lines.push_back(fmt::format("{}: stable; the path of the case leads to an unstable state at this point",
+                                  name_of_state(state)));
+    }
     if (const int bumps = lifted_bumps_at_entry(*result.bearing, state); bumps > 1 && lifted++ == 0) {
       first_lifted = fmt::format("{}: {} bumps", name_of_state(state), bumps);
     }
     if (result.bearing->has_foils()) {
-      const std::optional<bool> stable = state.is_stable();
+      const std::optional<bool> stable = state.held.is_stable();
       if (!stable) ++unknown;
       if (!stable.value_or(true) && unstable++ == 0) {
         first_unstable = fmt::format("{}: {}", name_of_state(state), flutter_text(*result.bearing, state));
@@ -116,6 +120,9 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     compare("bump foil", state.bump_foil_stress, input.bump_foil.yield_stress);
   }
   for (const FilmLimit& limit : result.limits) {
+    if (limit.found() && !limit.stable.value_or(true)) {
+      lines.push_back(fmt::format("{}: the state there is unstable with the journal held", name_of_limit(limit)));
+    }
     if (!limit.found() || limit.jumps == 0) continue;
     lines.push_back(fmt::format("{}: the branch of states ended {} on the path, and the foil jumped to another one",
                                 name_of_limit(limit), times_text(limit.jumps)));

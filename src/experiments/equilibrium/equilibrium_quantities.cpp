@@ -79,13 +79,19 @@ double whirl_damping(const FilmBearing&, const RunningState& state) {
   return (*(state.whirls.front().*member))(row, column).imag() / state.whirls.front().frequency;
 }
 
-template <std::optional<HeldMotion> RunningState::*member>
-double held_growth(const FilmBearing&, const RunningState& state) {
-  return state.*member ? (*(state.*member)).rate.real() / std::abs(state.last->speed) : absent;
+/// Of a motion with the journal held, over the speed of rotation.
+double over_speed(double rate, const RunningState& state) {
+  return rate / std::abs(state.last->speed);
 }
-template <std::optional<HeldMotion> RunningState::*member>
+template <std::optional<HeldMotion> HeldMotions::*member>
+double held_growth(const FilmBearing&, const RunningState& state) {
+  const auto& motion = state.held.*member;
+  return motion ? over_speed(motion->rate.real(), state) : absent;
+}
+template <std::optional<HeldMotion> HeldMotions::*member>
 double held_whirl_ratio(const FilmBearing&, const RunningState& state) {
-  return state.*member ? (*(state.*member)).rate.imag() / std::abs(state.last->speed) : absent;
+  const auto& motion = state.held.*member;
+  return motion ? over_speed(motion->rate.imag(), state) : absent;
 }
 
 template <int FilmReport::*member>
@@ -228,27 +234,27 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"stable", "",
      "whether film and foils stay at the state with the journal held: no motion grows, sliding or full stick",
      [](const B&, const S& state) {
-       const std::optional<bool> stable = state.is_stable();
+       const std::optional<bool> stable = state.held.is_stable();
        return stable ? static_cast<double>(*stable) : absent;
      },
      csv | of_foils | shown_first | sampled, "stable, journal held", shown::unitless, yes_or_no},
     {"growth_held", "1",
      "growth rate over the speed of rotation, film and foils with the journal held: largest real part, unstable if "
      "positive; sliding contacts keep sliding",
-     held_growth<&S::held>, csv | of_foils | shown_first | sampled, "growth, journal held", shown::unitless},
-    {"whirl_ratio_held", "1", "angular frequency of growth_held over the speed of rotation", held_whirl_ratio<&S::held>,
-     csv | of_foils | sampled, "  whirl ratio", shown::unitless},
-    {"growth_held_theta", "degree", "angle from the weld along the foil where the top foil moves most in that motion",
+     held_growth<&HeldMotions::sliding>, csv | of_foils | shown_first | sampled, "growth, journal held",
+     shown::unitless},
+    {"whirl_ratio_held", "1", "angular frequency of growth_held over the speed of rotation",
+     held_whirl_ratio<&HeldMotions::sliding>, csv | of_foils | sampled, "  whirl ratio", shown::unitless},
+    {"growth_held_theta", "degree",
+     "angle from the weld along the foil where the top foil moves most in the motion of growth_held",
      [](const B& bearing, const S& state) {
-       if (!state.held) return absent;
-       const HeldPlace place = held_place(bearing, *state.held);
-       return to_degrees(place.theta);
+       return state.held.sliding ? to_degrees(held_place(bearing, *state.held.sliding).theta) : absent;
      },
      of_foils, "  at, from the weld", shown::degrees},
     {"growth_held_stuck", "1", "growth rate over the speed of rotation, journal held, full stick",
-     held_growth<&S::stuck_held>, csv | of_foils | sampled},
+     held_growth<&HeldMotions::stuck>, csv | of_foils | sampled},
     {"whirl_ratio_held_stuck", "1", "angular frequency of growth_held_stuck over the speed of rotation",
-     held_whirl_ratio<&S::stuck_held>, csv | of_foils},
+     held_whirl_ratio<&HeldMotions::stuck>, csv | of_foils},
     {"whirl_frequency", "rad/s", "first frequency of small motions; default: that of the rotation (synchronous)",
      [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; }, of_foils,
      "whirl frequency", shown::revolutions},

@@ -36,6 +36,10 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
                "number of paths: \"two\" compares the states with those of a second path and reports where they "
                "differ; \"one\" does not; \"all\" keeps the states of every path. Sweeps and ensembles use one"},
               equilibrium.paths);
+  keys.value(
+      {"prefer_stable", defaulted, "Prefer stable states",
+       "true: where a state is unstable with the journal held, look for a stable one by the other paths from rest"},
+      &equilibrium.prefer_stable);
   keys.value({"steps", defaulted, "Steps", "equal increments of the ramp to the first state of a path"},
              &equilibrium.steps);
   keys.value({"frequencies", optional, "Frequencies",

@@ -49,6 +49,7 @@ class LimitSearch {
     limit.h_thick = thick.h;
     limit.h_thin = thin.h;
     limit.jumps = std::max(thick.jumps, thin.jumps);
+    limit.stable = stepper_.held_motions(thick.state).is_stable();
     const double part = std::isnan(thin.h) ? 0.0 : (thick.h - threshold_) / (thick.h - thin.h);
     limit.value = size_of(limit.thick) + part * (size_of(limit.thin) - size_of(limit.thick));
     return limit;
@@ -64,7 +65,8 @@ class LimitSearch {
             .h_thick = absent,
             .h_thin = absent,
             .value = absent,
-            .jumps = 0};
+            .jumps = 0,
+            .stable = {}};
   }
 
  private:

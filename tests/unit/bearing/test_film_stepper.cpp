@@ -91,5 +91,30 @@ TEST(FilmStepper, ImpedanceAtRestIsTheStiffness) {
   }
 }
 
+TEST(HeldMotions, AreStableWhereBothDecay) {
+  HeldMotions motions;
+  EXPECT_FALSE(motions.is_stable().has_value());
+  motions.sliding = HeldMotion{.rate = {-1.0, 2.0}};
+  EXPECT_FALSE(motions.is_stable().has_value());  // the other one may grow
+  motions.stuck = HeldMotion{.rate = {-1.0, 0.0}};
+  EXPECT_EQ(motions.is_stable(), true);
+  motions.stuck->rate = 0.5;
+  EXPECT_EQ(motions.is_stable(), false);
+  motions.sliding.reset();
+  EXPECT_EQ(motions.is_stable(), false);
+}
+
+TEST(HeldMotions, AreOneWhereNoContactSlips) {
+  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
+  BearingState state;
+  ASSERT_EQ(cold_start(stepper, {0.5 * stepper.bearing().clearance, 0.0}, speed_of_rpm(-45000.0), state).status,
+            Status::converged);
+  const HeldMotions motions = stepper.held_motions(state);
+  const auto alone = stepper.held_motion(state, true);
+  ASSERT_TRUE(motions.sliding && motions.stuck && alone);
+  EXPECT_EQ(motions.sliding->rate, motions.stuck->rate);
+  EXPECT_LT(std::abs(alone->rate - motions.stuck->rate), 1e-9 * std::abs(alone->rate));
+}
+
 }  // namespace
 }  // namespace bumpfoil

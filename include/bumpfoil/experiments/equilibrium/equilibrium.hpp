@@ -40,9 +40,7 @@ struct RunningState {
   /// dF/d(x, y) of it, N/m: of further motion, and with all closed contacts stuck; absent where they are singular.
   std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
   std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
-  /// Of film and foils with the journal held, further motion and stuck; absent where no pole is found that solves all
-  /// equations.
-  std::optional<HeldMotion> held, stuck_held;
+  HeldMotions held;                     ///< of it
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
   std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
@@ -56,10 +54,10 @@ struct RunningState {
   /// were not found.
   std::optional<double> lift_off_speed, load_capacity;
 
+  /// Whether this stable state stands for an unstable one that the path of the case leads to: prefer_stable.
+  bool instead_of_unstable{};
+
   [[nodiscard]] bool found() const { return report.status == Status::converged; }
-  /// Whether film and foils stay at the state with the journal held, whether contacts slip on or stick; nothing where
-  /// that is not known.
-  [[nodiscard]] std::optional<bool> is_stable() const;
 };
 
 /// What is varied until the film is as thin as film.h_lift_off.
@@ -78,8 +76,9 @@ struct FilmLimit {
   OperatingPoint thick;                  ///< the neighbour whose film is thicker
   OperatingPoint thin;                   ///< the one whose film is thinner, or which has none
   double h_thick{}, h_thin{};            ///< minimum film thicknesses there, m; not a number where there is no film
-  double value{};  ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
-  int jumps{};     ///< to other branches on the way from the load ramp to the neighbours
+  double value{};                ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
+  int jumps{};                   ///< to other branches on the way from the load ramp to the neighbours
+  std::optional<bool> stable{};  ///< whether film and foils stay at the thicker neighbour, HeldMotions::is_stable()
 
   [[nodiscard]] bool found() const { return status == Status::converged; }
 };
@@ -130,6 +129,10 @@ FilmBearing require_running_bearing(const Case& input);
 /// film.h_floor, or C_r <= 0) are opened before the cold start, C_r to where c is left of it. When the first state is
 /// reached so, or the one at 1.5 times its speed, they close to what they are in `steps` equal increments, load or
 /// position held. Where that is not possible the last state says how far they came.
+///
+/// With `prefer_stable`, on one path, every state that is unstable with the journal held gives way to the first stable
+/// one that another path leads to, from rest to this state alone, if any does. States behind it on its path stay those
+/// that follow from the unstable one.
 ///
 /// Friction refers to the increment before; what is followed inside an increment is cut in steps as small as it takes.
 /// Where a state is not found, those after it on its path are not looked for.

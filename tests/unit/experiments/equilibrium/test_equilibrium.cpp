@@ -66,25 +66,38 @@ TEST(Equilibrium, TellsWhetherStatesLast) {
   ASSERT_TRUE(result.converged());
   for (const RunningState& state : result.states) {
     const bool at_weld = state.asked.speed < 0.0;
-    ASSERT_TRUE(state.held && state.stuck_held);
-    EXPECT_EQ(state.is_stable(), at_weld);
-    EXPECT_EQ(state.held->rate.real() < 0.0, at_weld);
-    EXPECT_EQ(state.stuck_held->rate.real() < 0.0, at_weld);
-    EXPECT_NE(state.held->rate, state.stuck_held->rate);
+    const auto& [sliding, stuck] = state.held;
+    ASSERT_TRUE(sliding && stuck);
+    EXPECT_EQ(state.held.is_stable(), at_weld);
+    EXPECT_EQ(sliding->rate.real() < 0.0, at_weld);
+    EXPECT_EQ(stuck->rate.real() < 0.0, at_weld);
+    EXPECT_NE(sliding->rate, stuck->rate);
   }
 }
 
-TEST(RunningState, IsStableWhereBothMotionsDecay) {
-  RunningState state;
-  EXPECT_FALSE(state.is_stable().has_value());
-  state.held = HeldMotion{.rate = {-1.0, 2.0}};
-  EXPECT_FALSE(state.is_stable().has_value());  // the other one may grow
-  state.stuck_held = HeldMotion{.rate = {-1.0, 0.0}};
-  EXPECT_EQ(state.is_stable(), true);
-  state.stuck_held->rate = 0.5;
-  EXPECT_EQ(state.is_stable(), false);
-  state.held.reset();
-  EXPECT_EQ(state.is_stable(), false);
+/// The free end stays detached under 10 N on all paths, and beyond that on the ramp that comes from there.
+TEST(Equilibrium, PrefersStableStatesWhereThereAreAny) {
+  EquilibriumSettings settings{.speeds = {speed_of_rpm(20000.0)}, .loads = {{10.0, 0.0}, {30.0, 0.0}}};
+  const EquilibriumResult as_found = run_equilibrium(running_case(settings));
+  settings.prefer_stable = true;
+  const EquilibriumResult result = run_equilibrium(running_case(settings));
+  ASSERT_EQ(result.states.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(as_found.states[i].held.is_stable(), false);
+    EXPECT_FALSE(as_found.states[i].instead_of_unstable);
+    EXPECT_TRUE(result.states[i].found());
+    EXPECT_EQ(result.states[i].asked, as_found.states[i].asked);
+  }
+  EXPECT_EQ(result.states[0].last->position, as_found.states[0].last->position);
+  EXPECT_FALSE(result.states[0].instead_of_unstable);
+  EXPECT_EQ(result.states[1].held.is_stable(), true);
+  EXPECT_TRUE(result.states[1].instead_of_unstable);
+  EXPECT_FALSE(result.states[1].before.has_value());                                  // from rest
+  EXPECT_LT((result.states[1].outcome->force - settings.loads.back()).norm(), 1e-7);  // N
+  // Several paths are kept as they are.
+  const EquilibriumResult both = run_equilibrium(running_case(settings), {FilmPath::load_ramp, FilmPath::speed_ramp});
+  EXPECT_EQ(both.states[1].held.is_stable(), false);
+  EXPECT_EQ(both.states[3].held.is_stable(), true);
 }
 
 TEST(Equilibrium, TabulatesFrequenciesThatCoverTheSpeeds) {

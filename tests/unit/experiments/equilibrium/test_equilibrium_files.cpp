@@ -325,15 +325,17 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   limit.status = Status::converged;
   limit.thick = result.states[0].asked;
   limit.jumps = 2;
+  limit.stable = false;
   const std::vector<std::string> warnings = warning_lines(small_case(), result);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
     return line.starts_with("load capacity at 45000 rpm: the branch of states ended 2 times");
   }));
-  ASSERT_EQ(warnings.size(), before + 3);
+  ASSERT_EQ(warnings.size(), before + 4);
   const auto says = [&](std::string_view what) {
     return std::any_of(warnings.begin(), warnings.end(),
                        [what](const std::string& line) { return line.find(what) != std::string::npos; });
   };
+  EXPECT_TRUE(says("load capacity at 45000 rpm: the state there is unstable with the journal held"));
   EXPECT_TRUE(says("speed_ramp ends in another state, with a minimum film thickness of 3.25 um instead of"));
   EXPECT_TRUE(says("load (30, 0) N: the state is nearly singular: the top foil moves 1e+04 times as far"));
 }
@@ -347,10 +349,10 @@ TEST(EquilibriumLines, WarnOfStatesThatDoNotLast) {
     return lines;
   };
   const Eigen::Index last = result.bearing->columns() - 1;
-  result.states[0].held = result.states[0].stuck_held = HeldMotion{.rate = {-0.1 * speed, 0.0}, .column = last};
-  result.states[1].held = result.states[1].stuck_held = result.states[0].held;
+  result.states[0].held.sliding = result.states[0].held.stuck = HeldMotion{.rate = {-0.1 * speed, 0.0}, .column = last};
+  result.states[1].held = result.states[0].held;
   EXPECT_TRUE(lines_with("unstable").empty());
-  result.states[1].stuck_held = HeldMotion{.rate = speed * std::complex<double>(0.1, 0.5), .column = last};
+  result.states[1].held.stuck = HeldMotion{.rate = speed * std::complex<double>(0.1, 0.5), .column = last};
   const std::vector<std::string> unstable = lines_with("unstable");
   ASSERT_EQ(unstable.size(), 1U);
   for (const std::string_view what :
@@ -358,7 +360,9 @@ TEST(EquilibriumLines, WarnOfStatesThatDoNotLast) {
     EXPECT_NE(unstable.front().find(what), std::string::npos) << what << '\n' << unstable.front();
   }
   EXPECT_TRUE(lines_with("is not known").empty());
-  result.states[0].stuck_held.reset();
+  result.states[0].instead_of_unstable = true;
+  EXPECT_EQ(lines_with("load (30, 0) N: stable; the path of the case leads to an unstable state").size(), 1U);
+  result.states[0].held.stuck.reset();
   EXPECT_EQ(lines_with("is not known").size(), 1U);
 }
 
