@@ -6,6 +6,7 @@
 
 #include "bumpfoil/case/case_reader.hpp"
 #include "bumpfoil/case/case_writer.hpp"
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -41,7 +42,7 @@ void add_check_command(CLI::App& program, Session& session) {
       "can run it, and why others cannot. If none can, that is an error.");
   command->callback([options, &session] {
     const CheckedCase checked = check_case(read_case_text(options->case_path), options->case_path, options->overrides);
-    if (!session.quiet) print_some("warning: ", checked.input.remarks);
+    if (!session.quiet) print_some("warning: ", case_warnings(checked.input));
     if (!session.quiet) print_output(case_to_toml(checked.input) + verdicts(checked.commands));
   });
 }

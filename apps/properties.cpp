@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
@@ -67,7 +68,7 @@ void add_properties_command(CLI::App& program, Session& /*session*/) {
   command->footer("Example:\n  bumpfoil properties case.toml --set bump_foil.height_reference=midsurface");
   command->callback([options] {
     const Case input = read_case(options->case_path, {.overrides = options->overrides, .commands = {}});
-    print_some("warning: ", input.remarks);
+    print_some("warning: ", case_warnings(input));
     print_output(options->json ? json_of(place_pads(input)) : text_of(input));
   });
 }

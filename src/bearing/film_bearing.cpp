@@ -9,7 +9,7 @@
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
-#include "bumpfoil/structure/top_foil.hpp"
+#include "bumpfoil/structure/section.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -48,19 +48,45 @@ BlockTridiagonal bump_foils_alone(const FoilStructure& structure, const std::vec
   return K;
 }
 
+/// The mean of all pitches, m: their own where they are equal, to the last bit.
+double mean_pitch(const std::vector<BumpShape>& bumps) {
+  const double first = bumps.front().pitch;
+  double beyond = 0.0;
+  for (const BumpShape& bump : bumps) beyond += bump.pitch - first;
+  return first + beyond / static_cast<double>(bumps.size());
+}
+
+/// Intervals of a film in units of the mean pitch over columns_per_pitch: half of that number on each half of a pitch,
+/// all of one length there, and on the overhang as many as come nearest to the length of those before it, but two.
+Vector film_intervals(const FoilDesign& foils, int columns_per_pitch, double pitch) {
+  const int half = columns_per_pitch / 2;
+  const double last = foils.bumps.back().pitch;
+  const double overhang = foils.top_foil->overhang / (0.5 * last);
+  const int beyond = std::max(2, static_cast<int>(std::lround(half * overhang)));
+  const auto bumps = static_cast<Eigen::Index>(foils.bumps.size());
+  Vector intervals((2 * bumps - 1) * half + beyond);
+  for (Eigen::Index i = 0; i < bumps; ++i) {
+    const Eigen::Index count = i + 1 < bumps ? 2 * half : half;
+    intervals.segment(2 * i * half, count).setConstant(foils.bumps[static_cast<std::size_t>(i)].pitch / pitch);
+  }
+  intervals.tail(beyond).setConstant(overhang * half / beyond * last / pitch);
+  return intervals;
+}
+
 FoilFilm make_foil(const PadDesign& design, const FilmScales& scales, const FilmResolution& resolution) {
-  const int bumps = design.bump_foil.bumps;
-  const double pitch = nominal_bump(design.bump_foil).pitch;  // of all, in a valid case
+  const FoilDesign foils = make_bearing_design(design);
+  const auto bumps = static_cast<int>(foils.bumps.size());
+  const double pitch = mean_pitch(foils.bumps);
   const int m = resolution.columns_per_pitch;
   BUMPFOIL_ASSERT(m >= 4 && m % 2 == 0);
   std::vector<int> crests;
-  crests.reserve(static_cast<std::size_t>(bumps));
+  crests.reserve(foils.bumps.size());
   for (int i = 0; i < bumps; ++i) crests.push_back(m / 2 + i * m);
   const double R = design.bearing.radius;
-  const FilmMesh mesh =
-      make_slotted_mesh(bumps * m, resolution.rows, 0.5 * design.bearing.axial_length / R, bumps * pitch / R);
-  return make_foil_film(mesh, scales, make_top_foil_section(make_bearing_design(design)).bending_stiffness, pitch,
-                        std::move(crests));
+  const FilmMesh mesh = make_slotted_mesh(film_intervals(foils, m, pitch), bumps * pitch / R / (bumps * m),
+                                          resolution.rows, 0.5 * design.bearing.axial_length / R);
+  return make_foil_film(mesh, scales, make_top_foil_section(foils).bending_stiffness, pitch, std::move(crests),
+                        make_forming(foils));
 }
 
 }  // namespace
@@ -81,6 +107,14 @@ int FilmBearing::columns() const {
 
 Matrix FilmBearing::field(double value) const {
   return Matrix::Constant(pads.front().foil.mesh.rows + 1, columns(), value);
+}
+
+Matrix FilmBearing::resting_pressure() const {
+  Matrix pressure = field(1.0);
+  for (const FilmPad& pad : pads) {
+    pressure.col(pad.first_column + pad.foil.mesh.columns).head(pad.foil.mesh.rows).setConstant(inlet_pressure);
+  }
+  return pressure;
 }
 
 Matrix FilmBearing::undeformed_thickness(const Eigen::Vector2d& position, double opening) const {
@@ -126,18 +160,26 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
   bearing.sleeve.tail(angles.size()) = sleeve_deviations(alone, angles) + normals.transpose() * placed.centre;
 }
 
+double room_of(const FilmBearing& bearing) {
+  double room = bearing.clearance;
+  for (std::size_t k = 0; k < bearing.placed.size(); ++k) {
+    const double bulge = bearing.assembly.empty() ? 0.0 : bearing.assembly[k].bulge;
+    room = std::min(room, bearing.clearance - bearing.placed[k].lobe - bulge);
+  }
+  return room;
+}
+
 }  // namespace
 
-FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution) {
+FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution,
+                              double inlet_pressure) {
   FilmBearing bearing;
   static_cast<Foils&>(bearing) = foils;
   bearing.under_film = true;
-  bearing.room = foils.clearance;
+  bearing.inlet_pressure = inlet_pressure;
   bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
-  for (const PlacedPad& placed : foils.placed) {
-    bearing.room = std::min(bearing.room, foils.clearance - placed.lobe);
-    append(placed, resolution, bearing);
-  }
+  for (const PlacedPad& placed : foils.placed) append(placed, resolution, bearing);
+  bearing.room = room_of(bearing);
   BlockTridiagonal K = bump_foils_alone(foils.structure, bearing.pads);
   const auto own = foils.problem.sites.begin();  // of a block, without the journal's
   std::vector<ContactSite> sites =
@@ -154,13 +196,27 @@ FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmReso
   return bearing;
 }
 
+FilmBearing formed_by(const FilmBearing& bearing, double part) {
+  FilmBearing other = bearing;
+  for (FilmPad& pad : other.pads) pad.foil.forming *= part;
+  // Contacts under which foils are assembled stay the same, and so does all else that is proportional.
+  for (PadAssembly& pad : other.assembly) {
+    pad.hold_down *= part;
+    pad.load *= part;
+    pad.bulge *= part;
+  }
+  if (part == 0.0) other.assembly.clear();
+  other.room = room_of(other);
+  return other;
+}
+
 BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening) {
   BearingState state;
   state.position = position;
   state.speed = speed;
   state.opening = opening;
   state.contacts = ContactState::unstressed(bearing.problem);
-  state.film = {{bearing.field(1.0), bearing.undeformed_thickness(position, opening)},
+  state.film = {{bearing.resting_pressure(), bearing.undeformed_thickness(position, opening)},
                 Vector::Zero(bearing.columns()),
                 Vector::Zero(bearing.columns())};
   state.contacts.gap = bearing.assembled_gap;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "bumpfoil/bearing/assembly.hpp"
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/single_bump.hpp"
@@ -136,6 +137,7 @@ Foils make_foils(const BearingDesign& design) {
   for (std::size_t k = 1; k < pads.size(); ++k) append(make_pad_foils(pads[k]), foils);
   foils.placed = std::move(pads);
   foils.problem.law = elastic_law(foils.structure);
+  if ((foils.structure.forming.array() != 0.0).any()) foils.assembly = assemble_without_journal(foils);
   return foils;
 }
 
@@ -147,12 +149,12 @@ Foils make_foils(const PadDesign& whole, const StripSettings& strip) {
 }
 
 ContactLoading loading_under(const Foils& foils, const Excitation& excitation) {
-  ContactLoading loading{.initial_gap = foils.assembled_gap, .load = Vector::Zero(foils.problem.K.rows())};
+  ContactLoading loading{.initial_gap = foils.assembled_gap, .load = foils.structure.forming};
   loading.initial_gap(foils.pressed()) += journal_gaps(foils.clearance, foils.normals, excitation.position);
   if (excitation.gap_offset.size() > 0) loading.initial_gap += excitation.gap_offset;
   if (excitation.top_load.size() > 0) {
     BUMPFOIL_ASSERT(foils.has_top_foil());
-    loading.load(foils.top_foil()) = excitation.top_load;
+    loading.load(foils.top_foil()) += excitation.top_load;
   }
   return loading;
 }

@@ -201,6 +201,17 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
              &foil.poisson_ratio);
   keys.value({"yield_stress", optional, "Yield stress", "", "1.1 GPa", pressure, "bump_foil.yield_stress"},
              &foil.yield_stress);
+  keys.value({"formed_radius", optional, "Formed radius",
+              "radius that the foil is formed to before its assembly, by default that of the bearing; 0.25 to 1 % more "
+              "presses its free end on the last bump, or \"seated\": R/(1 - 6 C_r/R)",
+              "19.24 mm", length},
+             &foil.formed_radius);
+  keys.value({"seat_pressure", optional, "Seat pressure",
+              "of a foil whose forming, beside that radius, presses on all bumps alike", "100 Pa", pressure},
+             &foil.seat_pressure);
+  keys.value(
+      {"overhang", optional, "Overhang", "from the last crest to the free end; default: half a pitch", "2 mm", length},
+      &foil.overhang);
 }
 
 /// A table in which a pad says what its foil has otherwise than that of all.
@@ -270,6 +281,7 @@ struct Deviation {
 };
 constexpr Deviation of_height{length, "10 um", "-20 um", "20 um", "[\"3 um\", \"-8 um\", ...]"};
 constexpr Deviation of_thickness{length, "2 um", "-5 um", "5 um", "[\"1 um\", \"-2 um\", ...]"};
+constexpr Deviation of_radius{length, "50 um", "-100 um", "100 um", "[\"40 um\", \"-20 um\", ...]"};
 constexpr Deviation of_friction{{}, "0.02", "-0.05", "0.05", "[0.01, -0.02, ...]"};
 
 void describe(CaseVisitor& keys, Distribution& distribution, const Deviation& deviation) {
@@ -335,6 +347,7 @@ void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
   scatter("friction_top_bump", "Scatter of friction, top foil on bumps", ensemble.friction_top_bump, of_friction);
   scatter("friction_bump_sleeve", "Scatter of friction, bumps on sleeve", ensemble.friction_bump_sleeve, of_friction);
   scatter("radial_clearance", "Scatter of the radial clearance", ensemble.radial_clearance, of_thickness);
+  scatter("formed_radius", "Scatter of the formed radius", ensemble.formed_radius, of_radius);
   optional_table(keys, {"sleeve_waviness", optional, "Random waviness of the sleeve", "waves with a random phase"},
                  ensemble.sleeve_waviness, [](CaseVisitor& inner, WavinessScatter& waves) { describe(inner, waves); });
 }

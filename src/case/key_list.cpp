@@ -31,6 +31,9 @@ struct KindOf {
   std::string operator()(const std::optional<double>*) const { return std::string(noun(key)); }
   std::string operator()(const std::vector<double>*) const { return "list of " + plural(noun(key)); }
   std::string operator()(const PerBump*) const { return fmt::format("{}, list or law", noun(key)); }
+  std::string operator()(const FormedRadius*) const {
+    return fmt::format("{} or \"{}\"", noun(key), name_of(FormedTo::seated));
+  }
 };
 
 Json json_of(const std::optional<double>* number) {
@@ -43,6 +46,10 @@ Json json_of(const PerBump* dimension) {
   if (dimension->is_list()) return dimension->values;
   if (!dimension->law) return dimension->values.front();
   return {{"start", dimension->values.front()}, {"end", dimension->values.back()}, {"law", name_of(*dimension->law)}};
+}
+Json json_of(const FormedRadius* formed) {
+  if (formed->to == FormedTo::bearing) return {};
+  return formed->to == FormedTo::radius ? Json(formed->radius) : Json(name_of(formed->to));
 }
 template <typename T>
 Json json_of(const T* value) {

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <variant>
 
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/validation.hpp"
 #include "case/toml_document.hpp"
 #include "core/number_text.hpp"
@@ -137,6 +138,17 @@ void ValueReader::operator()(PerBump* value) const {
     (*this)(&common);
     *value = common;
   }
+}
+
+void ValueReader::operator()(FormedRadius* value) const {
+  constexpr std::string_view seated = name_of(FormedTo::seated);
+  if (node.value_or(std::string()) == seated) {
+    *value = {FormedTo::seated};
+    return;
+  }
+  std::optional<double> radius;
+  ValueReader{log, path, node, dimension, fmt::format(", or \"{}\"", seated)}(&radius);
+  if (radius) *value = {FormedTo::radius, *radius};
 }
 
 void ValueReader::operator()(std::vector<double>* value) const {

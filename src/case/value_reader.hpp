@@ -34,6 +34,7 @@ struct ValueReader {
   void operator()(double* value) const;
   void operator()(std::optional<double>* value) const;
   void operator()(PerBump* value) const;
+  void operator()(FormedRadius* value) const;
 
   /// Entries that are faulty become zero.
   void operator()(std::vector<double>* value) const;

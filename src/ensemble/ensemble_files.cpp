@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bumpfoil/ensemble/ensemble_table.hpp"
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "ensemble/ensemble_dataset.hpp"
 #include "ensemble/ensemble_summary.hpp"
 #include "results/result_files.hpp"
@@ -51,7 +52,7 @@ void stage_ensemble(const Case& input, const EnsembleLayout& layout, const Ensem
                       .command = "montecarlo",
                       .status = status,
                       .message = message_of(layout, statistics, status == RunStatus::interrupted, due),
-                      .warnings = input.remarks,
+                      .warnings = case_warnings(input),
                       .provenance = provenance},
                      netcdf_name, "use fewer samples", ensemble_dataset(input, layout, log),
                      ensemble_lists(input, layout, statistics, yields), folder);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "core/number_text.hpp"
 
 namespace bumpfoil {
@@ -48,7 +49,7 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
 
 std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
                                        const EnsembleStatistics& statistics) {
-  std::vector<std::string> lines = input.remarks;
+  std::vector<std::string> lines = case_warnings(input);
   const auto column = [&](std::string_view name) {
     const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
                                     [name](const EnsembleColumn& one) { return one.meaning.name == name; });

@@ -53,7 +53,8 @@ CycleRun make_cycle_run(const Case& input) {
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  return make_film_bearing(*make_bearing_foils(input, {"equilibrium"}), gas, resolution);
+  const double inlet_pressure = input.film.inlet_pressure.value_or(gas.ambient_pressure) / gas.ambient_pressure;
+  return make_film_bearing(*make_bearing_foils(input, {"equilibrium"}), gas, resolution, inlet_pressure);
 }
 
 FilmBearing make_film_bearing(const Case& input) {

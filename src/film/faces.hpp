@@ -98,7 +98,7 @@ void for_each_column_face(const ReynoldsEquation& equation, const FilmState& fil
     for (int j = 0; j <= mesh.rows; ++j) {
       visit(j, a, b, mesh.row_weight(j) * mesh.dzeta,
             column_flux(node_of(film, j, a), node_of(film, j, b), equation.bearing_number, equation.knudsen,
-                        mesh.dtheta));
+                        mesh.interval(a)));
     }
   }
 }

@@ -19,6 +19,7 @@ double dissipating_conductance(const FilmNode& a, const FilmNode& b, double knud
 FilmIntegrals film_integrals(const ReynoldsEquation& equation, const FilmState& film) {
   const FilmMesh& mesh = equation.mesh;
   const double Kn = equation.knudsen;
+  const Vector theta = mesh.angles();
   FilmIntegrals sum;
   for (int k = 0; k < mesh.nodes(); ++k) {
     double excess = 0.0;
@@ -33,8 +34,8 @@ FilmIntegrals film_integrals(const ReynoldsEquation& equation, const FilmState& 
       sum.dissipation +=
           mesh.column_weight(k) * mesh.dtheta * rise * rise / mesh.dzeta * dissipating_conductance(node, next, Kn);
     }
-    sum.cosine += excess * std::cos(k * mesh.dtheta);
-    sum.sine += excess * std::sin(k * mesh.dtheta);
+    sum.cosine += excess * std::cos(theta[k]);
+    sum.sine += excess * std::sin(theta[k]);
   }
   for (int a = 0; a < mesh.columns; ++a) {
     const int b = mesh.next(a);
@@ -44,7 +45,7 @@ FilmIntegrals film_integrals(const ReynoldsEquation& equation, const FilmState& 
       const double width = mesh.row_weight(j) * mesh.dzeta;
       const double rise = next.pressure - node.pressure;
       sum.poiseuille += width * 0.5 * (node.thickness + next.thickness) * rise;
-      sum.dissipation += width * rise * rise / mesh.dtheta * dissipating_conductance(node, next, Kn);
+      sum.dissipation += width * rise * rise / mesh.interval(a) * dissipating_conductance(node, next, Kn);
     }
   }
   for (double* part : {&sum.cosine, &sum.sine, &sum.couette, &sum.poiseuille, &sum.dissipation}) *part *= both_halves;
@@ -68,14 +69,19 @@ ThinnestPlace thinnest_place(const FilmMesh& mesh, const Matrix& thickness) {
   place.thickness = thickness.minCoeff(&row, &column);
   place.column = static_cast<int>(column);
   place.vertex_thickness = place.thickness;
-  place.vertex_theta = place.column * mesh.dtheta;
+  const double theta = mesh.angles()[column];
+  place.theta = place.vertex_theta = theta;
   const Eigen::Index n = mesh.nodes();
   if (!mesh.closed && (column == 0 || column == n - 1)) return place;
   const double before = thickness(row, (column + n - 1) % n);
   const double after = thickness(row, (column + 1) % n);
-  const double curvature = before - 2.0 * place.thickness + after;
+  // The parabola through the three, where a and b are the intervals before and after.
+  const double a = mesh.intervals[(column + n - 1) % n];
+  const double b = mesh.intervals[column];
+  const double scale = 1.0 / (a * b * (a + b));
+  const double curvature = 2.0 * scale * (b * before - (a + b) * place.thickness + a * after);
   if (curvature <= 0.0) return place;
-  const double slope = 0.5 * (after - before);
+  const double slope = scale * (a * a * after - b * b * before - (a * a - b * b) * place.thickness);
   place.vertex_thickness -= 0.5 * slope * slope / curvature;
   place.vertex_theta -= mesh.dtheta * slope / curvature;
   return place;

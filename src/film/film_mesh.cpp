@@ -1,13 +1,33 @@
 #include "bumpfoil/film/film_mesh.hpp"
 
 #include <numbers>
+#include <utility>
 
 #include "bumpfoil/core/assert.hpp"
 
 namespace bumpfoil {
 
+namespace {
+
+Vector weights_of(const Vector& intervals, bool closed) {
+  const Eigen::Index n = intervals.size();
+  Vector weights = Vector::Zero(closed ? n : n + 1);
+  weights.head(n) = 0.5 * intervals;
+  weights.tail(weights.size() - 1) += 0.5 * intervals.head(weights.size() - 1);
+  if (closed) weights[0] += 0.5 * intervals[n - 1];
+  return weights;
+}
+
+}  // namespace
+
 Vector FilmMesh::angles() const {
-  return dtheta * Vector::LinSpaced(nodes(), 0.0, static_cast<double>(nodes() - 1));
+  Vector places(nodes());
+  double place = 0.0;
+  for (int k = 0; k < nodes(); ++k) {
+    places[k] = dtheta * place;
+    if (k < columns) place += intervals[k];
+  }
+  return places;
 }
 
 Matrix FilmMesh::field(double value) const {
@@ -16,12 +36,19 @@ Matrix FilmMesh::field(double value) const {
 
 FilmMesh make_closed_mesh(int columns, int rows, double half_width) {
   BUMPFOIL_ASSERT(columns >= 3 && rows >= 1);
-  return {columns, rows, 2.0 * std::numbers::pi / columns, half_width / rows, true};
+  const Vector equal = Vector::Ones(columns);
+  return {columns, rows, 2.0 * std::numbers::pi / columns, half_width / rows, true, equal, weights_of(equal, true)};
 }
 
 FilmMesh make_slotted_mesh(int columns, int rows, double half_width, double theta_end) {
+  return make_slotted_mesh(Vector::Ones(columns), theta_end / columns, rows, half_width);
+}
+
+FilmMesh make_slotted_mesh(Vector intervals, double dtheta, int rows, double half_width) {
+  const auto columns = static_cast<int>(intervals.size());
   BUMPFOIL_ASSERT(columns >= 2 && rows >= 1);
-  return {columns, rows, theta_end / columns, half_width / rows, false};
+  Vector weights = weights_of(intervals, false);
+  return {columns, rows, dtheta, half_width / rows, false, std::move(intervals), std::move(weights)};
 }
 
 }  // namespace bumpfoil

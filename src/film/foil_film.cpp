@@ -9,12 +9,14 @@
 namespace bumpfoil {
 
 FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double bending_stiffness, double pitch,
-                        std::vector<int> supports) {
+                        std::vector<int> supports, const Forming& forming) {
   BUMPFOIL_ASSERT(!mesh.closed && !supports.empty());
   FoilFilm foil;
   foil.mesh = mesh;
-  foil.top_foil = make_top_foil_moments(
-      {.radius = scales.radius, .bending_stiffness = bending_stiffness, .theta = mesh.angles().tail(mesh.columns)});
+  const TopFoilBeam beam{
+      .radius = scales.radius, .bending_stiffness = bending_stiffness, .theta = mesh.angles().tail(mesh.columns)};
+  foil.top_foil = make_top_foil_moments(beam);
+  foil.forming = pitch / scales.thickness * forming_rotations(beam, forming);
   foil.pitch = pitch;
   foil.stiffness = bending_stiffness / (pitch * pitch * pitch);
   foil.load_scale = 2.0 * scales.force() * mesh.dtheta * mesh.dzeta / (scales.thickness * foil.stiffness);
@@ -54,6 +56,7 @@ void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, 
                         FoilFilmResidual& residual) {
   reynolds_residual(equation, state, residual.film);
   foil_residual(foil, state, residual);
+  residual.compatibility.head(foil.mesh.columns) -= foil.forming;
 }
 
 struct FoilFilmSystem::Workspace {

@@ -18,6 +18,15 @@ const Section* section_of(const std::vector<Section>& sections, std::size_t bump
   return found == sections.end() ? nullptr : &*found;
 }
 
+/// kappa_0 R^2 of a seated foil over C_r: its bulge is 0.63 C_r on a rigid sleeve, where it goes all the way round.
+constexpr double clearances_of_seat = 6.0;
+
+/// 1/R - 1/R_f, 1/m.
+double flattening_of(const PadDesign& pad) {
+  if (pad.bearing.is_flat() || pad.top_foil.formed_radius.to == FormedTo::bearing) return 0.0;
+  return 1.0 / pad.bearing.radius - 1.0 / formed_radius(pad.top_foil.formed_radius, pad.bearing);
+}
+
 }  // namespace
 
 double nominal_height(const BumpFoil& foil, std::size_t bump) {
@@ -79,6 +88,18 @@ double deviation_at(const RadiusProfile& profile, double phi) {
   return sum + first + (profile.deviations[(before + 1) % count] - first) * (place - static_cast<double>(before));
 }
 
+double formed_radius(const FormedRadius& formed, const Bearing& bearing) {
+  switch (formed.to) {
+    case FormedTo::seated:
+      return bearing.radius / (1.0 - clearances_of_seat * bearing.radial_clearance / bearing.radius);
+    case FormedTo::radius:
+      return formed.radius;
+    case FormedTo::bearing:
+      break;
+  }
+  return bearing.radius;
+}
+
 FoilDesign make_bearing_design(const PadDesign& pad) {
   const BumpFoil& foil = pad.bump_foil;
   FoilDesign foils{.model = foil.model,
@@ -98,9 +119,17 @@ FoilDesign make_bearing_design(const PadDesign& pad) {
   if (foil.model != BumpFoilModel::former) {
     foils.top_foil = {.thickness = pad.top_foil.thickness,
                       .youngs_modulus = pad.top_foil.youngs_modulus,
-                      .poisson_ratio = pad.top_foil.poisson_ratio};
+                      .poisson_ratio = pad.top_foil.poisson_ratio,
+                      .overhang = pad.top_foil.overhang.value_or(0.5 * foils.bumps.back().pitch),
+                      .flattening = flattening_of(pad),
+                      .seat_pressure = pad.top_foil.seat_pressure.value_or(0.0)};
   }
   return foils;
+}
+
+bool is_formed(const PadDesign& pad) {
+  return pad.bump_foil.model != BumpFoilModel::former &&
+         (flattening_of(pad) != 0.0 || pad.top_foil.seat_pressure.value_or(0.0) != 0.0);
 }
 
 PadDesign cut_to(const PadDesign& whole, int bumps) {
@@ -134,7 +163,9 @@ Vector foot_angles(const PadDesign& pad) {
 
 double foil_angle(const PadDesign& pad) {
   double length = 0.0;
-  for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) length += bump.pitch;
+  double last = 0.0;
+  for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) length += last = bump.pitch;
+  if (pad.top_foil.overhang) length += *pad.top_foil.overhang - 0.5 * last;
   return length / pad.bearing.radius;
 }
 

@@ -240,7 +240,8 @@ JudgedBumpFoil judge_bump_foil(Judge& judge, const BumpFoil& foil, double radius
     judge_thinness(judge, key_of_bump(known, thickness, static_cast<std::size_t>(thickest - shapes.begin())),
                    thickest->thickness, radius);
   }
-  if (usable[pitch] && judged.bumps && radius > 0.0) judge_pitches(judge, known, shapes, radius);
+  judged.pitches = usable[pitch] && judged.bumps;
+  if (judged.pitches && radius > 0.0) judge_pitches(judge, known, shapes, radius);
 
   bool right = true;
   for (std::size_t n = 0; n < shapes.size() && right; ++n) {

@@ -7,8 +7,9 @@ namespace bumpfoil {
 
 /// Properties of a bump foil that other checks need.
 struct JudgedBumpFoil {
-  bool bumps{};   ///< their number is usable
-  double rise{};  ///< of the mid-surface of the tallest nominal bump, m; 0 where it is not known
+  bool bumps{};    ///< their number is usable
+  bool pitches{};  ///< as well as all pitches
+  double rise{};   ///< of the mid-surface of the tallest nominal bump, m; 0 where it is not known
 };
 
 /// Checks the shape of a bump foil, its lists and its shims, not its material.

@@ -7,8 +7,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Makes all pitches of a foil longer by a factor.
-void stretch(BumpFoil& foil, double factor) {
+/// Makes all pitches of a pad's foils longer by a factor, so that the top foil ends at an angle from the weld.
+void stretch(PadDesign& pad, double arc) {
+  const double overhang = pad.top_foil.overhang.value_or(0.0) / pad.bearing.radius;  // is not stretched
+  const double factor = (arc - overhang) / (foil_angle(pad) - overhang);
+  BumpFoil& foil = pad.bump_foil;
   for (double& pitch : foil.pitch.values) pitch *= factor;
   for (BumpSection& section : foil.sections) {
     if (section.pitch) *section.pitch *= factor;
@@ -31,7 +34,7 @@ PlacedPad place_pad(const BearingDesign& design, std::size_t k) {
   alone.bearing.pad_gap.reset();
   if (pad.bump_foil) alone.bump_foil = *pad.bump_foil;
   if (pad.top_foil) alone.top_foil = *pad.top_foil;
-  if (const std::optional<double> arc = arc_of(design, pad)) stretch(alone.bump_foil, *arc / foil_angle(alone));
+  if (const std::optional<double> arc = arc_of(design, pad)) stretch(alone, *arc);
 
   const double arc = foil_angle(alone);
   const double sense = design.bearing.wrap == Wrap::clockwise ? -1.0 : 1.0;

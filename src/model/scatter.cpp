@@ -6,6 +6,7 @@
 
 #include "bumpfoil/core/assert.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/model/geometry.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -77,6 +78,17 @@ constexpr auto numbers = std::to_array<ScatteredNumber>({
      [](BearingDesign& bearing, double deviation) { bearing.friction.bump_sleeve += deviation; }},
     {"radial_clearance", "m", "deviation of the radial clearance", &MonteCarloSettings::radial_clearance,
      [](BearingDesign& bearing, double deviation) { bearing.bearing.radial_clearance += deviation; }},
+    {"formed_radius", "m", "deviation of the radius that the top foil is formed to", &MonteCarloSettings::formed_radius,
+     [](BearingDesign& bearing, double deviation) {
+       if (deviation == 0.0) return;  // what is not formed stays so
+       const auto shift_of = [&](TopFoil& foil) {
+         foil.formed_radius = {FormedTo::radius, formed_radius(foil.formed_radius, bearing.bearing) + deviation};
+       };
+       shift_of(bearing.top_foil);
+       for (Pad& pad : bearing.pads) {
+         if (pad.top_foil) shift_of(*pad.top_foil);
+       }
+     }},
 });
 
 }  // namespace

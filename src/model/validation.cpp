@@ -18,6 +18,7 @@
 #include "model/judge_bump_foil.hpp"
 #include "model/judge_montecarlo.hpp"
 #include "model/judge_pads.hpp"
+#include "model/judge_top_foil.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -142,6 +143,9 @@ bool any_concerns_all(const std::vector<JudgedFault>& faults) {
 /// Errors of a single pad, other than those of the bearing.
 std::vector<JudgedFault> find_faults_of_pad(Case alone, std::size_t pad, double lobe,
                                             const std::vector<JudgedFault>& known) {
+  if (alone.top_foil.formed_radius.to == FormedTo::seated && alone.bearing.radial_clearance > 0.0) {
+    alone.top_foil.formed_radius = {FormedTo::radius, formed_radius(alone.top_foil.formed_radius, alone.bearing)};
+  }
   // On a preloaded pad the journal flattens the bumps earlier.
   alone.bearing.radial_clearance -= std::max(lobe, 0.0);
   std::vector<JudgedFault> faults = judge_case(alone);
@@ -207,6 +211,7 @@ std::vector<JudgedFault> judge_case(const Case& input) {
     if (judge.within("top_foil.thickness", top.thickness, length_range) && radius) {
       judge_thinness(judge, "top_foil.thickness", top.thickness, usable_radius);
     }
+    judge_top_foil(judge, input, judged, usable_radius);
   }
   judge.within("friction.top_bump", input.friction.top_bump, coefficient_range);
   judge.within("friction.bump_sleeve", input.friction.bump_sleeve, coefficient_range);

@@ -20,6 +20,9 @@ constexpr double near_start = 0.1;
 constexpr double largest_change_ratio = 4.0;
 constexpr double shortest_bounded_step = 1e-3;
 
+/// How far from the journal foils are assembled, in bulges: further than one step of the film may thin it.
+constexpr double bulges_away = 10.0;
+
 /// Time steps of adapted length until nothing moves, and then one that takes no time.
 class RestSearch {
  public:
@@ -109,6 +112,26 @@ FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, Bearing
   return search.report();
 }
 
+BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, double opening) {
+  const FilmBearing& bearing = stepper.bearing();
+  BearingState foils = resting(bearing, position, speed, opening);
+  if (bearing.assembly.empty()) return foils;
+  // Far from the journal, in gas that nothing moves or feeds, one step of Newton's method is exact.
+  const Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double bulge = 0.0;
+  for (const PadAssembly& pad : bearing.assembly) bulge = std::max(bulge, pad.bulge);
+  const OperatingPoint far = OperatingPoint::held_at(centre, 0.0, bulges_away * bulge + bearing.scales.thickness);
+  BearingState state = resting(bearing, centre, 0.0, far.opening);
+  state.film.pressure = bearing.field(1.0);
+  if (stepper.solve(stepper.move_to(far), state).status != Status::converged) return foils;
+  foils.contacts = std::move(state.contacts);
+  foils.film.lift = std::move(state.film.lift);
+  foils.film.moment = std::move(state.film.moment);
+  foils.film.thickness.rowwise() += foils.film.lift.transpose();
+  foils.begin_increment();
+  return foils;
+}
+
 FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& state) {
   state.begin_increment();
   return march_to_rest(stepper, to, state);
@@ -116,7 +139,7 @@ FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& 
 
 FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, BearingState& state,
                       double opening) {
-  BearingState start = resting(stepper.bearing(), position, speed, opening);
+  BearingState start = assembled(stepper, position, speed, opening);
   const FilmReport report = settle(stepper, OperatingPoint::held_at(position, speed, opening), start);
   if (report.status == Status::converged) state = std::move(start);
   return report;

@@ -47,6 +47,23 @@ void assemble_top_foil(const TopFoilMoments& form, double moment_scale, const Bu
   }
 }
 
+/// Adds what the forming of the top foil adds to the right-hand side of K x.
+/// @param rotations  forming_rotations()
+void add_forming(const TopFoilMoments& form, double moment_scale, const Vector& rotations, FoilStructure& structure) {
+  const Eigen::Index size = structure.dofs.size;
+  const Eigen::Index first = structure.first_bump * size;
+  for (Eigen::Index j = 1; j < rotations.size(); ++j) {
+    structure.forming[first + (j - 1) * size + structure.dofs.top_moment] += moment_scale * rotations[j];
+  }
+  // Weld: M_0 = (u_1 / (R sin d_0) - T_01 M_1 - r_0) / T_00.
+  const double moment = rotations[0] / form.compliance_diagonal[0];
+  structure.forming[first + structure.dofs.top_u] += form.inverse_sine[0] * moment;
+  if (rotations.size() > 1) {
+    structure.forming[first + structure.dofs.top_moment] -= moment_scale * form.compliance_off[0] * moment;
+  }
+  structure.forming_energy += 0.5 * rotations[0] * moment;
+}
+
 /// Holds unknowns without meaning: nothing has been coupled to them.
 void hold_unused(const FoilStructure& structure, double stiffness, BlockTridiagonal& K) {
   const BumpDofs& dofs = structure.dofs;
@@ -75,12 +92,12 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   const Eigen::Index blocks = structure.K.blocks();
   const auto moments = Eigen::seqN(m, blocks, size);
   x(moments).setZero();
-  Vector kinks(blocks);
+  Vector kinks = -structure.forming(moments);
   Vector diagonal(blocks);
   Vector off(blocks - 1);
   for (Eigen::Index b = 0; b < blocks; ++b) {
     const Matrix& own = structure.K.diagonal[static_cast<std::size_t>(b)];
-    kinks[b] = own.col(m).dot(x.segment(b * size, size));
+    kinks[b] += own.col(m).dot(x.segment(b * size, size));
     if (b > 0) {
       kinks[b] += structure.K.upper[static_cast<std::size_t>(b - 1)].col(m).dot(x.segment((b - 1) * size, size));
     }
@@ -94,14 +111,17 @@ Vector with_compatible_moments(const FoilStructure& structure, Vector x) {
   return x;
 }
 
-/// Forces of all that is linear on the displacements alone: with compatible moments, whose rows are zero then.
-Vector linear_forces(const FoilStructure& structure, const Vector& x) {
+/// Forces of all that is linear on the displacements alone, and their energy: with compatible moments, whose rows are
+/// zero then.
+ElasticResponse linear_response(const FoilStructure& structure, const Vector& x) {
   const BlockTridiagonal& K = structure.large_displacements ? structure.large_displacements->rest : structure.K;
-  Vector forces = K.multiply(with_compatible_moments(structure, x));
+  const Vector compatible = with_compatible_moments(structure, x);
+  ElasticResponse response{.forces = K.multiply(compatible) - structure.forming, .energy = 0.0};
   if (const Eigen::Index m = structure.dofs.top_moment; m >= 0) {
-    forces(Eigen::seqN(m, Eigen::Index{structure.K.blocks()}, Eigen::Index{structure.dofs.size})).setZero();
+    response.forces(Eigen::seqN(m, Eigen::Index{structure.K.blocks()}, Eigen::Index{structure.dofs.size})).setZero();
   }
-  return forces;
+  response.energy = 0.5 * x.dot(response.forces) + (structure.forming_energy - 0.5 * compatible.dot(structure.forming));
+  return response;
 }
 
 }  // namespace
@@ -130,9 +150,14 @@ FoilStructure make_foil_structure(const FoilDesign& foils) {
   structure.dofs = make_bump_dofs(foils);
   structure.first_bump = block_of_bump_1(foils);
   structure.K = BlockTridiagonal(structure.first_bump + static_cast<int>(foils.bumps.size()), structure.dofs.size);
+  structure.forming.setZero(structure.K.rows());
   if (foils.top_foil) {
-    assemble_top_foil(make_top_foil_moments(foils), top_moment_scale(foils), structure.dofs, structure.first_bump,
-                      structure.K);
+    const TopFoilMoments form = make_top_foil_moments(foils);
+    const double moment_scale = top_moment_scale(foils);
+    assemble_top_foil(form, moment_scale, structure.dofs, structure.first_bump, structure.K);
+    if (foils.radius) {
+      add_forming(form, moment_scale, forming_rotations(make_top_foil_beam(foils), make_forming(foils)), structure);
+    }
   }
   if (!foils.welded) hold_feet(structure.dofs, structure.K);
   const Section section = make_bump_section(foils, foils.bumps.front());
@@ -169,6 +194,10 @@ void append(const FoilStructure& pad, FoilStructure& foils) {
     foils.large_displacements->rest.append(pad.large_displacements->rest);
   }
   foils.K.append(pad.K);
+  const Eigen::Index before = foils.forming.size();
+  foils.forming.conservativeResize(before + pad.forming.size());
+  foils.forming.tail(pad.forming.size()) = pad.forming;
+  foils.forming_energy += pad.forming_energy;
 }
 
 Vector internal_forces(const FoilStructure& structure, const Vector& x) {
@@ -193,8 +222,7 @@ BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const 
 }
 
 ElasticResponse elastic_response(const FoilStructure& structure, const Vector& x) {
-  ElasticResponse response{.forces = linear_forces(structure, x), .energy = 0.0};
-  response.energy = 0.5 * x.dot(response.forces);
+  ElasticResponse response = linear_response(structure, x);
   if (structure.large_displacements) {
     for (const ElementChain& chain : structure.large_displacements->bump_foils) {
       response.energy += add_corotational_forces(chain, x, response.forces);

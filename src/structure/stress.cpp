@@ -5,10 +5,11 @@
 namespace bumpfoil {
 namespace {
 
-/// Moment at the weld from those over the first crest and its displacement: the first row of T M = D' u.
-double weld_moment(const TopFoilMoments& form, double first_displacement, double first_moment) {
+/// Moment at the weld from those over the first crest and its displacement: the first row of T M + r = D' u.
+double weld_moment(const StressModel& model, double first_displacement, double first_moment) {
+  const TopFoilMoments& form = *model.top_foil;
   const double coupling = form.size() > 1 ? form.compliance_off[0] * first_moment : 0.0;
-  return (form.inverse_sine[0] * first_displacement - coupling) / form.compliance_diagonal[0];
+  return (form.inverse_sine[0] * first_displacement - coupling - model.weld_rotation) / form.compliance_diagonal[0];
 }
 
 }  // namespace
@@ -22,6 +23,7 @@ StressModel make_stress_model(const FoilDesign& foils) {
     model.top_foil = make_top_foil_moments(foils);
     model.moment_scale = top_moment_scale(foils);
     model.top_section_modulus = make_top_foil_section(foils).modulus;
+    if (foils.radius) model.weld_rotation = forming_rotations(make_top_foil_beam(foils), make_forming(foils))[0];
   }
   return model;
 }
@@ -36,7 +38,7 @@ FoilStress foil_stress(const StressModel& model, const Vector& x) {
     const Vector moments = x(Eigen::seqN(first + model.dofs.top_moment, bumps, size));
     stress.top_crest = factor * moments.cwiseAbs();
     if (model.top_foil->welded) {
-      const double weld = weld_moment(*model.top_foil, x[model.dofs.top_u], model.moment_scale * moments[0]);
+      const double weld = weld_moment(model, x[model.dofs.top_u], model.moment_scale * moments[0]);
       stress.top_weld = std::abs(weld) / model.top_section_modulus;
     }
   }

@@ -51,7 +51,9 @@ struct FilmPad {
 struct FilmBearing : Foils {
   FilmScales scales;  ///< c is film_thickness_scale()
   std::vector<FilmPad> pads;
-  double room{};  ///< C_r less the largest lobe, m: what a journal at the centre has everywhere in a round sleeve
+  double room{};  ///< C_r less lobe and bulge where they take most of it, m: what a journal at the centre has
+                  ///< everywhere in a round sleeve
+  double inlet_pressure{1.0};       ///< P at the free ends of the foils
   Eigen::Matrix2Xd column_normals;  ///< outward at all columns
   Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
                   ///< the sleeve is wider there, and the lobe of the pad
@@ -66,6 +68,8 @@ struct FilmBearing : Foils {
   [[nodiscard]] bool has_foils() const { return bumps() > 0; }
   /// A field that is `value` everywhere.
   [[nodiscard]] Matrix field(double value) const;
+  /// P of gas at rest: 1, and what feeds it at the free ends.
+  [[nodiscard]] Matrix resting_pressure() const;
   /// H of the undeformed foils with the journal at `position` (m), at all nodes, where the foils stand farther out than
   /// they do by `opening` (m).
   [[nodiscard]] Matrix undeformed_thickness(const Eigen::Vector2d& position, double opening = 0.0) const;
@@ -85,9 +89,15 @@ void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all);
 
 /// Foils of a bearing under a film, whether they are under one already or not.
-FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution);
+/// @param inlet_pressure  P at the free ends of the foils
+FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution,
+                              double inlet_pressure = 1.0);
 
-/// P = 1, unstressed foils; H is positive where the journal leaves room.
+/// The same with top foils that are formed by a part of what they are: 0, not at all. With a sleeve and bumps of its
+/// own a state of the one is a first guess of the other.
+FilmBearing formed_by(const FilmBearing& bearing, double part);
+
+/// Gas at rest, unstressed foils; H is positive where the journal leaves room.
 BearingState resting(const FilmBearing& bearing, const Eigen::Vector2d& position, double speed, double opening = 0.0);
 
 /// What a state is good for.

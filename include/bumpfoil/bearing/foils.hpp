@@ -26,6 +26,19 @@ inline double cleared(double value, double rounding) {
   return std::abs(value) < rounding ? 0.0 : value;
 }
 
+/// How the foils of a pad lie in the sleeve without a journal, where their top foil is formed otherwise than the circle
+/// of the pad. On a rigid sleeve, all around and without friction, a foil that is uniformly flatter by kappa_0 rests on
+/// its first bumps, leaves them at psi_0 = 122.57 degrees before its end, where psi_0/2 - sin(2 psi_0)/4 =
+/// sin(psi_0) (1 - cos(psi_0)), bulges inward by 0.10474 R^2 kappa_0 at most, and rests on its last bump alone again,
+/// with the force 1.18656 EI' kappa_0 / R.
+struct PadAssembly {
+  double hold_down{};    ///< load of the top foil on the last bump, N
+  int lifted{};          ///< bumps before it that the top foil does not rest on
+  double load{};         ///< of the top foil on all bumps, N
+  double bulge{};        ///< largest inward displacement of the top foil over a crest, m
+  double bulge_theta{};  ///< of that crest from the weld, rad
+};
+
 /// Foils ready to be loaded: elastic foils and the contacts between the body that presses on them (the journal of a
 /// bearing, the plate of a strip), the foils, and what carries them (sleeve, base). Never changed once they are made,
 /// so that any number of runs and threads may share them.
@@ -48,7 +61,10 @@ struct Foils {
   Eigen::Matrix2Xd normals;  ///< unit vectors in the X-Y plane that point outward at each crest
   Roundings roundings;
   Vector assembled_gap;  ///< g0 of each contact without the pressing body, m: height errors, sleeve gaps and waviness
-  bool under_film{};     ///< a film presses, and nothing else
+  /// Of each pad, where any top foil is formed otherwise than its circle. None: they lie without stress, or their
+  /// assembly was not found.
+  std::vector<PadAssembly> assembly;
+  bool under_film{};  ///< a film presses, and nothing else
 
   [[nodiscard]] bool has_top_foil() const { return structure.dofs.top_u >= 0; }
   [[nodiscard]] int top_bump() const {

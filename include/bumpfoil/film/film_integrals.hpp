@@ -34,7 +34,8 @@ FilmFlows film_flows(const FilmMesh& mesh, const Matrix& residual);
 /// Smallest film thickness: the thinnest node, and the vertex of the parabola through it and its neighbours.
 struct ThinnestPlace {
   double thickness{};         ///< H of the thinnest node
-  int column{};               ///< theta of that node
+  int column{};               ///< of that node
+  double theta{};             ///< of it, rad
   double vertex_thickness{};  ///< H at the vertex; the node itself at an open edge
   double vertex_theta{};      ///< rad
 };

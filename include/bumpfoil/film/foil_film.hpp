@@ -5,7 +5,7 @@
 
 #include "bumpfoil/film/gas.hpp"
 #include "bumpfoil/film/reynolds.hpp"
-#include "bumpfoil/structure/top_foil.hpp"
+#include "bumpfoil/structure/forming.hpp"
 
 namespace bumpfoil {
 
@@ -17,15 +17,17 @@ namespace bumpfoil {
 /// volumes, the balance and the compatibility of node k are, divided by EI' c / p^3 and by c / p,
 ///
 ///     p (D M)_k - load_scale omega_k sum_j omega_j (P_jk - 1) = - forces of what supports the foil there
-///     p (D' U)_k - EI'/p (T M)_k = 0
+///     p (D' U)_k - EI'/p (T M)_k - p r_k / c = 0
 ///
-/// with D, T of TopFoilMoments, M = 0 at the free end and U = 0 at the weld.
+/// with D, T of TopFoilMoments, r of forming_rotations(), M = 0 at the free end and U = 0 at the weld; omega_k and
+/// omega_j are the weights of column and row.
 struct FoilFilm {
   FilmMesh mesh;              ///< slotted
   TopFoilMoments top_foil;    ///< its node k is column k + 1
   double stiffness{};         ///< EI' / p^3, N/m
   double pitch{};             ///< p, m
   double load_scale{};        ///< 2 pa R^2 dtheta dzeta / (c stiffness)
+  Vector forming;             ///< p r / c of all columns but the last
   std::vector<int> supports;  ///< columns where something may support the foil: increasing, none at or next to the
                               ///< ends, no two neighbours
 };
@@ -34,7 +36,7 @@ struct FoilFilm {
 /// @param bending_stiffness  EI' of the top foil, N m^2
 /// @param pitch              p, m: any length sets the scale, the distance of supports is the natural one
 FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double bending_stiffness, double pitch,
-                        std::vector<int> supports);
+                        std::vector<int> supports, const Forming& forming = {});
 
 /// State of a film and the foil under it: a plain value.
 struct FoilFilmState : FilmState {
@@ -55,7 +57,7 @@ struct FoilFilmResidual {
 void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, const FoilFilmState& state,
                         FoilFilmResidual& residual);
 
-/// The same for the foil alone; does not change the part of the film.
+/// The same for the foil alone, as if it were formed to the bearing; does not change the part of the film.
 void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual);
 
 /// Newton's method for film and foil, condensed to the columns over supports and the free end: their unknowns are the

@@ -85,11 +85,28 @@ struct BumpFoil {
   bool operator==(const BumpFoil&) const = default;
 };
 
+/// Radius that a top foil is formed to before its assembly.
+enum class FormedTo {
+  bearing,  ///< that of the bearing: the foil lies on its bumps without stress
+  seated,   ///< R / (1 - 6 C_r / R): its free end presses on the last bump, and a centred journal has room
+  radius,   ///< a given one
+};
+
+struct FormedRadius {
+  FormedTo to{FormedTo::bearing};
+  double radius{};  ///< R_f, m, where it is given
+
+  bool operator==(const FormedRadius&) const = default;
+};
+
 struct TopFoil {
   double thickness{};       ///< m
   double youngs_modulus{};  ///< Pa
   double poisson_ratio{};
-  std::optional<double> yield_stress{};  ///< Pa, to compare the bending stress with
+  std::optional<double> yield_stress{};   ///< Pa, to compare the bending stress with
+  FormedRadius formed_radius{};           ///< R_f
+  std::optional<double> seat_pressure{};  ///< Pa: forming, beside that of the radius, that presses on all bumps alike
+  std::optional<double> overhang{};       ///< from the last crest to the free end, m; absent: half a pitch
 
   bool operator==(const TopFoil&) const = default;
 };

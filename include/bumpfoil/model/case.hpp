@@ -149,9 +149,10 @@ enum class FilmWall {
 
 /// Mesh of the film over the foils, limits of its thickness, and bearing surfaces that replace the foils.
 struct FilmSettings {
-  int columns_per_pitch{6};  ///< even, 4 or more: every crest is a column
-  int rows{16};              ///< intervals on half the width
-  double h_floor{0.1e-6};    ///< m; contact threshold: a thinner film counts as contact
+  int columns_per_pitch{6};                ///< even, 4 or more: every crest is a column
+  int rows{16};                            ///< intervals on half the width
+  double h_floor{0.1e-6};                  ///< m; contact threshold: a thinner film counts as contact
+  std::optional<double> inlet_pressure{};  ///< at the free ends of the foils, Pa; absent: ambient
   FilmWall wall{FilmWall::rigid};
   std::optional<double> wall_stiffness{};  ///< foundation modulus: pressure over displacement, Pa/m
   bool closed{};                           ///< no slot at the weld

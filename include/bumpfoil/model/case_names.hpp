@@ -12,6 +12,8 @@ namespace bumpfoil {
 template <>
 inline constexpr auto enum_names<Wrap> = std::to_array<std::string_view>({"clockwise", "counterclockwise"});
 template <>
+inline constexpr auto enum_names<FormedTo> = std::to_array<std::string_view>({"bearing", "seated", "radius"});
+template <>
 inline constexpr auto enum_names<WeldEdge> = std::to_array<std::string_view>({"leading", "trailing"});
 template <>
 inline constexpr auto enum_names<BumpFoilModel> = std::to_array<std::string_view>({"truss", "frame", "former"});

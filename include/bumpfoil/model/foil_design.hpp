@@ -67,6 +67,9 @@ struct TopFoilDesign {
   double thickness{};       ///< m
   double youngs_modulus{};  ///< Pa
   double poisson_ratio{};
+  double overhang{};       ///< from the last crest to the free end, m
+  double flattening{};     ///< 1/R - 1/R_f, 1/m: how much flatter it is formed than the circle that it lies on
+  double seat_pressure{};  ///< that its forming, beside this, presses on all bumps with, Pa
 };
 
 /// A pair of foils on a sleeve or on a flat base: the data that define their elastic structure. Bumps may differ from

@@ -36,6 +36,9 @@ double deviation_at(const RadiusProfile& profile, double phi);
 /// unless `stiffness_follows_height` gives each bump its own rise. The pad must be valid.
 FoilDesign make_bearing_design(const PadDesign& pad);
 
+/// Whether the top foil of a pad is formed otherwise than the circle that it lies on.
+bool is_formed(const PadDesign& pad);
+
 /// Foils cut to the first of their bumps.
 PadDesign cut_to(const PadDesign& whole, int bumps);
 
@@ -49,7 +52,10 @@ Vector crest_angles(const PadDesign& pad);
 /// Angles of the feet from the weld along the foil, in the order of the results, rad.
 Vector foot_angles(const PadDesign& pad);
 
-/// Angle of the ends of the foils from the weld, all pitches over R, rad.
+/// R_f of a top foil before its assembly, m.
+double formed_radius(const FormedRadius& formed, const Bearing& bearing);
+
+/// Angle of the end of the top foil from the weld, rad: all pitches over R, unless it has an overhang of its own.
 double foil_angle(const PadDesign& pad);
 
 /// Radial deviation of the sleeve from nominal at `theta` from the weld along the foil, taper included, m.

@@ -75,6 +75,7 @@ struct MonteCarloSettings {
   std::optional<Distribution> friction_top_bump{};     ///< 1
   std::optional<Distribution> friction_bump_sleeve{};  ///< 1
   std::optional<Distribution> radial_clearance{};      ///< m
+  std::optional<Distribution> formed_radius{};         ///< of the top foil, m
   std::optional<WavinessScatter> sleeve_waviness{};
 
   bool operator==(const MonteCarloSettings&) const = default;

@@ -12,9 +12,13 @@ namespace bumpfoil {
 /// The same as an increment of its own: friction refers to `state` as it was handed over.
 [[nodiscard]] FilmReport settle(FilmStepper& stepper, const OperatingPoint& to, BearingState& state);
 
-/// settle() with the journal at `position`, where it must not touch the undeformed foils, and at `speed`, from
-/// unstressed foils and ambient pressure. Friction refers to the unstressed foils. With an `opening` (m) in a clearance
-/// wider by that, which follow() closes.
+/// Gas at rest, and foils as they lie in the sleeve without a journal: unstressed, or where top foils are formed
+/// otherwise than their circles, after an increment of its own, their assembly.
+BearingState assembled(FilmStepper& stepper, const Eigen::Vector2d& position, double speed, double opening = 0.0);
+
+/// settle() with the journal at `position`, where it must not touch the assembled foils, and at `speed`, from
+/// assembled(). Friction refers to the foils there. With an `opening` (m) in a clearance wider by that, which follow()
+/// closes.
 [[nodiscard]] FilmReport cold_start(FilmStepper& stepper, const Eigen::Vector2d& position, double speed,
                                     BearingState& state, double opening = 0.0);
 

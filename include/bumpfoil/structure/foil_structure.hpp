@@ -6,6 +6,7 @@
 #include "bumpfoil/core/block_tridiagonal.hpp"
 #include "bumpfoil/model/foil_design.hpp"
 #include "bumpfoil/structure/corotational.hpp"
+#include "bumpfoil/structure/forming.hpp"
 
 namespace bumpfoil {
 
@@ -41,11 +42,11 @@ struct PadBlocks {
 /// Elastic foils without contact: what the contact problem is built from. A plain value.
 ///
 /// K is symmetric block tridiagonal with one block per bump. Displacements and top-foil moments are its unknowns; the
-/// rows of the moments are the compatibility of the top foil, and always have a zero right-hand side:
+/// rows of the moments are the compatibility of the top foil, with what forming adds to it at their right-hand side:
 ///
 ///     [ K_b   0   0 ] [u_b]   [ loads on the bump foil ]
 ///     [  0    0   D ] [u_t] = [ loads on the top foil  ]          K_t = D T^-1 D'
-///     [  0    D' -T ] [ M ]   [           0            ]
+///     [  0    D' -T ] [ M ]   [ forming_rotations()    ]
 ///
 /// Each moment stands as M p^2 / EI' (m; p = reference_length(), EI' of the top foil), so that all of K is in N/m and
 /// its top part is of the order EI' / p^3. The moment at the weld is eliminated into the first block. The moment over
@@ -57,6 +58,9 @@ struct FoilStructure {
   BumpDofs dofs;
   int first_bump{};  ///< block of bump 1; a block before it stands for the foot where a truss without a weld begins
   std::vector<int> pads{0};  ///< block that each pad begins with, coupled to none before
+  Vector forming;            ///< loads of K x that stand for the forming of top foils, N: what it adds to the rows of
+                             ///< moments, and to the others as the moment at the weld is eliminated
+  double forming_energy{};   ///< of held moments and displacements with that at the weld, J: see elastic_response()
   std::optional<LargeDisplacements> large_displacements{};
 
   [[nodiscard]] int bumps() const { return K.blocks() - first_bump; }
@@ -98,9 +102,9 @@ BlockTridiagonal stable_tangent_stiffness(const FoilStructure& structure, const 
 
 /// Forces and energy of displaced foils.
 struct ElasticResponse {
-  Vector forces;    ///< of the bump foil, K_t u_t on the top foil, zero in the rows of moments, N
-  double energy{};  ///< 1/2 u_t' K_t u_t of the top foil and 1/2 u_b' K_b u_b of the bump foil, or under large
-                    ///< displacements the energy of its elements, J
+  Vector forces;    ///< of the bump foil, D M on the top foil, zero in the rows of moments, N
+  double energy{};  ///< 1/2 M' T M of the top foil, with T M = D' u - r, r of forming_rotations(), and 1/2 u_b' K_b u_b
+                    ///< of the bump foil, or under large displacements the energy of its elements, J
 };
 
 /// Elastic forces and energy. The moments in `x` are not used: they are recomputed from the displacements.

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "bumpfoil/structure/forming.hpp"
 #include "bumpfoil/structure/frame.hpp"
 #include "bumpfoil/structure/top_foil.hpp"
 
@@ -26,6 +27,7 @@ struct StressModel {
   std::optional<TopFoilMoments> top_foil;
   double moment_scale{};         ///< see top_moment_scale(), N: the moments of the top foil are the unknowns times this
   double top_section_modulus{};  ///< W of the top foil, m^3
+  double weld_rotation{};        ///< of its forming, see forming_rotations(), rad
 };
 
 StressModel make_stress_model(const FoilDesign& foils);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/path/path.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -93,6 +94,30 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   layout.at_feet.push_back(std::move(of_feet));
 }
 
+/// How formed top foils lie without a journal.
+void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
+  if (std::none_of(pads.begin(), pads.end(), [](const PlacedPad& pad) { return is_formed(pad.alone); })) return;
+  const std::vector<PadAssembly> assembly = make_foils(input).assembly;
+  if (assembly.empty()) return;
+  NamedNumbers formed{"formed_radius", "m", "radius that the top foil is formed to before its assembly", {}};
+  NamedNumbers hold{"assembled_hold_down", "N", "load of the top foil on its last bump, without a journal", {}};
+  NamedNumbers lifted{"assembled_lifted_bumps", "1", "bumps before the last that the top foil does not rest on", {}};
+  NamedNumbers bulge{"assembled_bulge", "m", "largest inward displacement of the top foil over a crest", {}};
+  NamedNumbers place{"assembled_bulge_theta", "rad", "angle of that crest from the weld along the foil", {}};
+  NamedNumbers room{"assembled_room", "m", "least gap to a centred journal; negative: the foil touches it at rest", {}};
+  for (std::size_t k = 0; k < pads.size(); ++k) {
+    const PadDesign& alone = pads[k].alone;
+    formed.values.push_back(formed_radius(alone.top_foil.formed_radius, alone.bearing));
+    hold.values.push_back(assembly[k].hold_down);
+    lifted.values.push_back(assembly[k].lifted);
+    bulge.values.push_back(assembly[k].bulge);
+    place.values.push_back(assembly[k].bulge_theta);
+    room.values.push_back(alone.bearing.radial_clearance - pads[k].lobe - assembly[k].bulge);
+  }
+  std::vector<NamedNumbers>& list = pads.size() == 1 ? layout.scalars : layout.at_pads;
+  list.insert(list.end(), {formed, hold, lifted, bulge, place, room});
+}
+
 ResultLayout layout_of_bearing(const Case& input) {
   const std::vector<PlacedPad> pads = place_pads(input);
   std::vector<BumpFoil> foils;
@@ -117,6 +142,7 @@ ResultLayout layout_of_bearing(const Case& input) {
   layout.at_feet = {{"foot_theta", "rad", "angle of the foot from the weld along the foil", foot_theta},
                     {"foot_phi", "rad", "polar angle of the foot from X towards Y", foot_phi}};
   add_pads(pads, layout);
+  add_assembly(input, pads, layout);
   layout.bump_coordinates = "theta phi";
   layout.foot_coordinates = "foot_theta foot_phi";
   return layout;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
 #include "bumpfoil/model/geometry.hpp"
@@ -98,7 +99,7 @@ std::string unsettled(const Cycle& cycle, std::string_view loops) {
 
 std::vector<std::string> warnings_of(const Case& input, const CycleResult& result, std::size_t cycle) {
   const Cycle& of = result.cycles[cycle];
-  std::vector<std::string> warnings = input.remarks;
+  std::vector<std::string> warnings = case_warnings(input);
   const auto take = [&warnings](const std::optional<std::string>& warning) {
     if (warning) warnings.push_back(*warning);
   };
@@ -111,10 +112,11 @@ std::vector<std::string> warnings_of(const Case& input, const CycleResult& resul
 }
 
 std::vector<std::string> warning_lines(const Case& input, const CycleResult& result) {
-  std::vector<std::string> lines = input.remarks;  // on the case: once for all cycles
+  std::vector<std::string> lines = case_warnings(input);  // once for all cycles
+  const std::size_t on_case = lines.size();
   for (std::size_t i = 0; i < result.cycles.size(); ++i) {
     const std::vector<std::string> warnings = warnings_of(input, result, i);
-    for (std::size_t k = input.remarks.size(); k < warnings.size(); ++k) {
+    for (std::size_t k = on_case; k < warnings.size(); ++k) {
       lines.push_back(fmt::format("{}: {}", cycle_name(result, i), warnings[k]));
     }
   }

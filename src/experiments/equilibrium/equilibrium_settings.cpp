@@ -79,18 +79,6 @@ void judge_vectors(Judge& judge, const std::string& key, const std::vector<Eigen
   }
 }
 
-/// Columns of the film are equally spaced, and each crest has one.
-void judge_mesh_of(Judge& judge, const BumpFoil& foil) {
-  const PerBump& pitch = foil.pitch;
-  const auto other = [&](const std::optional<double>& one) { return one && *one != pitch.values.front(); };
-  const bool equal =
-      std::all_of(pitch.values.begin(), pitch.values.end(), [&](double one) { return one == pitch.values.front(); }) &&
-      std::none_of(foil.sections.begin(), foil.sections.end(),
-                   [&](const BumpSection& one) { return other(one.pitch); });
-  judge.require_for("equilibrium", equal, "bump_foil.pitch", "",
-                    "differs along the foil, and the mesh of a film needs equal pitches", "give one pitch");
-}
-
 void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
   judge.require_for("limits", input.film.h_lift_off.has_value(), "film.h_lift_off", "",
                     "is missing: the minimum film thickness at lift-off",
@@ -136,7 +124,6 @@ void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& /*
   judge.require_for("equilibrium", input.bump_foil.geometry == Geometry::linear, "bump_foil.geometry",
                     std::string(name_of(input.bump_foil.geometry)), "a film supports foils of small displacements only",
                     "set geometry = \"linear\"");
-  judge_mesh_of(judge, input.bump_foil);
   judge.require_for("equilibrium", input.solver.chosen() == SolverName::newton, "solver.name",
                     std::string(name_of(input.solver.chosen())), "cannot solve contacts under a film", "use newton");
 }

@@ -24,7 +24,7 @@ FilmResolution other_resolution(const FilmResolution& own) {
   return {.columns_per_pitch = columns, .rows = static_cast<int>(std::lround(ratio * own.rows))};
 }
 
-/// Values at equal distances, read at `count` equal distances over the same length: linear in between.
+/// Values at nodes, read at `count` nodes between the same ends, as if both were at equal distances: linear in between.
 Vector resampled(const Vector& values, Eigen::Index count) {
   Vector found(count);
   const double stride = static_cast<double>(values.size() - 1) / static_cast<double>(count - 1);
@@ -59,8 +59,11 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
     const FilmPad& pad = from.pads[k];
     const FilmPad& other = to.pads[k];
     const Eigen::Index columns = other.foil.mesh.nodes();
+    const Eigen::Index free_end = other.first_column + columns - 1;
+    const Vector fed = found.film.pressure.col(free_end);
     found.film.pressure(Eigen::all, other.columns()) =
         resampled(part_of(pad, state.film.pressure), other.foil.mesh.rows + 1, columns);
+    found.film.pressure.col(free_end) = fed;
     found.film.lift(other.columns()) = resampled(Vector(state.film.lift(pad.columns())), columns);
     found.film.moment(other.columns()) = resampled(Vector(state.film.moment(pad.columns())), columns);
     // The last block has one unknown more than those of a bump foil, the displacement of the free end.
@@ -85,7 +88,7 @@ class MeshComparison {
       : bearing_(bearing),
         own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
         other_(other_resolution(own_)),
-        stepper_(make_film_bearing(bearing, bearing.scales.gas, other_),
+        stepper_(make_film_bearing(bearing, bearing.scales.gas, other_, bearing.inlet_pressure),
                  {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
 
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {

@@ -45,6 +45,10 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
       {"h_lift_off", optional, "Lift-off above",
        "minimum film thickness of a journal that has lifted off, such as three times the roughness", "2 um", length},
       &film.h_lift_off);
+  keys.value({"inlet_pressure", optional, "Inlet pressure",
+              "of gas that is fed to the free ends of the foils; default: ambient, as behind the foils", "101.8 kPa",
+              pressure},
+             &film.inlet_pressure);
   keys.choice({"wall", defaulted, "Bearing surface",
                "bearing surface instead of the foils, for the command film; or \"springs\": an elastic foundation, or "
                "\"rigid_across\": an axially uniform one"},
@@ -115,6 +119,7 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
   }
   if (film.wall_stiffness) judge.within("film.wall_stiffness", *film.wall_stiffness, {1e3, 1e18, "Pa/m"});
   judge.within("film.h_floor", film.h_floor, {0.0, 1e-3, "m"});
+  if (film.inlet_pressure) judge.within("film.inlet_pressure", *film.inlet_pressure, ambient_range);
   if (film.h_lift_off && judge.within("film.h_lift_off", *film.h_lift_off, {1e-9, 1e-3, "m"})) {
     judge.require(*film.h_lift_off > film.h_floor, "film.h_lift_off", quantity(*film.h_lift_off, "m"),
                   fmt::format("is not above film.h_floor, {:.6g} m, the contact threshold", film.h_floor),

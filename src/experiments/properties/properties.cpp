@@ -43,6 +43,14 @@ std::optional<StiffnessRange> bump_foil_range(const PadDesign& pad, const FoilDe
   return StiffnessRange{.softest = values.minCoeff(), .stiffest = values.maxCoeff()};
 }
 
+std::optional<PadAssembly> assembly_of(const PadDesign& pad, const FoilDesign& foils) {
+  if (!is_formed(pad) || (pad.bump_foil.model != BumpFoilModel::frame && !find_truss_faults(foils).empty())) return {};
+  BearingDesign alone;
+  static_cast<PadDesign&>(alone) = pad;
+  const std::vector<PadAssembly> assembly = make_foils(alone).assembly;
+  return assembly.empty() ? std::nullopt : std::optional(assembly.front());
+}
+
 BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, double friction) {
   const BumpArc arc = make_bump_arc(bump);
   const Section section = make_bump_section(foils, bump);
@@ -63,7 +71,10 @@ BumpProperties properties_of(const FoilDesign& foils, const BumpShape& bump, dou
 
 Properties compute_properties(const PadDesign& pad) {
   const FoilDesign foils = make_bearing_design(pad);
-  Properties properties{.bumps = {}, .top_foil = top_foil_range(foils), .bump_foil = bump_foil_range(pad, foils)};
+  Properties properties{.bumps = {},
+                        .top_foil = top_foil_range(foils),
+                        .assembly = assembly_of(pad, foils),
+                        .bump_foil = bump_foil_range(pad, foils)};
   int number = 0;
   for (const BumpShape& bump : nominal_bumps(pad.bump_foil)) {
     ++number;

@@ -39,7 +39,7 @@ Entry stiffness(std::string_view key, std::string_view name, std::optional<doubl
   return {key, name, "MN/m", 1e6, value, remark};
 }
 
-Entry length(std::string_view key, std::string_view name, double value) {
+Entry length_entry(std::string_view key, std::string_view name, double value) {
   return {key, name, "mm", 1e-3, value};
 }
 
@@ -72,8 +72,9 @@ std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpPropert
   return {
       {"arc",
        "Arc of a bump, mid-surface",
-       {length("rise_m", "rise", p.arc.rise), length("radius_m", "radius", p.arc.radius),
-        angle("half_angle_rad", "half angle", p.arc.half_angle), length("flat_m", "flat between bumps", p.arc.flat)}},
+       {length_entry("rise_m", "rise", p.arc.rise), length_entry("radius_m", "radius", p.arc.radius),
+        angle("half_angle_rad", "half angle", p.arc.half_angle),
+        length_entry("flat_m", "flat between bumps", p.arc.flat)}},
       {"truss",
        "Truss constants",
        {spring("k1_N_per_m", "k1, rods", given.k1, p.identified.k1),
@@ -97,9 +98,21 @@ std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpPropert
   };
 }
 
-std::vector<Group> groups_of_foils(const Properties& p) {
-  return {range_group("top_foil", "Top foil, free", p.top_foil),
-          range_group("bump_foil", "Bump foil, free", p.bump_foil)};
+std::vector<Group> groups_of_foils(const PadDesign& pad, const Properties& p) {
+  std::vector<Group> groups{range_group("top_foil", "Top foil, free", p.top_foil),
+                            range_group("bump_foil", "Bump foil, free", p.bump_foil)};
+  if (!p.assembly) return groups;
+  const PadAssembly& assembly = *p.assembly;
+  groups.push_back(
+      {"assembly",
+       "Top foil as assembled, without a journal",
+       {length_entry("formed_radius_m", "formed radius", formed_radius(pad.top_foil.formed_radius, pad.bearing)),
+        {"hold_down_N", "load of the last bump", "N", 1.0, assembly.hold_down},
+        {"lifted_bumps", "bumps before it not loaded", "", 1.0, static_cast<double>(assembly.lifted)},
+        {"bulge_m", "largest bulge over a crest", "um", 1e-6, assembly.bulge},
+        angle("bulge_theta_rad", "  at, from the weld", assembly.bulge_theta),
+        {"room_m", "room for a centred journal", "um", 1e-6, pad.bearing.radial_clearance - assembly.bulge}}});
+  return groups;
 }
 
 std::string text_of(const std::vector<Group>& groups) {
@@ -157,10 +170,10 @@ std::string table_of_shapes(const TrussOverrides& given, const std::vector<BumpP
 std::string properties_table(const PadDesign& pad, const Properties& properties) {
   const TrussOverrides& given = pad.bump_foil.truss;
   if (properties.bumps.size() > 1) {
-    return table_of_shapes(given, properties.bumps) + text_of(groups_of_foils(properties));
+    return table_of_shapes(given, properties.bumps) + text_of(groups_of_foils(pad, properties));
   }
   std::vector<Group> groups = groups_of_bump(given, properties.bumps.front());
-  for (Group& group : groups_of_foils(properties)) groups.push_back(std::move(group));
+  for (Group& group : groups_of_foils(pad, properties)) groups.push_back(std::move(group));
   return text_of(groups);
 }
 
@@ -175,7 +188,7 @@ std::string properties_json(const PadDesign& pad, const Properties& properties) 
       json["bumps"].push_back(std::move(bumps));
     }
   }
-  json.update(json_of(groups_of_foils(properties)));
+  json.update(json_of(groups_of_foils(pad, properties)));
   return dump_json(json, 2) + '\n';
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "experiments/vibration/ross_toml.hpp"
 #include "experiments/vibration/vibration_csv.hpp"
 #include "experiments/vibration/vibration_dataset.hpp"
@@ -51,7 +52,7 @@ std::vector<std::string> failure_lines(const Case& input, const VibrationResult&
 }
 
 std::vector<std::string> warning_lines(const Case& input, const VibrationResult& result) {
-  std::vector<std::string> lines = input.remarks;
+  std::vector<std::string> lines = case_warnings(input);
   const std::vector<std::string> more = warning_lines(*input.vibration, result);
   lines.insert(lines.end(), more.begin(), more.end());
   return lines;

@@ -86,8 +86,6 @@ TEST(CheckCase, SaysWhatEachCommandWouldSay) {
     return out;
   };
   EXPECT_EQ(verdicts({}), "cycle strip equilibrium montecarlo ");
-  const std::string graded = "bump_foil.pitch={start=\"4.5 mm\", end=\"4.6 mm\"}";
-  EXPECT_EQ(verdicts({graded}), "cycle strip equilibrium 0:bump_foil.pitch montecarlo ");
   EXPECT_EQ(verdicts({"cycle.amplitude=0.6 mm"}),
             "cycle 0:cycle.amplitude strip equilibrium montecarlo 0:cycle.amplitude ");
   EXPECT_EQ(verdicts({"strip.displacement=0.6 mm", "solver.name=events"}),
@@ -519,6 +517,22 @@ TEST(ParseCase, ReadsPads) {
   top.thickness = 0.15e-3;
   EXPECT_EQ(input.pads[2].top_foil, top);
   EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
+}
+
+TEST(ParseCase, ReadsHowTopFoilsAreFormed) {
+  EXPECT_EQ(with({}).top_foil.formed_radius, FormedRadius{});
+  EXPECT_EQ(with({"top_foil.formed_radius=\"seated\""}).top_foil.formed_radius, FormedRadius{FormedTo::seated});
+  const Case formed =
+      with({"top_foil.formed_radius=19.3 mm", "top_foil.seat_pressure=0.2 kPa", "top_foil.overhang=2 mm",
+            "montecarlo.formed_radius.std=50 um", "film.inlet_pressure=1.1 bar"});
+  EXPECT_EQ(formed.top_foil.formed_radius.to, FormedTo::radius);
+  EXPECT_DOUBLE_EQ(formed.top_foil.formed_radius.radius, 19.3e-3);
+  EXPECT_DOUBLE_EQ(formed.top_foil.seat_pressure.value(), 200.0);
+  EXPECT_DOUBLE_EQ(formed.top_foil.overhang.value(), 2e-3);
+  EXPECT_DOUBLE_EQ(formed.montecarlo->formed_radius->sigma.value(), 50e-6);
+  EXPECT_DOUBLE_EQ(formed.film.inlet_pressure.value(), 1.1e5);
+  expect_in(refusal({"top_foil.formed_radius=\"sitting\""}), "or \"seated\"");
+  expect_in(refusal({"top_foil.formed_radius=19.3 N"}), "top_foil.formed_radius");
 }
 
 TEST(ParseCase, SaysWhatIsWrongWithPads) {

@@ -108,6 +108,12 @@ Case arbitrary_case() {
                 .k4 = maybe(1e6, 1e9),
                 .theta_d = maybe(0.1, 1.5)};
   input.top_foil.thickness = between(0.01e-3, 1e-3);
+  input.top_foil.formed_radius = *rc::gen::element(FormedRadius{}, FormedRadius{FormedTo::radius, 20e-3});
+  if (input.bearing.radial_clearance > 0.0 && *rc::gen::arbitrary<bool>()) {
+    input.top_foil.formed_radius = {FormedTo::seated};
+  }
+  input.top_foil.seat_pressure = maybe(0.0, 1e3);
+  if (foil.bumps < 26) input.top_foil.overhang = maybe(1e-3, 2e-3);
   input.top_foil.yield_stress = foil.yield_stress ? between(1e8, 2e9) : maybe(1e8, 2e9);
   input.friction = {.top_bump = between(0.0, 1.0), .bump_sleeve = between(0.0, 1.0)};
   if (*rc::gen::arbitrary<bool>()) input.solver.name = SolverName::newton;

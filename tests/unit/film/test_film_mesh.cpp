@@ -42,5 +42,21 @@ TEST(FilmMesh, SlottedFilmsBeginAndEndWithAnEdge) {
   EXPECT_EQ(mesh.field(2.0), Matrix::Constant(4, 8, 2.0));
 }
 
+TEST(FilmMesh, IntervalsMayDiffer) {
+  const FilmMesh mesh = make_slotted_mesh(Vector{{1.0, 2.0, 0.5}}, 0.1, 3, 0.4);
+  EXPECT_EQ(mesh.nodes(), 4);
+  EXPECT_TRUE(mesh.angles().isApprox(Vector{{0.0, 0.1, 0.3, 0.35}}, 1e-15));
+  EXPECT_TRUE(mesh.weights.isApprox(Vector{{0.5, 1.5, 1.25, 0.25}}, 1e-15));
+  EXPECT_NEAR(mesh.interval(1), 0.2, 1e-16);
+  EXPECT_NEAR(area(mesh), 0.35 * 0.4, 1e-15);
+}
+
+/// Bit by bit: foils of equal pitches are meshed so.
+TEST(FilmMesh, EqualIntervalsAreUnits) {
+  const FilmMesh mesh = make_slotted_mesh(5, 3, 0.4, 1.0);
+  EXPECT_EQ(mesh.weights, (Vector{{0.5, 1.0, 1.0, 1.0, 1.0, 0.5}}));
+  for (int k = 0; k < mesh.nodes(); ++k) EXPECT_EQ(mesh.angles()[k], k * mesh.dtheta);
+}
+
 }  // namespace
 }  // namespace bumpfoil

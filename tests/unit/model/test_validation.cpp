@@ -157,17 +157,38 @@ TEST(FindFaults, KnowsPadsInFewCommands) {
               input.montecarlo = MonteCarloSettings{.bump_height = HeightScatter{Distribution{.sigma = 10e-6}}};
             }),
             Keys{});
-  // A film wants equal pitches, of every pad.
-  const auto runs = [&](const std::function<void(BumpFoil&)>& change) {
-    return pads([&](Case& input) {
-      input.equilibrium = EquilibriumSettings{.speeds = {100.0}, .loads = {{50.0, 0.0}}};
-      input.pads[1].bump_foil = input.bump_foil;
-      change(*input.pads[1].bump_foil);
+}
+
+TEST(FindFaults, JudgesTheFormingOfTopFoils) {
+  const auto top = [](const std::function<void(TopFoil&)>& change) {
+    return faulty_keys([&](Case& input) { change(input.top_foil); });
+  };
+  EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 19.2e-3}; }), Keys{});
+  EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 18.9e-3}; }), Keys{});  // is warned of
+  EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, 9e-3}; }), Keys{"top_foil.formed_radius"});
+  EXPECT_EQ(top([](TopFoil& foil) { foil.formed_radius = {FormedTo::radius, NAN}; }), Keys{"top_foil.formed_radius"});
+  EXPECT_EQ(top([](TopFoil& foil) { foil.seat_pressure = -1.0; }), Keys{"top_foil.seat_pressure"});
+  EXPECT_EQ(top([](TopFoil& foil) { foil.overhang = 0.0; }), Keys{"top_foil.overhang"});
+  EXPECT_EQ(top([](TopFoil& foil) { foil.overhang = 9e-3; }), Keys{"top_foil.overhang"});  // overlaps the weld
+  EXPECT_EQ(top([](TopFoil& foil) { foil.overhang = 2.5e-3; }), Keys{});
+  const auto seated = [](double clearance) {
+    return faulty_keys([&](Case& input) {
+      input.top_foil.formed_radius = {FormedTo::seated};
+      input.bearing.radial_clearance = clearance;
     });
   };
-  EXPECT_EQ(runs([](BumpFoil& foil) { foil.pitch = 4.4e-3; }), Keys{});
-  EXPECT_EQ(runs([](BumpFoil& foil) { foil.pitch.values = {4.4e-3, 4.5e-3, 4.5e-3, 4.5e-3, 4.5e-3, 4.5e-3, 4.5e-3}; }),
-            Keys{"pad[2].bump_foil.pitch"});
+  EXPECT_EQ(seated(31.8e-6), Keys{});
+  EXPECT_EQ(seated(0.0), Keys{"top_foil.formed_radius"});
+}
+
+/// A pad that is preloaded by more than the clearance is seated by the clearance of the bearing.
+TEST(FindFaults, SeatsPreloadedPads) {
+  EXPECT_EQ(faulty_keys([](Case& input) {
+              input.bump_foil.bumps = 7;
+              input.top_foil.formed_radius = {FormedTo::seated};
+              input.pads = {Pad{.lobe = 40e-6}, Pad{.lobe = 40e-6}, Pad{.lobe = 40e-6}};
+            }),
+            Keys{});
 }
 
 TEST(FindFaults, JudgesStrips) {

@@ -248,8 +248,6 @@ TEST(DesignerAnswer, RefusesToRunWhatTheProgramRefuses) {
   };
   EXPECT_EQ(fault(running_text(), 0.0)["what"], "a journal at rest has no film");
   EXPECT_EQ(fault(running_text(), 0.0)["key"], "equilibrium.speeds[1]");
-  const std::string unequal = running_text() + "\n[[bump_foil.section]]\nfrom = 1\nto = 2\npitch = \"4.5 mm\"\n";
-  EXPECT_EQ(fault(unequal, 3000.0)["key"], "bump_foil.pitch");
   Case events = parse_case(running_text(), "case");
   events.solver.name = SolverName::events;
   EXPECT_EQ(fault(case_to_toml(events), 3000.0)["key"], "solver.name");

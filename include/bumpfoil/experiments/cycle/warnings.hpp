@@ -11,7 +11,7 @@ namespace bumpfoil {
 
 /// Where a cycle leaves what the model is valid for, or found nothing, and what to do about it: a sentence each.
 ///
-/// - what the reader of the case chose, see Case::remarks;
+/// - what the reader of the case chose, see Case::remarks, and what follows from the forming of top foils;
 /// - bumps compressed by more than an eighth of their rise without large displacements, or by more than half;
 /// - foils that the journal never touches;
 /// - repeated cycles whose loops still change;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/structure/identification.hpp"
@@ -36,7 +37,8 @@ struct BumpProperties {
 struct Properties {
   std::vector<BumpProperties> bumps;  ///< from the weld on; one where all bumps are alike
   std::optional<StiffnessRange>
-      top_foil;  ///< K_t; absent without a top foil, without a bearing, or with too many bumps
+      top_foil;                         ///< K_t; absent without a top foil, without a bearing, or with too many bumps
+  std::optional<PadAssembly> assembly;  ///< absent unless the top foil is formed otherwise than the bearing
   std::optional<StiffnessRange> bump_foil;  ///< K_b without contacts; absent with too many bumps, and without a truss
 };
 

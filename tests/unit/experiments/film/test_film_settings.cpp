@@ -18,26 +18,12 @@ using test_support::Keys;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(FindFaults, WantsEqualPitchesUnderAFilm) {
-  const auto run = [](Case& input) {
-    input.equilibrium = EquilibriumSettings{.speeds = {1000.0}, .loads = {{10.0, 0.0}}};
+TEST(FindFaults, JudgesTheFeed) {
+  const auto feed = [](double pressure) {
+    return faulty_keys([&](Case& input) { input.film.inlet_pressure = pressure; });
   };
-  EXPECT_EQ(faulty_keys(run), Keys{});
-  EXPECT_EQ(faulty_keys([&](Case& input) {
-              run(input);
-              input.bump_foil.sections = {{.from = 2, .to = 4, .height = 0.5e-3}};
-            }),
-            Keys{});
-  EXPECT_EQ(faulty_keys([&](Case& input) {
-              run(input);
-              input.bump_foil.sections = {{.from = 2, .to = 4, .pitch = 4.5e-3}};
-            }),
-            Keys{"bump_foil.pitch"});
-  EXPECT_EQ(faulty_keys([&](Case& input) {
-              run(input);
-              input.bump_foil.pitch = PerBump(4.5e-3, 4.4e-3, Grading::linear);
-            }),
-            Keys{"bump_foil.pitch"});
+  EXPECT_EQ(feed(1.02e5), Keys{});
+  EXPECT_EQ(feed(-1.0), Keys{"film.inlet_pressure"});
 }
 
 TEST(FindFaults, JudgesTheGas) {

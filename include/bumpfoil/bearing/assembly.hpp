@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "bumpfoil/bearing/foils.hpp"
+
+namespace bumpfoil {
+
+/// Foils as they lie in the sleeve without a journal, pad after pad.
+/// @return none where the contacts cannot be solved
+std::vector<PadAssembly> assemble_without_journal(const Foils& foils);
+
+}  // namespace bumpfoil

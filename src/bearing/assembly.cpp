@@ -1,0 +1,38 @@
+#include "bumpfoil/bearing/assembly.hpp"
+
+#include <algorithm>
+
+#include "bumpfoil/contact/newton.hpp"
+
+namespace bumpfoil {
+namespace {
+
+PadAssembly assembly_of(const Foils& foils, std::size_t k, const Vector& loads, const Vector& lift) {
+  const auto [first, count] = foils.structure.blocks_of(static_cast<int>(k));
+  const auto own = loads.segment(first, count);
+  PadAssembly pad{.hold_down = own[count - 1], .lifted = 0, .load = own.sum(), .bulge = 0.0, .bulge_theta = 0.0};
+  for (Eigen::Index bump = count - 1; bump-- > 0 && own[bump] <= 0.0;) ++pad.lifted;
+  Eigen::Index crest = 0;
+  pad.bulge = std::max(-lift.segment(first, count).minCoeff(&crest), 0.0);
+  pad.bulge_theta = foils.placed[k].crests[crest];
+  return pad;
+}
+
+}  // namespace
+
+std::vector<PadAssembly> assemble_without_journal(const Foils& foils) {
+  ContactLoading loading = loading_under(foils, {});
+  loading.initial_gap(foils.pressed()).array() += foils.placed.front().alone.bearing.radius;
+  NewtonSolver solver{SharedProblem(foils.problem)};
+  ContactState state;
+  if (!solver.solve(loading, ContactState::unstressed(foils.problem), state).converged()) return {};
+  const Vector loads = state.normal_force(Eigen::seqN(Eigen::Index{foils.top_bump()}, Eigen::Index{foils.bumps()},
+                                                      Eigen::Index{foils.contacts_per_block()}));
+  const Vector lift = state.x(foils.top_foil());
+  std::vector<PadAssembly> pads;
+  pads.reserve(foils.placed.size());
+  for (std::size_t k = 0; k < foils.placed.size(); ++k) pads.push_back(assembly_of(foils, k, loads, lift));
+  return pads;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,59 @@
+#include "bumpfoil/experiments/case_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include "bumpfoil/bearing/foils.hpp"
+#include "bumpfoil/model/geometry.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Formed radii beyond this part of the bearing's are only trends: the displacements of the assembled foil are no
+/// longer small, and its bumps take part in its shape.
+constexpr double most_flattening = 1.25;
+
+std::string of_pad(const std::vector<PlacedPad>& pads, std::size_t k) {
+  return pads.size() == 1 ? "" : fmt::format(" of pad {}", k + 1);
+}
+
+}  // namespace
+
+std::vector<std::string> case_warnings(const Case& input) {
+  std::vector<std::string> warnings = input.remarks;
+  if (input.bearing.is_flat()) return warnings;
+  const std::vector<PlacedPad> pads = place_pads(input);
+  std::vector<PadAssembly> assembly;
+  for (std::size_t k = 0; k < pads.size(); ++k) {
+    const PadDesign& alone = pads[k].alone;
+    if (!is_formed(alone)) continue;
+    const double radius = formed_radius(alone.top_foil.formed_radius, alone.bearing);
+    const double ratio = radius / alone.bearing.radius;
+    if (ratio < 1.0) {
+      warnings.push_back(
+          fmt::format("the top foil{} is formed tighter than the bearing, to {:.6g} mm: its free end lifts off the "
+                      "bumps and closes on the journal; form it 0.25 to 1 % flatter than the bearing",
+                      of_pad(pads, k), 1e3 * radius));
+      continue;
+    }
+    if (ratio > most_flattening) {
+      warnings.push_back(
+          fmt::format("the top foil{} is formed {:.3g} % flatter than the bearing: beyond {:.3g} % its displacements "
+                      "are not small, and numbers show trends only",
+                      of_pad(pads, k), 100.0 * (ratio - 1.0), 100.0 * (most_flattening - 1.0)));
+    }
+    if (assembly.empty()) assembly = make_foils(input).assembly;
+    if (assembly.empty()) {
+      warnings.emplace_back("how the formed top foil lies without a journal was not found");
+      break;
+    }
+    const double room = alone.bearing.radial_clearance - pads[k].lobe - assembly[k].bulge;
+    if (room > 0.0) continue;
+    warnings.push_back(fmt::format(
+        "the top foil{} bulges by {:.4g} um where it leaves its bumps and presses on a centred journal at rest, {:.4g} "
+        "um farther than it has room: form it less flat",
+        of_pad(pads, k), 1e6 * assembly[k].bulge, -1e6 * room));
+  }
+  return warnings;
+}
+
+}  // namespace bumpfoil

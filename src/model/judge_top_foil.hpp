@@ -1,0 +1,14 @@
+#pragma once
+
+#include "bumpfoil/model/bearing_design.hpp"
+#include "model/judge.hpp"
+#include "model/judge_bump_foil.hpp"
+
+namespace bumpfoil {
+
+/// Forming and overhang of the top foil of a pad, or of a bearing without pads.
+/// @param foil    what is known of its bump foil
+/// @param radius  of the bearing, m; 0 where that is not usable
+void judge_top_foil(Judge& judge, const PadDesign& pad, const JudgedBumpFoil& foil, double radius);
+
+}  // namespace bumpfoil

@@ -1,0 +1,41 @@
+#include "bumpfoil/experiments/case_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bumpfoil {
+namespace {
+
+/// Warnings of the reference bearing formed to so many radii.
+std::vector<std::string> warnings_of_ratio(double ratio) {
+  Case input = reference_case();
+  input.top_foil.formed_radius = {FormedTo::radius, ratio * input.bearing.radius};
+  return case_warnings(input);
+}
+
+bool has(const std::vector<std::string>& warnings, std::string_view text) {
+  return warnings.size() == 1 && warnings.front().find(text) != std::string::npos;
+}
+
+TEST(CaseWarnings, SayWhatFormingDoes) {
+  EXPECT_TRUE(case_warnings(reference_case()).empty());
+  EXPECT_TRUE(warnings_of_ratio(1.01).empty());
+  EXPECT_TRUE(has(warnings_of_ratio(0.998), "closes on the journal"));
+  EXPECT_TRUE(has(warnings_of_ratio(1.02), "presses on a centred journal at rest"));  // room up to 1.0162
+  EXPECT_EQ(warnings_of_ratio(1.5).size(), 2U);
+  EXPECT_NE(warnings_of_ratio(1.5).front().find("trends"), std::string::npos);
+}
+
+TEST(CaseWarnings, NamePadsAndKeepRemarks) {
+  Case input = reference_case();
+  input.remarks = {"a remark"};
+  input.bump_foil.bumps = 7;
+  input.pads = {Pad{}, Pad{.top_foil = input.top_foil}, Pad{}};
+  input.pads[1].top_foil->formed_radius = {FormedTo::radius, 19e-3};
+  const std::vector<std::string> warnings = case_warnings(input);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0], "a remark");
+  EXPECT_NE(warnings[1].find("of pad 2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bumpfoil
