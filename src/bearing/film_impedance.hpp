@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "bumpfoil/core/block_tridiagonal.hpp"
+#include "bumpfoil/bearing/impedance.hpp"
 
 namespace bumpfoil {
 
@@ -34,9 +34,9 @@ struct FilmAnswer {
 /// @param moved   of X_0, for a unit displacement
 /// @param stored  C: the answer to rates of storage at the nodes whose pressure is unknown
 /// @param excess  s - shift, for all s
-/// @return forces per displacement, for all s; nothing if the space does not grow to hold the solution
-std::optional<std::vector<Eigen::Vector2cd>> film_forces(const FilmAnswer& moved,
-                                                         const std::function<FilmAnswer(const Vector&)>& stored,
-                                                         const std::vector<std::complex<double>>& excess);
+/// @return what answers at all s; nothing if the space does not grow to hold the solution
+std::optional<ReducedForces> reduce_forces(const FilmAnswer& moved,
+                                           const std::function<FilmAnswer(const Vector&)>& stored,
+                                           const std::vector<std::complex<double>>& excess);
 
 }  // namespace bumpfoil

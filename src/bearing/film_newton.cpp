@@ -299,22 +299,22 @@ void FilmNewton::store(const Vector& rates) {
     residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
         mesh.dtheta * mesh.dzeta * rates.segment(first, size).reshaped(mesh.unknown_rows(), mesh.unknown_columns());
     for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+    residual.array().rowwise() *= mesh.weights.transpose().array();
     first += size;
   }
 }
 
-std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const BearingState& state,
-                                                                    const std::vector<std::complex<double>>& rates,
-                                                                    bool stuck) {
+std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
+                                                   const std::vector<std::complex<double>>& rates, bool stuck) {
   const double T0 = bearing_.scales.squeeze_time();
   double largest = 0.0;
   for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
-  const double shift = largest * T0;
-  if (!linearise_at(shift, state, stuck)) return std::nullopt;
+  FilmImpedance found{.shift = largest * T0, .squeeze_time = T0, .along = {}};
+  if (!linearise_at(found.shift, state, stuck)) return std::nullopt;
 
   std::vector<std::complex<double>> excess;
   excess.reserve(rates.size());
-  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - shift);
+  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - found.shift);
   const auto told = [&](const FoilFilmState& change) {
     return FilmAnswer{content_of(change, state.film), force_of(change)};
   };
@@ -325,11 +325,10 @@ std::optional<std::vector<Eigen::Matrix2cd>> FilmNewton::impedances(const Bearin
     return told(change.film);
   };
   find_rates();
-  std::vector<Eigen::Matrix2cd> found(rates.size());
-  for (const int axis : {0, 1}) {
-    const auto forces = film_forces(told(rates_[static_cast<std::size_t>(axis)].film), stored, excess);
-    if (!forces) return std::nullopt;
-    for (std::size_t i = 0; i < rates.size(); ++i) found[i].col(axis) = (*forces)[i];
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    auto reduced = reduce_forces(told(rates_[axis].film), stored, excess);
+    if (!reduced) return std::nullopt;
+    found.along.at(axis) = std::move(*reduced);
   }
   return found;
 }

@@ -33,11 +33,10 @@ class FilmNewton {
   /// @return nothing if the modes leave a singular system
   [[nodiscard]] std::optional<SlowMotion> slow_motion(const BearingState& state, bool stuck);
 
-  /// The same for motions e^{s t}, at rates s (1/s), N/m.
+  /// The same for motions e^{s t}, at rates s (1/s).
   /// @return nothing if the modes leave a singular system
-  [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
-                                                                        const std::vector<std::complex<double>>& rates,
-                                                                        bool stuck);
+  [[nodiscard]] std::optional<FilmImpedance> impedance(const BearingState& state,
+                                                       const std::vector<std::complex<double>>& rates, bool stuck);
 
   /// @return nothing if the modes leave a singular system, or the pole is not found
   [[nodiscard]] std::optional<HeldMotion> held_motion(const BearingState& state, bool stuck);

@@ -57,10 +57,20 @@ std::optional<Eigen::Matrix2d> FilmStepper::stiffness(const BearingState& state,
   return motion ? std::optional(motion->stiffness) : std::nullopt;
 }
 
+std::optional<FilmImpedance> FilmStepper::impedance(const BearingState& state,
+                                                    const std::vector<std::complex<double>>& rates, bool stuck) {
+  return newton_->impedance(state, rates, stuck);
+}
+
 std::optional<std::vector<Eigen::Matrix2cd>> FilmStepper::impedances(const BearingState& state,
                                                                      const std::vector<std::complex<double>>& rates,
                                                                      bool stuck) {
-  return newton_->impedances(state, rates, stuck);
+  const std::optional<FilmImpedance> reduced = impedance(state, rates, stuck);
+  if (!reduced) return std::nullopt;
+  std::vector<Eigen::Matrix2cd> found;
+  found.reserve(rates.size());
+  for (const std::complex<double> rate : rates) found.push_back(reduced->at(rate));
+  return found;
 }
 
 std::optional<HeldMotion> FilmStepper::held_motion(const BearingState& state, bool stuck) {

@@ -52,7 +52,8 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
             "speed_rad_per_s,load_x_N,load_y_N,x_m,y_m,force_x_N,force_y_N,eccentricity_ratio,attitude_angle_deg,"
             "h_min_m,h_min_theta_deg,p_max_Pa,p_min_Pa,torque_N_m,power_W,loaded_bumps,status,path,kxx_N_per_m,"
             "kxy_N_per_m,kyx_N_per_m,kyy_N_per_m,kxx_stuck_N_per_m,kxy_stuck_N_per_m,kyx_stuck_N_per_m,"
-            "kyy_stuck_N_per_m,stable,growth_held,whirl_ratio_held,growth_held_stuck,whirl_ratio_held_stuck");
+            "kyy_stuck_N_per_m,stable,growth_held,whirl_ratio_held,growth_held_stuck,whirl_ratio_held_stuck,"
+            "hold_down_N,critical_mass_kg,critical_whirl_ratio,critical_mass_stuck_kg");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 
   EXPECT_NE(folder_.read("results/coefficients.toml").find("[bearing.synchronous]"), std::string::npos);
@@ -73,18 +74,14 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
 }
 
 TEST_F(RunningBearing, IsNoConcernOfOtherCommands) {
-  const std::string text = folder_.read("case.toml");
-  const std::size_t pitch = text.find("pitch = \"4.572 mm\"");
-  ASSERT_NE(pitch, std::string::npos);
-  std::string graded = text;
-  graded.replace(pitch, 18, "pitch = { start = \"4.5 mm\", end = \"4.6 mm\" } #");
-  graded += "\n[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[\"50 N\", \"0 N\"]]\n";
-  case_path_ = folder_.write("graded.toml", graded);
+  std::string text = folder_.read("case.toml") + "\n[solver]\nname = \"events\"\n";
+  const auto line = std::count(text.begin(), text.end(), '\n');
+  text += "[equilibrium]\nspeeds = [\"45000 rpm\"]\nloads = [[\"50 N\", \"0 N\"]]\n";
+  case_path_ = folder_.write("events.toml", text);
   EXPECT_EQ(run({"cycle", case_path_, "-o", results_, "--set", "cycle.steps=4"}).exit_code, 0);
   const ProgramOutcome refused = run({"equilibrium", case_path_, "-o", results_, "--force"});
   EXPECT_EQ(refused.exit_code, 2);
-  const auto line = std::count(graded.begin(), graded.begin() + static_cast<std::ptrdiff_t>(pitch), '\n') + 1;
-  const std::string why = case_path_ + ":" + std::to_string(line) + ": bump_foil.pitch";
+  const std::string why = case_path_ + ":" + std::to_string(line) + ": solver.name";
   EXPECT_NE(refused.errors.find(why), std::string::npos) << refused.errors;
 
   const ProgramOutcome checked = run({"check", case_path_});

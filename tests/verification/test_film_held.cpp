@@ -12,6 +12,7 @@
 
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
 
@@ -325,6 +326,36 @@ TEST(FilmHeld, MovesMostWhereTheFoilIsDetached) {
   const auto motion = stepper.held_motion(state);
   ASSERT_TRUE(motion.has_value());
   EXPECT_GE(motion->column, 100);  // of 104, the last of them at the free end
+}
+
+/// A rigid rotor of m on each of two bearings, carrying m g along +X, begins to whirl at these speeds: found by a
+/// secant over the speed on eigenvalues of rotor, film and foils together, f = 0, gas entering at the weld. There the
+/// critical mass is m.
+TEST(FilmHeld, CriticalMassesAreThoseAtTheOnsetOfWhirl) {
+  struct Onset {
+    double mass, rpm, whirl_ratio;
+  };
+  for (const Onset& onset :
+       {Onset{0.5, 12354.679904470366, 0.5222375954247448}, Onset{1.0, 13072.434026772906, 0.49078240201060497},
+        Onset{2.0, 16380.620386170356, 0.39393997800952035}}) {
+    SCOPED_TRACE(onset.mass);
+    Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8});
+    input.equilibrium = {.speeds = {speed_of_rpm(-onset.rpm)}, .loads = {{9.81 * onset.mass, 0.0}}};
+    const RunningState state = run_equilibrium(input).states.front();
+    ASSERT_TRUE(state.critical_mass && state.stuck_critical_mass);
+    // Onsets are known to 1e-7 of the growth, and the state to 1e-9.
+    EXPECT_NEAR(state.critical_mass->mass, onset.mass, 1e-6 * onset.mass);
+    EXPECT_NEAR(state.critical_mass->frequency, onset.whirl_ratio * std::abs(state.last->speed),
+                1e-6 * std::abs(state.last->speed));
+    EXPECT_NEAR(state.stuck_critical_mass->mass, onset.mass, 1e-6 * onset.mass);  // without friction none sticks
+  }
+}
+
+/// Of the unstable states of foils whose free end is the inlet nothing is said.
+TEST(FilmHeld, CriticalMassesAreOfStatesThatLast) {
+  Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8});
+  input.equilibrium = {.speeds = {speed_of_rpm(45000.0)}, .loads = {{10.0, 0.0}}};
+  EXPECT_FALSE(run_equilibrium(input).states.front().critical_mass.has_value());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bumpfoil/bearing/film_bearing.hpp"
+#include "bumpfoil/bearing/impedance.hpp"
 #include "bumpfoil/bearing/journal_law.hpp"
 #include "bumpfoil/film/film_solver.hpp"
 
@@ -138,6 +139,11 @@ class FilmStepper {
   /// One factorisation serves all rates (docs/theory/gas_film.md).
   /// @param rates  s, real parts not negative
   /// @return nothing if the modes leave a singular system
+  [[nodiscard]] std::optional<FilmImpedance> impedance(const BearingState& state,
+                                                       const std::vector<std::complex<double>>& rates,
+                                                       bool stuck = false);
+
+  /// That at the rates.
   [[nodiscard]] std::optional<std::vector<Eigen::Matrix2cd>> impedances(const BearingState& state,
                                                                         const std::vector<std::complex<double>>& rates,
                                                                         bool stuck = false);

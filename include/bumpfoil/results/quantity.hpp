@@ -52,6 +52,7 @@ inline constexpr ShownUnit unitless{"", 1.0};
 inline constexpr ShownUnit newtons{"N", 1.0};
 inline constexpr ShownUnit micrometres{"um", 1e-6};
 inline constexpr ShownUnit degrees{"deg", 1.0};
+inline constexpr ShownUnit kilograms{"kg", 1.0};
 inline constexpr ShownUnit newton_millimetres{"N mm", 1e-3};
 inline constexpr ShownUnit millijoules{"mJ", 1e-3};
 inline constexpr ShownUnit watts{"W", 1.0};

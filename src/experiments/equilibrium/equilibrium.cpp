@@ -1,8 +1,10 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "bumpfoil/core/error.hpp"
@@ -24,6 +26,10 @@ constexpr double start_towards_position = 0.7;
 constexpr double room_left_at_start = 1.0 - start_towards_position;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
+/// Whirl ratios between which critical masses are looked for, and those at which the impedance is made sure of.
+constexpr std::array probed_whirls{0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2};
+/// Contacts that carry less, N, may as well be open: where the verdict on a state hangs on them, it is doubtful.
+constexpr double light_contact_load = 1e-3;
 /// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
 /// speed itself is to lie inside. So many equal ratios lead from the one to the other: nine frequencies at least lie
 /// between those of any speed, wherever the grid begins.
@@ -63,6 +69,35 @@ std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state
   return whirls;
 }
 
+/// The least critical mass of a rigid rotor on two such bearings. @param held  of the same contacts
+std::optional<CriticalMass> least_critical_mass(FilmStepper& stepper, const BearingState& state,
+                                                const std::optional<HeldMotion>& held, bool stuck) {
+  if (!stepper.bearing().has_foils() || !held || held->rate.real() >= 0.0) return std::nullopt;
+  const double speed = std::abs(state.speed);
+  std::vector<std::complex<double>> rates;
+  for (const double ratio : probed_whirls) rates.emplace_back(0.0, ratio * speed);
+  const std::optional<FilmImpedance> impedance = stepper.impedance(state, rates, stuck);
+  if (!impedance) return std::nullopt;
+  const auto at = [&](double frequency) { return impedance->at({0.0, frequency}); };
+  const std::vector<CriticalMass> found =
+      critical_masses(at, probed_whirls.front() * speed, probed_whirls.back() * speed);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+/// Opens closed contacts that carry next to nothing. @return how many there are
+int open_light_contacts(ContactState& contacts) {
+  int count = 0;
+  for (std::size_t c = 0; c < contacts.mode.size(); ++c) {
+    if (contacts.mode[c] == ContactMode::open ||
+        contacts.normal_force[static_cast<Eigen::Index>(c)] >= light_contact_load) {
+      continue;
+    }
+    contacts.mode[c] = ContactMode::open;
+    ++count;
+  }
+  return count;
+}
+
 /// Walks along paths and keeps what is found.
 class PathWalker {
  public:
@@ -72,8 +107,12 @@ class PathWalker {
         progress_(progress),
         states_(states),
         settings_(settings),
-        opening_(opening_to_begin(*result.bearing, thickness_floor)),
-        stepper_(result.bearing, options(thickness_floor)) {}
+        options_(options(thickness_floor)),
+        forms_while_running_(!result.bearing->assembly.empty() &&
+                             opening_to_begin(*result.bearing, thickness_floor) > 0.0),
+        opening_(opening_to_begin(forms_while_running_ ? formed_by(*result.bearing, 0.0) : *result.bearing,
+                                  thickness_floor)),
+        stepper_(std::make_unique<FilmStepper>(result.bearing, options_)) {}
 
   /// The states at `points`, one after the other.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
@@ -117,15 +156,20 @@ class PathWalker {
   void judge(RunningState& found) {
     found.last = state_;
     found.outcome = film_bearing_outcome(*result_.bearing, *state_);
-    const auto moving = stepper_.slow_motion(*state_);
-    const auto stuck = stepper_.slow_motion(*state_, true);
+    const auto moving = stepper_->slow_motion(*state_);
+    const auto stuck = stepper_->slow_motion(*state_, true);
     if (moving) found.stiffness = moving->stiffness;
     if (stuck) found.stuck_stiffness = stuck->stiffness;
     if (moving || stuck) {
       found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
     }
-    found.held = stepper_.held_motions(*state_);
-    found.whirls = whirls_at(stepper_, *state_, frequencies_of(settings_, state_->speed));
+    found.held = stepper_->held_motions(*state_);
+    BearingState opened = *state_;
+    found.light_contacts = open_light_contacts(opened.contacts);
+    if (found.light_contacts > 0) found.held_if_open = stepper_->held_motions(opened);
+    found.critical_mass = least_critical_mass(*stepper_, *state_, found.held.sliding, false);
+    found.stuck_critical_mass = least_critical_mass(*stepper_, *state_, found.held.stuck, true);
+    found.whirls = whirls_at(*stepper_, *state_, frequencies_of(settings_, state_->speed));
     find_stresses(found);
   }
 
@@ -148,8 +192,24 @@ class PathWalker {
     }
   }
 
-  /// From rest to the first state of a path: with a clearance that is opened where it has to be, and closes at the end.
+  /// From rest to the first state of a path. Where formed foils leave a journal no room, foils are formed to the
+  /// bearing until it is there, and then step by step to what they are.
   void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
+    if (!forms_while_running_) return start_assembled(path, point, total);
+    stepper_ = std::make_unique<FilmStepper>(formed_by(*result_.bearing, 0.0), options_);
+    start_assembled(path, point, total);
+    for (int i = 1; i <= settings_.steps; ++i) {
+      const bool last = i == settings_.steps;
+      stepper_ = std::make_unique<FilmStepper>(last ? result_.bearing
+                                                    : std::make_shared<const FilmBearing>(formed_by(
+                                                          *result_.bearing, static_cast<double>(i) / settings_.steps)),
+                                               options_);
+      if (total.status == Status::converged) total += settle(*stepper_, point, *state_);
+    }
+  }
+
+  /// The same of assembled foils: with a clearance that is opened where it has to be, and closes at the end.
+  void start_assembled(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     const bool by_load = point.by_load();
     OperatingPoint opened = point;
     opened.opening = opening_;
@@ -168,14 +228,14 @@ class PathWalker {
         ramp(opened, total);
         break;
       case FilmPath::speed_ramp:
-        start(by_load ? FilmPath::load_ramp : FilmPath::position_ray, at_speed(point, coasting_from * point.speed),
-              total);
+        start_assembled(by_load ? FilmPath::load_ramp : FilmPath::position_ray,
+                        at_speed(point, coasting_from * point.speed), total);
         ramp(point, total);
         break;
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
         if (by_load && total.status == Status::converged) {
-          total += settle(stepper_, opened, *state_);
+          total += settle(*stepper_, opened, *state_);
         }
         break;
     }
@@ -183,17 +243,17 @@ class PathWalker {
   }
 
   [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
-    return start_along_load * (result_.bearing->room + opening_) * point.journal.normalized();
+    return start_along_load * (stepper_->bearing().room + opening_) * point.journal.normalized();
   }
 
   [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
-    const double farthest = start_towards_position * (result_.bearing->room + opening_);
+    const double farthest = start_towards_position * (stepper_->bearing().room + opening_);
     return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
   }
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     BearingState started;
-    total += cold_start(stepper_, position, speed, started, opening_);
+    total += cold_start(*stepper_, position, speed, started, opening_);
     if (total.status == Status::converged) state_ = std::move(started);
   }
 
@@ -211,7 +271,7 @@ class PathWalker {
     const OperatingPoint from = point_of(*result_.bearing, *state_, point.control);
     if (from == point) return;
     int taken = 0;
-    march(stepper_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
+    march(*stepper_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
       total += at.step.film;
       done_of_state_ = static_cast<double>(++taken % settings_.steps) / settings_.steps;
       return at.step.converged() ? Verdict::go_on : Verdict::stop;
@@ -219,16 +279,18 @@ class PathWalker {
   }
 
   /// One increment.
-  void go(const OperatingPoint& to, FilmReport& total) { total += follow(stepper_, to, *state_); }
+  void go(const OperatingPoint& to, FilmReport& total) { total += follow(*stepper_, to, *state_); }
 
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
   std::size_t states_;
   const EquilibriumSettings& settings_;
-  double opening_;  ///< of the clearance where a path begins, m
+  FilmBearingOptions options_;
+  bool forms_while_running_;  ///< formed foils have no room at rest
+  double opening_;            ///< of the clearance where a path begins, m
   double done_of_state_{};
   bool reached_{true};
-  FilmStepper stepper_;
+  std::unique_ptr<FilmStepper> stepper_;
   std::optional<BearingState> state_;  ///< where the path is
   Step step_;
 };

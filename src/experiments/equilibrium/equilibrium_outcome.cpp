@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/experiments/case_warnings.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -16,6 +17,8 @@ namespace {
 /// A top foil that moves farther than this per displacement of the journal is all but free: coefficients then hold for
 /// motions far below any that a rotor makes.
 constexpr double most_foil_response = 100.0;
+/// Overhangs are warned of where the film is thinner than so many times what they flutter at.
+constexpr double margin_of_overhang = 2.0;
 /// Motions of the foil up to this part of the minimum film thickness are small ones.
 constexpr double linear_part = 0.1;
 
@@ -32,11 +35,45 @@ std::string flutter_text(const FilmBearing& bearing, const RunningState& state) 
       bearing.pads.size() > 1 ? fmt::format(" of pad {}", place.pad + 1) : "", to_degrees(place.theta),
       frequency > 0.0 ? fmt::format("flutter at {:.4g} Hz", frequency) : "snap over", std::exp(per_revolution));
   if (bearing.surface_speed(pad, state.last->speed) < 0.0) {
-    text +=
-        "; the gas enters at the free end: let it enter at the weld (reverse the speed or bearing.wrap), or hold the "
-        "free end down";
+    const int lifted = lifted_bumps_at_entry(bearing, state);
+    text += fmt::format(
+        "; the gas enters at the free end{}: hold it down (top_foil.formed_radius = \"seated\", a feed by "
+        "film.inlet_pressure), or let the gas enter at the weld (reverse the speed or bearing.wrap)",
+        lifted > 0 ? fmt::format(", where {} bumps are not loaded", lifted) : std::string());
   }
   return text;
+}
+
+/// Film thickness at the free end of a pad below which its overhang alone may flutter, m: with the last crest as a
+/// clamp and an infinite bearing number P H stays constant under the overhang l, EI' u'''' = pa L (u_in - u) / h, which
+/// is unstable below h = pa L l^4 / (24.35 EI').
+double fluttering_thickness(const FilmBearing& bearing, const FilmPad& pad) {
+  const FilmMesh& mesh = pad.foil.mesh;
+  const double R = bearing.scales.radius;
+  const Vector theta = mesh.angles();
+  const double overhang = R * (theta[mesh.columns] - theta[pad.foil.supports.back()]);
+  const double p = pad.foil.pitch;
+  const double bending_stiffness = pad.foil.stiffness * p * p * p;
+  const double width = 2.0 * R * mesh.dzeta * mesh.rows;
+  return bearing.scales.gas.ambient_pressure * width * std::pow(overhang, 4) / (24.35 * bending_stiffness);
+}
+
+/// The first pad whose film at the free end, where the gas enters, is near that.
+std::string overhang_text(const FilmBearing& bearing, const RunningState& state) {
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const FilmPad& pad = bearing.pads[k];
+    if (bearing.surface_speed(pad, state.last->speed) >= 0.0) continue;
+    const Eigen::Index end = pad.first_column + pad.foil.mesh.columns;
+    const double h = bearing.scales.thickness * state.last->film.thickness(0, end);
+    const double least = fluttering_thickness(bearing, pad);
+    if (h >= margin_of_overhang * least) continue;
+    return fmt::format(
+        "the film at the free end{} is {:.3g} um thick, and below about {:.3g} um the overhang of the top foil "
+        "flutters "
+        "by itself: shorten top_foil.overhang",
+        bearing.pads.size() > 1 ? fmt::format(" of pad {}", k + 1) : "", 1e6 * h, 1e6 * least);
+  }
+  return {};
 }
 
 std::string times_text(int count) {
@@ -73,7 +110,7 @@ std::vector<std::string> failure_lines(const EquilibriumResult& result) {
 }
 
 std::vector<std::string> warning_lines(const Case& input, const EquilibriumResult& result) {
-  std::vector<std::string> lines = input.remarks;
+  std::vector<std::string> lines = case_warnings(input);
   std::size_t lifted = 0;
   std::size_t unstable = 0;
   std::string first_unstable;
@@ -97,6 +134,15 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     if (result.bearing->has_foils()) {
       const std::optional<bool> stable = state.held.is_stable();
       if (!stable) ++unknown;
+      if (state.light_contacts > 0 && state.held_if_open.is_stable() != stable) {
+        lines.push_back(fmt::format(
+            "{}: whether the state is stable depends on {} closed contact{} with less than 1 mN, top foil on bumps or "
+            "bumps on sleeve: the verdict is doubtful",
+            name_of_state(state), state.light_contacts, state.light_contacts == 1 ? "" : "s"));
+      }
+      if (const std::string overhang = overhang_text(*result.bearing, state); !overhang.empty()) {
+        lines.push_back(fmt::format("{}: {}", name_of_state(state), overhang));
+      }
       if (!stable.value_or(true) && unstable++ == 0) {
         first_unstable = fmt::format("{}: {}", name_of_state(state), flutter_text(*result.bearing, state));
       }

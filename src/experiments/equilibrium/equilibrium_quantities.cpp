@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/model/case_names.hpp"
@@ -94,16 +95,19 @@ double held_whirl_ratio(const FilmBearing&, const RunningState& state) {
   return motion ? over_speed(motion->rate.imag(), state) : absent;
 }
 
+template <std::optional<CriticalMass> RunningState::*member>
+double critical_mass_of(const FilmBearing&, const RunningState& state) {
+  return state.*member ? (*(state.*member)).mass : absent;
+}
+template <std::optional<CriticalMass> RunningState::*member>
+double critical_whirl_ratio(const FilmBearing&, const RunningState& state) {
+  return state.*member ? over_speed((*(state.*member)).frequency, state) : absent;
+}
+
 template <int FilmReport::*member>
 double cost(const FilmBearing&, const RunningState& state) {
   return state.report.*member;
 }
-
-/// Of the pad with the thinnest film.
-const FilmMesh& thinnest_mesh(const FilmBearing& bearing, const RunningState& state) {
-  return bearing.pads[static_cast<std::size_t>(state.outcome->thinnest_pad)].foil.mesh;
-}
-
 using B = FilmBearing;
 using S = RunningState;
 using By = Control;
@@ -129,9 +133,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
      csv | headline | sampled, "minimum film thickness", shown::micrometres},
     {"h_min_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
-     [](const B& bearing, const S& state) {
-       return to_degrees(state.outcome->thinnest.column * thinnest_mesh(bearing, state).dtheta);
-     },
+     [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.theta); },
      csv | sampled, "  at, from the weld", shown::degrees},
     {"h_min_pad", "1", "pad with the minimum film thickness",
      [](const B&, const S& state) { return state.outcome->thinnest_pad + 1.0; }, csv | of_pads | sampled, "  of pad",
@@ -255,6 +257,29 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      held_growth<&HeldMotions::stuck>, csv | of_foils | sampled},
     {"whirl_ratio_held_stuck", "1", "angular frequency of growth_held_stuck over the speed of rotation",
      held_whirl_ratio<&HeldMotions::stuck>, csv | of_foils},
+    {"hold_down", "N", "load of the top foil on the last bump before its free end; with several pads, the least",
+     [](const B& bearing, const S& state) {
+       const Vector loads = bump_loads(bearing, *state.last);
+       double least = std::numeric_limits<double>::infinity();
+       Eigen::Index bumps = 0;
+       for (const FilmPad& pad : bearing.pads) least = std::min(least, loads[(bumps += pad.bumps()) - 1]);
+       return least;
+     },
+     csv | of_foils | sampled, "hold-down of the free end", shown::newtons},
+    {"light_contacts", "1", "closed contacts that carry less than 1 mN",
+     [](const B&, const S& state) { return static_cast<double>(state.light_contacts); }, of_foils, "", shown::in_files,
+     whole_number},
+    {"critical_mass", "kg",
+     "least mass per bearing at which a rigid rotor on two such bearings begins to whirl; none where it never does, or "
+     "where the state is unstable with the journal held; sliding contacts keep sliding",
+     critical_mass_of<&S::critical_mass>, csv | of_foils | shown_first | sampled, "critical mass, per bearing",
+     shown::kilograms},
+    {"critical_whirl_ratio", "1", "frequency of that whirl over the speed of rotation",
+     critical_whirl_ratio<&S::critical_mass>, csv | of_foils | sampled, "  whirl ratio", shown::unitless},
+    {"critical_mass_stuck", "kg", "critical_mass, full stick", critical_mass_of<&S::stuck_critical_mass>,
+     csv | of_foils | sampled},
+    {"critical_whirl_ratio_stuck", "1", "critical_whirl_ratio, full stick",
+     critical_whirl_ratio<&S::stuck_critical_mass>, csv | of_foils},
     {"whirl_frequency", "rad/s", "first frequency of small motions; default: that of the rotation (synchronous)",
      [](const B&, const S& state) { return state.whirls.empty() ? absent : state.whirls.front().frequency; }, of_foils,
      "whirl frequency", shown::revolutions},
@@ -431,7 +456,7 @@ HeldPlace held_place(const FilmBearing& bearing, const HeldMotion& motion) {
                                    [&](const FilmPad& pad) { return pad.first_column > motion.column; });
   const FilmPad& pad = *std::prev(behind);
   return {.pad = static_cast<std::size_t>(std::distance(bearing.pads.begin(), behind)) - 1,
-          .theta = static_cast<double>(motion.column - pad.first_column) * pad.foil.mesh.dtheta};
+          .theta = pad.foil.mesh.angles()[motion.column - pad.first_column]};
 }
 
 int lifted_bumps_at_entry(const FilmBearing& bearing, const RunningState& state) {

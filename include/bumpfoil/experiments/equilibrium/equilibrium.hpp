@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bumpfoil/bearing/critical_mass.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/core/enum_names.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -41,6 +42,11 @@ struct RunningState {
   std::optional<Eigen::Matrix2d> stiffness, stuck_stiffness;
   std::optional<double> foil_response;  ///< SlowMotion::foil_response, the larger one of both
   HeldMotions held;                     ///< of it
+  int light_contacts{};                 ///< closed ones that carry less than 1 mN
+  HeldMotions held_if_open;             ///< of it with these open; found only where there are any
+  /// The least one where sliding contacts keep sliding, and where all stick; absent where the state is unstable with
+  /// the journal held, and where a rotor of any mass is stable.
+  std::optional<CriticalMass> critical_mass, stuck_critical_mass;
   /// At the frequencies of the case, or at that of the rotation: one entry or more.
   std::vector<FilmWhirl> whirls;
   std::optional<MeshError> mesh_error;  ///< of estimate_mesh_errors(), where it was asked for
