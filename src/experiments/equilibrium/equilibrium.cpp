@@ -1,7 +1,6 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/rest.hpp"
+#include "experiments/equilibrium/small_motions.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -26,8 +26,6 @@ constexpr double start_towards_position = 0.7;
 constexpr double room_left_at_start = 1.0 - start_towards_position;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
-/// Whirl ratios between which critical masses are looked for, and those at which the impedance is made sure of.
-constexpr std::array probed_whirls{0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2};
 /// Contacts that carry less, N, may as well be open: where the verdict on a state hangs on them, it is doubtful.
 constexpr double light_contact_load = 1e-3;
 /// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
@@ -49,10 +47,6 @@ double opening_to_begin(const FilmBearing& bearing, double floor) {
   return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
 }
 
-std::vector<double> frequencies_of(const EquilibriumSettings& settings, double speed) {
-  return settings.frequencies.empty() ? std::vector{std::abs(speed)} : settings.frequencies;
-}
-
 std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state,
                                  const std::vector<double>& frequencies) {
   std::vector<std::complex<double>> rates;
@@ -69,19 +63,12 @@ std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state
   return whirls;
 }
 
-/// The least critical mass of a rigid rotor on two such bearings. @param held  of the same contacts
-std::optional<CriticalMass> least_critical_mass(FilmStepper& stepper, const BearingState& state,
-                                                const std::optional<HeldMotion>& held, bool stuck) {
-  if (!stepper.bearing().has_foils() || !held || held->rate.real() >= 0.0) return std::nullopt;
-  const double speed = std::abs(state.speed);
-  std::vector<std::complex<double>> rates;
-  for (const double ratio : probed_whirls) rates.emplace_back(0.0, ratio * speed);
-  const std::optional<FilmImpedance> impedance = stepper.impedance(state, rates, stuck);
-  if (!impedance) return std::nullopt;
-  const auto at = [&](double frequency) { return impedance->at({0.0, frequency}); };
-  const std::vector<CriticalMass> found =
-      critical_masses(at, probed_whirls.front() * speed, probed_whirls.back() * speed);
-  return found.empty() ? std::nullopt : std::optional(found.front());
+/// None where film and foils leave the state by themselves. @param held  of the same contacts
+std::optional<CriticalMass> critical_mass_of_state(FilmStepper& stepper, const BearingState& state,
+                                                   const std::optional<HeldMotion>& held, bool stuck) {
+  if (!held || held->rate.real() >= 0.0) return std::nullopt;
+  const std::optional<FilmImpedance> impedance = stepper.impedance(state, whirling_rates(state.speed), stuck);
+  return impedance ? least_critical_mass(*impedance, state.speed) : std::nullopt;
 }
 
 /// Opens closed contacts that carry next to nothing. @return how many there are
@@ -167,8 +154,8 @@ class PathWalker {
     BearingState opened = *state_;
     found.light_contacts = open_light_contacts(opened.contacts);
     if (found.light_contacts > 0) found.held_if_open = stepper_->held_motions(opened);
-    found.critical_mass = least_critical_mass(*stepper_, *state_, found.held.sliding, false);
-    found.stuck_critical_mass = least_critical_mass(*stepper_, *state_, found.held.stuck, true);
+    found.critical_mass = critical_mass_of_state(*stepper_, *state_, found.held.sliding, false);
+    found.stuck_critical_mass = critical_mass_of_state(*stepper_, *state_, found.held.stuck, true);
     found.whirls = whirls_at(*stepper_, *state_, frequencies_of(settings_, state_->speed));
     find_stresses(found);
   }

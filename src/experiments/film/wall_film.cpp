@@ -3,9 +3,11 @@
 #include <chrono>
 #include <numbers>
 
+#include "bearing/wall_impedance.hpp"
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/validation.hpp"
+#include "experiments/equilibrium/small_motions.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -24,6 +26,24 @@ Foundation foundation_of(const Case& input, const FilmScales& scales) {
   }
   foundation.compliance = scales.gas.ambient_pressure / (scales.thickness * *input.film.wall_stiffness);
   return foundation;
+}
+
+/// Stiffness, small motions and critical mass.
+void find_motions(const FilmBearing& bearing, const Foundation& foundation, const EquilibriumSettings& settings,
+                  RunningState& found) {
+  const double speed = found.last->speed;
+  std::vector<std::complex<double>> rates = whirling_rates(speed);
+  rates.emplace_back(0.0, 0.0);
+  const std::vector<double> frequencies = frequencies_of(settings, speed);
+  for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
+  const std::optional<FilmImpedance> impedance = wall_impedance(bearing, foundation, *found.last, rates);
+  if (!impedance) return;
+  found.stiffness = impedance->at(0.0).real();
+  for (const double frequency : frequencies) {
+    found.whirls.push_back(
+        {.frequency = frequency, .impedance = impedance->at({0.0, frequency}), .stuck_impedance = {}});
+  }
+  found.critical_mass = least_critical_mass(*impedance, speed);
 }
 
 /// One film, from the centred journal on.
@@ -76,7 +96,8 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
   }
   const FilmBearing& bearing = *result.bearing;
   const std::size_t count = input.equilibrium->speeds.size() * input.equilibrium->positions.size();
-  FilmSolver solver(bearing.pads.front().foil.mesh, foundation_of(input, bearing.scales),
+  const Foundation foundation = foundation_of(input, bearing.scales);
+  FilmSolver solver(bearing.pads.front().foil.mesh, foundation,
                     {.thickness_floor = input.film.h_floor / bearing.scales.thickness});
   for (const double speed : input.equilibrium->speeds) {
     for (const Eigen::Vector2d& position : input.equilibrium->positions) {
@@ -99,6 +120,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       if (!found.found()) continue;
       found.outcome = film_bearing_outcome(bearing, state);
       found.last = std::move(state);
+      find_motions(bearing, foundation, *input.equilibrium, found);
     }
   }
   return result;

@@ -1,0 +1,95 @@
+#include "bearing/wall_impedance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/film_impedance.hpp"
+#include "film/pressure_system.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A film over a wall, linearised where every rate of storage answers to P H at a real rate.
+class LinearWallFilm {
+  /// Of the nodes whose pressure is unknown.
+  template <typename Field>
+  auto inside(Field& field) const {
+    return field.block(0, mesh_.first_unknown(), mesh_.unknown_rows(), mesh_.unknown_columns());
+  }
+
+ public:
+  LinearWallFilm(const FilmBearing& bearing, const Foundation& foundation, const FilmState& film)
+      : bearing_(bearing),
+        mesh_(bearing.pads.front().foil.mesh),
+        foundation_(foundation),
+        film_(film),
+        system_(mesh_) {}
+
+  /// @param shift  the rate, in units of 1 / T0. @return whether the equations are regular there
+  bool linearise(double speed, double shift) {
+    FilmEquations equations = film_equations(bearing_, speed);
+    squeeze(bearing_, shift, film_content(film_), equations);
+    linearise_reynolds(equations.front(), film_, residual_, jacobian_);
+    system_.assemble(jacobian_, foundation_);
+    return system_.factor();
+  }
+
+  /// The answer to a change of H by the journal alone.
+  FilmAnswer moved(const Matrix& rigid) {
+    residual_ = stencil_product(mesh_, jacobian_.by_thickness, rigid);
+    return answer(rigid);
+  }
+
+  /// The answer to rates of storage at the nodes whose pressure is unknown.
+  FilmAnswer stored(const Vector& rates) {
+    residual_ = mesh_.field(0.0);
+    inside(residual_) = mesh_.dtheta * mesh_.dzeta * rates.reshaped(mesh_.unknown_rows(), mesh_.unknown_columns());
+    for (int j = 0; j < mesh_.unknown_rows(); ++j) residual_.row(j) *= mesh_.row_weight(j);
+    residual_.array().rowwise() *= mesh_.weights.transpose().array();
+    return answer(mesh_.field(0.0));
+  }
+
+ private:
+  FilmAnswer answer(const Matrix& rigid) {
+    Matrix pressure = mesh_.field(0.0);
+    system_.solve(residual_, pressure);
+    Matrix thickness = rigid;
+    add_yield(foundation_, mesh_, pressure, thickness);
+    const Matrix content = pressure.cwiseProduct(film_.thickness) + film_.pressure.cwiseProduct(thickness);
+    return {.content = inside(content).reshaped(), .force = film_force(bearing_, bearing_.field(1.0) + pressure)};
+  }
+
+  const FilmBearing& bearing_;
+  const FilmMesh& mesh_;
+  const Foundation& foundation_;
+  const FilmState& film_;
+  PressureSystem system_;
+  FilmJacobian jacobian_;
+  Matrix residual_;
+};
+
+}  // namespace
+
+std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Foundation& foundation,
+                                            const BearingState& state, const std::vector<std::complex<double>>& rates) {
+  const double T0 = bearing.scales.squeeze_time();
+  double largest = 0.0;
+  for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
+  FilmImpedance found{.shift = largest * T0, .squeeze_time = T0, .along = {}};
+  LinearWallFilm film(bearing, foundation, state.film);
+  if (!film.linearise(state.speed, found.shift)) return std::nullopt;
+  std::vector<std::complex<double>> excess;
+  excess.reserve(rates.size());
+  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - found.shift);
+  const int rows = bearing.pads.front().foil.mesh.rows + 1;
+  for (const Eigen::Index axis : {0, 1}) {
+    const Matrix rigid = (bearing.column_normals.row(axis) / -bearing.scales.thickness).replicate(rows, 1);
+    auto reduced = reduce_forces(
+        film.moved(rigid), [&](const Vector& rates_of) { return film.stored(rates_of); }, excess);
+    if (!reduced) return std::nullopt;
+    found.along.at(static_cast<std::size_t>(axis)) = std::move(*reduced);
+  }
+  return found;
+}
+
+}  // namespace bumpfoil
