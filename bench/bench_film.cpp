@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <complex>
 #include <numbers>
 #include <vector>
@@ -28,10 +29,11 @@ FilmBearing frictionless_bearing(const benchmark::State& bench) {
 }
 
 /// The journal pushed to +X by a part of the clearance, from a cold start.
-BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench) {
+BearingState cold_state(const FilmBearing& bearing, double eccentricity, benchmark::State& bench,
+                        double omega = speed) {
   BearingState state;
   FilmStepper stepper(bearing);
-  const FilmReport report = cold_start(stepper, {eccentricity * bearing.clearance, 0.0}, speed, state);
+  const FilmReport report = cold_start(stepper, {eccentricity * bearing.clearance, 0.0}, omega, state);
   if (report.status != Status::converged) bench.SkipWithError("no state");
   return state;
 }
@@ -90,8 +92,41 @@ void warm_step_with_friction(benchmark::State& bench) {
 }
 BENCHMARK(warm_step_with_friction)->Apply(meshes);
 
-/// The same on 6 x 16 with film and foils in turn, the foils' answer relaxed to a part of range(0) thousandths, from
-/// the state at range(1) hundredths of the clearance to one that is range(2) thousandths further.
+/// A step in time, a hundredth of a revolution, of a journal whose load goes round: 5 N around 50 N, gas entering at
+/// the weld, after a quarter of a revolution.
+void step_in_time(const FilmBearing& bearing, benchmark::State& bench) {
+  constexpr int steps_per_revolution = 100;
+  FilmStepper stepper(bearing);
+  BearingState start = cold_state(bearing, 0.6, bench, -speed);
+  const auto loaded = [](int step) {
+    const double angle = 2.0 * std::numbers::pi * step / steps_per_revolution;
+    return OperatingPoint::loaded_by({50.0 + 5.0 * std::sin(angle), 5.0 - 5.0 * std::cos(angle)}, -speed);
+  };
+  const double dt = 2.0 * std::numbers::pi / (speed * steps_per_revolution);
+  FilmReport report = follow(stepper, loaded(0), start);
+  for (int step = 1; step <= 25; ++step) report += stepper.advance(stepper.move_to(loaded(step), dt), start);
+  if (report.status != Status::converged) bench.SkipWithError("no state");
+  const Move move = stepper.move_to(loaded(26), dt);
+  for (auto _ : bench) {
+    BearingState state = start;
+    report = stepper.advance(move, state);
+    if (report.status != Status::converged) bench.SkipWithError("not converged");
+  }
+  bench.counters["iterations"] = report.iterations;
+}
+
+void time_step(benchmark::State& bench) {
+  step_in_time(frictionless_bearing(bench), bench);
+}
+BENCHMARK(time_step)->Apply(meshes);
+
+void time_step_with_friction(benchmark::State& bench) {
+  step_in_time(bearing_with_friction(0.1, bench), bench);
+}
+BENCHMARK(time_step_with_friction)->Apply(meshes);
+
+/// The step of a path on 6 x 16 with film and foils in turn, the foils' answer relaxed to a part of range(0)
+/// thousandths, from the state at range(1) hundredths of the clearance to one that is range(2) thousandths further.
 void film_and_foils_in_turn(benchmark::State& bench) {
   Case input = reference_case();
   input.friction = {.top_bump = 0.0, .bump_sleeve = 0.0};

@@ -7,6 +7,7 @@
 
 #include "bearing/film_impedance.hpp"
 #include "bearing/rightmost_pole.hpp"
+#include "bumpfoil/bearing/backward_difference.hpp"
 #include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
@@ -498,7 +499,15 @@ double FilmNewton::distance(const BearingState& a, const BearingState& b) const 
 
 FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState& state) {
   FilmEquations equations = film_equations(bearing_, to.speed);
-  if (to.dt > 0.0) squeeze(bearing_, bearing_.scales.squeeze_time() / to.dt, film_content(state.film), equations);
+  LastStep taken;
+  if (to.dt > 0.0) {
+    const bool second_order = to.scheme == TimeScheme::bdf2;
+    const BackwardDifference rate = second_order ? bdf2(to.dt, state.last_step.dt) : implicit_euler(to.dt);
+    const Matrix content = film_content(state.film);
+    squeeze(bearing_, bearing_.scales.squeeze_time() / rate.span, rate.reference(content, state.last_step.content),
+            equations);
+    if (second_order) taken = {to.dt, content};
+  }
   FilmReport report;
   iterate_ = trial_ = state;
   iterate_.speed = to.speed;
@@ -528,6 +537,7 @@ FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState&
       trial_.opening = to.opening;
       report.predicted_change = distance(predicted_, state);
       report.departure = distance(trial_, predicted_);
+      trial_.last_step = std::move(taken);
       if (!touches) std::swap(state, trial_);
       return report;
     }

@@ -23,17 +23,19 @@ FilmStepper::FilmStepper(FilmBearing bearing, const FilmBearingOptions& options)
 
 FilmStepper::~FilmStepper() = default;
 
-Move FilmStepper::move_to(const OperatingPoint& point, double dt) const {
+Move FilmStepper::move_to(const OperatingPoint& point, double dt, TimeScheme scheme) const {
   const FilmScales& scales = bearing_->scales;
   return {.law = point.by_load() ? loaded_journal(point.journal, scales) : held_journal(point.journal, scales),
           .speed = point.speed,
           .opening = point.opening,
-          .dt = dt};
+          .dt = dt,
+          .scheme = scheme};
 }
 
 FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_near) {
   if (options_.keep_going && !options_.keep_going()) return {.status = Status::interrupted};
-  const double tolerance = move.dt > 0.0 ? options_.marching_tolerance : options_.newton.step_tolerance;
+  const bool finds_states = move.dt > 0.0 && move.scheme == TimeScheme::implicit_euler;
+  const double tolerance = finds_states ? options_.marching_tolerance : options_.newton.step_tolerance;
   const FilmReport report = newton_->solve(move, {.tolerance = tolerance, .stays_near = stays_near}, state);
   if (report.status == Status::converged) state.time += move.dt;
   return report;

@@ -10,6 +10,8 @@ namespace {
 
 /// A load of zero stands for this part of the largest: where nothing is touched the place would not be determined.
 constexpr double least_load = 1e-6;
+/// Into so many equal parts an increment in time is divided at most.
+constexpr int most_parts = 128;
 
 /// A load that keeps the body on the side that it is on, or is to be on next.
 /// @param largest  load of the program
@@ -23,6 +25,21 @@ Eigen::Vector2d never_zero(const Eigen::Vector2d& load, double largest, const Le
   if (larger.norm() >= least) return least * larger.normalized();
   const Eigen::Vector2d carried = holding_force(foils, state.contacts.normal_force);
   return least * (carried.norm() > 0.0 ? Eigen::Vector2d(carried.normalized()) : Eigen::Vector2d::UnitX());
+}
+
+/// An increment in time, in as many parts as it takes.
+void pass_time(FilmStepper& stepper, const Leg& leg, int taken, const BearingState& from, Step& step) {
+  step.film = {};
+  for (int parts = 1; parts <= most_parts; parts *= 2) {
+    step.state = from;
+    step.substeps = parts - 1;
+    int part = 1;
+    do {
+      const OperatingPoint to = leg.point(taken - 1 + static_cast<double>(part) / parts);
+      step.film += stepper.advance(stepper.move_to(to, leg.dt / parts), step.state);
+    } while (step.film.status == Status::converged && ++part <= parts);
+    if (step.film.status != Status::not_converged) return;
+  }
 }
 
 }  // namespace
@@ -70,10 +87,13 @@ bool march(FoilStepper& stepper, const Program& program, double reach, BearingSt
 
 bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe) {
   const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
-    next.state = from;
-    const OperatingPoint to = leg.point(taken);
-    next.film =
-        leg.dt > 0.0 ? stepper.advance(stepper.move_to(to, leg.dt), next.state) : follow(stepper, to, next.state);
+    if (leg.dt > 0.0) {
+      pass_time(stepper, leg, taken, from, next);
+    } else {
+      next.state = from;
+      next.substeps = 0;
+      next.film = follow(stepper, leg.point(taken), next.state);
+    }
     next.status = next.film.status;
   };
   return march(schedule_of(program), take, state, step, observe);

@@ -1,11 +1,13 @@
 #include "bumpfoil/motion/program.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace bumpfoil {
 
-OperatingPoint Leg::point(int step) const {
-  const double fraction = static_cast<double>(step) / steps;
+OperatingPoint Leg::point(double step) const {
+  const double fraction = step / steps;
   return {control, line.place(target(step)), speed.at(fraction), opening.at(fraction)};
 }
 
@@ -17,6 +19,12 @@ Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps) {
           .steps = steps,
           .speed = {from.speed, to.speed},
           .opening = {from.opening, to.opening}};
+}
+
+Leg revolutions(const OperatingPoint& at, double count, int steps_per_revolution) {
+  Leg leg = ramp(at, at, static_cast<int>(std::lround(count * steps_per_revolution)));
+  leg.dt = 2.0 * std::numbers::pi / (std::abs(at.speed) * steps_per_revolution);
+  return leg;
 }
 
 Leg straight_leg(Control control, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int steps) {

@@ -104,7 +104,7 @@ FilmReport march_to_rest(FilmStepper& stepper, const OperatingPoint& to, Bearing
   Step step;
   const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
     next.state = from;
-    next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt), next.state);
+    next.film = stepper.solve(stepper.move_to(leg.point(taken), leg.dt, TimeScheme::implicit_euler), next.state);
     next.status = next.film.status;
   };
   march([&] { return search.next(); }, take, moving, step, [&](const Passage& at) { return search.see(at); });

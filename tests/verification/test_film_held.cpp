@@ -1,5 +1,5 @@
 // docs/verification/film.md: motions of film and foils with the journal held, against an independent prototype, a dense
-// solution of all equations, time and symmetry.
+// solution of all equations, and symmetry.
 
 #include <gtest/gtest.h>
 
@@ -15,20 +15,12 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 #include "bumpfoil/motion/rest.hpp"
 #include "support/film_bearing_cases.hpp"
+#include "support/film_motions.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// A cold start at 0.1 C_r along the load, and the film marched on in time until it rests under the load.
-BearingState loaded_state(FilmStepper& stepper, const Eigen::Vector2d& load, double speed) {
-  BearingState state;
-  EXPECT_EQ(cold_start(stepper, 0.1 * stepper.bearing().clearance * load.normalized(), speed, state).status,
-            Status::converged);
-  EXPECT_EQ(settle(stepper, OperatingPoint::loaded_by(load, speed), state).status, Status::converged);
-  return state;
-}
 
 /// In speeds of rotation.
 Complex held_rate(FilmStepper& stepper, const BearingState& state, bool stuck = false) {
@@ -58,7 +50,7 @@ TEST(FilmHeld, GrowsAndDecaysAsInThePrototype) {
   for (const HeldReference& reference : references) {
     SCOPED_TRACE(reference.rpm);
     SCOPED_TRACE(reference.load);
-    const BearingState state = loaded_state(stepper, {reference.load, 0.0}, speed_of_rpm(reference.rpm));
+    const BearingState state = state_under(stepper, {reference.load, 0.0}, speed_of_rpm(reference.rpm));
     // What the prototype prints.
     EXPECT_LT(std::abs(held_rate(stepper, state) - reference.rate), 2e-4);
   }
@@ -66,7 +58,7 @@ TEST(FilmHeld, GrowsAndDecaysAsInThePrototype) {
 
 TEST(FilmHeld, GrowsOnAFinerMeshAsInThePrototype) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 12, .rows = 16}));
-  const BearingState state = loaded_state(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
+  const BearingState state = state_under(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
   EXPECT_LT(std::abs(held_rate(stepper, state) - Complex(0.50035, 0.78645)), 2e-5);
 }
 
@@ -244,39 +236,11 @@ TEST(FilmHeld, IsTheRightmostPoleOfAllEquations) {
   }
 }
 
-/// The other way round: what grows in time. A step dt of implicit Euler multiplies a motion e^{s t} by 1 / (1 - s dt);
-/// once all others have died out, three changes in turn obey d_2 - 2 Re(z) d_1 + |z|^2 d_0 = 0.
-TEST(FilmHeld, GrowsInTime) {
-  FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}), {.marching_tolerance = 1e-11});
-  const double speed = speed_of_rpm(12000.0);
-  const BearingState rest = loaded_state(stepper, {9.81, 0.0}, speed);
-  const Complex s = held_rate(stepper, rest) * speed;
-  ASSERT_GT(s.real(), 0.0);
-  const double dt = 0.1 / speed;
-  const Move move = stepper.move_to(OperatingPoint::held_at(rest.position, speed), dt);
-  BearingState state = rest;
-  state.film.pressure(0, 60) += 1e-6;
-  std::vector<Matrix> changes;
-  for (int i = 0; i < 160; ++i) {
-    const Matrix before = state.film.pressure;
-    ASSERT_EQ(stepper.advance(move, state).status, Status::converged);
-    changes.push_back(state.film.pressure - before);
-  }
-  ASSERT_EQ(state.contacts.mode, rest.contacts.mode);
-  const auto before = [&](std::size_t steps) { return changes[changes.size() - 1 - steps].reshaped(); };
-  Eigen::MatrixX2d terms(before(0).size(), 2);
-  terms << 2.0 * before(1), -before(2);
-  const Eigen::Vector2d fitted = (terms.transpose() * terms).partialPivLu().solve(terms.transpose() * before(0));
-  const Complex z = 1.0 / (1.0 - s * dt);
-  EXPECT_NEAR(fitted[0], z.real(), 1e-4);
-  EXPECT_NEAR(fitted[1], std::norm(z), 1e-4);
-}
-
 /// Z has the same pole: there it grows like 1 / |s - s_0|.
 TEST(FilmHeld, IsAPoleOfTheImpedance) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
   const double speed = speed_of_rpm(12000.0);
-  const BearingState state = loaded_state(stepper, {9.81, 0.0}, speed);
+  const BearingState state = state_under(stepper, {9.81, 0.0}, speed);
   const Complex pole = held_rate(stepper, state) * speed;
   const double distance = 1e-4 * speed;
   const auto Z = stepper.impedances(state, {pole + distance, pole + 2.0 * distance, pole - 2.0 * distance});
@@ -291,17 +255,17 @@ TEST(FilmHeld, IsTheSameTurnedAndMirrored) {
   const double speed = speed_of_rpm(45000.0);
   Case input = film_reference_case({.columns_per_pitch = 4, .rows = 4}, 0.1);
   FilmStepper here(make_film_bearing(input));
-  const BearingState state = loaded_state(here, load, speed);
+  const BearingState state = state_under(here, load, speed);
   const Eigen::Rotation2Dd turn(0.7);
   Case turned = input;
   turned.bearing.weld_angle += turn.angle();
   FilmStepper there(make_film_bearing(turned));
-  const BearingState turned_state = loaded_state(there, turn * load, speed);
+  const BearingState turned_state = state_under(there, turn * load, speed);
   Case mirrored = input;
   mirrored.bearing.weld_angle = -input.bearing.weld_angle;
   mirrored.bearing.wrap = input.bearing.wrap == Wrap::clockwise ? Wrap::counterclockwise : Wrap::clockwise;
   FilmStepper image(make_film_bearing(mirrored));
-  const BearingState mirrored_state = loaded_state(image, {load.x(), -load.y()}, -speed);
+  const BearingState mirrored_state = state_under(image, {load.x(), -load.y()}, -speed);
   for (const bool stuck : {false, true}) {
     const Complex rate = held_rate(here, state, stuck);
     EXPECT_LT(std::abs(held_rate(there, turned_state, stuck) - rate), 1e-6);
@@ -322,7 +286,7 @@ TEST(FilmHeld, DiesOutWhereTheJournalIsAtRest) {
 /// The free end of the default bearing, where the gas enters.
 TEST(FilmHeld, MovesMostWhereTheFoilIsDetached) {
   FilmStepper stepper(film_reference_bearing({.columns_per_pitch = 4, .rows = 4}));
-  const BearingState state = loaded_state(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
+  const BearingState state = state_under(stepper, {9.81, 0.0}, speed_of_rpm(12000.0));
   const auto motion = stepper.held_motion(state);
   ASSERT_TRUE(motion.has_value());
   EXPECT_GE(motion->column, 100);  // of 104, the last of them at the free end

@@ -9,6 +9,12 @@
 
 namespace bumpfoil {
 
+/// What a step in time leaves to the next one beside the state it led to: a plain value.
+struct LastStep {
+  double dt{};     ///< its length, s; 0: there was none, as after increments that take no time
+  Matrix content;  ///< P H at its start, at all nodes
+};
+
 /// All that an increment leaves to the next, with a film or without: a plain value, to be copied, kept and gone back
 /// to. Its excitation is the one that the foils are in balance with.
 struct BearingState : Excitation {
@@ -19,6 +25,7 @@ struct BearingState : Excitation {
   ContactState contacts;       ///< displacements, forces and modes; friction refers to them
   Vector slip_origin;          ///< unknowns that the slip of the last part of the last increment is measured from
   FoilFilmState film;          ///< of all columns, without dimension, see FilmScales; no columns: no film
+  LastStep last_step;          ///< of second order in time
   double work{};               ///< of the pressing body since the count began, see gap_work(), J
   double dissipated_energy{};  ///< by friction since then, J
 

@@ -141,8 +141,8 @@ using FilmEquations = std::vector<ReynoldsEquation>;
 FilmEquations film_equations(const FilmBearing& bearing, double speed);
 
 /// Adds the squeeze term of a step in time.
-/// @param squeeze_rate  T0 over the step
-/// @param content       film_content() at its begin
+/// @param squeeze_rate  T0 over BackwardDifference::span
+/// @param content       its reference of film_content()
 void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& content, FilmEquations& equations);
 
 }  // namespace bumpfoil

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,7 +20,7 @@ class FilmNewton;
 struct FilmBearingOptions {
   FilmSolverOptions newton{};
   double first_time_step{0.025};    ///< of a march in time, in units of T0
-  double marching_tolerance{1e-6};  ///< in place of FilmSolverOptions::step_tolerance, for steps in time
+  double marching_tolerance{1e-6};  ///< in place of FilmSolverOptions::step_tolerance, in steps of implicit Euler
   double time_growth{1.5};          ///< of time steps that converged; others are quartered
   double last_time_step{10e-3};     ///< s; the march ends at steps longer than this that change little:
   double resting_change{1e-4};      ///< of P and U
@@ -56,12 +57,19 @@ struct OperatingPoint {
   }
 };
 
+/// How an increment goes through time, see BackwardDifference.
+enum class TimeScheme : std::uint8_t {
+  bdf2,            ///< as the bearing moves; leaves BearingState::last_step
+  implicit_euler,  ///< to find states: it damps what grows
+};
+
 /// What an increment of a running bearing leads to, and in what time. A plain value.
 struct Move {
   JournalLaw law;    ///< what holds the journal
   double speed{};    ///< Omega, rad/s
   double opening{};  ///< of the clearance, m
-  double dt{};       ///< time step of implicit Euler, journal and foils without mass, s; 0: quasi-static
+  double dt{};       ///< time step, journal and foils without mass, s; 0: quasi-static
+  TimeScheme scheme{TimeScheme::bdf2};
 };
 
 /// The operating point of a state, by the position of its journal or by the load that it carries.
@@ -107,7 +115,7 @@ class FilmStepper {
   ~FilmStepper();
 
   /// The move that leads to an operating point, in the time `dt` (s).
-  [[nodiscard]] Move move_to(const OperatingPoint& point, double dt = 0.0) const;
+  [[nodiscard]] Move move_to(const OperatingPoint& point, double dt = 0.0, TimeScheme scheme = TimeScheme::bdf2) const;
 
   /// The state near `state` at the end of a move, all in one step. Friction refers to BearingState::slip_origin, so
   /// that several moves can make one increment.

@@ -8,14 +8,14 @@ namespace bumpfoil {
 ///
 ///     d/dtheta ( G dP/dtheta - Lam P H ) + d/dzeta ( G dP/dzeta ) = T0 d(P H)/dt,      G = H^3 P + 6 Kn H^2
 ///
-/// [Burgdorfer1959] for the slip flow term. An implicit time step dt puts ((P H) - (P H)_old) / dt in place of the
-/// derivative. A plain value.
+/// [Burgdorfer1959] for the slip flow term. A time step puts ((P H) - (P H)_ref) / span in place of the
+/// derivative (BackwardDifference). A plain value.
 struct ReynoldsEquation {
   FilmMesh mesh;
   double bearing_number{};    ///< Lam; its sign is that of the surface speed along theta
   double knudsen{};           ///< Kn >= 0
-  double squeeze_rate{};      ///< T0 / dt; 0: steady
-  Matrix previous_content{};  ///< (P H)_old at all nodes; read only where squeeze_rate > 0
+  double squeeze_rate{};      ///< T0 / span; 0: steady
+  Matrix previous_content{};  ///< (P H)_ref at all nodes; read only where squeeze_rate > 0
 };
 
 /// State of a film: a plain value. P at nodes on the edges is given, at all others unknown; P > 0, H > 0.

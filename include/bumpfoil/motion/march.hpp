@@ -49,8 +49,9 @@ bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Ste
 bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe);
 
-/// Takes a bearing that runs through a program: quasi-static increments by follow(), those that take time by one
-/// implicit step each.
+/// Takes a bearing that runs through a program: quasi-static increments by follow(), those that take time by one step
+/// of BDF2 each. An increment in time that Newton's method fails to find is taken again in 2, 4, ... 128 equal parts;
+/// friction refers to the start of each part.
 bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe);
 
 }  // namespace bumpfoil

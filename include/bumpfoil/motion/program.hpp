@@ -37,14 +37,17 @@ struct Leg {
   Ramp opening{};  ///< of its clearance, m
   double dt{};     ///< time that each increment takes, s; 0: quasi-static
 
-  /// s where increment 0..steps leads.
-  [[nodiscard]] double target(int step) const { return (begin * (steps - step) + end * step) / steps; }
+  /// s where increment 0..steps leads; parts of increments lie between.
+  [[nodiscard]] double target(double step) const { return (begin * (steps - step) + end * step) / steps; }
   /// The same of a bearing that runs.
-  [[nodiscard]] OperatingPoint point(int step) const;
+  [[nodiscard]] OperatingPoint point(double step) const;
 };
 
 /// From one operating point to another in equal steps.
 Leg ramp(const OperatingPoint& from, const OperatingPoint& to, int steps);
+
+/// Stays at an operating point for some revolutions, in equal steps of time.
+Leg revolutions(const OperatingPoint& at, double count, int steps_per_revolution);
 
 /// What is done to foils, leg after leg.
 using Program = std::vector<Leg>;

@@ -106,6 +106,45 @@ TEST(FilmMarch, RampsAndStepsInTimeAreLegsOfOneProgram) {
   EXPECT_LT((film_force(bearing, state.film.pressure) - loaded.journal).norm(), 1e-3);  // N, of P to 1e-6
 }
 
+/// A journal that is moved goes by at most 0.00625 C_r per iteration: the longer the way, the more of them.
+TEST(FilmMarch, AStepInTimeThatFailsIsTakenInParts) {
+  const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 4, .rows = 3}, 0.1);
+  FilmBearingOptions options;
+  FilmStepper patient(bearing, options);
+  options.newton.max_iterations = 8;
+  FilmStepper hasty(bearing, options);
+  const double speed = speed_of_rpm(-45000.0);
+  BearingState start;
+  ASSERT_EQ(cold_start(patient, {0.5 * bearing.clearance, 0.0}, speed, start).status, Status::converged);
+  const auto moved = [&](FilmStepper& stepper, double way, int steps, BearingState& state) {
+    const OperatingPoint to = OperatingPoint::held_at({(0.5 + way) * bearing.clearance, 0.0}, speed);
+    Program program{ramp(point_of(bearing, state, Control::displacement), to, steps)};
+    program.back().dt = 1e-4 / steps;
+    Step step;
+    const bool all = march(stepper, program, state, step,
+                           [](const Passage& at) { return at.step.converged() ? Verdict::go_on : Verdict::refuse; });
+    EXPECT_EQ(all, step.converged());
+    return step;
+  };
+  BearingState parts = start;
+  const int taken = moved(hasty, 0.1, 1, parts).substeps + 1;
+  EXPECT_GT(taken, 1);
+  // The same steps, each with friction from its start.
+  BearingState whole = start;
+  EXPECT_EQ(moved(patient, 0.1, taken, whole).substeps, 0);
+  EXPECT_LT(patient.distance(parts, whole), 1e-8);
+  EXPECT_DOUBLE_EQ(parts.last_step.dt, 1e-4 / taken);
+  EXPECT_NEAR(parts.time - start.time, 1e-4, 1e-12 * parts.time);
+
+  options.newton.max_iterations = 1;
+  FilmStepper hopeless(bearing, options);
+  BearingState same = parts;
+  EXPECT_EQ(moved(hopeless, 0.2, 1, same).substeps, 127);
+  EXPECT_EQ(same.time, parts.time);
+  EXPECT_EQ(same.film.pressure, parts.film.pressure);
+  EXPECT_EQ(same.last_step.content, parts.last_step.content);
+}
+
 TEST(FilmMarch, ARetryGoesByTheSchedule) {
   const Leg leg = ramp(OperatingPoint::held_at({0.0, 0.0}, 0.0), OperatingPoint::held_at({1.0, 0.0}, 0.0), 2);
   int legs = 0;

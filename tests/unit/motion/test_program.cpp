@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace bumpfoil {
 namespace {
 
@@ -29,6 +31,22 @@ TEST(Program, TargetsAreEqualPartsThatMeetTheEndsExactly) {
   EXPECT_EQ(leg.target(1), 0.5);
   EXPECT_EQ(leg.target(3), 1.0);
   EXPECT_EQ(leg.line.place(0.7), Eigen::Vector2d(1e-6, 0.7));
+}
+
+TEST(Program, PartsOfAnIncrementLieBetweenItsEnds) {
+  const Leg leg = ramp(OperatingPoint::held_at({0.0, 2.0}, 100.0), OperatingPoint::held_at({1.0, 2.0}, 300.0), 2);
+  const OperatingPoint part = leg.point(0.5);
+  EXPECT_EQ(part.journal, Eigen::Vector2d(0.25, 2.0));
+  EXPECT_EQ(part.speed, 150.0);
+}
+
+TEST(Program, RevolutionsTakeTheirTimeWhateverTheSense) {
+  const OperatingPoint at =
+      OperatingPoint::loaded_by({3.0, 4.0}, -200.0 * std::numbers::pi);  // 100 revolutions a second
+  const Leg leg = revolutions(at, 2.5, 40);
+  EXPECT_EQ(leg.steps, 100);
+  EXPECT_DOUBLE_EQ(leg.dt, 1.0 / 4000.0);
+  EXPECT_EQ(leg.point(17), at);
 }
 
 }  // namespace
