@@ -48,18 +48,23 @@ ExitCode run(const ExperimentInfo& experiment, const ExperimentOptions& options,
   const InterruptionGuard guard;  // before there is anything to clean up
   ResultFolder folder(options.folder, options.force ? Existing::replace : Existing::refuse, experiment.files);
 
+  const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
+
   Outcome outcome;
   {
     ProgressBar bar(!session.quiet);
-    outcome = experiment.run(input, [&](double fraction) {
+    const auto progress = [&](double fraction) {
       bar.show(fraction);
       return !guard.interrupted();
-    });
+    };
+    outcome =
+        experiment.staged ? experiment.staged(input, provenance, folder, progress) : experiment.run(input, progress);
   }
 
   const std::string place = printable(options.folder, longest_path);
-  const Provenance provenance{.command_line = session.command_line, .case_text = case_text};
-  for (const ResultFile& file : outcome.files(provenance)) folder.stage(file.name, file.contents);
+  if (outcome.files) {
+    for (const ResultFile& file : outcome.files(provenance)) folder.stage(file.name, file.contents);
+  }
   folder.publish();
   if (!session.quiet) {
     print_output(outcome.table());

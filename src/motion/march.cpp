@@ -63,9 +63,8 @@ bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Ste
   return true;
 }
 
-bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
-           const Observer& observe) {
-  const double largest = largest_place(program);
+bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, double reach, BearingState& state,
+           Step& step, const Observer& observe) {
   const auto take = [&](const Leg& leg, int taken, const BearingState& from, Step& next) {
     const Eigen::Vector2d place = leg.line.place(leg.target(taken));
     if (leg.control == Control::load) {
@@ -82,7 +81,12 @@ bool march(FoilStepper& stepper, const Program& program, double reach, BearingSt
     stepper.advance_to(static_cast<double>(taken) / leg.steps, from, next);
     next.state.position = place;
   };
-  return march(schedule_of(program), take, state, step, observe);
+  return march(next_leg, take, state, step, observe);
+}
+
+bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
+           const Observer& observe) {
+  return march(stepper, schedule_of(program), largest_place(program), reach, state, step, observe);
 }
 
 bool march(FilmStepper& stepper, const Program& program, BearingState& state, Step& step, const Observer& observe) {

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 Json dimensions_json(const Dataset& data) {
   Json json = Json::object();
-  for (const auto& [name, size] : data.dims) json[name] = size;
+  for (const DataDimension& dim : data.dims) json[dim.name] = dim.size;
   return json;
 }
 

@@ -30,11 +30,18 @@ Variable& Dataset::add(VariableMeaning meaning, std::vector<std::string> over, s
   return add(std::move(meaning), std::move(over), [values = std::move(values)] { return values; });
 }
 
-std::size_t Dataset::size_of(const std::string& dimension) const {
-  const auto found =
-      std::find_if(dims.begin(), dims.end(), [&](const DataDimension& one) { return one.name == dimension; });
+const DataDimension& Dataset::dimension(const std::string& name) const {
+  const auto found = std::find_if(dims.begin(), dims.end(), [&](const DataDimension& one) { return one.name == name; });
   BUMPFOIL_ASSERT(found != dims.end());
-  return found->size;
+  return *found;
+}
+
+std::size_t Dataset::size_of(const std::string& name) const {
+  return dimension(name).size;
+}
+
+bool Dataset::grows(const Variable& variable) const {
+  return !variable.rows && !variable.dims.empty() && dimension(variable.dims.front()).grows;
 }
 
 std::size_t Dataset::size_of(const Variable& variable) const {

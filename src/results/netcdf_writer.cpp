@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <new>
 #include <numeric>
@@ -70,7 +71,7 @@ void NewNetcdf::add_text(const std::string& name, std::string_view text) {
   if (!text.empty()) root_.putAtt(name, std::string(text));
 }
 
-NcVar NewNetcdf::define(const VariableMeaning& meaning, const Dims& dims) {
+NcVar NewNetcdf::add(const VariableMeaning& meaning, const Dims& dims, bool known) {
   const NcVar variable = root_.addVar(meaning.name, type_of(meaning.form), dims);
   variable.putAtt("long_name", meaning.long_name);
   if (!meaning.unit.empty()) variable.putAtt("units", meaning.unit);
@@ -80,11 +81,7 @@ NcVar NewNetcdf::define(const VariableMeaning& meaning, const Dims& dims) {
     variable.putAtt("flag_values", netCDF::ncByte, values.size(), values.data());
     variable.putAtt("flag_meanings", fmt::format("{}", fmt::join(meaning.form.words, " ")));
   }
-  return variable;
-}
-
-NcVar NewNetcdf::add(const VariableMeaning& meaning, const Dims& dims) {
-  const NcVar variable = define(meaning, dims);
+  if (known) return variable;
   const double fill = fill_of(variable.getType());
   switch (meaning.form.kind) {
     case Form::real:
@@ -109,10 +106,15 @@ void NewNetcdf::put(const NcVar& variable, const std::vector<std::size_t>& start
   variable.putVar(start, count, values.data());
 }
 
-NcVar NewNetcdf::put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values) {
-  const NcVar variable = define(meaning, dims);
-  variable.putVar(values.data());
-  return variable;
+void NewNetcdf::compress(const NcVar& variable, std::vector<std::size_t> chunk) {
+  variable.setChunking(NcVar::nc_CHUNKED, chunk);
+  variable.setCompression(true, true, 1);
+  // By default netCDF keeps 16 MB of every variable.
+  const std::size_t bytes =
+      std::accumulate(chunk.begin(), chunk.end(), variable.getType().getSize(), std::multiplies<>());
+  constexpr std::size_t slots = 11;      // of the table of chunks: a prime
+  constexpr float written_first = 1.0F;  // what is written whole is dropped before others
+  netCDF::ncCheck(nc_set_var_chunk_cache(id_, variable.getId(), bytes, slots, written_first), __FILE__, __LINE__);
 }
 
 std::string NewNetcdf::close() {

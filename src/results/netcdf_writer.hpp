@@ -27,19 +27,20 @@ class NewNetcdf {
   NewNetcdf& operator=(const NewNetcdf&) = delete;
 
   netCDF::NcDim add_dim(const std::string& name, std::size_t size) { return root_.addDim(name, size); }
+  netCDF::NcDim add_unlimited_dim(const std::string& name) { return root_.addDim(name); }
 
   /// An attribute of the file; none where the text is empty, which is more than some readers expect.
   void add_text(const std::string& name, std::string_view text);
 
-  /// A variable whose values come later, and may be absent.
-  netCDF::NcVar add(const VariableMeaning& meaning, const Dims& dims);
+  /// A variable whose values come later. @param known  none will be absent
+  netCDF::NcVar add(const VariableMeaning& meaning, const Dims& dims, bool known = false);
 
   /// Puts a block of a variable.
   static void put(const netCDF::NcVar& variable, const std::vector<std::size_t>& start,
                   const std::vector<std::size_t>& count, std::vector<double> values);
 
-  /// A variable that is all there.
-  netCDF::NcVar put_all(const VariableMeaning& meaning, const Dims& dims, const std::vector<double>& values);
+  /// Lays a variable out in compressed chunks of this shape, of which one is in memory at a time.
+  void compress(const netCDF::NcVar& variable, std::vector<std::size_t> chunk);
 
   /// Closes one in memory. @return its bytes
   std::string close();
@@ -48,8 +49,6 @@ class NewNetcdf {
   void close_file();
 
  private:
-  netCDF::NcVar define(const VariableMeaning& meaning, const Dims& dims);
-
   // A file that could not be completed is left open: closing it after the memory has failed it crashes in HDF5.
   int id_{};
   std::optional<FileDescriptor> file_;

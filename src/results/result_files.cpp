@@ -1,8 +1,10 @@
 #include "results/result_files.hpp"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <ctime>
@@ -17,44 +19,14 @@
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/checksum.hpp"
+#include "results/dataset_csv.hpp"
+#include "results/dataset_netcdf.hpp"
 #include "results/manifest.hpp"
 #include "results/netcdf_writer.hpp"
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
 namespace {
-
-/// Numbers of a chunk of a compressed variable, a megabyte, unless its last dimension alone has more.
-constexpr std::size_t most_in_chunk = 131'072;
-
-/// One chunk holds whole rows of the last dimensions, as many as fit.
-std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& extents) {
-  std::vector<std::size_t> chunk(extents.size(), 1);
-  std::size_t room = most_in_chunk;
-  for (std::size_t i = extents.size(); i-- > 0 && room > 0;) {
-    chunk[i] = i + 1 == extents.size() ? extents[i] : std::min(extents[i], room);
-    if (chunk[i] < extents[i]) break;
-    room /= std::max<std::size_t>(chunk[i], 1);
-  }
-  return chunk;
-}
-
-/// Entries of the first dimension of a variable with rows that are in memory at a time.
-constexpr std::size_t entries_at_once = 10'000;
-
-void put_values(const netCDF::NcVar& added, const Variable& variable, std::vector<std::size_t> extents) {
-  std::vector<std::size_t> start(extents.size());
-  if (!variable.rows) {
-    const std::vector<double> values = variable.values();
-    if (!values.empty()) NewNetcdf::put(added, start, extents, values);
-    return;
-  }
-  const std::size_t end = extents.front();
-  for (std::size_t& first = start.front(); first < end; first += entries_at_once) {
-    extents.front() = std::min(entries_at_once, end - first);
-    NewNetcdf::put(added, start, extents, variable.rows(first, extents.front()));
-  }
-}
 
 void add_provenance(NewNetcdf& file, const RunRecord& run, std::string_view run_id) {
   const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -75,33 +47,6 @@ void add_provenance(NewNetcdf& file, const RunRecord& run, std::string_view run_
   file.add_text("case_understood", case_to_toml(run.input));
 }
 
-void write_dataset(NewNetcdf& file, const Dataset& dataset) {
-  for (const auto& [name, text] : dataset.attributes) file.add_text(name, text);
-  std::map<std::string, netCDF::NcDim> dims;
-  for (const DataDimension& dim : dataset.dims) dims.emplace(dim.name, file.add_dim(dim.name, dim.size));
-  for (const std::vector<Variable>* variables : {&dataset.coordinates, &dataset.variables}) {
-    for (const Variable& variable : *variables) {
-      NewNetcdf::Dims all;
-      std::vector<std::size_t> extents;
-      for (const std::string& name : variable.dims) {
-        all.push_back(dims.at(name));
-        extents.push_back(all.back().getSize());
-      }
-      const netCDF::NcVar added =
-          variable.known ? file.put_all(variable.meaning, all, variable.values()) : file.add(variable.meaning, all);
-      for (const auto& [name, text] : variable.attributes) {
-        if (!text.empty()) added.putAtt(name, text);
-      }
-      if (variable.compressed) {
-        std::vector<std::size_t> chunk = chunk_of(extents);
-        added.setChunking(netCDF::NcVar::nc_CHUNKED, chunk);
-        added.setCompression(true, true, 1);
-      }
-      if (!variable.known) put_values(added, variable, std::move(extents));
-    }
-  }
-}
-
 /// Builds a netCDF file; that it fails is for want of memory. @param build  ()
 template <typename Build>
 auto built(std::string_view name, std::string_view advice, const Build& build) try {
@@ -115,20 +60,33 @@ auto built(std::string_view name, std::string_view advice, const Build& build) t
 }
 
 /// netCDF does not survive a full disk.
-void require_room(const std::filesystem::path& path, const Dataset& dataset) {
+void require_room(const std::filesystem::path& path, std::size_t numbers) {
   constexpr std::size_t declarations = 20'000'000;  // with the text of the case
-  std::size_t needed = declarations;
-  for (const std::vector<Variable>* variables : {&dataset.coordinates, &dataset.variables}) {
-    for (const Variable& variable : *variables) needed += dataset.size_of(variable) * sizeof(double);
-  }
+  const std::size_t needed = declarations + numbers * sizeof(double);
+  const auto refuse = [&](std::string_view place, std::uintmax_t room, std::string advice) {
+    throw Error(ErrorKind::file,
+                {{path.filename().string(), 0, "", "",
+                  fmt::format("takes up to {} MB, but {} {} MB", needed / 1'000'000, place, room / 1'000'000),
+                  std::move(advice)}});
+  };
   std::error_code code;
   const std::filesystem::space_info space = std::filesystem::space(path.parent_path(), code);
-  if (code || space.available >= needed) return;
-  throw Error(
-      ErrorKind::file,
-      {{path.filename().string(), 0, "", "",
-        fmt::format("takes up to {} MB, but the disk has {} MB free", needed / 1'000'000, space.available / 1'000'000),
-        "free some space, or use another folder"}});
+  if (!code && space.available < needed) {
+    refuse("the free space of the disk is", space.available, "free some space, or use another folder");
+  }
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < needed) {
+    refuse("the limit of file sizes is", limit.rlim_cur, "raise it: ulimit -f");
+  }
+}
+
+/// Numbers of a dataset, as far as its dimensions are known.
+std::size_t count_numbers(const Dataset& dataset) {
+  std::size_t numbers = 0;
+  for (const std::vector<Variable>* variables : {&dataset.coordinates, &dataset.variables}) {
+    for (const Variable& variable : *variables) numbers += dataset.size_of(variable);
+  }
+  return numbers;
 }
 
 std::string summary_text(const RunRecord& run, const Manifest& manifest, const nlohmann::ordered_json& lists) {
@@ -152,7 +110,9 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
   files.push_back({std::string(netcdf_name), built(netcdf_name, advice, [&] {
                      NewNetcdf file;
                      add_provenance(file, run, run_id);
-                     write_dataset(file, made.dataset);
+                     DatasetNetcdf dataset(file);
+                     dataset.add(made.dataset);
+                     dataset.append(made.dataset);
                      return file.close();
                    })});
   files.push_back({"summary.json", summary_text(run, make_manifest(run_id, files), made.lists())});
@@ -164,18 +124,49 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
 
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
                         const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder) {
-  Manifest manifest{make_run_id(), {}};
-  const std::filesystem::path path = folder.stage(netcdf_name);
-  require_room(path, dataset);
-  built(netcdf_name, advice, [&] {
-    NewNetcdf file(path);
-    add_provenance(file, run, manifest.run_id);
-    write_dataset(file, dataset);
-    file.close_file();
+  ResultStream({.netcdf = netcdf_name, .csv = {}, .advice = advice}, dataset, folder).finish(run, {}, lists);
+}
+
+ResultStream::ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& folder)
+    : files_(std::move(files)), dataset_(std::move(dataset)), folder_(folder), path_(folder.stage(files_.netcdf)) {
+  require_room(path_, count_numbers(dataset_));
+  if (!files_.csv.empty()) {
+    csv_.emplace(folder.stage(files_.csv), folder.path() / files_.csv, O_WRONLY | O_CREAT | O_TRUNC);
+    write_all(*csv_, csv_header(dataset_) + '\n', folder.path() / files_.csv);
+  }
+  built(files_.netcdf, files_.advice, [&] {
+    file_ = std::make_unique<NewNetcdf>(path_);
+    variables_ = std::make_unique<DatasetNetcdf>(*file_);
+    variables_->add(dataset_);
   });
-  manifest.files.push_back(
-      {netcdf_name, static_cast<std::size_t>(std::filesystem::file_size(path)), xxh3_128_of_file(path)});
-  folder.stage("summary.json", summary_text(run, manifest, lists));
+}
+
+ResultStream::~ResultStream() = default;
+
+void ResultStream::append() {
+  require_room(path_, 0);
+  if (csv_) {
+    std::string lines;
+    rows_ += append_csv_rows(lines, dataset_, rows_);
+    write_all(*csv_, lines, folder_.path() / files_.csv);
+  }
+  built(files_.netcdf, files_.advice, [&] { variables_->append(dataset_); });
+}
+
+void ResultStream::finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists) {
+  Manifest manifest{make_run_id(), {}};
+  built(files_.netcdf, files_.advice, [&] {
+    add_provenance(*file_, run, manifest.run_id);
+    variables_->add(totals);
+    file_->close_file();
+  });
+  for (const std::string& name : {files_.csv, files_.netcdf}) {
+    if (name.empty()) continue;
+    const std::filesystem::path path = path_.parent_path() / name;
+    manifest.files.push_back(
+        {name, static_cast<std::size_t>(std::filesystem::file_size(path)), xxh3_128_of_file(path)});
+  }
+  folder_.stage("summary.json", summary_text(run, manifest, lists));
 }
 
 }  // namespace bumpfoil

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +14,12 @@
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
+#include "results/posix_file.hpp"
 
 namespace bumpfoil {
+
+class DatasetNetcdf;
+class NewNetcdf;
 
 /// A run, as all of its files tell of it.
 struct RunRecord {
@@ -49,5 +57,43 @@ std::vector<ResultFile> make_result_files(const RunRecord& run, std::string_view
 /// @throws Error (file), as soon as the disk has no room for it
 void stage_result_files(const RunRecord& run, const std::string& netcdf_name, std::string_view advice,
                         const Dataset& dataset, const nlohmann::ordered_json& lists, ResultFolder& folder);
+
+/// Files of a result that is written as it comes.
+struct StreamedFiles {
+  std::string netcdf;         ///< such as result.nc
+  std::string csv{};          ///< of the first dimension that grows: a line for each entry; empty for none
+  std::string_view advice{};  ///< what takes less memory
+};
+
+/// Stages the files of a run while it goes on, for results that the memory does not hold: what they have written need
+/// not be kept. An observer of march() that keeps some increments feeds it, a block of them at a time.
+class ResultStream {
+ public:
+  /// @param dataset  all that is known before the run ends. Its values over dimensions that grow are read when they are
+  ///                 appended: those in memory.
+  /// @throws Error (file), as do all functions; here if the disk has no room for the dimensions that are known
+  ResultStream(StreamedFiles files, Dataset dataset, ResultFolder& folder);
+  ~ResultStream();
+  ResultStream(const ResultStream&) = delete;
+  ResultStream& operator=(const ResultStream&) = delete;
+
+  /// Appends the entries in memory to the files.
+  void append();
+
+  /// Completes the files, and stages summary.json.
+  /// @param totals  what is known in the end; what is there already is left out
+  /// @param lists   of summary.json
+  void finish(const RunRecord& run, const Dataset& totals, const nlohmann::ordered_json& lists);
+
+ private:
+  StreamedFiles files_;
+  Dataset dataset_;
+  ResultFolder& folder_;
+  std::filesystem::path path_;  ///< of the netCDF file
+  std::optional<FileDescriptor> csv_;
+  std::size_t rows_{};  ///< of the CSV file
+  std::unique_ptr<NewNetcdf> file_;
+  std::unique_ptr<DatasetNetcdf> variables_;
+};
 
 }  // namespace bumpfoil

@@ -10,6 +10,7 @@
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/results/dataset.hpp"
+#include "bumpfoil/results/result_folder.hpp"
 #include "bumpfoil/results/result_set.hpp"
 
 /// All that can be done to a bearing, each in a folder of its own. A command, its help and its place in the manual, and
@@ -74,6 +75,9 @@ struct ExperimentInfo {
   std::vector<Switch> switches{};
   std::optional<EnsembleCommand> sampled{};  ///< it runs samples of an ensemble as well, as this command does there
   ExperimentRun run;
+  /// Runs it for the command line, and stages its files as it goes: of an experiment whose results the memory may not
+  /// hold. Its outcome has the totals, and no files. Others are run, and then written.
+  std::function<Outcome(const Case&, const Provenance&, ResultFolder&, const ProgressCallback& progress)> staged{};
   std::optional<Sweeping> sweeping{};  ///< of those that can be swept
   /// Quantities of its cycles, vibrations or states, in the order of tables. Long names may leave words open.
   std::vector<VariableMeaning> quantities{};

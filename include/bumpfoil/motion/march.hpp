@@ -44,8 +44,13 @@ Schedule schedule_of(const Program& program);
 /// @return whether the schedule was taken to its end
 bool march(const Schedule& next_leg, const Taker& take, BearingState& state, Step& step, const Observer& observe);
 
+/// Takes foils through a schedule.
+/// @param largest  load of the schedule, N; of one by positions any
+/// @param reach    loads are not looked for beyond this displacement, m
+bool march(FoilStepper& stepper, const Schedule& next_leg, double largest, double reach, BearingState& state,
+           Step& step, const Observer& observe);
+
 /// Takes foils through a program.
-/// @param reach  loads are not looked for beyond this displacement, m
 bool march(FoilStepper& stepper, const Program& program, double reach, BearingState& state, Step& step,
            const Observer& observe);
 

@@ -14,7 +14,10 @@ namespace bumpfoil {
 
 struct DataDimension {
   std::string name;
-  std::size_t size{};
+  std::size_t size{};  ///< of one that grows: what it is to become; 0 where that is not known
+  /// Its entries come one after the other: unlimited in netCDF files. Values of variables over it, which is their first
+  /// dimension, are those of the entries in memory; see ResultStream.
+  bool grows{};
 };
 
 /// Numbers over some dimensions of a dataset.
@@ -48,7 +51,10 @@ struct Dataset {
 
   /// Numbers of a variable over its dimensions.
   [[nodiscard]] std::size_t size_of(const Variable& variable) const;
-  [[nodiscard]] std::size_t size_of(const std::string& dimension) const;
+  [[nodiscard]] std::size_t size_of(const std::string& name) const;
+  [[nodiscard]] const DataDimension& dimension(const std::string& name) const;
+  /// Whether its values are those of entries that come one after the other.
+  [[nodiscard]] bool grows(const Variable& variable) const;
 };
 
 /// Numbers from `first` on.

@@ -42,6 +42,15 @@ class CycleDataset {
   }
 
   void add_increments() {
+    if (is_path()) {
+      data_.dims.push_back({.name = "increment", .size = layout_.increments, .grows = true});
+      data_.coordinates.push_back(
+          {.meaning = {"increment", "1", "increment; 0 is the start of the cycle", whole_number},
+           .dims = {"increment"},
+           .rows = [](std::size_t first, std::size_t count) { return numbers_from(static_cast<double>(first), count); },
+           .known = true});
+      return;
+    }
     data_.add_dimension({"increment", "1", "increment; 0 is the start of the cycle", {Form::whole}},
                         numbers_from(0.0, layout_.increments));
   }
@@ -97,7 +106,7 @@ class CycleDataset {
   void add_series(bool loops) {
     for (const IncrementQuantity& quantity : increment_quantities(result_.experiment)) {
       if (loops && quantity.name != "force_direct" && quantity.name != "displacement") continue;
-      add_series(meaning(quantity), Node::foil, blocks(layout_.increments, [quantity](const Cycle& cycle) {
+      add_series(meaning(quantity), Node::foil, series(layout_.increments, [quantity](const Cycle& cycle) {
                    return each(cycle.increments, quantity.value);
                  }));
     }
@@ -108,7 +117,7 @@ class CycleDataset {
       if (!layout_.has(quantity.node)) continue;
       const Dims dims = layout_.dims_of(quantity.node);
       const std::size_t width = dims.empty() ? 1 : data_.size_of(dims.front());
-      add_series(meaning(quantity), quantity.node, blocks(layout_.increments * width, [quantity](const Cycle& cycle) {
+      add_series(meaning(quantity), quantity.node, series(layout_.increments * width, [quantity](const Cycle& cycle) {
                    const FieldMatrix values = quantity.value(cycle.fields);
                    return std::vector<double>(values.data(), values.data() + values.size());
                  }));
@@ -117,6 +126,16 @@ class CycleDataset {
 
   /// Changes of mode, where the solver followed them.
   void add_events() {
+    if (is_path()) {
+      data_.dims.push_back({.name = "event", .grows = true});
+      for (const EventQuantity& quantity : event_quantities()) {
+        Variable& added =
+            data_.add(meaning(quantity), {"event"},
+                      series(0, [quantity](const Cycle& cycle) { return each(cycle.events, quantity.value); }));
+        added.known = added.compressed = true;
+      }
+      return;
+    }
     std::vector<double> cycles;
     std::vector<CycleEvent> events;
     for (std::size_t i = 0; i < result_.cycles.size(); ++i) {
@@ -136,6 +155,8 @@ class CycleDataset {
   Dataset take() { return std::move(data_); }
 
  private:
+  [[nodiscard]] bool is_path() const { return result_.experiment == Experiment::path; }
+
   template <typename Quantity>
   [[nodiscard]] VariableMeaning meaning(const Quantity& quantity) const {
     VariableMeaning meaning = quantity.meaning();
@@ -176,6 +197,15 @@ class CycleDataset {
     };
   }
 
+  /// Numbers of every cycle, at most `size`; of a path, whose increments come one after the other, those in memory.
+  template <typename NumbersOf>
+  [[nodiscard]] std::function<std::vector<double>()> series(std::size_t size, NumbersOf numbers_of) const {
+    if (!is_path()) return blocks(size, numbers_of);
+    return [&result = result_, numbers_of] {
+      return result.cycles.empty() ? std::vector<double>() : numbers_of(result.cycles.front());
+    };
+  }
+
   const Case& input_;
   const CycleResult& result_;
   Wording wording_;
@@ -188,23 +218,20 @@ class CycleDataset {
 
 Dataset cycle_dataset(const Case& input, const CycleResult& result, RunStatus status, Extent extent) {
   CycleDataset data(input, result);
-  if (extent == Extent::everything) {
-    data.add_increments();
-    data.add_nodes();
-    data.add_quantities(status);
-    data.add_loads();
-    data.add_clearances();
-    data.add_orbits();
-    data.add_series(false);
+  const bool everything = extent == Extent::everything;
+  const bool ended = extent != Extent::recorded;
+  const bool recorded = everything || !ended;
+  if (recorded) data.add_increments();
+  if (recorded || extent == Extent::totals) data.add_nodes();
+  if (ended) data.add_quantities(status);
+  if (everything || extent == Extent::totals) data.add_loads();
+  if (ended) data.add_clearances();
+  if (everything || extent == Extent::totals) data.add_orbits();
+  if (extent == Extent::loops) data.add_increments();
+  if (recorded || extent == Extent::loops) data.add_series(extent == Extent::loops);
+  if (recorded) {
     data.add_fields();
     data.add_events();
-    return data.take();
-  }
-  data.add_quantities(status);
-  data.add_clearances();
-  if (extent == Extent::loops) {
-    data.add_increments();
-    data.add_series(true);
   }
   return data.take();
 }

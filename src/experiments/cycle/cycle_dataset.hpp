@@ -12,6 +12,8 @@ namespace bumpfoil {
 enum class Extent {
   quantities,  ///< of cycles alone
   loops,       ///< displacement and force of every increment, too
+  recorded,    ///< of a path: what is known while it goes on
+  totals,      ///< what it has beyond this in the end
   everything,  ///< of every increment, bump and foot, and the geometry that it takes to draw them
 };
 

@@ -10,6 +10,7 @@
 #include "bumpfoil/experiments/cycle/warnings.hpp"
 #include "experiments/cycle/cycle_dataset.hpp"
 #include "experiments/cycle/cycle_json.hpp"
+#include "experiments/cycle/cycle_record.hpp"
 #include "results/result_files.hpp"
 
 namespace bumpfoil {
@@ -18,16 +19,20 @@ std::vector<std::string> cycle_file_names(std::string_view command) {
   return {"summary.json", fmt::format("{}.csv", command), "result.nc"};
 }
 
+RunRecord cycle_record(const Case& input, const CycleResult& result, RunStatus status, const Provenance& provenance) {
+  return {.input = input,
+          .command = name_of(result.experiment),
+          .status = status,
+          .message = message_of(failure_lines(input, result), status),
+          .warnings = warning_lines(input, result),
+          .provenance = provenance};
+}
+
 std::vector<ResultFile> cycle_files(const Case& input, const CycleResult& result, RunStatus status,
                                     const Provenance& provenance) {
   const std::string_view command = name_of(result.experiment);
-  return make_result_files({.input = input,
-                            .command = command,
-                            .status = status,
-                            .message = message_of(failure_lines(input, result), status),
-                            .warnings = warning_lines(input, result),
-                            .provenance = provenance},
-                           "result.nc", "use fewer steps or directions", [&](const std::string& /*run_id*/) {
+  return make_result_files(cycle_record(input, result, status, provenance), "result.nc", cycle_advice,
+                           [&](const std::string& /*run_id*/) {
                              return ResultContents{.texts = {{fmt::format("{}.csv", command), cycle_csv(result)}},
                                                    .dataset = cycle_dataset(input, result, status, Extent::everything),
                                                    .lists = [&] { return cycle_lists(input, result); }};

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "bumpfoil/experiments/cycle/cycle_files.hpp"
@@ -13,6 +15,7 @@
 #include "case/case_json.hpp"
 #include "experiments/cycle/cycle_dataset.hpp"
 #include "experiments/cycle/cycle_json.hpp"
+#include "experiments/cycle/cycle_record.hpp"
 #include "experiments/cycle/result_layout.hpp"
 
 namespace bumpfoil {
@@ -48,6 +51,24 @@ Outcome cycle_outcome(const Case& input, CycleResult result) {
           .files = [=](const Provenance& provenance) { return cycle_files(input, *cycles, status, provenance); },
           .swept = [=](bool with_loops) { return swept_cycles(input, *cycles, status, with_loops); },
           .cycles = cycles};
+}
+
+Outcome stream_path(const Case& input, const Provenance& provenance, ResultFolder& folder,
+                    const std::function<CycleResult(const RecordSink&)>& run) {
+  std::optional<ResultStream> stream;
+  Outcome outcome =
+      cycle_outcome(input, run([&](const CycleResult& recorded) {
+                      if (!stream) {
+                        stream.emplace(StreamedFiles{.netcdf = "result.nc", .csv = "path.csv", .advice = cycle_advice},
+                                       cycle_dataset(input, recorded, RunStatus::complete, Extent::recorded), folder);
+                      }
+                      stream->append();
+                    }));
+  outcome.files = {};
+  const CycleResult& result = *outcome.cycles;
+  stream->finish(cycle_record(input, result, outcome.status, provenance),
+                 cycle_dataset(input, result, outcome.status, Extent::totals), cycle_lists(input, result));
+  return outcome;
 }
 
 Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run) {

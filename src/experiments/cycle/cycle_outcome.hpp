@@ -7,6 +7,10 @@ namespace bumpfoil {
 /// What a run has to show whose results are cycles.
 Outcome cycle_outcome(const Case& input, CycleResult result);
 
+/// Runs a path and stages its files as it goes.
+Outcome stream_path(const Case& input, const Provenance& provenance, ResultFolder& folder,
+                    const std::function<CycleResult(const RecordSink&)>& run);
+
 /// How experiments whose results are cycles are swept.
 Sweeping cycle_sweeping(Experiment experiment, ExperimentRun run);
 

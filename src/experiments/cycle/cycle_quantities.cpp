@@ -29,6 +29,12 @@ double crossing(const LoadingCurve::Point& from, const LoadingCurve::Point& to, 
   return from.displacement + part * (to.displacement - from.displacement);
 }
 
+/// The higher of two peaks; of equal ones the first.
+template <typename Peak>
+void take_higher(std::optional<Peak>& peak, const std::optional<Peak>& later, double Peak::*height) {
+  if (!peak || (later && (*later).*height > (*peak).*height)) peak = later;
+}
+
 /// The take-up point is where the force passes this part of its maximum.
 constexpr double take_up_force = 0.01;
 /// A loop that takes less than this part of the largest work is a rounding.
@@ -177,11 +183,20 @@ void CycleQuantities::find_losses() {
   }
 }
 
+void CycleQuantities::take_recorded() {
+  const FoilFields& fields = cycle_.fields;
+  take_higher(cycle_.top_foil_stress, top_foil_peak(fields.stress, cycle_.increments), &StressPeak::stress);
+  take_higher(cycle_.bump_foil_stress, bump_foil_peak(fields.stress, cycle_.increments), &StressPeak::stress);
+  take_higher(cycle_.compression, compression_peak(fields.compression, cycle_.increments),
+              &CompressionPeak::compression);
+  const Vector forces = largest_pad_forces(fields);
+  Vector& largest = cycle_.largest_pad_forces;
+  largest = largest.size() == 0 ? forces : forces.size() == 0 ? largest : Vector(largest.cwiseMax(forces));
+}
+
 void CycleQuantities::finish() {
   for (Clearance& clearance : cycle_.clearances) clearance.displacement = loading_.first_reaches(clearance.force);
-  cycle_.top_foil_stress = top_foil_peak(cycle_.fields.stress, cycle_.increments);
-  cycle_.bump_foil_stress = bump_foil_peak(cycle_.fields.stress, cycle_.increments);
-  cycle_.compression = compression_peak(cycle_.fields.compression, cycle_.increments);
+  take_recorded();
   if (!cycle_.turning_point) return;
   find_stiffness();
   if (good_ == cycle_.due) find_losses();

@@ -107,7 +107,7 @@ std::vector<CycleRow> rows_of_pads(const Case& input, Experiment experiment) {
   for (std::size_t k = 0; k < count_pads(input); ++k) {
     rows.push_back({fmt::format("{}force of pad {}", turns ? "" : "maximum ", k + 1), "N",
                     [turns, pad = static_cast<Eigen::Index>(k)](const Cycle& cycle) {
-                      const Vector forces = turns ? pad_forces_at_turn(cycle) : largest_pad_forces(cycle.fields);
+                      const Vector forces = turns ? pad_forces_at_turn(cycle) : cycle.largest_pad_forces;
                       return pad < forces.size() ? number_text(forces[pad], 1.0) : std::string("-");
                     }});
   }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bumpfoil {
 namespace {
 
 /// Work that was neither stored nor dissipated in a response that is linear in pieces, as part of the largest work.
 constexpr double largest_imbalance = 1e-7;
+
+/// Increments that are kept at a time, where they are passed on: those whose bumps are so many.
+constexpr int most_bumps_kept = 32'768;
 
 /// Where a contact is, as results count.
 CycleEvent located(const Foils& foils, const StepEvent& event, Branch branch, const Eigen::Vector2d& direction) {
@@ -42,14 +46,16 @@ bool EnergyBalance::holds() const {
   return !must_hold_ || imbalance_ <= largest_imbalance * scale_;
 }
 
-IncrementLog::IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cycle)
+IncrementLog::IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cycle, std::function<void()> pass_on)
     : stepper_(stepper),
       everything_(recording == Recording::everything),
       cycle_(cycle),
+      pass_on_(std::move(pass_on)),
+      capacity_(pass_on_ ? std::clamp(most_bumps_kept / stepper.foils().bumps(), 1, cycle.due) : cycle.due),
       balance_(stepper.foils().problem.force_scale) {
   if (!everything_) return;
-  cycle_.increments.reserve(static_cast<std::size_t>(cycle_.due));
-  cycle_.fields = make_fields(stepper.foils(), cycle_.due);
+  cycle_.increments.reserve(static_cast<std::size_t>(capacity_));
+  cycle_.fields = make_fields(stepper.foils(), capacity_);
 }
 
 Increment IncrementLog::make(const Step& step, Branch branch, const Eigen::Vector2d& direction, double displacement,
@@ -70,6 +76,12 @@ Increment IncrementLog::make(const Step& step, Branch branch, const Eigen::Vecto
 
 void IncrementLog::write_down(const Step& step, const Increment& increment, const Eigen::Vector2d& direction) {
   if (!everything_) return;
+  if (pass_on_ && std::cmp_equal(cycle_.increments.size(), capacity_)) {
+    pass_on_();
+    cycle_.increments.clear();
+    cycle_.events.clear();
+    rows_ = 0;
+  }
   for (const StepEvent& event : step.events) {
     cycle_.events.push_back(located(foils(), event, increment.branch, direction));
   }
@@ -77,6 +89,11 @@ void IncrementLog::write_down(const Step& step, const Increment& increment, cons
   if (!step.converged()) return;
   record(foils(), step.state, rows_, cycle_.fields);
   ++rows_;
+}
+
+void IncrementLog::finish() {
+  cycle_.fields.truncate(rows_);
+  if (pass_on_) pass_on_();
 }
 
 }  // namespace bumpfoil

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 
 namespace bumpfoil {
@@ -25,8 +27,11 @@ class EnergyBalance {
 /// Makes increments of the steps that foils take, and writes them down.
 class IncrementLog {
  public:
-  /// @param cycle  receives what is written down, `due` filled in; outlives the log
-  IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cycle);
+  /// @param cycle    receives what is written down, `due` filled in; outlives the log
+  /// @param pass_on  called ahead of the increment that the memory has no room for, and in the end: what is written
+  /// down
+  ///                 is forgotten then. Without it all is kept.
+  IncrementLog(FoilStepper& stepper, Recording recording, Cycle& cycle, std::function<void()> pass_on = {});
 
   /// The next increment.
   /// @param direction     unit vector along which displacement and direct force count
@@ -38,7 +43,7 @@ class IncrementLog {
   void write_down(const Step& step, const Increment& increment, const Eigen::Vector2d& direction);
 
   /// All have passed.
-  void finish() { cycle_.fields.truncate(rows_); }
+  void finish();
 
  private:
   [[nodiscard]] const Foils& foils() const { return stepper_.foils(); }
@@ -46,9 +51,11 @@ class IncrementLog {
   FoilStepper& stepper_;
   bool everything_;
   Cycle& cycle_;
+  std::function<void()> pass_on_;
+  int capacity_;  ///< increments that are kept at a time
   EnergyBalance balance_;
   int count_{};          ///< increments that passed
-  Eigen::Index rows_{};  ///< of them with fields
+  Eigen::Index rows_{};  ///< of those in the cycle with fields
 };
 
 }  // namespace bumpfoil

@@ -166,7 +166,7 @@ ResultLayout layout_of_cycles(const Case& input) {
 ResultLayout layout_of_path(const Case& input) {
   ResultLayout layout = layout_of_bearing(input);
   layout.places = {0};
-  layout.increments = static_cast<std::size_t>(increments_of(path_program(*input.settings.find<PathSettings>())));
+  layout.increments = static_cast<std::size_t>(path_increments(*input.settings.find<PathSettings>()));
   return layout;
 }
 

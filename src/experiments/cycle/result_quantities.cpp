@@ -352,7 +352,7 @@ constexpr auto load_table = std::to_array<LoadQuantity>({
       loads<&TurningPoint::pad_forces_y>, loops},
      Node::pad},
     {{"max_pad_forces", "N", "maximum magnitude of the pad force over all increments",
-      [](const Cycle& cycle) { return largest_pad_forces(cycle.fields); }, of_paths},
+      [](const Cycle& cycle) { return cycle.largest_pad_forces; }, of_paths},
      Node::pad},
 });
 

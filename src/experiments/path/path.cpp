@@ -1,6 +1,9 @@
 #include "bumpfoil/experiments/path/path.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -15,24 +18,41 @@
 #include "bumpfoil/motion/march.hpp"
 #include "experiments/cycle/increment_log.hpp"
 #include "experiments/cycle/orbit_energy.hpp"
+#include "model/judge.hpp"
 
 namespace bumpfoil {
 namespace {
 
-Program orbit_program(const PathSettings& path) {
+/// Point of the orbit after so many increments of it.
+Eigen::Vector2d orbit_point(const PathSettings& path, int step) {
   const double turn = (path.sense == Sense::counterclockwise ? 2.0 : -2.0) * std::numbers::pi;
-  const Eigen::Rotation2Dd tilt(path.tilt);
-  const auto point = [&](int step) -> Eigen::Vector2d {
-    const double t = turn * (step % path.steps) / path.steps;
-    return path.centre.value +
-           tilt * Eigen::Vector2d(path.semi_axes.value.x() * std::cos(t), path.semi_axes.value.y() * std::sin(t));
-  };
-  Program program;
-  if (!point(0).isZero(0.0))
-    program.push_back(straight_leg(path.control(), Eigen::Vector2d::Zero(), point(0), path.steps));
-  for (int k = 1; k <= path.orbits * path.steps; ++k)
-    program.push_back(straight_leg(path.control(), point(k - 1), point(k), 1));
-  return program;
+  const double t = turn * (step % path.steps) / path.steps;
+  return path.centre.value + Eigen::Rotation2Dd(path.tilt) * Eigen::Vector2d(path.semi_axes.value.x() * std::cos(t),
+                                                                             path.semi_axes.value.y() * std::sin(t));
+}
+
+Eigen::Vector2d path_point(const PathSettings& path, int number) {
+  return path.is_orbit() ? orbit_point(path, number) : path.points.values[static_cast<std::size_t>(number)];
+}
+
+/// Points behind the first.
+int further_points(const PathSettings& path) {
+  return path.is_orbit() ? path.orbits * path.steps : static_cast<int>(path.points.values.size()) - 1;
+}
+
+/// Increments of the way to the first point; none where the path begins at the origin.
+int increments_of_approach(const PathSettings& path) {
+  if (path_point(path, 0).isZero(0.0)) return 0;
+  return path.is_orbit() ? path.steps : 1;
+}
+
+/// The largest load, N.
+double largest_load(const PathSettings& path) {
+  double largest = 0.0;
+  if (path.control() != Control::load) return largest;
+  const Schedule next_leg = path_schedule(path);
+  while (const Leg* leg = next_leg()) largest = std::max(largest, largest_place({*leg}));
+  return largest;
 }
 
 /// Unit vector from the centre of the bearing towards the journal.
@@ -84,13 +104,30 @@ class OrbitCounter {
   std::vector<OrbitPoint> points_;  ///< of the orbit that goes on
 };
 
-/// Takes the foils along the path.
-Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const ProgressCallback& progress) {
-  const Program program = path_program(path);
-  Cycle cycle;
-  cycle.due = increments_of(program);
-  IncrementLog log(stepper, Recording::everything, cycle);
+/// @throws Error (input) where the memory does not hold all increments of a path
+void require_memory(const PathSettings& path, int bumps) {
+  const int increments = path_increments(path);
+  if (increments <= most_bump_increments / bumps) return;
+  throw Error(ErrorKind::input,
+              {{"", 0, path.is_orbit() ? "path.steps" : "path.points", "",
+                fmt::format("{} increments of {} bumps would not fit in memory", increments, bumps),
+                "give fewer, or use the program `bumpfoil path`, which writes them to files as they come"}});
+}
+
+/// Takes the foils along the path. @param result  receives its cycle
+void follow(FoilStepper& stepper, const PathSettings& path, const ProgressCallback& progress, const RecordSink& sink,
+            CycleResult& result) {
+  Cycle& cycle = result.cycles.emplace_back();
+  cycle.due = path_increments(path);
   CycleQuantities quantities(cycle);
+  RecordSink pass_on;
+  if (sink) {
+    pass_on = [&](const CycleResult& recorded) {
+      quantities.take_recorded();
+      sink(recorded);
+    };
+  }
+  IncrementLog log(stepper, Recording::everything, cycle, pass_on ? [&] { pass_on(result); } : std::function<void()>());
   OrbitCounter orbits(path, cycle.due, stepper.foils());
 
   Step step;
@@ -120,37 +157,42 @@ Cycle follow(FoilStepper& stepper, const PathSettings& path, double reach, const
     cycle.initial_journal_load = interface_loads(stepper.foils(), step.state.contacts, Interface::journal_top).sum();
   }
   if (goes_on) {
-    goes_on = march(stepper, program, reach, state, step,
+    const double reach = stepper.foils().clearance + stepper.foils().rise;
+    goes_on = march(stepper, path_schedule(path), largest_load(path), reach, state, step,
                     [&](const Passage& at) { return add(at.ends_leg) ? Verdict::go_on : Verdict::refuse; });
   }
   if (!goes_on && cycle.converged()) cycle.status = Status::interrupted;
   log.finish();
   quantities.finish();
-  return cycle;
 }
 
 }  // namespace
 
-Program path_program(const PathSettings& path) {
-  if (path.is_orbit()) return orbit_program(path);
-  Program program;
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& point : path.points.values) {
-    const bool is_assembly = &point == &path.points.values.front() && point.isZero(0.0);
-    if (!is_assembly) program.push_back(straight_leg(path.control(), from, point, 1));
-    from = point;
-  }
-  return program;
+Schedule path_schedule(const PathSettings& path) {
+  const int approach = increments_of_approach(path);
+  return
+      [&path, approach, leg = Leg(), next = approach > 0 ? 0 : 1, last = further_points(path)]() mutable -> const Leg* {
+        if (next > last) return nullptr;
+        leg = next == 0 ? straight_leg(path.control(), Eigen::Vector2d::Zero(), path_point(path, 0), approach)
+                        : straight_leg(path.control(), path_point(path, next - 1), path_point(path, next), 1);
+        ++next;
+        return &leg;
+      };
 }
 
-CycleResult run_path(const Case& input, const ProgressCallback& progress) {
+int path_increments(const PathSettings& path) {
+  return 1 + increments_of_approach(path) + further_points(path);
+}
+
+CycleResult run_path(const Case& input, const ProgressCallback& progress, const RecordSink& sink) {
   const SharedFoils foils = make_bearing_foils(input, {"path"});
   const PathSettings* const path = input.settings.find<PathSettings>();
   if (path == nullptr) throw Error(ErrorKind::input, {{"", 0, "path", "", "this table is missing", "add [path]"}});
+  if (!sink) require_memory(*path, foils->bumps());
   const auto begin = std::chrono::steady_clock::now();
   FoilStepper stepper = make_stepper(foils, input.solver);
   CycleResult result{.solver = input.solver.chosen(), .experiment = Experiment::path, .due = 1, .cycles = {}};
-  result.cycles.push_back(follow(stepper, *path, foils->clearance + foils->rise, progress));
+  follow(stepper, *path, progress, sink, result);
   result.cycles.back().wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -12,6 +12,9 @@
 namespace bumpfoil {
 namespace {
 
+/// Increments are counted by an `int`.
+constexpr std::int64_t most_path_increments = 1'000'000'000;
+
 void describe(CaseVisitor& keys, PathSettings& path) {
   using enum Presence;
   using enum Dimension;
@@ -88,8 +91,10 @@ void judge_path(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
     increments = std::int64_t{path.steps} * (path.orbits + 1);
   }
   if (!foil.bumps) return;
-  judge_memory(judge, "path", path.is_orbit() ? "path.steps" : "path.points", path.steps, increments,
-               total_bumps(input));
+  judge.require_for("path", increments <= most_path_increments, path.is_orbit() ? "path.orbits" : "path.points",
+                    std::to_string(path.is_orbit() ? path.orbits : increments),
+                    fmt::format("{} increments are too many", increments),
+                    fmt::format("give a path of at most {}", most_path_increments));
 }
 
 }  // namespace

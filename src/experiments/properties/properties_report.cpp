@@ -34,8 +34,8 @@ struct Group {
   std::vector<Entry> entries;
 };
 
-Entry stiffness(std::string_view key, std::string_view name, std::optional<double> value,
-                std::string_view remark = {}) {
+Entry stiffness_entry(std::string_view key, std::string_view name, std::optional<double> value,
+                      std::string_view remark = {}) {
   return {key, name, "MN/m", 1e6, value, remark};
 }
 
@@ -43,7 +43,7 @@ Entry length_entry(std::string_view key, std::string_view name, double value) {
   return {key, name, "mm", 1e-3, value};
 }
 
-Entry angle(std::string_view key, std::string_view name, double value, std::string_view remark = {}) {
+Entry angle_entry(std::string_view key, std::string_view name, double value, std::string_view remark = {}) {
   return {key, name, "deg", std::numbers::pi / 180.0, value, remark};
 }
 
@@ -51,10 +51,10 @@ std::string_view origin(const std::optional<double>& given) {
   return given ? "given" : "identified";
 }
 
-Entry spring(std::string_view key, std::string_view name, const std::optional<double>& given, double identified) {
+Entry spring_entry(std::string_view key, std::string_view name, const std::optional<double>& given, double identified) {
   const bool none = !given && identified < 0.0;
-  return stiffness(key, name, given.value_or(identified),
-                   none ? "identified; no spring is negative: use the frame" : origin(given));
+  return stiffness_entry(key, name, given.value_or(identified),
+                         none ? "identified; no spring is negative: use the frame" : origin(given));
 }
 
 Group range_group(std::string_view key, std::string_view name, const std::optional<StiffnessRange>& range) {
@@ -64,7 +64,7 @@ Group range_group(std::string_view key, std::string_view name, const std::option
   return {key,
           name,
           {{"softest_N_per_m", "softest mode", "N/m", 1.0, end(&StiffnessRange::softest)},
-           stiffness("stiffest_N_per_m", "stiffest mode", end(&StiffnessRange::stiffest))}};
+           stiffness_entry("stiffest_N_per_m", "stiffest mode", end(&StiffnessRange::stiffest))}};
 }
 
 /// Of bumps of one shape.
@@ -73,28 +73,28 @@ std::vector<Group> groups_of_bump(const TrussOverrides& given, const BumpPropert
       {"arc",
        "Arc of a bump, mid-surface",
        {length_entry("rise_m", "rise", p.arc.rise), length_entry("radius_m", "radius", p.arc.radius),
-        angle("half_angle_rad", "half angle", p.arc.half_angle),
+        angle_entry("half_angle_rad", "half angle", p.arc.half_angle),
         length_entry("flat_m", "flat between bumps", p.arc.flat)}},
       {"truss",
        "Truss constants",
-       {spring("k1_N_per_m", "k1, rods", given.k1, p.identified.k1),
-        spring("k2_N_per_m", "k2, foot to foot", given.k2, p.identified.k2),
-        spring("k3_N_per_m", "k3, crest to crest", given.k3, p.identified.k3),
-        spring("k4_N_per_m", "k4, weld to crest", given.k4, p.identified.k4),
-        angle("theta_d_rad", "theta_d, inclination of rods", given.theta_d.value_or(p.identified.theta_d),
-              origin(given.theta_d))}},
+       {spring_entry("k1_N_per_m", "k1, rods", given.k1, p.identified.k1),
+        spring_entry("k2_N_per_m", "k2, foot to foot", given.k2, p.identified.k2),
+        spring_entry("k3_N_per_m", "k3, crest to crest", given.k3, p.identified.k3),
+        spring_entry("k4_N_per_m", "k4, weld to crest", given.k4, p.identified.k4),
+        angle_entry("theta_d_rad", "theta_d, inclination of rods", given.theta_d.value_or(p.identified.theta_d),
+                    origin(given.theta_d))}},
       {"cell",
        "Symmetric cell of the frame, energy a v^2/2 - b v e + d e^2/2",
-       {stiffness("a_N_per_m", "a", p.cell.a), stiffness("b_N_per_m", "b", p.cell.b),
-        stiffness("d_N_per_m", "d", p.cell.d),
-        stiffness("crest_stiffness_N_per_m", "crest, feet free to slide", p.cell.crest_stiffness())}},
+       {stiffness_entry("a_N_per_m", "a", p.cell.a), stiffness_entry("b_N_per_m", "b", p.cell.b),
+        stiffness_entry("d_N_per_m", "d", p.cell.d),
+        stiffness_entry("crest_stiffness_N_per_m", "crest, feet free to slide", p.cell.crest_stiffness())}},
       {"single_bump",
        "One isolated bump, bending only",
-       {stiffness("shallow_N_per_m", "shallow limit", p.shallow_bump),
-        stiffness("sliding_N_per_m", "feet slide freely", p.sliding_bump),
-        stiffness("loading_N_per_m", "with friction, loading", p.loading_bump),
-        stiffness("unloading_N_per_m", "with friction, unloading", p.unloading_bump),
-        stiffness("guided_N_per_m", "rotation of feet clamped", p.guided_bump)}},
+       {stiffness_entry("shallow_N_per_m", "shallow limit", p.shallow_bump),
+        stiffness_entry("sliding_N_per_m", "feet slide freely", p.sliding_bump),
+        stiffness_entry("loading_N_per_m", "with friction, loading", p.loading_bump),
+        stiffness_entry("unloading_N_per_m", "with friction, unloading", p.unloading_bump),
+        stiffness_entry("guided_N_per_m", "rotation of feet clamped", p.guided_bump)}},
   };
 }
 

@@ -1,8 +1,11 @@
 #include "results/result_files.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -68,6 +71,64 @@ TEST_F(StagedResultFiles, AreRefusedWhereTheDiskHasNoRoom) {
     EXPECT_EQ(error.kind(), ErrorKind::file);
     EXPECT_NE(std::string(error.what()).find("numbers.nc: takes up to"), std::string::npos) << error.what();
   }
+}
+
+/// Rows of a march, of which some are in memory at a time.
+TEST_F(StagedResultFiles, AreWrittenAsTheyCome) {
+  std::vector<double> loads, torques;
+  Dataset dataset;
+  dataset.dims = {{.name = "step", .grows = true}};
+  dataset.add_dimension({"bump", "1", "bump", whole_number}, numbers_from(1.0, 2));
+  dataset.dims.push_back({.name = "event", .grows = true});
+  dataset.coordinates.push_back({.meaning = {"step", "1", "step", whole_number},
+                                 .dims = {"step"},
+                                 .values = [&] { return loads.empty() ? loads : numbers_from(loads[0], 2); },
+                                 .known = true});
+  VariableMeaning torque{"torque", "N m", "torque"};
+  torque.tags = tag::csv;
+  dataset.add(torque, {"step"}, [&] { return torques; });
+  dataset.add({"load", "N", "load"}, {"step", "bump"}, [&] { return loads; }).compressed = true;
+  dataset.add({"event_load", "N", "load"}, {"event"}, [] { return std::vector<double>(); });
+  const Provenance provenance{.command_line = "bumpfoil", .case_text = ""};
+  ResultFolder folder(folder_.path() / "results", Existing::refuse, {"summary.json", "steps.csv", "numbers.nc"});
+  ResultStream stream({.netcdf = "numbers.nc", .csv = "steps.csv"}, dataset, folder);
+  for (int block = 0; block < 500; ++block) {
+    loads = numbers_from(2.0 * block, 4);
+    torques = {0.5 * block, absent};
+    stream.append();
+  }
+  Dataset totals;
+  totals.add({"work", "J", "work"}, {}, std::vector<double>{7.0});
+  stream.finish(
+      {.input = input_, .command = "transient", .status = RunStatus::complete, .message = "", .provenance = provenance},
+      totals, {{"steps", 1000}});
+  folder.publish();
+  const NetcdfImage file(folder_.read("results/numbers.nc"), "numbers.nc");
+  ASSERT_EQ(file.size_of("step"), 1000U);
+  EXPECT_FALSE(file.variables().contains("event_load"));
+  EXPECT_EQ(file.numbers(file.variable("work", {})), std::vector<double>{7.0});
+  const std::vector<double> all = file.numbers(file.variable("load", {"step", "bump"}));
+  const std::vector<double> steps = file.numbers(file.variable("step", {"step"}));
+  const std::vector<double> sums = file.numbers(file.variable("torque", {"step"}));
+  const std::string csv = folder_.read("results/steps.csv");
+  std::string lines = "step,torque_N_m\n";
+  for (std::size_t block = 0; block < 500; ++block) {
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(all[4 * block + k], static_cast<double>(2 * block + k));
+    EXPECT_EQ(steps[2 * block + 1], 2.0 * static_cast<double>(block) + 1.0);
+    EXPECT_EQ(sums[2 * block], 0.5 * static_cast<double>(block));
+    EXPECT_TRUE(std::isnan(sums[2 * block + 1]));
+    lines += fmt::format("{},{}\n{},\n", 2 * block, 0.5 * static_cast<double>(block), 2 * block + 1);
+  }
+  EXPECT_EQ(csv, lines);
+}
+
+TEST_F(StagedResultFiles, AreRefusedBeyondTheLimitOfFileSizes) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit low{.rlim_cur = 1'000'000, .rlim_max = before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &low), 0);
+  EXPECT_THROW(stage({}), Error);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
 }
 
 }  // namespace

@@ -137,6 +137,7 @@ struct Cycle {
   std::optional<StressPeak> top_foil_stress;   ///< absent without a top foil
   std::optional<StressPeak> bump_foil_stress;  ///< absent where the model knows none: truss and former model
   std::optional<CompressionPeak> compression;  ///< absent with quantities alone
+  Vector largest_pad_forces;                   ///< N, per pad of several; empty with quantities alone
   double max_residual{};                       ///< equilibrium, largest at the start and where legs end
   SolveCost cost;                              ///< of all increments
   int substeps{};                              ///< of all increments
@@ -162,6 +163,11 @@ struct CycleResult {
 /// Called after every increment with the fraction of the whole run that is done, 0..1; returning false stops the run
 /// (the cycles so far are returned, flagged as interrupted).
 using ProgressCallback = std::function<bool(double)>;
+
+/// Takes what has been recorded of a result since it was called last, before it is forgotten: increments, fields and
+/// events of its last cycle, those of some hundred to thousand increments. The last call takes what is left, once the
+/// cycle has ended.
+using RecordSink = std::function<void(const CycleResult&)>;
 
 /// What is kept of a cycle beside its quantities.
 enum class Recording {

@@ -67,7 +67,10 @@ class CycleQuantities {
   /// Loads and tangents at the turning point, once its increment was added.
   void turn(TurningPoint response);
 
-  /// Fills in what needs the whole cycle.
+  /// Takes the peaks of the increments and fields in the cycle, which may be forgotten afterwards.
+  void take_recorded();
+
+  /// Takes those that are left, and fills in what needs the whole cycle.
   void finish();
 
  private:

@@ -2,7 +2,7 @@
 
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/model/case.hpp"
-#include "bumpfoil/motion/program.hpp"
+#include "bumpfoil/motion/march.hpp"
 
 namespace bumpfoil {
 
@@ -26,12 +26,19 @@ struct PathSettings {
 /// The legs of the path, an increment each. An orbit begins with a straight way of as many increments as an
 /// orbit has to its first point, centre + R(tilt) (a, 0), and goes on along centre + R(tilt) (a cos(t), b sin(t));
 /// where it begins at the origin there is no way to it. A first point at the origin is the assembly.
-Program path_program(const PathSettings& path);
+/// Legs are made when they are due: a path may have a million.
+/// @param path  outlives the schedule
+Schedule path_schedule(const PathSettings& path);
+
+/// Increments of the path, the assembly included.
+int path_increments(const PathSettings& path);
 
 /// Takes the journal of a case along its path, from the unstressed foils. The result has one `Cycle`, whose increments
 /// are those of the path: 0 is the assembly at the centre of the bearing, displacement and direct force count from
 /// there towards the journal, and both tangents are known at each. Under load control the journal is free in the plane.
-/// @throws Error (input) if the case cannot be built, or has no path.
-CycleResult run_path(const Case& input, const ProgressCallback& progress = {});
+/// @param sink  takes what is recorded as the path goes on; the result then has the last increments alone. Without one
+///              all are kept.
+/// @throws Error (input) if the case cannot be built, has no path, or one that is too long to be kept.
+CycleResult run_path(const Case& input, const ProgressCallback& progress = {}, const RecordSink& sink = {});
 
 }  // namespace bumpfoil

@@ -3,12 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/geometry.hpp"
+#include "bumpfoil/results/result_folder.hpp"
+#include "results/netcdf_image.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -37,6 +45,15 @@ Case orbiting(SolverName solver = SolverName::newton) {
 const Cycle& only(const CycleResult& result) {
   EXPECT_EQ(result.cycles.size(), 1U);
   return result.cycles.front();
+}
+
+/// All of its legs.
+Program path_program(const PathSettings& path) {
+  Program program;
+  const Schedule next_leg = path_schedule(path);
+  while (const Leg* leg = next_leg()) program.push_back(*leg);
+  EXPECT_EQ(path_increments(path), increments_of(program));
+  return program;
 }
 
 TEST(PathProgram, BeginsWithTheWayToTheFirstPoint) {
@@ -236,6 +253,131 @@ TEST(RunPath, SaysThatALoadIsOutOfReach) {
 
 TEST(RunPath, NeedsAPath) {
   EXPECT_THROW(run_path(reference_case()), Error);
+}
+
+/// An orbit of some thousand increments of three pads, which stresses, pads and contacts of are recorded.
+Case long_orbit() {
+  Case input = orbiting(SolverName::events);
+  input.bump_foil.bumps = 8;
+  input.bump_foil.model = BumpFoilModel::frame;
+  input.pads.resize(3);
+  input.settings.find<PathSettings>()->orbits = 4;
+  input.settings.find<PathSettings>()->steps = 700;
+  return input;
+}
+
+TEST(RunPath, ForgetsWhatItHasPassedOn) {
+  const Case input = long_orbit();
+  const CycleResult whole = run_path(input);
+  std::vector<Increment> increments;
+  std::vector<CycleEvent> events;
+  Eigen::Index rows = 0;
+  std::size_t calls = 0;
+  std::size_t most = 0;
+  const CycleResult streamed = run_path(input, {}, [&](const CycleResult& recorded) {
+    const Cycle& cycle = recorded.cycles.back();
+    ASSERT_EQ(cycle.fields.increments(), std::ssize(cycle.increments));
+    EXPECT_EQ(cycle.fields.crest_v, only(whole).fields.crest_v.middleRows(rows, cycle.fields.increments()));
+    rows += cycle.fields.increments();
+    increments.insert(increments.end(), cycle.increments.begin(), cycle.increments.end());
+    events.insert(events.end(), cycle.events.begin(), cycle.events.end());
+    most = std::max(most, cycle.increments.size());
+    ++calls;
+  });
+  ASSERT_TRUE(whole.converged() && streamed.converged());
+  ASSERT_EQ(increments.size(), 1U + 5U * 700U);
+  EXPECT_GT(calls, 2U);
+  // However long the path is: 32,768 bumps at a time.
+  EXPECT_EQ(most, 32'768U / 24U);
+  EXPECT_LE(only(streamed).increments.capacity(), most);
+  EXPECT_EQ(events.size(), only(whole).events.size());
+  for (std::size_t k = 0; k < increments.size(); ++k) {
+    EXPECT_EQ(increments[k].index, static_cast<int>(k));
+    EXPECT_EQ(increments[k].force_x, only(whole).increments[k].force_x);
+    EXPECT_EQ(increments[k].work, only(whole).increments[k].work);
+  }
+  // What is told of the whole does not need what was forgotten.
+  EXPECT_EQ(only(streamed).top_foil_stress, only(whole).top_foil_stress);
+  EXPECT_EQ(only(streamed).bump_foil_stress, only(whole).bump_foil_stress);
+  EXPECT_EQ(only(streamed).compression, only(whole).compression);
+  EXPECT_EQ(only(streamed).largest_pad_forces, only(whole).largest_pad_forces);
+  EXPECT_EQ(only(streamed).orbits, only(whole).orbits);
+  EXPECT_EQ(only(whole).largest_pad_forces, largest_pad_forces(only(whole).fields));
+}
+
+TEST(RunPath, RefusesPathsThatTheMemoryDoesNotHold) {
+  Case input = orbiting();
+  input.settings.find<PathSettings>()->orbits = 1'000'000;
+  try {
+    run_path(input);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("40000041 increments of 26 bumps would not fit in memory"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+/// What is written as the run goes is what a run that is kept writes.
+void expect_same_files(const Case& input, const ProgressCallback& progress = {}) {
+  const ExperimentInfo& path = experiment_named("path");
+  const test_support::TemporaryFolder scratch;
+  const Provenance provenance{.command_line = "bumpfoil path", .case_text = "case"};
+  ResultFolder folder(scratch.path() / "results", Existing::refuse, path.files);
+  int calls = 0;
+  const auto until = [&](double) { return !progress || progress(++calls); };
+  const Outcome staged = path.staged(input, provenance, folder, until);
+  folder.publish();
+  calls = 0;
+  const Outcome kept = path.run(input, until);
+  EXPECT_EQ(staged.status, kept.status);
+  EXPECT_EQ(staged.failures, kept.failures);
+  EXPECT_EQ(staged.warnings, kept.warnings);
+  std::map<std::string, std::string> expected;
+  for (const ResultFile& file : kept.files(provenance)) expected[file.name] = file.contents;
+  EXPECT_EQ(scratch.read("results/path.csv"), expected.at("path.csv"));
+  const NetcdfImage is(scratch.read("results/result.nc"), "is");
+  const NetcdfImage be(expected.at("result.nc"), "to be");
+  ASSERT_EQ(is.variables().size(), be.variables().size());
+  for (const auto& [name, variable] : be.variables()) {
+    if (name == "wall_time") continue;
+    const StoredVariable& same = is.variables().at(name);
+    EXPECT_EQ(same.dims, variable.dims) << name;
+    ASSERT_EQ(same.extents, variable.extents) << name;
+    EXPECT_EQ(same.type, variable.type) << name;
+    EXPECT_EQ(same.fill, variable.fill) << name;
+    EXPECT_EQ(same.units + same.long_name + same.flag_meanings,
+              variable.units + variable.long_name + variable.flag_meanings);
+    const std::vector<double> a = is.numbers(same);
+    const std::vector<double> b = be.numbers(variable);
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      ASSERT_TRUE(a[k] == b[k] || (std::isnan(a[k]) && std::isnan(b[k]))) << name << ' ' << k;
+    }
+  }
+  for (const char* text : {"status", "status_message", "warnings", "bumpfoil_command", "case_understood"}) {
+    ASSERT_EQ(is.texts().contains(text), be.texts().contains(text)) << text;
+    if (!be.texts().contains(text)) continue;
+    EXPECT_EQ(is.texts().at(text), be.texts().at(text));
+  }
+  auto a = nlohmann::json::parse(scratch.read("results/summary.json"));
+  auto b = nlohmann::json::parse(expected.at("summary.json"));
+  EXPECT_EQ(a.at("run_id"), is.texts().at("run_id"));
+  EXPECT_EQ(a.at("files").size(), b.at("files").size());
+  for (nlohmann::json* one : {&a, &b}) {
+    for (const char* own : {"run_id", "files", "xxh3_128"}) one->erase(own);
+    (*one)["cycles"][0].erase("wall_time_s");
+  }
+  EXPECT_EQ(a, b);
+}
+
+TEST(PathExperiment, WritesAsItGoesWhatAKeptRunWrites) {
+  expect_same_files(long_orbit());
+}
+
+TEST(PathExperiment, WritesPartialResultsAsItGoes) {
+  expect_same_files(long_orbit(), [](double calls) { return calls < 2000.0; });
+  expect_same_files(orbiting(), [](double calls) { return calls < 50.0; });
+  expect_same_files(along({{0.0, -50.0}, {0.0, -1e7}}, Control::load));
 }
 
 }  // namespace
