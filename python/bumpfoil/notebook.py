@@ -14,15 +14,6 @@ if TYPE_CHECKING:
     from .cycle import Cycle
     from .result import Result
 
-#: Of a path, whose cycle has no turning point: series at its last increment, by name, words, unit and its size in SI.
-_ENDS = (
-    ("x", "x at the end", "µm", 1e-6),
-    ("y", "y at the end", "µm", 1e-6),
-    ("force_x", "force along X at the end", "N", 1.0),
-    ("force_y", "force along Y at the end", "N", 1.0),
-    ("dissipated_energy", "dissipated energy", "mJ", 1e-3),
-)
-
 _MOST_ROWS = 12
 
 
@@ -44,15 +35,15 @@ def _shown(value: Any, size: float = 1.0) -> str:
 def of_cycles(cycles: Sequence[Cycle]) -> str:
     """A column for each, with the quantities that any of them has."""
     rows = [["", *(cycle.name for cycle in cycles)]]
-    headlines = [(name, words, unit, size) for name, _, words, unit, size in _native.headlines("cycle")]
-    for names, found in (
-        (headlines, [cycle.quantities for cycle in cycles]),
-        (_ENDS, [_end(cycle) for cycle in cycles if cycle.name == "path"]),
+    for headlines, where, found in (
+        (_native.headlines("cycle"), "", [cycle.quantities for cycle in cycles]),
+        # A path has no turning point.
+        (_native.headlines_of_increments(), " at the end", [_end(cycle) for cycle in cycles if cycle.name == "path"]),
     ):
-        for name, words, unit, size in names:
+        for name, _, words, unit, size in headlines:
             values = [one.get(name) for one in found]
             if any(value is not None for value in values):
-                rows.append([_words(words, unit), *(_shown(value, size) for value in values)])
+                rows.append([_words(words + where, unit), *(_shown(value, size) for value in values)])
     return table(rows)
 
 

@@ -115,15 +115,26 @@ std::vector<std::string> quantity_names(const std::string& command) {
   return each(experiment_named(command).quantities, [](const VariableMeaning& one) { return one.name; });
 }
 
-/// The few quantities of an experiment that short tables show: name, key, label, unit and its size in SI.
-std::vector<std::tuple<std::string, std::string, std::string, std::string, double>> headlines(
-    const std::string& command) {
-  std::vector<std::tuple<std::string, std::string, std::string, std::string, double>> shown;
-  for (const VariableMeaning& one : experiment_named(command).quantities) {
+/// The few quantities that short tables show: name, key, label, unit and its size in SI.
+using Headlines = std::vector<std::tuple<std::string, std::string, std::string, std::string, double>>;
+
+Headlines headlines_of(const std::vector<VariableMeaning>& quantities) {
+  Headlines shown;
+  for (const VariableMeaning& one : quantities) {
     if ((one.tags & tag::headline) == 0) continue;
     shown.emplace_back(one.name, one.key(), one.label, one.shown.name, one.shown.size);
   }
   return shown;
+}
+
+/// Of each cycle, vibration or state of an experiment.
+Headlines headlines(const std::string& command) {
+  return headlines_of(experiment_named(command).quantities);
+}
+
+/// Of an increment of a path.
+Headlines headlines_of_increments() {
+  return headlines_of(meanings_of(increment_quantities(Experiment::path)));
 }
 
 void save(const std::filesystem::path& path, const Files& files, bool force) {
@@ -174,6 +185,7 @@ PYBIND11_MODULE(_native, m) {
   m.def("case_template", [](const std::string& name) { return case_template(name); });
   m.def("quantity_names", quantity_names);
   m.def("headlines", headlines);
+  m.def("headlines_of_increments", headlines_of_increments);
   m.def("key_of", key_of);
   m.def("run", run);
   m.def("sweep", sweep);

@@ -9,25 +9,13 @@
 #include "bumpfoil/ensemble/ensemble_table.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "ensemble/statistics_json.hpp"
 #include "results/summary_json.hpp"
 
 namespace bumpfoil {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json statistics_json(const Statistics& found) {
-  Json json{{"count", found.count},
-            {"undefined", found.undefined},
-            {"mean", value_json(found.mean)},
-            {"std", value_json(found.deviation)},
-            {"standard_error", value_json(found.standard_error)},
-            {"mean_interval_95", {value_json(found.mean_low), value_json(found.mean_high)}}};
-  for (std::size_t i = 0; i < percentiles.size(); ++i) {
-    json[fmt::format("p{}", percentiles[i])] = value_json(found.percentile[i]);
-  }
-  return json;
-}
 
 Json place_json(const EnsembleLayout& layout, const PlaceStatistics& found) {
   Json json;

@@ -17,12 +17,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 4> form_names{"real", "whole", "truth", "flag"};
 
-constexpr std::array<std::pair<Tags, std::string_view>, 6> tag_names{{{tag::csv, "csv"},
+constexpr std::array<std::pair<Tags, std::string_view>, 7> tag_names{{{tag::csv, "csv"},
                                                                       {tag::headline, "headline"},
                                                                       {tag::shown_first, "shown_first"},
                                                                       {tag::sampled, "sampled"},
                                                                       {tag::of_solver, "of_solver"},
-                                                                      {tag::measured, "measured"}}};
+                                                                      {tag::measured, "measured"},
+                                                                      {tag::leading, "leading"}}};
 
 Json variable_json(const Variable& variable, bool coordinate) {
   const VariableMeaning& meaning = variable.meaning;

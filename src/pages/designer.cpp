@@ -16,6 +16,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/core/version.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
+#include "bumpfoil/ensemble/statistics.hpp"
 #include "bumpfoil/experiments/cycle/cycle.hpp"
 #include "bumpfoil/experiments/cycle/cycle_csv.hpp"
 #include "bumpfoil/experiments/cycle/result_quantities.hpp"
@@ -23,9 +24,11 @@
 #include "bumpfoil/experiments/properties/properties.hpp"
 #include "bumpfoil/experiments/properties/properties_report.hpp"
 #include "bumpfoil/experiments/vibration/vibration.hpp"
+#include "bumpfoil/results/dataset.hpp"
 #include "case/key_list.hpp"
 #include "case/presets.hpp"
 #include "case/units.hpp"
+#include "ensemble/statistics_json.hpp"
 #include "experiments/equilibrium/equilibrium_json.hpp"
 #include "pages/shown_run.hpp"
 #include "pages/shown_states.hpp"
@@ -219,7 +222,7 @@ Json answer_samples(const Json& request) {
     quantities.push_back(quantity);
     shown.push_back(shown_quantity(quantity.meaning()));
   }
-  Json samples = Json::array();
+  Json samples = request.value("before", Json::array());
   const auto first = request.at("first").get<std::uint64_t>();
   const auto count = request.at("count").get<std::uint64_t>();
   for (std::uint64_t number = first; number < first + count; ++number) {
@@ -235,7 +238,18 @@ Json answer_samples(const Json& request) {
     }
     samples.push_back(std::move(directions));
   }
-  return {{"quantities", shown}, {"samples", samples}};
+  Json statistics = Json::array();
+  for (std::size_t direction = 0; direction < input.cycle.directions.size(); ++direction) {
+    Json of_direction;
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+      of_direction[quantities[k].key()] = statistics_json(statistics_of(each(samples, [&](const Json& sample) {
+        const Json& value = sample.at(direction).at(k);
+        return value.is_null() ? absent : value.get<double>();
+      })));
+    }
+    statistics.push_back(std::move(of_direction));
+  }
+  return {{"quantities", shown}, {"samples", samples}, {"statistics", statistics}};
 }
 
 Json faults_json(const Error& error) {

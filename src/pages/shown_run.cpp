@@ -131,6 +131,8 @@ Json shown_quantity(const VariableMeaning& meaning) {
           {"whole", meaning.form.kind == Form::whole},
           {"of_solver", (meaning.tags & tag::of_solver) != 0},
           {"first", (meaning.tags & (tag::headline | tag::shown_first)) != 0},
+          {"leads", (meaning.tags & tag::leading) != 0},
+          {"listed", (meaning.tags & (tag::csv | tag::of_solver)) != 0 || meaning.shown.size > 0.0},
           {"meaning", meaning.long_name}};
 }
 

@@ -80,20 +80,24 @@ test('properties, samples and vibrations are those of the program', () => {
   withFolder((place) => {
     const file = join(examples, 'gen1.toml');
     const expected = JSON.parse(run('properties', file, '--json'));
-    const found = ask({ what: 'properties', text: reference });
+    const properties = ask({ what: 'properties', text: reference });
     for (const [group, numbers] of Object.entries(expected)) {
       const largest = Math.max(...Object.values(numbers));
-      for (const [key, number] of Object.entries(numbers)) near(found[group][key], number, `${group}.${key}`, largest);
+      for (const [key, number] of Object.entries(numbers)) near(properties[group][key], number, `${group}.${key}`, largest);
     }
     const scatter = ['--set', 'montecarlo.samples=3', '--set', 'montecarlo.seed=5', '--set', 'montecarlo.bump_height={ distribution = "normal", std = "5 um" }'];
     run('montecarlo', file, '-o', join(place, 'm'), ...scatter);
     const { statistics } = JSON.parse(readFileSync(join(place, 'm', 'summary.json'), 'utf8'));
     const text = `${reference}\n[montecarlo]\nsamples = 3\nseed = 5\nbump_height = { distribution = "normal", std = "5 um" }\n`;
-    const { quantities, samples, faults } = ask({ what: 'samples', text, first: 0, count: 3 });
+    const { samples: before } = ask({ what: 'samples', text, first: 0, count: 2 });
+    const { quantities, samples, statistics: found, faults } = ask({ what: 'samples', text, first: 2, count: 1, before });
     assert.equal(faults, undefined, JSON.stringify(faults));
+    assert.equal(samples.length, 3);
     quantities.forEach(({ key }, i) => {
       Object.values(statistics).forEach((byQuantity, direction) => {
         near(samples.reduce((sum, one) => sum + one[direction][i], 0) / 3, byQuantity[key].mean, key);
+        for (const name of ['mean', 'std', 'standard_error', 'p5', 'p50', 'p99']) near(found[direction][key][name], byQuantity[key][name], `${name} of ${key}`, Math.abs(byQuantity[key].mean) + 1);
+        for (const end of [0, 1]) near(found[direction][key].mean_interval_95[end], byQuantity[key].mean_interval_95[end], key);
       });
     });
     const vibration = ['--set', 'vibration.loads=[["0 N", "-50 N"]]', '--set', 'vibration.directions=["+X", "+Y"]', '--set', 'vibration.amplitudes=["2 um"]', '--set', 'vibration.frequencies=["200 Hz"]', '--set', 'vibration.steps=20'];

@@ -146,7 +146,7 @@ def test_shown_in_a_notebook(result):
         ("equilibrium", ["speed_rad_per_s", "h_min_m", "4712", "10", "converged"]),
         ("sweep", ["friction_coefficient", "direction_deg", "max_force_N", "520.5", "738.6"]),
         ("montecarlo", ["+X", "maximum force (N)", "loss factor"]),
-        ("path", ["path", "x at the end (µm)", "50", "force along X at the end (N)"]),
+        ("path", ["path", "journal, X at the end (um)", "50", "force, X at the end (N)"]),
     ],
 )
 def test_every_command_shows_a_table(command, cells):

@@ -32,7 +32,7 @@ const rpm = (row) => Math.round((Number(row.speed_rad_per_s) * 30) / Math.PI);
 
 test('curves over speed and load are those of equilibrium.csv', () =>
   withReport('grid.html', async (page) => {
-    for (const [panel, text, key] of [['Minimum film thickness', 'Minimum film thickness', 'h_min'], ['Journal position', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Kxx', 'kxx']]) {
+    for (const [panel, text, key] of [['Minimum film thickness', 'Minimum film thickness', 'h_min'], ['Journal position', 'Attitude angle (°)', 'attitude_angle'], ['Losses', 'Power loss', 'power'], ['Stiffness', 'Stiffness, xx', 'kxx']]) {
       await page.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(text);
       const shown = await shownIn(page, panel);
       assert.equal(shown.length, 6, panel);

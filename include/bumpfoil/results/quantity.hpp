@@ -76,6 +76,7 @@ inline constexpr Tags shown_first = 4;  ///< on pages
 inline constexpr Tags sampled = 8;      ///< kept of the samples of ensembles: needs no fields, same on all machines
 inline constexpr Tags of_solver = 16;   ///< how it was computed
 inline constexpr Tags measured = 32;    ///< follows from displacement and force alone
+inline constexpr Tags leading = 64;     ///< charts begin with it
 /// Tags of an experiment begin here.
 inline constexpr Tags first_of_experiment = 256;
 

@@ -131,7 +131,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      "attitude angle", shown::degrees},
     {"h_min", "m", "minimum film thickness of all nodes",
      [](const B& bearing, const S& state) { return state.outcome->thinnest.thickness * bearing.scales.thickness; },
-     csv | headline | sampled, "minimum film thickness", shown::micrometres},
+     csv | headline | leading | sampled, "minimum film thickness", shown::micrometres},
     {"h_min_theta", "degree", "angle of the minimum film thickness from the weld along the foil",
      [](const B&, const S& state) { return to_degrees(state.outcome->thinnest.theta); },
      csv | sampled, "  at, from the weld", shown::degrees},

@@ -50,7 +50,7 @@ TEST(ResultSchema, SaysAllOfAVariable) {
   EXPECT_EQ(found.at("dims"), json({"direction"}));
   EXPECT_EQ(found.at("label"), "structural stiffness");
   EXPECT_EQ(found.at("shown"), json({{"unit", "MN/m"}, {"size", 1e6}}));
-  EXPECT_EQ(found.at("tags"), json({"headline", "sampled", "measured"}));
+  EXPECT_EQ(found.at("tags"), json({"headline", "sampled", "measured", "leading"}));
   EXPECT_FALSE(found.at("coordinate"));
   ASSERT_EQ(run_with("strip", "force_direct", found), 0);
   EXPECT_EQ(found.at("long_name"), "applied force on the plate, towards the base");

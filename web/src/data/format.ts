@@ -116,6 +116,10 @@ export interface Quantity {
   of_solver: boolean;
   /** Tables show it at first. */
   first: boolean;
+  /** Charts begin with it. */
+  leads?: boolean;
+  /** Tables of a single state list it. */
+  listed?: boolean;
   /** In words; empty where the result does not say. */
   meaning: string;
 }

@@ -7,7 +7,7 @@ import { choice, el } from '../ui/dom';
 import { EnsembleSelection } from '../ui/ensemble_selection';
 import type { CyclesAnswer, SamplesAnswer } from './format';
 import { isFaulty, type Solver } from './solver';
-import { countsOf, statisticsOf } from './spread';
+import { countsOf } from './spread';
 import { isSeen } from './tabs';
 
 const bearings = 100;
@@ -63,10 +63,10 @@ export class EnsembleView {
       this.told.textContent = 'The case has no tolerances: all bearings are identical.';
       return;
     }
-    const samples: SamplesAnswer['samples'] = [];
+    let samples: SamplesAnswer['samples'] = [];
     delete this.root.dataset['done'];
     while (samples.length < bearings) {
-      const part = await this.solver.ask<SamplesAnswer>({ what: 'samples', text, first: samples.length, count: atATime });
+      const part = await this.solver.ask<SamplesAnswer>({ what: 'samples', text, first: samples.length, count: atATime, before: samples });
       if (this.begun !== text) return;
       // Overtaken by what asked for bearings elsewhere: it is asked again.
       if (!part) continue;
@@ -74,9 +74,9 @@ export class EnsembleView {
         this.told.textContent = part.faults.map(({ message }) => message).join(' · ');
         return;
       }
-      samples.push(...part.samples);
+      samples = part.samples;
       this.told.textContent = `${samples.length} of ${bearings} bearings${samples.length < bearings ? ' …' : ''}, drawn as bumpfoil montecarlo draws them.`;
-      this.draw(answer, part.quantities, samples);
+      this.draw(answer, part);
       if (!isSeen(this.root)) {
         // Looked at again it begins anew.
         this.begun = '';
@@ -86,7 +86,7 @@ export class EnsembleView {
     this.root.dataset['done'] = String(samples.length);
   }
 
-  private draw({ run }: CyclesAnswer, quantities: SamplesAnswer['quantities'], samples: SamplesAnswer['samples']): void {
+  private draw({ run }: CyclesAnswer, { quantities, samples, statistics }: SamplesAnswer): void {
     const directions = run.cycles.map((cycle) => cycle.at);
     const names = quantities.map(({ name }) => name);
     const same = this.drawn && JSON.stringify([this.drawn.data.directions, Object.keys(this.drawn.data.distributions)]) === JSON.stringify([directions, names]);
@@ -109,12 +109,12 @@ export class EnsembleView {
     }
     const { data } = this.drawn;
     const numbers = (direction: number, quantity: number): (number | null)[] => samples.map((sample) => sample[direction]?.[quantity] ?? null);
-    quantities.forEach(({ name, key }, quantity) => {
+    data.summary.statistics = Object.fromEntries(statistics.map((of, direction) => [String(direction), of]));
+    quantities.forEach(({ name }, quantity) => {
       const each = directions.map((_, direction) => numbers(direction, quantity));
       const known = each.flat().filter((value): value is number => value !== null);
       const [from, to] = known.length > 0 ? [Math.min(...known), Math.max(...known)] : [null, null];
       Object.assign(data.distributions[name] ?? {}, { from, to, counts: each.map((values) => (from === null || to === null ? [] : countsOf(values, from, to, intervals))) });
-      each.forEach((values, direction) => ((data.summary.statistics[String(direction)] ??= {})[key] = statisticsOf(values)));
     });
     if (same) for (const histogram of this.drawn.histograms) histogram.refresh();
     else this.build(this.drawn);

@@ -1,5 +1,5 @@
 /** What the solver answers; include/bumpfoil/pages/designer.hpp describes it. */
-import type { CaseValue, GridData, Quantity, RunData } from '../data/format';
+import type { CaseValue, GridData, Quantity, RunData, StatisticsData } from '../data/format';
 
 export interface CaseKey {
   path: string;
@@ -66,4 +66,6 @@ export interface SamplesAnswer {
   quantities: Quantity[];
   /** By number, direction and quantity. */
   samples: (number | null)[][][];
+  /** Of all of them, by direction and key. */
+  statistics: Record<string, StatisticsData>[];
 }

@@ -20,16 +20,6 @@ import { withPoint } from './typed';
 const settled = 300;
 const rpm = Math.PI / 30;
 
-/** What tells how a state was found. */
-const ofSolver = ['status', 'path', 'jumps', 'iterations'];
-/** What the table shows, in this order. */
-const shown = [
-  ...['x', 'y', 'force_x', 'force_y', 'eccentricity_ratio', 'attitude_angle', 'h_min', 'h_min_theta', 'p_max', 'p_min', 'torque', 'power'],
-  ...['loaded_bumps', 'highest_bump_load', 'highest_loaded_bump', 'max_stress_top_foil', 'max_stress_bump_foil'],
-  ...['k', 'k_stuck', 'k_whirl', 'c_whirl'].flatMap((matrix) => ['xx', 'xy', 'yx', 'yy'].map((axes) => `${matrix.slice(0, 1)}${axes}${matrix.slice(1)}`)),
-  ...ofSolver,
-];
-
 /** What holds the journal, with its unit as people write it. */
 const holds = [
   { key: 'load', text: 'Load', unit: 'N', size: 1, most: 200 },
@@ -107,16 +97,14 @@ function textOf({ speed, load, position }: Point): string {
 /** The quantities of a state as those of a cycle, which tables compare. */
 function runOf({ run, state }: EquilibriumAnswer, name: string): Run {
   const byLoad = state['load_x_N'] !== null;
-  const quantities = shown
-    // What is asked for is not found.
-    .filter((one) => !(byLoad ? /^force_/ : /^[xy]$/).test(one))
-    .flatMap((one) => run.quantities.find(({ name: its }) => its === one) ?? [])
-    .filter(({ key }) => state[key] !== null);
+  // What is asked for is not found.
+  const asked = byLoad ? /^(speed|load_[xy]|force_[xy])$/ : /^(speed|[xy])$/;
+  const quantities = run.quantities.filter(({ name: its, key, listed }) => listed && !asked.test(its) && (state[key] ?? null) !== null);
   return new Run({
     ...run,
     name,
     summary: { ...run.summary, cycles: [{ ...state, at: 0, amplitude_m: 0, steps: 0, converged: state['status'] === 'converged' }] },
-    quantities: quantities.map((one): Quantity => ({ ...one, of_solver: ofSolver.includes(one.name), ...(one.unit === 'degree' ? { unit: '', label: `${one.label} (°)` } : {}) })),
+    quantities: quantities.map((one): Quantity => ({ ...one, ...(one.unit === 'degree' ? { unit: '', label: `${one.label} (°)` } : {}) })),
     meanings: {},
     geometry: {},
     nodes: { bump: 0, foot: 0 },

@@ -16,31 +16,45 @@ import { gridControls } from './grid_controls';
 import { part, type View } from './view';
 
 const entries = ['xx', 'xy', 'yx', 'yy'] as const;
-function partOf(states: States, name: string, text: string): Part[] {
-  const variable = states.variable(name);
-  if (!variable?.values.some(Number.isFinite)) return [];
-  return [{ key: name, text, has: () => true, value: (place) => states.numberAt(name, place) }];
+
+/** What a chart shows of its quantities: each by itself, or all together, in one drawing. */
+interface Drawn {
+  names: string[];
+  /** Of all together, where there are several. */
+  all?: string;
+}
+
+/** Words and unit come with the quantity. */
+function partOf(states: States, name: string): { unit: string; part: Part }[] {
+  const quantity = states.data.quantities.find((one) => one.name === name);
+  if (!quantity || !states.variable(name)?.values.some(Number.isFinite)) return [];
+  const degrees = quantity.unit === 'degree';
+  const text = capital(degrees ? `${quantity.label} (°)` : quantity.label);
+  return [{ unit: degrees ? '' : quantity.unit, part: { key: name, text, has: () => true, value: (place) => states.numberAt(name, place) } }];
 }
 
 /** Those of one unit in one chart, and by themselves where paths or loads are to be told apart. */
-function measuresOf(states: States, all: string, unit: string, names: [string, string][]): Measure[] {
-  const parts = names.flatMap(([name, text]) => partOf(states, name, text));
-  const each = parts.map((one): Measure => ({ text: one.text, unit, parts: [one] }));
-  return all !== '' && parts.length > 1 ? [{ text: all, unit, parts }, ...each] : each;
+function measuresOf(states: States, { names, all }: Drawn): Measure[] {
+  const parts = names.flatMap((name) => partOf(states, name));
+  const each = parts.map((one): Measure => ({ text: one.part.text, unit: one.unit, parts: [one.part] }));
+  return all !== undefined && parts.length > 1 ? [{ text: all, unit: parts[0]?.unit ?? '', parts: parts.map(({ part }) => part) }, ...each] : each;
 }
 
-/** Charts over speed or load. */
+/** Charts over speed or load: which quantities are drawn together. */
 function chartsOf(states: States): { title: string; measures: Measure[] }[] {
-  const of = measuresOf.bind(undefined, states);
-  const stiffness = (end: string): [string, string][] => entries.map((axes) => [`k${axes}${end}`, `K${axes}${end.replace('_', ', ')}`]);
-  return [
-    { title: 'Minimum film thickness', measures: of('', 'm', [['h_min', 'Minimum film thickness'], ['h_min_crest', 'Minimum film thickness over a crest']]) },
-    { title: 'Journal position', measures: [...of('', '', [['attitude_angle', 'Attitude angle (°)']]), ...of('', '', [['eccentricity_ratio', 'Eccentricity']]), ...of('Journal centre', 'm', [['x', 'X'], ['y', 'Y']])] },
-    { title: 'Losses', measures: [...of('', 'W', [['power', 'Power loss']]), ...of('', 'N m', [['torque', 'Torque']])] },
-    { title: 'Stiffness', measures: [...of('Stiffness K', 'N/m', stiffness('')), ...of('Stiffness K, full stick', 'N/m', stiffness('_stuck'))] },
-    { title: 'Pressure and force', measures: [...of('Pressure', 'Pa', [['p_max', 'maximum'], ['p_min', 'minimum']]), ...of('Force', 'N', [['force_x', 'Force X'], ['force_y', 'Force Y']]), ...(states.pads > 1 ? [{ text: 'Forces of the pads', unit: 'N', parts: padParts(states) }] : [])] },
-    { title: 'Bumps', measures: [...of('', 'N', [['highest_bump_load', 'Maximum bump load']]), ...of('', '', [['loaded_bumps', 'Loaded bumps'], ['lifted_bumps_at_entry', 'Detached bumps at the inlet']])] },
-  ].filter(({ measures }) => measures.length > 0);
+  const stiffness = (end: string): string[] => entries.map((axes) => `k${axes}${end}`);
+  const charts: [string, Drawn[]][] = [
+    ['Minimum film thickness', [{ names: ['h_min', 'h_min_crest'] }]],
+    ['Journal position', [{ names: ['attitude_angle', 'eccentricity_ratio'] }, { all: 'Journal centre', names: ['x', 'y'] }]],
+    ['Losses', [{ names: ['power', 'torque'] }]],
+    ['Stiffness', [{ all: 'Stiffness', names: stiffness('') }, { all: 'Stiffness, full stick', names: stiffness('_stuck') }]],
+    ['Pressure and force', [{ all: 'Pressure', names: ['p_max', 'p_min'] }, { all: 'Force', names: ['force_x', 'force_y'] }]],
+    ['Bumps', [{ names: ['highest_bump_load', 'loaded_bumps', 'lifted_bumps_at_entry'] }]],
+  ];
+  const pads = states.pads > 1 ? [{ text: 'Forces of the pads', unit: 'N', parts: padParts(states) }] : [];
+  return charts
+    .map(([title, drawn]) => ({ title, measures: [...drawn.flatMap((one) => measuresOf(states, one)), ...(title === 'Pressure and force' ? pads : [])] }))
+    .filter(({ measures }) => measures.length > 0);
 }
 
 /** Forces of several pads. */

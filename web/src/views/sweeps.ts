@@ -17,9 +17,6 @@ import { gridControls } from './grid_controls';
 import { vibrationEntries, vibrationSections } from './vibrations';
 import { part, type View } from './view';
 
-/** What charts show at first, of cycles and of running bearings. */
-const headlines = ['loaded_stiffness', 'h_min'];
-
 /** A quantity of every point and cycle. */
 interface SweptQuantity extends Quantity {
   variable: Variable;
@@ -86,16 +83,15 @@ function quantitiesOf(grid: Grid): SweptQuantity[] {
   return [...ofFoils, ...clearancesOf(grid), ...quantities.filter((one) => one.of_solver)];
 }
 
-/** Of every quantity that is a number and known somewhere; the headline first. */
+/** Of every quantity that is a number and known somewhere; what charts begin with first. */
 function measuresOf(quantities: SweptQuantity[]): Measure[] {
   const numbers = quantities.filter(({ variable }) => variable.words.length === 0 && variable.values.some(Number.isFinite));
-  const measures = numbers.map(({ name, key, label, unit, variable, value }) => ({
-    name,
+  const sorted = [...numbers.filter((one) => one.leads), ...numbers.filter((one) => !one.leads)];
+  return sorted.map(({ key, label, unit, variable, value }) => ({
     text: capital(label),
     unit,
     parts: [{ key, text: capital(label), has: (dimension: string) => variable.has(dimension), value }],
   }));
-  return measures.sort((a, b) => Number(headlines.includes(b.name)) - Number(headlines.includes(a.name)));
 }
 
 function loopsOf(grid: Grid): Loops | undefined {
