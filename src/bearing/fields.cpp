@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/contact/residual.hpp"
 
 namespace bumpfoil {
@@ -22,9 +21,16 @@ struct InterfacePlace {
   [[nodiscard]] Eigen::Index columns(const Foils& foils) const {
     return Eigen::Index{foils.structure.K.blocks() - first_block} * count;
   }
-  [[nodiscard]] Eigen::Index contact(const Foils& foils, Eigen::Index column) const {
-    const int block = foils.block(first_block + static_cast<int>(column) / count);
-    return Eigen::Index{block} * foils.contacts_per_block() + first + column % count;
+  /// Each of its contacts. @param visit  (column, contact)
+  template <typename Visit>
+  void each(const Foils& foils, const Visit& visit) const {
+    if (count == 0) return;
+    const Eigen::Index per_block = foils.contacts_per_block();
+    Eigen::Index column = 0;
+    for (int block = first_block; block < foils.structure.K.blocks(); ++block) {
+      const Eigen::Index begin = foils.block(block) * per_block + first;
+      for (int k = 0; k < count; ++k) visit(column++, begin + k);
+    }
   }
 };
 
@@ -45,15 +51,15 @@ double open_threshold(const Foils& foils, const ContactState& state) {
   return std::max(open_load * state.normal_force.maxCoeff(), foils.roundings.force);
 }
 
-/// Mode as it is reported: contacts without load are open, frictionless ones slip where they move.
-ContactMode reported_mode(const Foils& foils, const CoulombContact& contact, const BearingState& state,
-                          double threshold) {
-  if (state.contacts.normal_force[contact.index] <= threshold) return ContactMode::open;
-  if (contact.site.tangential < 0 || contact.f > 0.0) {
-    return state.contacts.mode[static_cast<std::size_t>(contact.index)];
-  }
+/// Mode of contact `c` as it is reported: contacts without load are open, frictionless ones slip where they move.
+ContactMode reported_mode(const Foils& foils, Eigen::Index c, const BearingState& state, double threshold) {
+  const auto number = static_cast<std::size_t>(c);
+  if (state.contacts.normal_force[c] <= threshold) return ContactMode::open;
+  const ContactSite& site = foils.problem.sites[number];
+  if (site.tangential < 0 || site.friction_coefficient > 0.0) return state.contacts.mode[number];
   if (foils.under_film) return ContactMode::stick;  // many moves may make one increment: their slip has no direction
-  const double slip = contact.tangential(state.contacts.x) - contact.tangential(state.slip_origin);
+  const Eigen::Index at = Eigen::Index{site.block} * foils.problem.K.block_size() + site.tangential;
+  const double slip = state.contacts.x[at] - state.slip_origin[at];
   return slip > displacement_resolution    ? ContactMode::slip_forward
          : slip < -displacement_resolution ? ContactMode::slip_backward
                                            : ContactMode::stick;
@@ -61,21 +67,19 @@ ContactMode reported_mode(const Foils& foils, const CoulombContact& contact, con
 
 void record_interface(const Foils& foils, const BearingState& state, Interface interface, Eigen::Index increment,
                       InterfaceFields& fields) {
-  const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state.contacts);
-  const int block_size = foils.problem.K.block_size();
-  for (Eigen::Index i = 0; i < fields.gap.cols(); ++i) {
-    const Eigen::Index c = place.contact(foils, i);
-    const ContactSite& site = foils.problem.sites[static_cast<std::size_t>(c)];
-    const CoulombContact contact{site, site.tangential >= 0 ? site.friction_coefficient : 0.0,
-                                 Eigen::Index{site.block} * block_size, c};
-    const ContactMode mode = reported_mode(foils, contact, state, threshold);
-    const bool open = mode == ContactMode::open;
-    fields.gap(increment, i) = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;
-    fields.normal_force(increment, i) = open ? 0.0 : state.contacts.normal_force[c];
-    fields.friction_force(increment, i) = open ? 0.0 : state.contacts.friction_force[c];
-    fields.mode(increment, i) = mode;
-  }
+  // Rows by themselves: their places are looked up once.
+  auto gap = fields.gap.row(increment);
+  auto normal_force = fields.normal_force.row(increment);
+  auto friction_force = fields.friction_force.row(increment);
+  auto mode = fields.mode.row(increment);
+  place_of(foils, interface).each(foils, [&](Eigen::Index i, Eigen::Index c) {
+    mode[i] = reported_mode(foils, c, state, threshold);
+    const bool open = mode[i] == ContactMode::open;
+    gap[i] = open ? std::max(0.0, state.contacts.gap[c]) : 0.0;
+    normal_force[i] = open ? 0.0 : state.contacts.normal_force[c];
+    friction_force[i] = open ? 0.0 : state.contacts.friction_force[c];
+  });
 }
 
 void record_stress(const Foils& foils, const Vector& x, Eigen::Index increment, StressFields& fields) {
@@ -150,10 +154,10 @@ Vector interface_loads(const Foils& foils, const ContactState& state, Interface 
   const InterfacePlace place = place_of(foils, interface);
   const double threshold = open_threshold(foils, state);
   Vector loads(place.columns(foils));
-  for (Eigen::Index i = 0; i < loads.size(); ++i) {
-    const double load = state.normal_force[place.contact(foils, i)];
+  place.each(foils, [&](Eigen::Index i, Eigen::Index c) {
+    const double load = state.normal_force[c];
     loads[i] = load <= threshold ? 0.0 : load;
-  }
+  });
   return loads;
 }
 

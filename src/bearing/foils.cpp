@@ -115,6 +115,7 @@ int Foils::block(int of_structure) const {
 }
 
 Vector Foils::foil_unknowns(const Vector& x) const {
+  if (!under_film) return x;
   const Eigen::Index size = structure.dofs.size;
   Vector known(structure.K.rows());
   for (int b = 0; b < structure.K.blocks(); ++b) {
