@@ -53,7 +53,7 @@ void shift(BearingDesign& bearing, PerBump BumpFoil::*dimension, std::optional<d
   }
 }
 
-constexpr auto numbers = std::to_array<ScatteredNumber>({
+constexpr auto scattered_number_table = std::to_array<ScatteredNumber>({
     {"bump_foil_thickness", "m", "deviation of the thickness of the bump foil",
      &MonteCarloSettings::bump_foil_thickness,
      [](BearingDesign& bearing, double deviation) {
@@ -94,7 +94,7 @@ constexpr auto numbers = std::to_array<ScatteredNumber>({
 }  // namespace
 
 std::span<const ScatteredNumber> scattered_numbers() {
-  return numbers;
+  return scattered_number_table;
 }
 
 double normal_probability(double z) {
