@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
 .DEFAULT_GOAL := help
-.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized lint bench bench-peers tolerances verify-fe verify-siconos format clean
+.PHONY: help demo designer python docs deb test-deb dist paper test test-long test-sanitized lint bench bench-peers tolerances free-end verify-fe verify-siconos format clean
 
 JOBS := $(shell nproc)
 define BUILD
@@ -80,6 +80,11 @@ tolerances: ## scatter of heights, thicknesses, clearance, friction: data and pa
 	@scripts/require_packages.sh build test
 	$(call BUILD,release)
 	/usr/bin/python3 -B studies/tolerances/ensembles.py build/release/bumpfoil results/tolerances $(TOLERANCES)
+
+free-end: ## the free end of the top foil: data and picture
+	@scripts/require_packages.sh build plot
+	$(call BUILD,release)
+	/usr/bin/python3 -B studies/free_end/free_end.py build/release/bumpfoil results/free_end
 
 test: ## install what is missing, build with assertions armed, run every test
 	@scripts/require_packages.sh build plot designer python docs test
