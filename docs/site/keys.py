@@ -7,6 +7,7 @@ SUFFIXES = {
     "_m3_per_s": "m3/s",
     "_rad_per_s": "rad/s",
     "_N_per_m": "N/m",
+    "_kg": "kg",
     "_N_m": "N m",
     "_deg": "degree",
     "_rad": "rad",

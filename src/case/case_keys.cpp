@@ -202,7 +202,7 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
   keys.value({"yield_stress", optional, "Yield stress", "", "1.1 GPa", pressure, "bump_foil.yield_stress"},
              &foil.yield_stress);
   keys.value({"formed_radius", optional, "Formed radius",
-              "radius that the foil is formed to before its assembly, by default that of the bearing; 0.25 to 1 % more "
+              "radius that the foil is formed to before its assembly, by default that of the bearing; 0.5 to 1 % more "
               "presses its free end on the last bump, or \"seated\": R/(1 - 6 C_r/R)",
               "19.24 mm", length},
              &foil.formed_radius);

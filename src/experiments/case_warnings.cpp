@@ -31,7 +31,7 @@ std::vector<std::string> case_warnings(const Case& input) {
     if (ratio < 1.0) {
       warnings.push_back(
           fmt::format("the top foil{} is formed tighter than the bearing, to {:.6g} mm: its free end lifts off the "
-                      "bumps and closes on the journal; form it 0.25 to 1 % flatter than the bearing",
+                      "bumps and closes on the journal; form it 0.5 to 1 % flatter than the bearing",
                       of_pad(pads, k), 1e3 * radius));
       continue;
     }

@@ -1,0 +1,37 @@
+#include "bumpfoil/bearing/impedance.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// One direction: w = start / (1 - e H).
+TEST(ReducedForces, AnswerAtAnyRate) {
+  const ReducedForces reduced{.moved = {3.0, -1.0},
+                              .start = 2.0,
+                              .hessenberg = Matrix::Constant(1, 1, -0.5),
+                              .forces = Eigen::Matrix2Xd::Constant(2, 1, 4.0)};
+  const Complex e(1.0, 2.0);
+  const Complex w = 2.0 / (1.0 + 0.5 * e);
+  EXPECT_LT((reduced.at(e) - Eigen::Vector2cd(3.0 + 4.0 * e * w, -1.0 + 4.0 * e * w)).norm(), 1e-14);
+  EXPECT_LT((reduced.at(0.0) - Eigen::Vector2cd(3.0, -1.0)).norm(), 1e-15);
+}
+
+TEST(FilmImpedance, HasAColumnForEachDirection) {
+  ReducedForces along{.moved = {1.0, 2.0},
+                      .start = 1.0,
+                      .hessenberg = Matrix::Constant(1, 1, -1.0),
+                      .forces = Eigen::Matrix2Xd::Zero(2, 1)};
+  FilmImpedance impedance{.shift = 3.0, .squeeze_time = 0.5, .along = {along, along}};
+  impedance.along[1].moved = {5.0, 7.0};
+  impedance.along[1].forces.setConstant(1.0);
+  const Complex e = 0.5 * Complex(0.0, 8.0) - 3.0;
+  Eigen::Matrix2cd expected;
+  expected << 1.0, 5.0 + e / (1.0 + e), 2.0, 7.0 + e / (1.0 + e);
+  EXPECT_LT((impedance.at({0.0, 8.0}) - expected).norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace bumpfoil
