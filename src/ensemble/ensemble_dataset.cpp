@@ -23,8 +23,8 @@ void add_places(const EnsembleLayout& layout, Dataset& data) {
   }
   data.add_dimension({place, "1", "state of the running bearing, in the order of its path", whole_number},
                      numbers_from(1.0, layout.places.size()));
-  const auto add = [&](VariableMeaning meaning, const auto& value) {
-    data.add_coordinate(std::move(meaning), {place}, each(layout.places, [&](const EnsemblePlace& one) {
+  const auto add = [&](const VariableMeaning& meaning, const auto& value) {
+    data.add_coordinate(meaning, {place}, each(layout.places, [&](const EnsemblePlace& one) {
                           return value(std::get<OperatingPoint>(one.at));
                         }));
   };
