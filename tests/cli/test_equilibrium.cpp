@@ -53,7 +53,8 @@ TEST_F(RunningBearing, IsFoundUnderItsLoads) {
             "h_min_m,h_min_theta_deg,p_max_Pa,p_min_Pa,torque_N_m,power_W,loaded_bumps,status,path,kxx_N_per_m,"
             "kxy_N_per_m,kyx_N_per_m,kyy_N_per_m,kxx_stuck_N_per_m,kxy_stuck_N_per_m,kyx_stuck_N_per_m,"
             "kyy_stuck_N_per_m,stable,growth_held,whirl_ratio_held,growth_held_stuck,whirl_ratio_held_stuck,"
-            "hold_down_N,critical_mass_kg,critical_whirl_ratio,critical_mass_stuck_kg");
+            "hold_down_N,critical_mass_kg,critical_whirl_ratio,critical_mass_stuck_kg,"
+            "critical_whirl_ratio_stuck");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 
   EXPECT_NE(folder_.read("results/coefficients.toml").find("[bearing.synchronous]"), std::string::npos);

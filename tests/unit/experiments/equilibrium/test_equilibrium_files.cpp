@@ -77,10 +77,10 @@ TEST(EquilibriumFiles, CsvHoldsWhatIsKnown) {
   const std::vector<std::string> lines = rows_of_csv(equilibrium_csv(example(true)));
   ASSERT_EQ(lines.size(), 3U);
   const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
-  EXPECT_EQ(commas(lines[0]), 34);
-  for (const std::string& line : lines) EXPECT_EQ(commas(line), 34);
+  EXPECT_EQ(commas(lines[0]), 35);
+  for (const std::string& line : lines) EXPECT_EQ(commas(line), 35);
   EXPECT_NE(lines[1].find(",converged,load_ramp,"), std::string::npos);
-  EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(lines[2].substr(lines[2].find(",60,0,")), ",60,0,,,,,,,,,,,,,,fold,load_ramp,,,,,,,,,,,,,,,,,,");
 }
 
 TEST(EquilibriumFiles, CoefficientsAreThoseOfTheStatesThatWereFound) {
