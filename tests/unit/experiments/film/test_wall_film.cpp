@@ -32,7 +32,8 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
     EXPECT_LT((film.film.pressure - state.last->film.pressure).cwiseAbs().maxCoeff(), 1e-8);
     EXPECT_NEAR(state.outcome->torque_of_moments, state.outcome->torque, 1e-3 * state.outcome->torque);
     EXPECT_NEAR(state.outcome->dissipation, state.outcome->power, 1e-3 * state.outcome->power);
-    EXPECT_FALSE(state.stiffness);
+    EXPECT_TRUE(state.stiffness);
+    EXPECT_FALSE(state.stuck_stiffness);
   }
 }
 
