@@ -272,7 +272,7 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
     {"critical_mass", "kg",
      "least mass per bearing at which a rigid rotor on two such bearings begins to whirl; none where it never does, or "
      "where the state is unstable with the journal held; sliding contacts keep sliding",
-     critical_mass_of<&S::critical_mass>, csv | shown_first | sampled, "critical mass, per bearing",
+     critical_mass_of<&S::critical_mass>, csv | shown_first | sampled, "critical rotor mass",
      shown::kilograms},
     {"critical_whirl_ratio", "1", "frequency of that whirl over the speed of rotation",
      critical_whirl_ratio<&S::critical_mass>, csv | sampled, "  whirl ratio", shown::unitless},
