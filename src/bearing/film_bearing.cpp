@@ -162,10 +162,7 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
 
 double room_of(const FilmBearing& bearing) {
   double room = bearing.clearance;
-  for (std::size_t k = 0; k < bearing.placed.size(); ++k) {
-    const double bulge = bearing.assembly.empty() ? 0.0 : bearing.assembly[k].bulge;
-    room = std::min(room, bearing.clearance - bearing.placed[k].lobe - bulge);
-  }
+  for (std::size_t k = 0; k < bearing.placed.size(); ++k) room = std::min(room, bearing.room_in(k));
   return room;
 }
 

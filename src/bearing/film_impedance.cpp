@@ -36,6 +36,21 @@ Eigen::Matrix2cd FilmImpedance::at(std::complex<double> rate) const {
   return impedance;
 }
 
+ShiftedRates::ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time) {
+  for (const std::complex<double> rate : rates) shift = std::max(shift, squeeze_time * std::abs(rate));
+  excess.reserve(rates.size());
+  for (const std::complex<double> rate : rates) excess.push_back(squeeze_time * rate - shift);
+}
+
+Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& rates) {
+  Matrix residual = mesh.field(0.0);
+  residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
+      mesh.dtheta * mesh.dzeta * rates.reshaped(mesh.unknown_rows(), mesh.unknown_columns());
+  for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
+  residual.array().rowwise() *= mesh.weights.transpose().array();
+  return residual;
+}
+
 std::optional<ReducedForces> reduce_forces(const FilmAnswer& moved,
                                            const std::function<FilmAnswer(const Vector&)>& stored,
                                            const std::vector<std::complex<double>>& excess) {

@@ -7,8 +7,20 @@
 #include <vector>
 
 #include "bumpfoil/bearing/impedance.hpp"
+#include "bumpfoil/film/film_mesh.hpp"
 
 namespace bumpfoil {
+
+/// Rates s (1/s) less the shift, the largest of their sizes: both in units of 1 / T0.
+struct ShiftedRates {
+  ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time);
+
+  double shift{};
+  std::vector<std::complex<double>> excess;
+};
+
+/// Residuals of a film whose volumes store something at these rates. @param rates  at the nodes of unknown pressure
+Matrix storage_residual(const FilmMesh& mesh, const Eigen::Ref<const Vector>& rates);
 
 /// What a linearised film does where the journal moves, or where something is stored in its volumes.
 struct FilmAnswer {

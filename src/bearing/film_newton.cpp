@@ -295,12 +295,7 @@ void FilmNewton::store(const Vector& rates) {
   for (Part& part : parts_) {
     const FilmMesh& mesh = part.pad.foil.mesh;
     const Eigen::Index size = unknown_pressures_of(mesh);
-    Matrix& residual = part.residual.film;
-    residual = mesh.field(0.0);
-    residual.block(0, mesh.first_unknown(), mesh.unknown_rows(), mesh.unknown_columns()) =
-        mesh.dtheta * mesh.dzeta * rates.segment(first, size).reshaped(mesh.unknown_rows(), mesh.unknown_columns());
-    for (int j = 0; j < mesh.unknown_rows(); ++j) residual.row(j) *= mesh.row_weight(j);
-    residual.array().rowwise() *= mesh.weights.transpose().array();
+    part.residual.film = storage_residual(mesh, rates.segment(first, size));
     first += size;
   }
 }
@@ -308,14 +303,9 @@ void FilmNewton::store(const Vector& rates) {
 std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
                                                    const std::vector<std::complex<double>>& rates, bool stuck) {
   const double T0 = bearing_.scales.squeeze_time();
-  double largest = 0.0;
-  for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
-  FilmImpedance found{.shift = largest * T0, .squeeze_time = T0, .along = {}};
+  const ShiftedRates shifted(rates, T0);
+  FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   if (!linearise_at(found.shift, state, stuck)) return std::nullopt;
-
-  std::vector<std::complex<double>> excess;
-  excess.reserve(rates.size());
-  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - found.shift);
   const auto told = [&](const FoilFilmState& change) {
     return FilmAnswer{content_of(change, state.film), force_of(change)};
   };
@@ -327,7 +317,7 @@ std::optional<FilmImpedance> FilmNewton::impedance(const BearingState& state,
   };
   find_rates();
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-    auto reduced = reduce_forces(told(rates_[axis].film), stored, excess);
+    auto reduced = reduce_forces(told(rates_[axis].film), stored, shifted.excess);
     if (!reduced) return std::nullopt;
     found.along.at(axis) = std::move(*reduced);
   }

@@ -1,8 +1,5 @@
 #include "bearing/wall_impedance.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "bearing/film_impedance.hpp"
 #include "film/pressure_system.hpp"
 
@@ -42,10 +39,7 @@ class LinearWallFilm {
 
   /// The answer to rates of storage at the nodes whose pressure is unknown.
   FilmAnswer stored(const Vector& rates) {
-    residual_ = mesh_.field(0.0);
-    inside(residual_) = mesh_.dtheta * mesh_.dzeta * rates.reshaped(mesh_.unknown_rows(), mesh_.unknown_columns());
-    for (int j = 0; j < mesh_.unknown_rows(); ++j) residual_.row(j) *= mesh_.row_weight(j);
-    residual_.array().rowwise() *= mesh_.weights.transpose().array();
+    residual_ = storage_residual(mesh_, rates);
     return answer(mesh_.field(0.0));
   }
 
@@ -73,19 +67,15 @@ class LinearWallFilm {
 std::optional<FilmImpedance> wall_impedance(const FilmBearing& bearing, const Foundation& foundation,
                                             const BearingState& state, const std::vector<std::complex<double>>& rates) {
   const double T0 = bearing.scales.squeeze_time();
-  double largest = 0.0;
-  for (const std::complex<double> rate : rates) largest = std::max(largest, std::abs(rate));
-  FilmImpedance found{.shift = largest * T0, .squeeze_time = T0, .along = {}};
+  const ShiftedRates shifted(rates, T0);
+  FilmImpedance found{.shift = shifted.shift, .squeeze_time = T0, .along = {}};
   LinearWallFilm film(bearing, foundation, state.film);
   if (!film.linearise(state.speed, found.shift)) return std::nullopt;
-  std::vector<std::complex<double>> excess;
-  excess.reserve(rates.size());
-  for (const std::complex<double> rate : rates) excess.push_back(T0 * rate - found.shift);
   const int rows = bearing.pads.front().foil.mesh.rows + 1;
   for (const Eigen::Index axis : {0, 1}) {
     const Matrix rigid = (bearing.column_normals.row(axis) / -bearing.scales.thickness).replicate(rows, 1);
     auto reduced = reduce_forces(
-        film.moved(rigid), [&](const Vector& rates_of) { return film.stored(rates_of); }, excess);
+        film.moved(rigid), [&](const Vector& rates_of) { return film.stored(rates_of); }, shifted.excess);
     if (!reduced) return std::nullopt;
     found.along.at(static_cast<std::size_t>(axis)) = std::move(*reduced);
   }

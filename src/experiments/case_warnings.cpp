@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "bumpfoil/bearing/foils.hpp"
 #include "bumpfoil/model/geometry.hpp"
 
@@ -22,7 +24,7 @@ std::vector<std::string> case_warnings(const Case& input) {
   std::vector<std::string> warnings = input.remarks;
   if (input.bearing.is_flat()) return warnings;
   const std::vector<PlacedPad> pads = place_pads(input);
-  std::vector<PadAssembly> assembly;
+  std::optional<Foils> foils;
   for (std::size_t k = 0; k < pads.size(); ++k) {
     const PadDesign& alone = pads[k].alone;
     if (!is_formed(alone)) continue;
@@ -41,17 +43,17 @@ std::vector<std::string> case_warnings(const Case& input) {
                       "are not small, and numbers show trends only",
                       of_pad(pads, k), 100.0 * (ratio - 1.0), 100.0 * (most_flattening - 1.0)));
     }
-    if (assembly.empty()) assembly = make_foils(input).assembly;
-    if (assembly.empty()) {
+    if (!foils) foils = make_foils(input);
+    if (foils->assembly.empty()) {
       warnings.emplace_back("how the formed top foil lies without a journal was not found");
       break;
     }
-    const double room = alone.bearing.radial_clearance - pads[k].lobe - assembly[k].bulge;
+    const double room = foils->room_in(k);
     if (room > 0.0) continue;
     warnings.push_back(fmt::format(
         "the top foil{} bulges by {:.4g} um where it leaves its bumps and presses on a centred journal at rest, {:.4g} "
         "um farther than it has room: form it less flat",
-        of_pad(pads, k), 1e6 * assembly[k].bulge, -1e6 * room));
+        of_pad(pads, k), 1e6 * foils->assembly[k].bulge, -1e6 * room));
   }
   return warnings;
 }

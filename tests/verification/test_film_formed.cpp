@@ -132,7 +132,7 @@ double assembled_bulge(const FilmResolution& resolution) {
   const Case input = formed_case(1.01, 10.0, resolution);
   FilmStepper stepper(make_film_bearing(input));
   const BearingState state = assembled(stepper, Eigen::Vector2d::Zero(), speed_of_rpm(45000.0));
-  EXPECT_LT(state.contacts.normal_force.minCoeff(), 1e-9);
+  EXPECT_NEAR(bump_loads(stepper.bearing(), state)[25], 0.02549644, 1e-7);  // of the prototype, on any mesh
   return -stepper.bearing().scales.thickness * state.film.lift.minCoeff();
 }
 

@@ -78,6 +78,11 @@ struct Foils {
   [[nodiscard]] int bumps() const { return structure.bumps(); }
   [[nodiscard]] int pad_count() const { return static_cast<int>(structure.pads.size()); }
   [[nodiscard]] int feet_per_block() const { return structure.dofs.feet(); }
+  /// What the assembled foils of a pad (from 0) leave a journal at the centre of a round sleeve, m: C_r less lobe and
+  /// bulge. Negative: they press on it at rest.
+  [[nodiscard]] double room_in(std::size_t pad) const {
+    return clearance - placed[pad].lobe - (assembly.empty() ? 0.0 : assembly[pad].bulge);
+  }
   /// Block of the problem that holds a block of the structure.
   [[nodiscard]] int block(int of_structure) const;
   /// The unknowns that the structure knows among those of the problem.

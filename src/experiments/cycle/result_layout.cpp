@@ -97,8 +97,8 @@ void add_pads(const std::vector<PlacedPad>& pads, ResultLayout& layout) {
 /// How formed top foils lie without a journal.
 void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultLayout& layout) {
   if (std::none_of(pads.begin(), pads.end(), [](const PlacedPad& pad) { return is_formed(pad.alone); })) return;
-  const std::vector<PadAssembly> assembly = make_foils(input).assembly;
-  if (assembly.empty()) return;
+  const Foils foils = make_foils(input);
+  if (foils.assembly.empty()) return;
   NamedNumbers formed{"formed_radius", "m", "radius that the top foil is formed to before its assembly", {}};
   NamedNumbers hold{"assembled_hold_down", "N", "load of the top foil on its last bump, without a journal", {}};
   NamedNumbers lifted{"assembled_lifted_bumps", "1", "bumps before the last that the top foil does not rest on", {}};
@@ -107,12 +107,13 @@ void add_assembly(const Case& input, const std::vector<PlacedPad>& pads, ResultL
   NamedNumbers room{"assembled_room", "m", "least gap to a centred journal; negative: the foil touches it at rest", {}};
   for (std::size_t k = 0; k < pads.size(); ++k) {
     const PadDesign& alone = pads[k].alone;
+    const PadAssembly& assembly = foils.assembly[k];
     formed.values.push_back(formed_radius(alone.top_foil.formed_radius, alone.bearing));
-    hold.values.push_back(assembly[k].hold_down);
-    lifted.values.push_back(assembly[k].lifted);
-    bulge.values.push_back(assembly[k].bulge);
-    place.values.push_back(assembly[k].bulge_theta);
-    room.values.push_back(alone.bearing.radial_clearance - pads[k].lobe - assembly[k].bulge);
+    hold.values.push_back(assembly.hold_down);
+    lifted.values.push_back(assembly.lifted);
+    bulge.values.push_back(assembly.bulge);
+    place.values.push_back(assembly.bulge_theta);
+    room.values.push_back(foils.room_in(k));
   }
   std::vector<NamedNumbers>& list = pads.size() == 1 ? layout.scalars : layout.at_pads;
   list.insert(list.end(), {formed, hold, lifted, bulge, place, room});

@@ -69,8 +69,7 @@ std::string overhang_text(const FilmBearing& bearing, const RunningState& state)
     if (h >= margin_of_overhang * least) continue;
     return fmt::format(
         "the film at the free end{} is {:.3g} um thick, and below about {:.3g} um the overhang of the top foil "
-        "flutters "
-        "by itself: shorten top_foil.overhang",
+        "flutters by itself: shorten top_foil.overhang",
         bearing.pads.size() > 1 ? fmt::format(" of pad {}", k + 1) : "", 1e6 * h, 1e6 * least);
   }
   return {};

@@ -23,7 +23,7 @@ void describe(CaseVisitor& keys, GasSettings& gas) {
               .dimension = viscosity,
               .instead = true},
              &gas.viscosity);
-  keys.value({"ambient_pressure", defaulted, "Ambient pressure", "at all edges of the film and behind the foils",
+  keys.value({"ambient_pressure", defaulted, "Ambient pressure", "at the edges of the film and behind the foils",
               "101325 Pa", pressure},
              &gas.ambient_pressure);
   keys.value(

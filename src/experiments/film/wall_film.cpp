@@ -69,16 +69,21 @@ FilmBearing make_wall_bearing(const Case& input) {
     throw Error(ErrorKind::input, {{"", 0, "bearing.taper", "", "makes a step in a surface without a slot",
                                     "remove it, or set film.closed = false"}});
   }
+  if (input.film.closed && input.film.inlet_pressure) {
+    throw Error(ErrorKind::input, {{"", 0, "film.inlet_pressure", "", "feeds an edge that a closed surface has not",
+                                    "remove it, or set film.closed = false"}});
+  }
   const double R = input.bearing.radius;
   const double half_width = 0.5 * input.bearing.axial_length / R;
-  const double foil_angle = input.bump_foil.bumps * nominal_bump(input.bump_foil).pitch / R;
   const int columns = input.bump_foil.bumps * input.film.columns_per_pitch;
   FilmBearing bearing;
   bearing.scales = {gas_of(input.gas), R, film_thickness_scale(input.bearing.radial_clearance)};
   bearing.placed = place_pads(input);
   FilmPad& pad = bearing.pads.emplace_back();
-  pad.foil.mesh = input.film.closed ? make_closed_mesh(columns, input.film.rows, half_width)
-                                    : make_slotted_mesh(columns, input.film.rows, half_width, foil_angle);
+  pad.foil.mesh = input.film.closed
+                      ? make_closed_mesh(columns, input.film.rows, half_width)
+                      : make_slotted_mesh(columns, input.film.rows, half_width, bearing.placed.front().arc);
+  if (input.film.inlet_pressure) bearing.inlet_pressure = *input.film.inlet_pressure / input.gas.ambient_pressure;
   pad.wrap_sign = bearing.placed.front().sense();
   bearing.clearance = input.bearing.radial_clearance;
   const Vector angles = pad.foil.mesh.angles();
@@ -114,7 +119,7 @@ EquilibriumResult run_wall_films(const Case& input, const std::function<bool(dou
       state.position = found.asked.journal;
       state.speed = speed;
       const Vector undeformed = Vector::Zero(bearing.columns());
-      state.film = {{bearing.field(1.0), {}}, undeformed, undeformed};
+      state.film = {{input.film.closed ? bearing.field(1.0) : bearing.resting_pressure(), {}}, undeformed, undeformed};
       found.report = find_film(solver, film_equation(bearing, bearing.pads.front(), speed), bearing, state);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (!found.found()) continue;

@@ -111,7 +111,8 @@ std::vector<Group> groups_of_foils(const PadDesign& pad, const Properties& p) {
         {"lifted_bumps", "bumps before it not loaded", "", 1.0, static_cast<double>(assembly.lifted)},
         {"bulge_m", "largest bulge over a crest", "um", 1e-6, assembly.bulge},
         angle_entry("bulge_theta_rad", "  at, from the weld", assembly.bulge_theta),
-        {"room_m", "room for a centred journal", "um", 1e-6, pad.bearing.radial_clearance - assembly.bulge}}});
+        {"clearance_less_bulge_m", "clearance less bulge", "um", 1e-6,
+         pad.bearing.radial_clearance - assembly.bulge}}});
   return groups;
 }
 

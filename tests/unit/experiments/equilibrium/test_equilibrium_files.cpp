@@ -366,6 +366,42 @@ TEST(EquilibriumLines, WarnOfStatesThatDoNotLast) {
   EXPECT_EQ(lines_with("is not known").size(), 1U);
 }
 
+TEST(EquilibriumLines, WarnOfVerdictsThatHangOnContactsWithoutLoad) {
+  EquilibriumResult result = example();
+  RunningState& state = result.states[0];
+  const double speed = state.last->speed;
+  const auto warned = [&](std::string_view what) {
+    const std::vector<std::string> lines = warning_lines(small_case(), result);
+    return std::count_if(lines.begin(), lines.end(),
+                         [what](const std::string& line) { return line.find(what) != std::string::npos; });
+  };
+  state.held.sliding = state.held.stuck = HeldMotion{.rate = {-0.1 * speed, 0.0}};
+  state.light_contacts = 2;
+  state.held_if_open = state.held;
+  EXPECT_EQ(warned("doubtful"), 0);
+  state.held_if_open.sliding = HeldMotion{.rate = {0.1 * speed, 0.0}};
+  EXPECT_EQ(warned("depends on 2 closed contacts with less than 1 mN"), 1);
+}
+
+TEST(EquilibriumLines, WarnOfAThinFilmOverTheOverhang) {
+  EquilibriumResult result = example();
+  RunningState& state = result.states[0];
+  const auto warned = [&] {
+    const std::vector<std::string> lines = warning_lines(small_case(), result);
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("shorten top_foil.overhang") != std::string::npos;
+    });
+  };
+  // Half a pitch of this foil flutters below 5.5 um by itself; it is warned of below twice that.
+  auto edge = state.last->film.thickness.col(result.bearing->columns() - 1);
+  edge.setConstant(12e-6 / result.bearing->scales.thickness);
+  EXPECT_FALSE(warned());
+  edge.setConstant(10e-6 / result.bearing->scales.thickness);
+  EXPECT_TRUE(warned());
+  state.last->speed = -state.last->speed;  // gas enters at the weld
+  EXPECT_FALSE(warned());
+}
+
 TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
   const test_support::TemporaryFolder folder;
   std::vector<ResultFile> files = equilibrium_files(small_case(), example(), RunStatus::complete, {});

@@ -37,6 +37,29 @@ TEST(WallFilm, IsThatOfTheRigidBearing) {
   }
 }
 
+/// What feeds the free end is above ambient there, and carries a part of the load.
+TEST(WallFilm, IsFedAtItsFreeEnd) {
+  Case input = wall_case();
+  const double outflow = run_wall_films(input).states[0].outcome->flows.end;
+  input.film.inlet_pressure = 1.1 * input.gas.ambient_pressure;
+  const EquilibriumResult fed = run_wall_films(input);
+  ASSERT_TRUE(fed.converged());
+  const Matrix& pressure = fed.states[0].last->film.pressure;
+  EXPECT_NEAR(pressure(0, pressure.cols() - 1), 1.1, 1e-15);
+  EXPECT_NEAR(pressure(0, 0), 1.0, 1e-15);
+  EXPECT_NE(fed.states[0].outcome->flows.end, outflow);
+  input.film.closed = true;
+  EXPECT_THROW(run_wall_films(input), Error);
+}
+
+/// The foils that the wall stands for end where their pitches add up to, whatever each is.
+TEST(WallFilm, IsAsLongAsTheFoils) {
+  Case input = wall_case();
+  input.bump_foil.pitch = PerBump(4.3e-3, 4.8e-3, Grading::linear);
+  const FilmBearing bearing = make_wall_bearing(input);
+  EXPECT_NEAR(bearing.pads.front().foil.mesh.angles().tail(1)[0], 26.0 * 4.55e-3 / input.bearing.radius, 1e-12);
+}
+
 /// A closed bearing knows no place on its circumference.
 TEST(WallFilm, ClosedWallTurnsWithItsLoad) {
   Case input = wall_case();
