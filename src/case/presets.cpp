@@ -145,9 +145,11 @@ Preset running() {
                 .head = running_head,
                 .input = reference_case(),
                 .remarks = {{"bearing.weld_angle", "the loads point away from the weld"},
+                            {"top_foil.formed_radius", "a foil formed exactly to the bearing flutters at its free end"},
                             {"equilibrium.speeds", "here against the foil direction"}}};
   Case& input = preset.input;
   input.title = "First-generation bearing, running in air";
+  input.top_foil.formed_radius = {FormedTo::seated};
   input.cycle = {};
   input.equilibrium = EquilibriumSettings{.speeds = {45000.0 * (2.0 * pi / 60.0)},
                                           .loads = {{10.0, 0.0}, {20.0, 0.0}, {50.0, 0.0}, {100.0, 0.0}}};

@@ -178,6 +178,7 @@ TEST_F(Program, RunsItsPresets) {
         run({command, path, "-o", results_, "--force", "--set", std::string(command) + ".steps=4"});
     EXPECT_EQ(done.exit_code, 0) << done.errors;
     EXPECT_EQ(summary().at("status"), "complete") << preset;
+    for (const json& state : summary().value("states", json::array())) EXPECT_EQ(state.at("stable"), true) << preset;
   }
   // No truss has the bumps of the strip: what is known of them is told, and what to do.
   const std::string strip = (folder_.path() / "larsen-strip").string();
