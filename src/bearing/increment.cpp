@@ -44,8 +44,9 @@ Increment place_increment(const Foils& foils, const Step& step, const Eigen::Vec
 void judge(const Foils& foils, const BearingState& state, Increment& increment) {
   const ElasticResponse elastic = elastic_response(foils.structure, state.contacts.x);
   increment.elastic_energy = cleared(elastic.energy, foils.roundings.energy);
-  increment.residuals =
-      contact_residuals(foils.problem, elastic.forces, state.loading, state.slip_origin, state.contacts);
+  // The forming is among the loads.
+  increment.residuals = contact_residuals(foils.problem, elastic.forces + foils.structure.forming, state.loading,
+                                          state.slip_origin, state.contacts);
 }
 
 Increment failed_increment(const Step& step, const Eigen::Vector2d& direction) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/full_increment.hpp"
@@ -216,6 +217,28 @@ TEST(CycleRunner, TakesOtherFoils) {
       EXPECT_EQ(again.clearances[0].displacement, fresh.clearances[0].displacement);
       EXPECT_EQ(again.initial_journal_load, fresh.initial_journal_load);
     }
+  }
+}
+
+/// The forming bends the foils before the journal does, and is no work of the journal: the energies balance, exactly
+/// where every piece of the response is known.
+TEST(Cycle, FormedFoilsBalanceTheirEnergies) {
+  for (const SolverName name : {SolverName::newton, SolverName::events}) {
+    Case input = short_case();
+    input.solver.name = name;
+    const double of_circle = run_single_cycle(input, 1.0).turning_point->max_force;
+    input.top_foil.formed_radius = {FormedTo::seated};
+    const Cycle cycle = run_single_cycle(input, 1.0);
+    ASSERT_TRUE(cycle.converged()) << name_of(name);
+    const double before = cycle.increments.front().elastic_energy;
+    EXPECT_GT(before, 1e-6) << name_of(name);
+    if (name == SolverName::events) {
+      for (const Increment& increment : cycle.increments) {
+        EXPECT_NEAR(increment.elastic_energy + increment.dissipated_energy, before + increment.work, 1e-13);
+      }
+    }
+    // Their hold-down is 0.03 N.
+    EXPECT_NEAR(cycle.turning_point->max_force, of_circle, 1e-3 * of_circle) << name_of(name);
   }
 }
 
