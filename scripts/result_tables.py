@@ -32,6 +32,10 @@ def over(*dims):
     return lambda variable: variable["dims"] == list(dims) and not variable["coordinate"]
 
 
+def over_none(variable):
+    return not variable["dims"]
+
+
 def table_rows(name, experiments):
     """The head of a table, and its rows."""
     command, _, part = name.partition(" ")
@@ -51,9 +55,10 @@ def table_rows(name, experiments):
         "events": lambda one: one["dims"] == ["event"],
         "states": lambda one: over("state")(one) and "csv" not in one["tags"],
         "film": lambda one: bool({"column", "row", "frequency"} & set(one["dims"])) and not is_dimension(one),
+        "formed": over_none,
         "pads": lambda one: True,
     }[part]
-    variables = variables_of(runs, -1) if part == "pads" else plain
+    variables = variables_of(runs, {"formed": 1, "pads": -1}.get(part, 0))
     return ["variable", "dimensions", "units", "meaning"], [
         [f"`{one['name']}`", ", ".join(one["dims"]), one["unit"] or "flag", one["long_name"]]
         for one in variables

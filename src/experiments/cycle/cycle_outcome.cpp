@@ -102,10 +102,10 @@ ExperimentInfo cycle_experiment() {
           .run = run,
           .sweeping = cycle_sweeping(Experiment::cycle, run),
           .quantities = meanings_of(cycle_quantities(Experiment::cycle)),
-          .small_runs = {
-              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
-              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]"},
-              {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"}}};
+          .small_runs = {{"cycle.directions=[\"+X\"]", "cycle.steps=2", "solver.name=events"},
+                         {"cycle.directions=[\"+X\"]", "cycle.steps=2",
+                          "bump_foil.shim=[{from=1, to=2, thickness=\"5 um\"}]", "top_foil.formed_radius=seated"},
+                         {"cycle.directions=[\"+X\"]", "cycle.steps=2", "bump_foil.bumps=8", "pad=[{}, {}, {}]"}}};
 }
 
 }  // namespace bumpfoil

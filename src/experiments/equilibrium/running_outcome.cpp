@@ -63,7 +63,8 @@ ExperimentInfo equilibrium_experiment() {
                                            "film.columns_per_pitch=4",
                                            "film.rows=4"};
   std::vector<std::string> with_limits = one_state;
-  with_limits.insert(with_limits.end(), {"equilibrium.limits=true", "film.h_lift_off=5 um"});
+  with_limits.insert(with_limits.end(),
+                     {"equilibrium.limits=true", "film.h_lift_off=5 um", "top_foil.formed_radius=seated"});
   std::vector<std::string> of_pads = one_state;
   of_pads.insert(of_pads.end(), {"bump_foil.bumps=8", "pad=[{}, {}, {}]"});
   return {

@@ -26,7 +26,7 @@ ExperimentInfo path_experiment() {
       .quantities = meanings_of(cycle_quantities(Experiment::path)),
       .small_runs = {{"path.points=[[\"0 um\", \"-40 um\"], [\"0 um\", \"-50 um\"]]", "solver.name=events"},
                      {"path.centre=[\"0 um\", \"-45 um\"]", "path.semi_axes=[\"5 um\", \"5 um\"]", "path.steps=4",
-                      "path.orbits=1"},
+                      "path.orbits=1", "top_foil.formed_radius=seated"},
                      {"path.points=[[\"0 um\", \"-40 um\"], [\"0 um\", \"-50 um\"]]", "bump_foil.bumps=8",
                       "pad=[{}, {}, {}]"}}};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "bumpfoil/experiments/experiments.hpp"
 #include "bumpfoil/model/case.hpp"
@@ -68,6 +69,18 @@ TEST(ResultSchema, HasWhatOnlySomeResultsHave) {
   EXPECT_EQ(run_with("equilibrium", "h_min_pad", found), 2);
   EXPECT_EQ(run_with("film", "film_thickness", found), 0);
   EXPECT_EQ(found.at("dims"), json({"state", "row", "column"}));
+}
+
+TEST(ResultSchema, HasHowFormedFoilsLieWithoutAJournal) {
+  for (const char* experiment : {"cycle", "path", "equilibrium"}) {
+    for (const auto& [name, unit] : {std::pair{"formed_radius", "m"}, std::pair{"assembled_hold_down", "N"},
+                                     std::pair{"assembled_lifted_bumps", "1"}, std::pair{"assembled_bulge", "m"},
+                                     std::pair{"assembled_bulge_theta", "rad"}, std::pair{"assembled_room", "m"}}) {
+      json found;
+      EXPECT_EQ(run_with(experiment, name, found), 1) << experiment << ' ' << name;
+      EXPECT_EQ(found.value("unit", ""), unit) << experiment << ' ' << name;
+    }
+  }
 }
 
 }  // namespace
