@@ -81,7 +81,7 @@ tolerances: ## scatter of heights, thicknesses, clearance, friction: data and pa
 	$(call BUILD,release)
 	/usr/bin/python3 -B studies/tolerances/ensembles.py build/release/bumpfoil results/tolerances $(TOLERANCES)
 
-free-end: ## the free end of the top foil: data and picture
+free-end: ## the free end of the top foil: data, tables of its page, pictures
 	@scripts/require_packages.sh build plot
 	$(call BUILD,release)
 	/usr/bin/python3 -B studies/free_end/free_end.py build/release/bumpfoil results/free_end
