@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .cycle import Cycle
     from .result import Result
 
-__all__ = ["bump_loads", "coefficients", "contacts", "ensemble", "foils", "loops", "paper", "save"]
+__all__ = ["bump_loads", "coefficients", "contacts", "ensemble", "foils", "loops", "paper", "run_up", "save"]
 
 _STATES = ("open", "stick", "slip to the free end", "slip to the weld")
 _STATE_COLOURS = ("#FFFFFF", "#CCCCCC", "#E69F00", "#004B87")  # in grey print 1, 0.8, 0.66 and 0.26
@@ -292,3 +292,36 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
         for (load_x, load_y), rows in table.groupby(["load_x_N", "load_y_N"], sort=False)
     ]
     return _coefficients_drawn(width, panels, "amplitude (µm)", lines)
+
+
+@styled
+def run_up(result: Result, *, width: str = "double") -> Figure:
+    """Torque over speed, the curve of Stribeck, and the share of the load on asperities: of states with ``[asperity]``.
+
+    A journal at rest needs no torque: the logarithmic axes begin at the slowest speed that turns.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``equilibrium``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    """
+    demand(result, "states on asperities")
+    table = result.to_dataframe()
+    table = table[table.speed_rad_per_s != 0.0]
+    sheet = Sheet(width, *arranged(width, 2), panel_height=50)
+    torque, share = sheet.panels
+    for number, ((load_x, load_y), rows) in enumerate(table.groupby(["load_x_N", "load_y_N"], sort=False, dropna=False)):
+        label = f"load ({load_x:g}, {load_y:g}) N".replace("-", "−")
+        rpm = abs(rows.speed_rad_per_s) * 30.0 / np.pi
+        torque.plot(rpm, 1e3 * abs(rows.torque_N_m), label=label, **_style(number, marked=True))
+        share.plot(rpm, rows.asperity_share, label=label, **_style(number, marked=True))
+    torque.set_yscale("log")
+    torque.set_ylabel("torque (N mm)")
+    share.set_ylabel("share of the load")
+    for ax in sheet.panels:
+        ax.set_xscale("log")
+        ax.set_xlabel("speed (rpm)")
+    sheet.entitle(["torque", "load on asperities"])
+    return sheet.finish(None)

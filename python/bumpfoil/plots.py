@@ -64,6 +64,7 @@ def demand(result: Result, picture: str) -> None:
         "loops": bool(result.cycles),
         "bump loads": any("bump_loads" in cycle.quantities for cycle in result.cycles),
         "coefficients": result.command in ("vibration", "equilibrium"),
+        "states on asperities": result.command == "equilibrium" and "asperity_share" in result.to_dataframe(),
         "distributions": result.command == "montecarlo",
         "quantities over keys": result.command == "sweep",
     }

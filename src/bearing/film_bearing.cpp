@@ -14,6 +14,9 @@
 namespace bumpfoil {
 namespace {
 
+/// Below this speed of the surface, m/s, rubbing asperities creep.
+constexpr double creep_speed = 1e-3;
+
 /// c of a bearing whose clearance or interference is less, m.
 constexpr double least_scale = 10e-6;
 
@@ -97,6 +100,16 @@ Gas gas_of(const GasSettings& settings) {
           .mean_free_path = settings.mean_free_path};
 }
 
+Asperities asperities_of(const AsperitySettings& settings, const TopFoil& top_foil) {
+  Asperities rough{.roughness = settings.sigma, .friction = settings.friction};
+  const double own = top_foil.youngs_modulus / (2.0 * (1.0 - top_foil.poisson_ratio * top_foil.poisson_ratio));
+  rough.pressure_factor = settings.pressure_factor
+                              ? *settings.pressure_factor
+                              : asperity_pressure_factor(settings.sigma, *settings.density, *settings.radius,
+                                                         settings.modulus.value_or(own));
+  return rough;
+}
+
 double film_thickness_scale(double clearance) {
   return std::max(std::abs(clearance), least_scale);
 }
@@ -112,7 +125,9 @@ Matrix FilmBearing::field(double value) const {
 Matrix FilmBearing::resting_pressure() const {
   Matrix pressure = field(1.0);
   for (const FilmPad& pad : pads) {
-    pressure.col(pad.first_column + pad.foil.mesh.columns).head(pad.foil.mesh.rows).setConstant(inlet_pressure);
+    pressure.col(pad.first_column + pad.foil.mesh.columns)
+        .head(pad.foil.mesh.rows)
+        .setConstant(surroundings.inlet_pressure);
   }
   return pressure;
 }
@@ -148,6 +163,11 @@ void append(const PlacedPad& placed, const FilmResolution& resolution, FilmBeari
   const PadDesign& alone = placed.alone;
   FilmPad pad;
   pad.foil = make_foil(alone, bearing.scales, resolution);
+  if (const std::optional<Asperities>& rough = bearing.surroundings.asperities) {
+    pad.foil.asperities = Asperities{.pressure_factor = rough->pressure_factor / bearing.scales.gas.ambient_pressure,
+                                     .roughness = rough->roughness / bearing.scales.thickness,
+                                     .friction = rough->friction};
+  }
   pad.wrap_sign = placed.sense();
   pad.first_column = bearing.columns();
   if (!bearing.pads.empty()) pad.first_block = bearing.pads.back().first_block + bearing.pads.back().bumps() + 1;
@@ -169,11 +189,11 @@ double room_of(const FilmBearing& bearing) {
 }  // namespace
 
 FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution,
-                              double inlet_pressure) {
+                              const FilmSurroundings& surroundings) {
   FilmBearing bearing;
   static_cast<Foils&>(bearing) = foils;
   bearing.under_film = true;
-  bearing.inlet_pressure = inlet_pressure;
+  bearing.surroundings = surroundings;
   bearing.scales = {gas, foils.placed.front().alone.bearing.radius, film_thickness_scale(foils.clearance)};
   for (const PlacedPad& placed : foils.placed) append(placed, resolution, bearing);
   bearing.room = room_of(bearing);
@@ -241,6 +261,8 @@ void squeeze(const FilmBearing& bearing, double squeeze_rate, const Matrix& cont
   }
 }
 
+namespace {
+
 Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure) {
   const FilmMesh& mesh = pad.foil.mesh;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
@@ -253,10 +275,56 @@ Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, c
   return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * force;
 }
 
+}  // namespace
+
 Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure) {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   for (const FilmPad& pad : bearing.pads) force += pad_film_force(bearing, pad, pressure);
   return force;
+}
+
+Vector asperity_pressures(const FilmBearing& bearing, const Matrix& thickness) {
+  Vector pressures(bearing.columns());
+  for (const FilmPad& pad : bearing.pads) {
+    pressures(pad.columns()) = asperity_pressures(pad.foil, part_of(pad, thickness));
+  }
+  return pressures;
+}
+
+namespace {
+
+/// Forces of pressures at the columns of a pad that are the same over the width, N.
+Vector column_forces(const FilmBearing& bearing, const FilmPad& pad, const Vector& pressures) {
+  const FilmMesh& mesh = pad.foil.mesh;
+  return 2.0 * bearing.scales.force() * mesh.dtheta * mesh.dzeta * mesh.rows *
+         mesh.weights.cwiseProduct(pressures(pad.columns()));
+}
+
+Eigen::Vector2d pad_asperity_force(const FilmBearing& bearing, const FilmPad& pad, const Vector& pressures,
+                                   double friction) {
+  const Eigen::Vector2d normal =
+      bearing.column_normals(Eigen::all, pad.columns()) * column_forces(bearing, pad, pressures);
+  return normal + friction * Eigen::Vector2d(-normal.y(), normal.x());
+}
+
+}  // namespace
+
+Eigen::Vector2d asperity_force(const FilmBearing& bearing, const Vector& pressures, double friction) {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  for (const FilmPad& pad : bearing.pads) force += pad_asperity_force(bearing, pad, pressures, friction);
+  return force;
+}
+
+double sliding_friction(const FilmBearing& bearing, double speed) {
+  const std::optional<Asperities>& rough = bearing.surroundings.asperities;
+  return rough ? rough->friction * std::tanh(speed * bearing.scales.radius / creep_speed) : 0.0;
+}
+
+Eigen::Vector2d journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed) {
+  const Eigen::Vector2d of_film = film_force(bearing, film.pressure);
+  if (!bearing.surroundings.asperities) return of_film;
+  return of_film +
+         asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
 }
 
 Vector bump_loads(const FilmBearing& bearing, const BearingState& state) {
@@ -291,6 +359,25 @@ double wrapped(double angle) {
   return angle - 2.0 * std::numbers::pi * std::ceil(angle / (2.0 * std::numbers::pi) - 0.5);
 }
 
+/// What the film and asperities carry, and how much asperities resist.
+void find_forces(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
+  const Vector pressures = asperity_pressures(bearing, state.film.thickness);
+  const double friction = sliding_friction(bearing, state.speed);
+  outcome.asperity_force = asperity_force(bearing, pressures, friction);
+  outcome.force = film_force(bearing, state.film.pressure) + outcome.asperity_force;
+  outcome.max_asperity_pressure = pressures.maxCoeff();
+  const bool several = bearing.pads.size() > 1;
+  if (several) outcome.pad_forces.resize(2, std::ssize(bearing.pads));
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const FilmPad& pad = bearing.pads[k];
+    if (several) {
+      outcome.pad_forces.col(static_cast<Eigen::Index>(k)) =
+          pad_film_force(bearing, pad, state.film.pressure) + pad_asperity_force(bearing, pad, pressures, friction);
+    }
+    outcome.asperity_torque += friction * bearing.scales.radius * column_forces(bearing, pad, pressures).sum();
+  }
+}
+
 /// What all pads make of drag, flow and dissipation.
 void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearingOutcome& outcome) {
   const FilmScales& scales = bearing.scales;
@@ -318,12 +405,14 @@ void find_drag(const FilmBearing& bearing, const BearingState& state, FilmBearin
     outcome.flows.end += scales.flow() * flows.end;
     outcome.flows.sides += scales.flow() * flows.sides;
   }
-  outcome.torque = outcome.couette_torque + poiseuille_torque;
+  outcome.torque = outcome.couette_torque + outcome.asperity_torque + poiseuille_torque;
   outcome.power = outcome.torque * state.speed;
   outcome.couette_dissipation = outcome.couette_torque * state.speed;
-  outcome.dissipation = outcome.couette_dissipation + pressure_dissipation;
-  const double lever = state.position.x() * outcome.force.y() - state.position.y() * outcome.force.x();
-  outcome.torque_of_moments = outcome.couette_torque - 0.5 * (lever + slope);
+  outcome.dissipation = outcome.couette_dissipation + pressure_dissipation + outcome.asperity_torque * state.speed;
+  // Asperities press towards the centre of the journal and rub at its surface: they have no part in the rest.
+  const Eigen::Vector2d of_film = outcome.force - outcome.asperity_force;
+  const double lever = state.position.x() * of_film.y() - state.position.y() * of_film.x();
+  outcome.torque_of_moments = outcome.couette_torque + outcome.asperity_torque - 0.5 * (lever + slope);
 }
 
 void find_thinnest(const FilmBearing& bearing, const Matrix& H, FilmBearingOutcome& outcome) {
@@ -355,7 +444,7 @@ void find_loaded_bumps(const FilmBearing& bearing, const BearingState& state, Fi
 
 FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const BearingState& state) {
   FilmBearingOutcome outcome;
-  outcome.force = film_force(bearing, state.film.pressure);
+  find_forces(bearing, state, outcome);
   outcome.eccentricity = state.position.norm() / std::abs(bearing.clearance);
   const double turned =
       std::atan2(state.position.y(), state.position.x()) - std::atan2(outcome.force.y(), outcome.force.x());
@@ -365,13 +454,6 @@ FilmBearingOutcome film_bearing_outcome(const FilmBearing& bearing, const Bearin
   outcome.max_pressure = state.film.pressure.maxCoeff();
   outcome.min_pressure = state.film.pressure.minCoeff();
   find_loaded_bumps(bearing, state, outcome);
-  if (bearing.pads.size() > 1) {
-    outcome.pad_forces.resize(2, std::ssize(bearing.pads));
-    for (Eigen::Index k = 0; k < outcome.pad_forces.cols(); ++k) {
-      outcome.pad_forces.col(k) =
-          pad_film_force(bearing, bearing.pads[static_cast<std::size_t>(k)], state.film.pressure);
-    }
-  }
   return outcome;
 }
 

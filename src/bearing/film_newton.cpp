@@ -17,6 +17,8 @@ namespace {
 constexpr int newton_max_halvings = 8;
 /// Fraction of a step that is taken where no halving reduces the residual.
 constexpr double newton_forced_fraction = 0.25;
+/// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
+constexpr double round_off_step = 1e-7;
 /// Longest change of the clearance in one step, in units of c, and weight of the remaining change among the residuals,
 /// per c. Both dimensionless, with the values of a journal at a given position, see journal_law.cpp.
 constexpr double longest_opening = 0.00625;
@@ -110,7 +112,7 @@ double FilmNewton::find_residual(const Move& to, const FilmEquations& equations,
     square += balance + residual.compatibility.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
-  square += to.law.residual(state.position, film_force(bearing_, state.film.pressure)).squaredNorm() /
+  square += to.law.residual(state.position, journal_force(bearing_, state.film, state.speed)).squaredNorm() /
             (to.law.unit * to.law.unit);
   const double opening = weight_of_opening * (to.opening - state.opening) / bearing_.scales.thickness;
   square += opening * opening;
@@ -184,13 +186,9 @@ Matrix FilmNewton::thinning(const Eigen::Vector2d& displacement) const {
       .replicate(bearing_.pads.front().foil.mesh.rows + 1, 1);
 }
 
-/// Change of all unknowns that takes the residuals of the films, and no others, to zero: where the system was
-/// linearised last, with the modes that were set last.
+/// Change of all unknowns that takes the residuals of the films and foils to zero: where the system was linearised
+/// last, with the modes that were set last.
 void FilmNewton::answer(Step& change) {
-  for (Part& part : parts_) {
-    part.residual.balance.setZero(part.pad.foil.mesh.nodes());
-    part.residual.compatibility.setZero(part.pad.foil.mesh.nodes());
-  }
   loading_.initial_gap.setZero();
   loading_.load.setZero();
   load_condensed();
@@ -198,17 +196,31 @@ void FilmNewton::answer(Step& change) {
   expand(change.contact.x, change.film);
 }
 
-/// Change of the force on the journal with the pressure.
+/// Change of the force on the journal with pressure and asperities, where the system was linearised last.
 Eigen::Vector2d FilmNewton::force_of(const FoilFilmState& change) const {
-  return film_force(bearing_, bearing_.field(1.0) + change.pressure);
+  return film_force(bearing_, bearing_.field(1.0) + change.pressure) + asperity_force_of(change);
+}
+
+/// The part of asperities.
+Eigen::Vector2d FilmNewton::asperity_force_of(const FoilFilmState& change) const {
+  if (!bearing_.surroundings.asperities) return Eigen::Vector2d::Zero();
+  Vector pressures(bearing_.columns());
+  for (const Part& part : parts_) {
+    pressures(part.pad.columns()) =
+        part.system.asperity_slopes().cwiseProduct(part_of(part.pad, change.thickness).row(0).transpose());
+  }
+  return asperity_force(bearing_, pressures, friction_);
 }
 
 /// Rates of all unknowns to `rigid`, the rate of H with foils that do not give way, 1/m: where the system was
 /// linearised last, with the modes that were set last. @return that of the force on the journal, N/m
 Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
   for (Part& part : parts_) {
-    part.residual.film =
-        stencil_product(part.pad.foil.mesh, part.system.film_jacobian().by_thickness, part_of(part.pad, rigid));
+    const FoilFilm& foil = part.pad.foil;
+    const Matrix change = part_of(part.pad, rigid);
+    part.residual.film = stencil_product(foil.mesh, part.system.film_jacobian().by_thickness, change);
+    part.residual.balance = asperity_change(part, change);
+    part.residual.compatibility.setZero(foil.mesh.nodes());
   }
   answer(rate);
   rate.film.thickness += rigid;
@@ -227,6 +239,7 @@ Eigen::Matrix2d FilmNewton::find_rates() {
 
 /// @return whether no film is singular
 bool FilmNewton::linearise_films(const FilmEquations& equations, const BearingState& state) {
+  friction_ = sliding_friction(bearing_, state.speed);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     Part& part = parts_[k];
     read_part(part.pad, state.film, part.state);
@@ -289,6 +302,12 @@ Vector FilmNewton::content_of(const FoilFilmState& change, const FilmState& stat
   return inside;
 }
 
+/// Change of the balances of a foil with the pressures of asperities where H changes and the system was linearised
+/// last.
+Vector FilmNewton::asperity_change(const Part& part, const Matrix& thickness) {
+  return asperity_balance(part.pad.foil, part.system.asperity_slopes().cwiseProduct(thickness.row(0).transpose()));
+}
+
 /// Makes the rates at which the volumes of the nodes store something the residuals of the films.
 void FilmNewton::store(const Vector& rates) {
   Eigen::Index first = 0;
@@ -296,6 +315,8 @@ void FilmNewton::store(const Vector& rates) {
     const FilmMesh& mesh = part.pad.foil.mesh;
     const Eigen::Index size = unknown_pressures_of(mesh);
     part.residual.film = storage_residual(mesh, rates.segment(first, size));
+    part.residual.balance.setZero(mesh.nodes());
+    part.residual.compatibility.setZero(mesh.nodes());
     first += size;
   }
 }
@@ -355,6 +376,7 @@ double FilmNewton::equation_square(const Step& change) {
                           stencil_product(mesh, jacobian.by_thickness, part.change.thickness);
     part.change.pressure.array() += 1.0;  // foils are loaded by P - 1
     foil_residual(part.pad.foil, part.change, part.residual);
+    part.residual.balance += asperity_change(part, part.change.thickness);
     const double unit = part.pad.foil.stiffness * bearing_.scales.thickness;
     auto own = forces.segment(part.pad.first_block * size, part.pad.bumps() * size);
     auto supports = own(Eigen::seqN(Eigen::Index{bearing_.dofs().top_u}, part.pad.bumps(), size));
@@ -433,8 +455,12 @@ bool FilmNewton::find_step(const BearingState& state, FilmReport& report) {
 /// Lets the journal move with the step, by what its law lacks: the linearised equations stay solved, in the modes that
 /// the step has without it.
 void FilmNewton::move_journal(const JournalLaw& law, const BearingState& state) {
-  const Eigen::Vector2d lacking =
-      law.residual(state.position, film_force(bearing_, state.film.pressure + step_.film.pressure));
+  Eigen::Vector2d force = film_force(bearing_, state.film.pressure + step_.film.pressure);
+  if (bearing_.surroundings.asperities) {
+    force += asperity_force(bearing_, asperity_pressures(bearing_, state.film.thickness), friction_) +
+             asperity_force_of(step_.film);
+  }
+  const Eigen::Vector2d lacking = law.residual(state.position, force);
   if (lacking.norm() <= law.round_off) return;
   Eigen::Vector2d displacement = law.matrix(find_rates()).partialPivLu().solve(lacking);
   if (displacement.norm() > law.longest_step) displacement *= law.longest_step / displacement.norm();
@@ -519,7 +545,25 @@ FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState&
     const double largest =
         std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
                   std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
-    if (fraction == 1.0 && largest < aim.tolerance) {
+    bool is_last = fraction == 1.0 && largest < aim.tolerance;
+    double part = fraction;
+    for (int halvings = 0; !is_last; ++halvings) {
+      const bool none_helps = halvings == newton_max_halvings;
+      if (none_helps) {
+        is_last = fraction == 1.0 && largest < round_off_step;
+        if (is_last) break;
+        if (aim.stays_near) return report;
+        part = newton_forced_fraction * fraction;
+      }
+      take_step(part, iterate_, trial_);
+      const double norm = find_residual(to, equations, trial_);
+      if (norm < report.residual || none_helps) {
+        report.residual = norm;
+        break;
+      }
+      part *= 0.5;
+    }
+    if (is_last) {
       take_step(1.0, iterate_, trial_);
       const bool touches = trial_.film.thickness.minCoeff() < options_.thickness_floor;
       report.status = touches ? Status::touchdown : Status::converged;
@@ -530,20 +574,6 @@ FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState&
       trial_.last_step = std::move(taken);
       if (!touches) std::swap(state, trial_);
       return report;
-    }
-    double part = fraction;
-    for (int halvings = 0;; ++halvings) {
-      if (halvings == newton_max_halvings) {
-        if (aim.stays_near) return report;
-        part = newton_forced_fraction * fraction;
-      }
-      take_step(part, iterate_, trial_);
-      const double norm = find_residual(to, equations, trial_);
-      if (norm < report.residual || halvings == newton_max_halvings) {
-        report.residual = norm;
-        break;
-      }
-      part *= 0.5;
     }
     std::swap(iterate_, trial_);
   }

@@ -80,6 +80,8 @@ class FilmNewton {
   [[nodiscard]] double contact_square(const ContactState& change) const;
   double equation_square(const Step& change);
   [[nodiscard]] Eigen::Vector2d force_of(const FoilFilmState& change) const;
+  [[nodiscard]] Eigen::Vector2d asperity_force_of(const FoilFilmState& change) const;
+  static Vector asperity_change(const Part& part, const Matrix& thickness);
   Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
   Eigen::Matrix2d find_rates();
   void move_journal(const JournalLaw& law, const BearingState& state);
@@ -106,6 +108,7 @@ class FilmNewton {
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
   Step opening_rate_;          ///< per opening of the clearance, m
   BearingState iterate_, trial_;
+  double friction_{};       ///< of asperities where the system was linearised last
   BearingState predicted_;  ///< where the tangent leads from the first guess
 };
 

@@ -9,8 +9,8 @@
 namespace bumpfoil {
 
 OperatingPoint point_of(const FilmBearing& bearing, const BearingState& state, Control control) {
-  return {control, control == Control::load ? film_force(bearing, state.film.pressure) : state.position, state.speed,
-          state.opening};
+  return {control, control == Control::load ? journal_force(bearing, state.film, state.speed) : state.position,
+          state.speed, state.opening};
 }
 
 FilmStepper::FilmStepper(SharedFilmBearing bearing, const FilmBearingOptions& options)

@@ -33,6 +33,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::temperature, "a temperature", "K", "\"293 K\""},
     DimensionText{Dimension::viscosity, "a viscosity", "Pa s", "\"18.5 uPa s\""},
     DimensionText{Dimension::bed_stiffness, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
+    DimensionText{Dimension::per_area, "a number per area", "1/m2", "\"40000 1/mm2\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.
@@ -115,7 +116,7 @@ std::variant<double, QuantityFault> parse_quantity(std::string_view text, Dimens
   if (unit_text.empty()) {
     return QuantityFault{"has no unit", fmt::format("{}, or a number in {} without quotes", advice, si_unit(due))};
   }
-  const bool inverse = due == Dimension::frequency && unit_text.starts_with("1/");
+  const bool inverse = (due == Dimension::frequency || due == Dimension::per_area) && unit_text.starts_with("1/");
   if (unit_text.front() == ',' || has_stray_digits(unit_text.substr(inverse ? 1 : 0))) {
     return QuantityFault{
         fmt::format("has digits instead of a unit, in \"{}\"", unit_text),

@@ -53,8 +53,14 @@ CycleRun make_cycle_run(const Case& input) {
 }
 
 FilmBearing make_film_bearing(const Case& input, const Gas& gas, const FilmResolution& resolution) {
-  const double inlet_pressure = input.film.inlet_pressure.value_or(gas.ambient_pressure) / gas.ambient_pressure;
-  return make_film_bearing(*make_bearing_foils(input, {"equilibrium"}), gas, resolution, inlet_pressure);
+  FilmSurroundings surroundings{.inlet_pressure =
+                                    input.film.inlet_pressure.value_or(gas.ambient_pressure) / gas.ambient_pressure};
+  if (input.asperity) surroundings.asperities = asperities_of(*input.asperity, input.top_foil);
+  return make_film_bearing(*make_bearing_foils(input, {"equilibrium"}), gas, resolution, surroundings);
+}
+
+double thickness_floor(const Case& input) {
+  return input.asperity ? 0.0 : input.film.h_floor;
 }
 
 FilmBearing make_film_bearing(const Case& input) {

@@ -24,6 +24,30 @@ FoilFilm make_foil_film(const FilmMesh& mesh, const FilmScales& scales, double b
   return foil;
 }
 
+namespace {
+
+/// Values of asperities at all columns. @param value  (asperities, H) -> number
+template <typename Value>
+Vector of_asperities(const FoilFilm& foil, const Matrix& thickness, Value&& value) {
+  Vector values = Vector::Zero(foil.mesh.nodes());
+  if (!foil.asperities) return values;
+  for (int k = 0; k < foil.mesh.nodes(); ++k) values[k] = value(*foil.asperities, thickness(0, k));
+  return values;
+}
+
+}  // namespace
+
+Vector asperity_pressures(const FoilFilm& foil, const Matrix& thickness) {
+  return of_asperities(foil, thickness, [](const Asperities& rough, double H) { return rough.pressure(H); });
+}
+
+Vector asperity_balance(const FoilFilm& foil, Vector pressures) {
+  const double of_rows = -foil.load_scale * foil.mesh.rows;  // all weights of rows together
+  for (int k = 0; k < foil.mesh.nodes(); ++k) pressures[k] *= of_rows * foil.mesh.column_weight(k);
+  pressures[0] = 0.0;  // the weld carries it
+  return pressures;
+}
+
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness) {
   return {{foil.mesh.field(1.0), thickness}, Vector::Zero(foil.mesh.nodes()), Vector::Zero(foil.mesh.nodes())};
 }
@@ -57,6 +81,7 @@ void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, 
   reynolds_residual(equation, state, residual.film);
   foil_residual(foil, state, residual);
   residual.compatibility.head(foil.mesh.columns) -= foil.forming;
+  if (foil.asperities) residual.balance += asperity_balance(foil, asperity_pressures(foil, state.thickness));
 }
 
 struct FoilFilmSystem::Workspace {
@@ -83,6 +108,7 @@ struct FoilFilmSystem::Workspace {
   std::vector<Block> lower, diagonal, upper;  ///< condensed
   ColumnCoupling nothing;                     ///< beyond the free end
   FilmJacobian jacobian;
+  Vector asperity_slopes, asperity_stiffness;
   Matrix film_residual;
   Matrix condensed;
 };
@@ -147,6 +173,7 @@ void FoilFilmSystem::Workspace::assemble(int k, ColumnCoupling& before, Own&& ow
   const auto M = static_cast<std::size_t>(m);
   if (!weld) {
     before.by_moment[U] = column.kink_before;
+    own(u, u) = asperity_stiffness[k];
     if (!free_end) {
       for (int j = 0; j < n; ++j) own(u, j) = -column.load * mesh.row_weight(j);
       own(u, m) = column.own();
@@ -169,6 +196,9 @@ FoilFilmSystem::~FoilFilmSystem() = default;
 const FilmJacobian& FoilFilmSystem::film_jacobian() const {
   return workspace_->jacobian;
 }
+const Vector& FoilFilmSystem::asperity_slopes() const {
+  return workspace_->asperity_slopes;
+}
 int FoilFilmSystem::blocks() const {
   return static_cast<int>(workspace_->columns.size());
 }
@@ -188,6 +218,9 @@ const FoilFilmSystem::Block& FoilFilmSystem::upper(int i) const {
 bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmState& state) {
   Workspace& w = *workspace_;
   linearise_reynolds(equation, state, w.film_residual, w.jacobian);
+  w.asperity_slopes =
+      of_asperities(w.foil, state.thickness, [](const Asperities& rough, double H) { return rough.slope(H); });
+  w.asperity_stiffness = asperity_balance(w.foil, w.asperity_slopes);
   const std::size_t blocks = w.columns.size();
   for (std::size_t i = 0; i < blocks; ++i) {
     w.assemble(w.columns[i], w.spans[i].columns->of_after(), w.diagonal[i],

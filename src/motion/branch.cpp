@@ -48,8 +48,11 @@ class BranchFollower {
 /// Of first length on the way, at least one.
 double BranchFollower::steps() const {
   const double c = stepper_.bearing().scales.thickness;
-  const double speed = std::max(std::abs(from_.speed), std::abs(to_.speed));
-  double steps = std::max(1.0, std::abs(to_.speed - from_.speed) / (options_.speed_step * speed));
+  double steps = 1.0;
+  if (to_.speed != from_.speed) {
+    const double speed = std::max(std::abs(from_.speed), std::abs(to_.speed));
+    steps = std::max(steps, std::abs(to_.speed - from_.speed) / (options_.speed_step * speed));
+  }
   steps = std::max(steps, std::abs(to_.opening - from_.opening) / (options_.position_step * c));
   if (!to_.by_load()) steps = std::max(steps, (to_.journal - from_.journal).norm() / (options_.position_step * c));
   return steps;

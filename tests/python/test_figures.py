@@ -162,6 +162,20 @@ def test_ensembles_and_coefficients(ensemble, vibration, running, width, size):
         assert {ax.get_xlabel() for ax in figure.axes} == {"load (N)"}
 
 
+@pytest.mark.filterwarnings("ignore::bumpfoil.RunWarning")
+def test_run_up(running):
+    speeds = ["0 rpm", "300 rpm", "4000 rpm", "20000 rpm"]
+    rough = bumpfoil.run_equilibrium(EXAMPLES / "running_from_rest.toml", film=COARSE, equilibrium={"speeds": speeds})
+    figure = figures.run_up(rough)
+    inspect(figure, width=190, panels=2)
+    torque, share = ([line.get_ydata() for line in ax.lines] for ax in figure.axes)
+    assert len(torque[0]) == 3  # none at rest
+    assert torque[0][0] > 20 * torque[0][1]
+    assert share[0][0] > 0.3 > 1e-3 > share[0][1]
+    with pytest.raises(ValueError, match="no states on asperities"):
+        figures.run_up(running)
+
+
 @pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
 def test_many_curves_fit_on_a_page_and_differ(many, width, size):
     figure = figures.coefficients(many, width=width)

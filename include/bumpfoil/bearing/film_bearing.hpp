@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bumpfoil/bearing/bearing_state.hpp"
@@ -13,8 +14,17 @@ namespace bumpfoil {
 /// The gas of a case.
 Gas gas_of(const GasSettings& settings);
 
+/// Asperities of a case that is valid.
+Asperities asperities_of(const AsperitySettings& settings, const TopFoil& top_foil);
+
 /// c of a bearing, m: its clearance or interference, 10 um at least.
 double film_thickness_scale(double clearance);
+
+/// What else there is between journal and foils. A plain value.
+struct FilmSurroundings {
+  double inlet_pressure{1.0};              ///< P at the free ends of the foils
+  std::optional<Asperities> asperities{};  ///< of journal and top foils, in m and Pa; none: smooth surfaces
+};
 
 /// Mesh of the film over the foil of a bearing.
 struct FilmResolution {
@@ -53,7 +63,7 @@ struct FilmBearing : Foils {
   std::vector<FilmPad> pads;
   double room{};  ///< C_r less lobe and bulge where they take most of it, m: what a journal at the centre has
                   ///< everywhere in a round sleeve
-  double inlet_pressure{1.0};       ///< P at the free ends of the foils
+  FilmSurroundings surroundings;
   Eigen::Matrix2Xd column_normals;  ///< outward at all columns
   Vector sleeve;  ///< how much farther out than the nominal circle the undeformed foils lie at all columns, m: what
                   ///< the sleeve is wider there, and the lobe of the pad
@@ -89,9 +99,8 @@ void read_part(const FilmPad& pad, const FoilFilmState& all, FoilFilmState& part
 void write_part(const FilmPad& pad, const FoilFilmState& part, FoilFilmState& all);
 
 /// Foils of a bearing under a film, whether they are under one already or not.
-/// @param inlet_pressure  P at the free ends of the foils
 FilmBearing make_film_bearing(const Foils& foils, const Gas& gas, const FilmResolution& resolution,
-                              double inlet_pressure = 1.0);
+                              const FilmSurroundings& surroundings = {});
 
 /// The same with top foils that are formed by a part of what they are: 0, not at all. With a sleeve and bumps of its
 /// own a state of the one is a first guess of the other.
@@ -107,7 +116,8 @@ struct FilmBearingOutcome {
   double
       attitude_angle{};  ///< from the force to the displacement, positive in the sense of rotation, in (-pi, pi], rad
   double torque{};       ///< against rotation for Omega > 0, N m
-  double couette_torque{};       ///< Couette part of it, N m; the rest is the Poiseuille part
+  double couette_torque{};       ///< Couette part of it, N m
+  double asperity_torque{};      ///< part of asperities that rub, N m; the rest is the Poiseuille part
   double torque_of_moments{};    ///< the same torque by the balance of moments: equal but for the discretisation
   double power{};                ///< torque times Omega, W
   double couette_dissipation{};  ///< of the moving surface, W
@@ -116,8 +126,10 @@ struct FilmBearingOutcome {
   ThinnestPlace thinnest;        ///< without dimension; column and angle from the weld of its pad
   int thinnest_pad{};            ///< from 0
   double thinnest_crest{};       ///< least H over a crest
-  double max_pressure{}, min_pressure{};  ///< P
-  int loaded_bumps{};                     ///< bumps loaded by the top foil
+  double max_pressure{}, min_pressure{};                    ///< P
+  Eigen::Vector2d asperity_force{Eigen::Vector2d::Zero()};  ///< part of the force that asperities carry, N
+  double max_asperity_pressure{};                           ///< P_c
+  int loaded_bumps{};                                       ///< bumps loaded by the top foil
   int first_loaded{-1}, last_loaded{-1};  ///< of them, from 0 through all pads; -1 where there is none
   Eigen::Matrix2Xd pad_forces;            ///< part of the force that each of several pads takes, N; one has no column
 };
@@ -125,8 +137,21 @@ struct FilmBearingOutcome {
 /// Force that must be applied to the journal under the pressure P at all nodes: the integral of (p - pa) n, N.
 Eigen::Vector2d film_force(const FilmBearing& bearing, const Matrix& pressure);
 
-/// The part of it that a pad takes, N.
-Eigen::Vector2d pad_film_force(const FilmBearing& bearing, const FilmPad& pad, const Matrix& pressure);
+/// P_c at all columns of all pads, zero where surfaces are smooth: asperity_pressures().
+Vector asperity_pressures(const FilmBearing& bearing, const Matrix& thickness);
+
+/// Force that must be applied to the journal under asperities that press on it and rub: the integral of p_c (n + f t),
+/// N, t towards increasing polar angle.
+/// @param pressures  P_c at all columns, or its changes
+/// @param friction   f, with the sign of the speed: sliding_friction()
+Eigen::Vector2d asperity_force(const FilmBearing& bearing, const Vector& pressures, double friction);
+
+/// Coefficient of friction of asperities at a speed Omega (rad/s), with its sign: f tanh(Omega R / U_0), U_0 = 1 mm/s.
+/// Below that a joint creeps: friction begins at rest with none.
+double sliding_friction(const FilmBearing& bearing, double speed);
+
+/// Both together: what holds the journal in a state of the film at a speed, N.
+Eigen::Vector2d journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed);
 
 /// Compressions between top foils and crests, N, one per bump, pad after pad.
 Vector bump_loads(const FilmBearing& bearing, const BearingState& state);

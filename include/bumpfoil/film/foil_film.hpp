@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "bumpfoil/film/asperities.hpp"
 #include "bumpfoil/film/gas.hpp"
 #include "bumpfoil/film/reynolds.hpp"
 #include "bumpfoil/structure/forming.hpp"
@@ -16,18 +18,19 @@ namespace bumpfoil {
 /// Displacements are in units of c, moments in units of EI' c / p^2. With the excess of pressure integrated over the
 /// volumes, the balance and the compatibility of node k are, divided by EI' c / p^3 and by c / p,
 ///
-///     p (D M)_k - load_scale omega_k sum_j omega_j (P_jk - 1) = - forces of what supports the foil there
+///     p (D M)_k - load_scale omega_k sum_j omega_j (P_jk - 1 + P_c(H_k)) = - forces of what supports the foil there
 ///     p (D' U)_k - EI'/p (T M)_k - p r_k / c = 0
 ///
 /// with D, T of TopFoilMoments, r of forming_rotations(), M = 0 at the free end and U = 0 at the weld; omega_k and
-/// omega_j are the weights of column and row.
+/// omega_j are the weights of column and row; P_c is the pressure of asperities, where they touch.
 struct FoilFilm {
-  FilmMesh mesh;              ///< slotted
-  TopFoilMoments top_foil;    ///< its node k is column k + 1
-  double stiffness{};         ///< EI' / p^3, N/m
-  double pitch{};             ///< p, m
-  double load_scale{};        ///< 2 pa R^2 dtheta dzeta / (c stiffness)
-  Vector forming;             ///< p r / c of all columns but the last
+  FilmMesh mesh;                         ///< slotted
+  TopFoilMoments top_foil;               ///< its node k is column k + 1
+  double stiffness{};                    ///< EI' / p^3, N/m
+  double pitch{};                        ///< p, m
+  double load_scale{};                   ///< 2 pa R^2 dtheta dzeta / (c stiffness)
+  Vector forming;                        ///< p r / c of all columns but the last
+  std::optional<Asperities> asperities;  ///< of journal and foil, in units of pa and c; none: smooth surfaces
   std::vector<int> supports;  ///< columns where something may support the foil: increasing, none at or next to the
                               ///< ends, no two neighbours
 };
@@ -44,6 +47,12 @@ struct FoilFilmState : FilmState {
   Vector moment;  ///< M of all columns
 };
 
+/// P_c at all columns; zero on smooth surfaces. H is that of row 0: foils are the same over the width.
+Vector asperity_pressures(const FoilFilm& foil, const Matrix& thickness);
+
+/// What such pressures, or their changes, add to the balances of all columns.
+Vector asperity_balance(const FoilFilm& foil, Vector pressures);
+
 /// A film at P = 1 on an undeformed foil.
 FoilFilmState undeformed(const FoilFilm& foil, const Matrix& thickness);
 
@@ -57,7 +66,7 @@ struct FoilFilmResidual {
 void foil_film_residual(const FoilFilm& foil, const ReynoldsEquation& equation, const FoilFilmState& state,
                         FoilFilmResidual& residual);
 
-/// The same for the foil alone, as if it were formed to the bearing; does not change the part of the film.
+/// The same for the foil alone, as if it were smooth and formed to the bearing; does not change the part of the film.
 void foil_residual(const FoilFilm& foil, const FoilFilmState& state, FoilFilmResidual& residual);
 
 /// Newton's method for film and foil, condensed to the columns over supports and the free end: their unknowns are the
@@ -77,6 +86,8 @@ class FoilFilmSystem {
 
   /// Derivatives of the film's residuals where it was linearised last.
   [[nodiscard]] const FilmJacobian& film_jacobian() const;
+  /// dP_c/dH of asperities at all columns there.
+  [[nodiscard]] const Vector& asperity_slopes() const;
 
   [[nodiscard]] int blocks() const;
   [[nodiscard]] int block_size() const;

@@ -161,6 +161,19 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
+/// Rough surfaces of journal and top foil that touch where the film is thin. The pressure of their peaks is that of
+/// Asperities in film/, by its factor or by what that is made of.
+struct AsperitySettings {
+  double sigma{};                           ///< roughness of both surfaces together, standard deviation, m
+  std::optional<double> pressure_factor{};  ///< K', Pa
+  std::optional<double> density{};          ///< eta, peaks per area, 1/m^2
+  std::optional<double> radius{};           ///< beta, of the peaks, m
+  std::optional<double> modulus{};          ///< E* of both surfaces together, Pa; absent: both are of the top foil's
+  double friction{};                        ///< coefficient of rubbing peaks, as of a coating
+
+  bool operator==(const AsperitySettings&) const = default;
+};
+
 /// Path along which a running bearing reaches its states: there may be several at one speed and load, and the path
 /// decides.
 enum class FilmPath {
@@ -203,6 +216,7 @@ struct Case : BearingDesign {
   std::optional<VibrationSettings> vibration{};
   GasSettings gas{};
   FilmSettings film{};
+  std::optional<AsperitySettings> asperity{};
   std::optional<EquilibriumSettings> equilibrium{};
   SettingsByType settings{};  ///< of other experiments
   std::optional<MonteCarloSettings> montecarlo{};

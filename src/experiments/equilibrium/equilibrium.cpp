@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -63,10 +64,10 @@ std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state
   return whirls;
 }
 
-/// None where film and foils leave the state by themselves. @param held  of the same contacts
+/// None at rest, and where film and foils leave the state by themselves. @param held  of the same contacts
 std::optional<CriticalMass> critical_mass_of_state(FilmStepper& stepper, const BearingState& state,
                                                    const std::optional<HeldMotion>& held, bool stuck) {
-  if (!held || held->rate.real() >= 0.0) return std::nullopt;
+  if (state.speed == 0.0 || !held || held->rate.real() >= 0.0) return std::nullopt;
   const std::optional<FilmImpedance> impedance = stepper.impedance(state, whirling_rates(state.speed), stuck);
   return impedance ? least_critical_mass(*impedance, state.speed) : std::nullopt;
 }
@@ -200,7 +201,8 @@ class PathWalker {
     const bool by_load = point.by_load();
     OperatingPoint opened = point;
     opened.opening = opening_;
-    switch (path) {
+    // A journal at rest sinks onto the foils under its load.
+    switch (by_load && point.speed == 0.0 ? FilmPath::cold_start : path) {
       case FilmPath::load_ramp:
         begin_gently(along(point), point.speed, total);
         ramp(opened, total);
@@ -265,8 +267,12 @@ class PathWalker {
     });
   }
 
-  /// One increment.
-  void go(const OperatingPoint& to, FilmReport& total) { total += follow(*stepper_, to, *state_); }
+  /// One increment. A journal that begins to turn under a load breaks loose: asperities rub at once, and where it comes
+  /// to rest again is found in time.
+  void go(const OperatingPoint& to, FilmReport& total) {
+    const bool breaks_loose = state_->speed == 0.0 && to.speed != 0.0 && to.by_load();
+    total += breaks_loose ? settle(*stepper_, to, *state_) : follow(*stepper_, to, *state_);
+  }
 
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
@@ -281,6 +287,22 @@ class PathWalker {
   std::optional<BearingState> state_;  ///< where the path is
   Step step_;
 };
+
+/// |Omega| at the vertex of the parabola through three points of the torque; none unless the middle one is least.
+std::optional<double> least_torque_between(const std::array<const RunningState*, 3>& states) {
+  std::array<double, 3> speed{};
+  std::array<double, 3> torque{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!states.at(i)->found()) return std::nullopt;
+    speed.at(i) = std::abs(states.at(i)->asked.speed);
+    torque.at(i) = std::abs(states.at(i)->outcome->torque);
+  }
+  if (torque[1] >= torque[0] || torque[1] > torque[2]) return std::nullopt;
+  const double before = (torque[1] - torque[0]) / (speed[1] - speed[0]);
+  const double after = (torque[2] - torque[1]) / (speed[2] - speed[1]);
+  const double curvature = (after - before) / (speed[2] - speed[0]);
+  return 0.5 * (speed[0] + speed[1] - before / curvature);
+}
 
 /// All loads or positions, at speed 0.
 std::vector<OperatingPoint> journal_points(const EquilibriumSettings& equilibrium) {
@@ -334,6 +356,30 @@ std::optional<RunningState> stable_instead(const EquilibriumResult& result, cons
 
 }  // namespace
 
+void add_least_torque_speeds(EquilibriumResult& result) {
+  if (!result.bearing->surroundings.asperities) return;
+  for (RunningState& state : result.states) {
+    // States of the same path, journal and sense of rotation, the slower ones first.
+    std::vector<const RunningState*> curve;
+    for (const RunningState& other : result.states) {
+      if (other.path == state.path && other.asked.control == state.asked.control &&
+          other.asked.journal == state.asked.journal && other.asked.speed * state.asked.speed >= 0.0) {
+        curve.push_back(&other);
+      }
+    }
+    std::stable_sort(curve.begin(), curve.end(), [](const RunningState* a, const RunningState* b) {
+      return std::abs(a->asked.speed) < std::abs(b->asked.speed);
+    });
+    // From rest the torque jumps up before it falls.
+    std::optional<double> least;
+    for (std::size_t i = 1; i + 1 < curve.size() && !least; ++i) {
+      if (curve[i - 1]->asked.speed == 0.0) continue;
+      least = least_torque_between({curve[i - 1], curve[i], curve[i + 1]});
+    }
+    state.least_torque_speed = least;
+  }
+}
+
 bool EquilibriumResult::converged() const {
   const auto found = [](const auto& one) { return one.found(); };
   return std::all_of(states.begin(), states.end(), found) && std::all_of(limits.begin(), limits.end(), found);
@@ -363,10 +409,15 @@ std::vector<FilmPath> possible_paths(const EquilibriumSettings& equilibrium) {
 std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium) {
   std::vector<double> frequencies = equilibrium.frequencies;
   if (frequencies.empty()) {
-    const auto slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
-    const auto [slowest, fastest] = std::minmax_element(equilibrium.speeds.begin(), equilibrium.speeds.end(), slower);
-    const double first = lowest_frequency * std::abs(*slowest);
-    const double range = highest_frequency * std::abs(*fastest) / first;
+    double slowest = std::numeric_limits<double>::infinity();  // but rest
+    double fastest = 0.0;
+    for (const double speed : equilibrium.speeds) {
+      if (speed != 0.0) slowest = std::min(slowest, std::abs(speed));
+      fastest = std::max(fastest, std::abs(speed));
+    }
+    if (fastest == 0.0) return {};
+    const double first = lowest_frequency * slowest;
+    const double range = highest_frequency * fastest / first;
     // Less a rounding, that one speed has not one more.
     const double intervals =
         std::ceil(frequency_intervals * std::log(range) / std::log(highest_frequency / lowest_frequency) - 1e-9);
@@ -408,12 +459,13 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
                                   const std::function<bool(double)>& progress) {
   const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
   if (paths.empty()) paths.push_back(input.equilibrium->path);
-  EquilibriumResult result = find_states(bearing, *input.equilibrium, input.film.h_floor, paths, progress);
+  EquilibriumResult result = find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress);
+  add_least_torque_speeds(result);
   if (!input.equilibrium->prefer_stable || paths.size() > 1) return result;
   for (RunningState& state : result.states) {
     if (!state.found() || state.held.is_stable() != false) continue;
     const auto keep_going = [&](double) { return !progress || progress(1.0); };
-    if (auto better = stable_instead(result, *input.equilibrium, input.film.h_floor, state, keep_going)) {
+    if (auto better = stable_instead(result, *input.equilibrium, thickness_floor(input), state, keep_going)) {
       state = std::move(*better);
     }
   }

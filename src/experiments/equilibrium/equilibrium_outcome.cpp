@@ -28,12 +28,14 @@ std::string flutter_text(const FilmBearing& bearing, const RunningState& state) 
   const HeldMotion& motion = sliding && (!stuck || sliding->rate.real() >= stuck->rate.real()) ? *sliding : *stuck;
   const HeldPlace place = held_place(bearing, motion);
   const FilmPad& pad = bearing.pads[place.pad];
-  const double per_revolution = 2.0 * std::numbers::pi * motion.rate.real() / std::abs(state.last->speed);
+  const double speed = std::abs(state.last->speed);
+  const double per_revolution = 2.0 * std::numbers::pi * motion.rate.real() / speed;
   const double frequency = motion.rate.imag() / (2.0 * std::numbers::pi);
   std::string text = fmt::format(
-      "the top foil{} moves most {:.4g} deg from the weld and would {}, growing {:.3g}-fold each revolution",
+      "the top foil{} moves most {:.4g} deg from the weld and would {}{}",
       bearing.pads.size() > 1 ? fmt::format(" of pad {}", place.pad + 1) : "", to_degrees(place.theta),
-      frequency > 0.0 ? fmt::format("flutter at {:.4g} Hz", frequency) : "snap over", std::exp(per_revolution));
+      frequency > 0.0 ? fmt::format("flutter at {:.4g} Hz", frequency) : "snap over",
+      speed > 0.0 ? fmt::format(", growing {:.3g}-fold each revolution", std::exp(per_revolution)) : std::string());
   if (bearing.surface_speed(pad, state.last->speed) < 0.0) {
     const int lifted = lifted_bumps_at_entry(bearing, state);
     text += fmt::format(

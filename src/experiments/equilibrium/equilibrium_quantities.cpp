@@ -77,12 +77,13 @@ double whirl_stiffness(const FilmBearing&, const RunningState& state) {
 template <std::optional<Eigen::Matrix2cd> FilmWhirl::*member, int row, int column>
 double whirl_damping(const FilmBearing&, const RunningState& state) {
   if (state.whirls.empty() || !(state.whirls.front().*member)) return absent;
-  return (*(state.whirls.front().*member))(row, column).imag() / state.whirls.front().frequency;
+  const double frequency = state.whirls.front().frequency;
+  return frequency == 0.0 ? absent : (*(state.whirls.front().*member))(row, column).imag() / frequency;
 }
 
-/// Of a motion with the journal held, over the speed of rotation.
+/// Of a motion with the journal held, over the speed of rotation; at rest there is no such number.
 double over_speed(double rate, const RunningState& state) {
-  return rate / std::abs(state.last->speed);
+  return state.last->speed == 0.0 ? absent : rate / std::abs(state.last->speed);
 }
 template <std::optional<HeldMotion> HeldMotions::*member>
 double held_growth(const FilmBearing&, const RunningState& state) {
@@ -163,11 +164,30 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      csv | sampled, "torque", shown::newton_millimetres},
     {"couette_torque", "N m", "Couette part of the torque", of<&FilmBearingOutcome::couette_torque>},
     {"poiseuille_torque", "N m", "Poiseuille part of the torque",
-     [](const B&, const S& state) { return state.outcome->torque - state.outcome->couette_torque; }},
+     [](const B&, const S& state) {
+       return state.outcome->torque - state.outcome->couette_torque - state.outcome->asperity_torque;
+     }},
+    {"asperity_torque", "N m", "part of the torque of asperities that rub", of<&FilmBearingOutcome::asperity_torque>,
+     csv | of_asperities | sampled, "  of asperities", shown::newton_millimetres},
+    {"asperity_share", "1", "part of the force on the journal that asperities carry, along it",
+     [](const B&, const S& state) {
+       const Eigen::Vector2d& whole = state.outcome->force;
+       return whole.isZero(0.0) ? 0.0 : state.outcome->asperity_force.dot(whole) / whole.squaredNorm();
+     },
+     csv | of_asperities | shown_first | sampled, "load on asperities", shown::unitless},
+    {"max_asperity_pressure", "Pa", "maximum pressure of asperities, mean over those around",
+     pressure<&FilmBearingOutcome::max_asperity_pressure>, of_asperities | sampled, "asperities, max. pressure",
+     shown::bars},
+    {"least_torque_speed", "rad/s", "speed of the least torque under the load: lift-off from rough surfaces",
+     [](const B&, const S& state) { return state.least_torque_speed.value_or(absent); },
+     csv | of_asperities | shown_first, "speed of least torque", shown::revolutions},
     {"power", "W", "power loss", of<&FilmBearingOutcome::power>, csv | headline | sampled, "power loss", shown::watts},
     {"couette_dissipation", "W", "Couette dissipation", of<&FilmBearingOutcome::couette_dissipation>},
     {"poiseuille_dissipation", "W", "Poiseuille dissipation",
-     [](const B&, const S& state) { return state.outcome->dissipation - state.outcome->couette_dissipation; }},
+     [](const B&, const S& state) {
+       return state.outcome->dissipation - state.outcome->couette_dissipation -
+              state.outcome->asperity_torque * state.last->speed;
+     }},
     {"flow_weld", "m3/s", "flow past the weld along the foil, at ambient pressure", flow<&FilmFlows::start>},
     {"flow_free_end", "m3/s", "flow past the free end along the foil, at ambient pressure", flow<&FilmFlows::end>},
     {"flow_sides", "m3/s", "flow out at both sides together, at ambient pressure", flow<&FilmFlows::sides>, sampled},
@@ -348,6 +368,11 @@ constexpr auto column_table = std::to_array<ColumnQuantity>({
        }
        return 2.0 * bearing.scales.gas.ambient_pressure * bearing.scales.radius * mesh.dzeta * load;
      }},
+    {"asperity_pressure", "Pa", "pressure of asperities, mean over those around, the same over the width",
+     [](const FilmBearing& bearing, const BearingState& state) -> Vector {
+       return bearing.scales.gas.ambient_pressure * asperity_pressures(bearing, state.film.thickness);
+     },
+     of_asperities},
     {"film_top_displacement", "m", "deflection of the top foil, positive outward",
      [](const FilmBearing& bearing, const BearingState& state) -> Vector {
        return bearing.scales.thickness * state.film.lift;
@@ -372,8 +397,8 @@ std::string name_of_limit(const FilmLimit& limit) {
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {
   std::vector<RunningQuantity> quantities(running_quantity_table.begin(), running_quantity_table.end());
   std::erase_if(quantities, [&](const RunningQuantity& quantity) {
-    return (quantity.is(of_limits) && !limits) || (quantity.is(of_foils) && bearing.bumps() == 0) ||
-           (quantity.is(of_pads) && bearing.pads.size() == 1);
+    return (quantity.is(of_limits) && !limits) || (quantity.is(of_asperities) && !bearing.surroundings.asperities) ||
+           (quantity.is(of_foils) && bearing.bumps() == 0) || (quantity.is(of_pads) && bearing.pads.size() == 1);
   });
   return quantities;
 }

@@ -42,7 +42,7 @@ using StatesOverSpeed = std::vector<const RunningState*>;
 std::vector<StatesOverSpeed> by_speed(const std::vector<RunningState>& states) {
   std::vector<StatesOverSpeed> groups;
   for (const RunningState& state : states) {
-    if (!state.found() || !state.synchronous) continue;
+    if (!state.found() || !state.synchronous || state.asked.speed == 0.0) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&state](const StatesOverSpeed& one) {
       const RunningState& first = *one.front();
       return first.path == state.path && first.asked.control == state.asked.control &&

@@ -88,8 +88,8 @@ class MeshComparison {
       : bearing_(bearing),
         own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
         other_(other_resolution(own_)),
-        stepper_(make_film_bearing(bearing, bearing.scales.gas, other_, bearing.inlet_pressure),
-                 {.newton = {.thickness_floor = input.film.h_floor / bearing.scales.thickness}}) {}
+        stepper_(make_film_bearing(bearing, bearing.scales.gas, other_, bearing.surroundings),
+                 {.newton = {.thickness_floor = thickness_floor(input) / bearing.scales.thickness}}) {}
 
   [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {
     const FilmBearing& other = stepper_.bearing();
@@ -97,7 +97,7 @@ class MeshComparison {
     if (stepper_.advance(state.asked, found).status != Status::converged) return {};
     const double thickness =
         (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_.scales.thickness;
-    Eigen::Vector2d force = film_force(other, found.film.pressure) - state.outcome->force;
+    Eigen::Vector2d force = journal_force(other, found.film, found.speed) - state.outcome->force;
     if (state.asked.by_load()) {
       if (!state.stiffness) return {};
       force = *state.stiffness * (state.last->position - found.position);

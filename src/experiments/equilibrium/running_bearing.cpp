@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/equilibrium/film_limits.hpp"
 #include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
 
@@ -56,7 +57,7 @@ EquilibriumResult analyse_running_bearing(const Case& input, const std::function
   if (second) {
     done += 1.0;
     result.other_branches = other_branches(
-        result, find_states(result.bearing, settings, input.film.h_floor, {second_path(settings)}, part_progress));
+        result, find_states(result.bearing, settings, thickness_floor(input), {second_path(settings)}, part_progress));
   }
   if (settings.limits) {
     done += 1.0;

@@ -161,6 +161,7 @@ void add_film(const EquilibriumResult& result, StateDataset& states) {
     return;
   }
   for (const ColumnQuantity& quantity : column_quantities()) {
+    if (quantity.is(tag::of_asperities) && !bearing.surroundings.asperities) continue;
     Variable& added = states.add(quantity.meaning(), {"column"}, [&bearing, quantity](const RunningState& state) {
       return quantity.value(bearing, *state.last);
     });

@@ -59,6 +59,32 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
   keys.value({"closed", defaulted, "Closed surface", "true: no slot at the weld"}, &film.closed);
 }
 
+void describe(CaseVisitor& keys, AsperitySettings& asperity) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value({"sigma", required, "Roughness", "of journal and top foil together: root of the sum of both variances",
+              "0.3 um", length},
+             &asperity.sigma);
+  keys.value({"friction", required, "Friction", "coefficient of peaks that rub, as of a coating", "0.2"},
+             &asperity.friction);
+  keys.value({.name = "pressure_factor",
+              .presence = optional,
+              .title = "Pressure factor",
+              .text = "K' of the pressure K' F_5/2(h/sigma), instead of density, radius and modulus",
+              .example = "250 MPa",
+              .dimension = pressure,
+              .instead = true},
+             &asperity.pressure_factor);
+  keys.value({"density", optional, "Peaks per area", "of both surfaces together", "17000 1/mm2", per_area},
+             &asperity.density);
+  keys.value({"radius", optional, "Radius of peaks", "at their tips", "10 um", length}, &asperity.radius);
+  keys.value({"modulus", optional, "Contact modulus",
+              "1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 of journal and top foil; default: both are of the top foil's "
+              "material",
+              "117 GPa", pressure},
+             &asperity.modulus);
+}
+
 void describe_film(CaseVisitor& keys, Case& input) {
   using enum Presence;
   defaulted_table(keys,
@@ -66,6 +92,12 @@ void describe_film(CaseVisitor& keys, Case& input) {
                   input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
   defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
                   [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
+  optional_table(
+      keys,
+      {"asperity", optional, "Mixed contact",
+       "rough surfaces of journal and top foil that touch where the film is thin, for the command equilibrium; "
+       "none: smooth"},
+      input.asperity, [](CaseVisitor& inner, AsperitySettings& asperity) { describe(inner, asperity); });
 }
 
 constexpr Range ambient_range{1e2, 1e8, "Pa"};
@@ -127,9 +159,35 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
   }
 }
 
+constexpr Range roughness_range{1e-9, 1e-4, "m"};
+constexpr Range pressure_factor_range{1e3, 1e13, "Pa"};
+constexpr Range density_range{1e6, 1e15, "1/m2"};
+constexpr Range peak_radius_range{1e-9, 1e-2, "m"};
+
+void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
+  judge.within("asperity.sigma", asperity.sigma, roughness_range);
+  judge.within("asperity.friction", asperity.friction, {0.0, 2.0, ""});
+  if (asperity.pressure_factor)
+    judge.within("asperity.pressure_factor", *asperity.pressure_factor, pressure_factor_range);
+  if (asperity.density) judge.within("asperity.density", *asperity.density, density_range);
+  if (asperity.radius) judge.within("asperity.radius", *asperity.radius, peak_radius_range);
+  if (asperity.modulus) judge.within("asperity.modulus", *asperity.modulus, {1e6, 1e13, "Pa"});
+  const bool by_peaks = asperity.density || asperity.radius || asperity.modulus;
+  judge.require(!asperity.pressure_factor || !by_peaks, "asperity.pressure_factor", "",
+                "conflicts with density, radius or modulus, which it is made of", "give the factor or what makes it");
+  if (asperity.pressure_factor) return;
+  judge.require(asperity.density.has_value(), "asperity.density", "", "is missing, as is pressure_factor",
+                "give peaks per area such as \"17000 1/mm2\", or pressure_factor such as \"250 MPa\"");
+  judge.require(asperity.radius.has_value(), "asperity.radius", "", "is missing, as is pressure_factor",
+                "give the radius of the peaks such as \"10 um\", or pressure_factor such as \"250 MPa\"");
+}
+
 void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_gas(judge, input.gas);
+  if (input.asperity) judge_asperity(judge, *input.asperity);
   judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
+  judge.require_for("film", !input.asperity, "asperity", "", "is of journal and top foil, but film has walls in its place",
+                    "remove [asperity], or run equilibrium");
   for (const char* const command : {"equilibrium", "film"}) {
     judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
                       "has an out-of-round journal, under which a film is never steady",

@@ -83,7 +83,8 @@ FilmBearing make_wall_bearing(const Case& input) {
   pad.foil.mesh = input.film.closed
                       ? make_closed_mesh(columns, input.film.rows, half_width)
                       : make_slotted_mesh(columns, input.film.rows, half_width, bearing.placed.front().arc);
-  if (input.film.inlet_pressure) bearing.inlet_pressure = *input.film.inlet_pressure / input.gas.ambient_pressure;
+  if (input.film.inlet_pressure)
+    bearing.surroundings.inlet_pressure = *input.film.inlet_pressure / input.gas.ambient_pressure;
   pad.wrap_sign = bearing.placed.front().sense();
   bearing.clearance = input.bearing.radial_clearance;
   const Vector angles = pad.foil.mesh.angles();

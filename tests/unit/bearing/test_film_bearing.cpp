@@ -56,6 +56,42 @@ TEST(FilmBearing, IsThinWhereTheJournalGoes) {
   EXPECT_NEAR(film_equation(bearing, bearing.pads.front(), speed_of_rpm(45000.0)).bearing_number, -1.852606648, 1e-8);
 }
 
+/// Without friction the force that asperities need is the slope of their energy, K' sigma 2/7 F_7/2(h / sigma) per
+/// area; rubbing turns it by the angle of friction.
+TEST(FilmBearing, AsperitiesPushTheJournalBack) {
+  Case rough = film_reference_case(coarse);
+  rough.asperity = AsperitySettings{.sigma = 2e-6, .pressure_factor = 1e7, .friction = 0.3};
+  const FilmBearing bearing = make_film_bearing(rough);
+  const FilmPad& pad = bearing.pads.front();
+  const auto energy_at = [&](const Eigen::Vector2d& position) {
+    const Matrix H = bearing.undeformed_thickness(position);
+    double sum = 0.0;
+    for (int k = 0; k < bearing.columns(); ++k) {
+      const double u = H(0, k) * bearing.scales.thickness / 2e-6;
+      const GreenwoodTripp peaks = greenwood_tripp(u);
+      const double seven_halves = -peaks.slope - u * peaks.value;  // F_7/2 = 5/2 F_3/2 - u F_5/2
+      sum += pad.foil.mesh.column_weight(k) * 1e7 * 2e-6 * 2.0 / 7.0 * seven_halves;
+    }
+    return sum * bearing.scales.radius * pad.foil.mesh.dtheta * rough.bearing.axial_length;
+  };
+  const Eigen::Vector2d position(0.7 * bearing.clearance, 0.6 * bearing.clearance);
+  const Vector pressures = asperity_pressures(bearing, bearing.undeformed_thickness(position));
+  const Eigen::Vector2d force = asperity_force(bearing, pressures, 0.0);
+  constexpr double d = 1e-10;
+  for (const int axis : {0, 1}) {
+    const Eigen::Vector2d step = d * Eigen::Vector2d::Unit(axis);
+    const double slope = (energy_at(position + step) - energy_at(position - step)) / (2.0 * d);
+    EXPECT_NEAR(force[axis], slope, 1e-6 * force.norm());
+  }
+  EXPECT_GT(force.x(), 1.0);
+  const Eigen::Vector2d rubbing = asperity_force(bearing, pressures, 0.3);
+  EXPECT_NEAR(rubbing.dot(force) / force.squaredNorm(), 1.0, 1e-12);
+  EXPECT_NEAR((force.x() * rubbing.y() - force.y() * rubbing.x()) / force.squaredNorm(), 0.3, 1e-12);
+  EXPECT_EQ(sliding_friction(bearing, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(sliding_friction(bearing, speed_of_rpm(60.0)), 0.3);
+  EXPECT_EQ(sliding_friction(bearing, -1e-3), -sliding_friction(bearing, 1e-3));
+}
+
 /// A pressure by hand: the forces are those of its integral over the foil.
 TEST(FilmBearing, HoldsTheJournalAgainstThePressure) {
   const FilmBearing bearing = film_reference_bearing({.columns_per_pitch = 12, .rows = 8});

@@ -535,6 +535,22 @@ TEST(ParseCase, ReadsHowTopFoilsAreFormed) {
   expect_in(refusal({"top_foil.formed_radius=19.3 N"}), "top_foil.formed_radius");
 }
 
+TEST(ParseCase, ReadsRoughSurfaces) {
+  EXPECT_FALSE(with({}).asperity.has_value());
+  const Case rough = with({"asperity.sigma=0.3 um", "asperity.friction=0.2", "asperity.density=17000 1/mm2",
+                           "asperity.radius=10 um", "asperity.modulus=117 GPa"});
+  ASSERT_TRUE(rough.asperity.has_value());
+  EXPECT_DOUBLE_EQ(rough.asperity->sigma, 0.3e-6);
+  EXPECT_DOUBLE_EQ(rough.asperity->friction, 0.2);
+  EXPECT_DOUBLE_EQ(rough.asperity->density.value(), 1.7e10);
+  EXPECT_DOUBLE_EQ(rough.asperity->radius.value(), 10e-6);
+  EXPECT_DOUBLE_EQ(rough.asperity->modulus.value(), 117e9);
+  EXPECT_EQ(parse_case(case_to_toml(rough), "written"), rough);
+  expect_in(refusal({"asperity.sigma=0.3 um"}), "asperity.friction: is missing");
+  expect_in(refusal({"asperity.sigma=0.3 um", "asperity.friction=0.2", "asperity.density=17000 1/mm"}),
+            "expected a number per area");
+}
+
 TEST(ParseCase, SaysWhatIsWrongWithPads) {
   expect_in(refusal({"pad=[{lob=1e-6}]"}), "did you mean \"lobe\"?");
   expect_in(refusal({"pad=[{}, {}]"}), "pad[2]: overlaps pad 1 by 177.5");

@@ -40,6 +40,9 @@ function measuresOf(states: States, { names, all }: Drawn): Measure[] {
   return all !== undefined && parts.length > 1 ? [{ text: all, unit: parts[0]?.unit ?? '', parts: parts.map(({ part }) => part) }, ...each] : each;
 }
 
+/** What their peaks carry and rub, beside all of the torque. */
+const roughSurfaces: [string, Drawn[]] = ['Rough surfaces', [{ all: 'Torque', names: ['torque', 'asperity_torque'] }, { names: ['asperity_share', 'max_asperity_pressure'] }]];
+
 /** Charts over speed or load: which quantities are drawn together. */
 function chartsOf(states: States): { title: string; measures: Measure[] }[] {
   const stiffness = (end: string): string[] => entries.map((axes) => `k${axes}${end}`);
@@ -47,6 +50,7 @@ function chartsOf(states: States): { title: string; measures: Measure[] }[] {
     ['Minimum film thickness', [{ names: ['h_min', 'h_min_crest'] }]],
     ['Journal position', [{ names: ['attitude_angle', 'eccentricity_ratio'] }, { all: 'Journal centre', names: ['x', 'y'] }]],
     ['Losses', [{ names: ['power', 'torque'] }]],
+    ...(states.variable('asperity_share') ? [roughSurfaces] : []),
     ['Stiffness', [{ all: 'Stiffness', names: stiffness('') }, { all: 'Stiffness, full stick', names: stiffness('_stuck') }]],
     ['Pressure and force', [{ all: 'Pressure', names: ['p_max', 'p_min'] }, { all: 'Force', names: ['force_x', 'force_y'] }]],
     ['Bumps', [{ names: ['highest_bump_load', 'loaded_bumps', 'lifted_bumps_at_entry'] }]],

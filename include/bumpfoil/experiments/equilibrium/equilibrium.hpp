@@ -59,6 +59,8 @@ struct RunningState {
   /// Of limits, where they were asked for: |Omega| under its load, rad/s, and load at its speed, N. Absent where they
   /// were not found.
   std::optional<double> lift_off_speed, load_capacity;
+  /// |Omega| at which the torque under its load is least, rad/s: of add_least_torque_speeds().
+  std::optional<double> least_torque_speed;
 
   /// Whether this stable state stands for an unstable one that the path of the case leads to: prefer_stable.
   bool instead_of_unstable{};
@@ -163,6 +165,11 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
 /// Adds stiffness and damping in synchronous whirl and at tabulated_frequencies() to every state that was found.
 /// @param input  case that the result is of
 void tabulate_whirls(const Case& input, EquilibriumResult& result);
+
+/// Adds to every state where the torque of its curve over speed, with the same path, journal and sense of rotation, is
+/// least: by a parabola through the slowest three neighbours of which the middle one has the least. That is where a
+/// journal lifts off rough surfaces; without asperities, and where no speed lies between, there is none.
+void add_least_torque_speeds(EquilibriumResult& result);
 
 /// The states of a case in the order in which its path reaches them, as far as they are known before: none was found,
 /// and all have this status.

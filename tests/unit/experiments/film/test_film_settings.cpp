@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "support/faulty_keys.hpp"
@@ -24,6 +25,33 @@ TEST(FindFaults, JudgesTheFeed) {
   };
   EXPECT_EQ(feed(1.02e5), Keys{});
   EXPECT_EQ(feed(-1.0), Keys{"film.inlet_pressure"});
+}
+
+TEST(FindFaults, JudgesRoughSurfaces) {
+  const auto rough = [](const AsperitySettings& settings) {
+    return faulty_keys([&](Case& input) { input.asperity = settings; });
+  };
+  const AsperitySettings by_factor{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
+  const AsperitySettings by_peaks{.sigma = 0.3e-6, .density = 1.7e10, .radius = 10e-6, .friction = 0.2};
+  EXPECT_EQ(rough(by_factor), Keys{});
+  EXPECT_EQ(rough(by_peaks), Keys{});
+  AsperitySettings wrong = by_factor;
+  wrong.density = 1.7e10;
+  EXPECT_EQ(rough(wrong), Keys{"asperity.pressure_factor"});
+  wrong = by_peaks;
+  wrong.radius.reset();
+  wrong.sigma = 0.0;
+  wrong.friction = nan;
+  EXPECT_EQ(rough(wrong), (Keys{"asperity.sigma", "asperity.friction", "asperity.radius"}));
+  // A journal that stands still is carried by peaks alone.
+  const auto resting = [&](const std::optional<AsperitySettings>& settings) {
+    return faulty_keys([&](Case& input) {
+      input.asperity = settings;
+      input.equilibrium = EquilibriumSettings{.speeds = {0.0}, .loads = {{50.0, 0.0}}};
+    });
+  };
+  EXPECT_EQ(resting(std::nullopt), Keys{"equilibrium.speeds[1]"});
+  EXPECT_EQ(resting(by_factor), Keys{});
 }
 
 TEST(FindFaults, JudgesTheGas) {

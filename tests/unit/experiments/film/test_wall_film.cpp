@@ -52,6 +52,12 @@ TEST(WallFilm, IsFedAtItsFreeEnd) {
   EXPECT_THROW(run_wall_films(input), Error);
 }
 
+TEST(WallFilm, HasSmoothWalls) {
+  Case input = wall_case();
+  input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
+  EXPECT_THROW(run_wall_films(input), Error);
+}
+
 /// The foils that the wall stands for end where their pitches add up to, whatever each is.
 TEST(WallFilm, IsAsLongAsTheFoils) {
   Case input = wall_case();

@@ -1,0 +1,163 @@
+// docs/verification/film.md: rough surfaces that touch under the film, against the dry bearing, differences and
+// symmetry.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bumpfoil/bearing/fields.hpp"
+#include "bumpfoil/bearing/foil_stepper.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/motion/load_search.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr FilmResolution mesh{.columns_per_pitch = 6, .rows = 4};
+
+/// The reference bearing of rough surfaces, K' = 240 MPa.
+Case rough_case(double rpm, const Eigen::Vector2d& load, double friction = 0.0) {
+  Case input = film_reference_case(mesh, friction);
+  input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 240e6, .friction = 0.2};
+  input.equilibrium = {.speeds = {speed_of_rpm(rpm)}, .loads = {load}};
+  return input;
+}
+
+RunningState rough_state(const Case& input) {
+  const EquilibriumResult result = run_equilibrium(input);
+  EXPECT_TRUE(result.states.front().found());
+  return result.states.front();
+}
+
+/// Under surfaces that are all but smooth a journal at rest lies on the foils as without a film, where contacts are
+/// rigid and exact: that is another solver on another matrix.
+TEST(FilmAsperities, RestsWhereTheDryBearingDoes) {
+  const Eigen::Vector2d load(50.0, 0.0);
+  Case input = rough_case(0.0, load);
+  input.asperity->sigma = 0.01e-6;
+  const RunningState running = rough_state(input);
+  const Vector loads = bump_loads(make_film_bearing(input), *running.last);
+
+  FoilStepper dry = make_stepper(make_bearing_foils(input));
+  Step step;
+  advance_to_load(dry, BearingState::unstressed(dry.foils()), load, 1e-6, 3.0 * input.bearing.radial_clearance, step);
+  ASSERT_TRUE(step.converged());
+  // Peaks hold the surfaces 0.03 um apart.
+  EXPECT_NEAR(running.last->position.x(), step.state.position.x(), 0.05e-6);
+  const Vector dry_loads = interface_loads(dry.foils(), step.state.contacts, Interface::top_bump);
+  ASSERT_EQ(loads.size(), dry_loads.size());
+  EXPECT_LT((loads - dry_loads).cwiseAbs().maxCoeff(), 2e-3 * dry_loads.maxCoeff());
+  EXPECT_NEAR(running.outcome->asperity_force.x(), 50.0, 1e-6);
+  EXPECT_EQ(running.outcome->torque, 0.0);
+  EXPECT_NEAR(running.outcome->max_pressure, 1.0, 1e-9);
+}
+
+/// Consistent derivatives where peaks carry a good part of the load: held journal, central differences of its force.
+TEST(FilmAsperities, StiffnessIsThatOfDifferences) {
+  const Case input = rough_case(300.0, {30.0, 0.0});
+  const RunningState state = rough_state(input);
+  const double share = state.outcome->asperity_force.x() / state.outcome->force.x();
+  EXPECT_GT(share, 0.05);
+  EXPECT_LT(share, 0.95);
+  FilmStepper stepper(make_film_bearing(input));
+  const auto force_at = [&](const Eigen::Vector2d& position) {
+    BearingState moved = *state.last;
+    EXPECT_EQ(stepper.advance(OperatingPoint::held_at(position, moved.speed), moved).status, Status::converged);
+    return Eigen::Vector2d(film_bearing_outcome(stepper.bearing(), moved).force);
+  };
+  const double d = 2e-11;  // m: a roughness over 15,000, so that the difference leaves 1e-8 of the slope
+  ASSERT_TRUE(state.stiffness.has_value());
+  for (const int axis : {0, 1}) {
+    const Eigen::Vector2d step = d * Eigen::Vector2d::Unit(axis);
+    const Eigen::Vector2d difference =
+        (force_at(state.last->position + step) - force_at(state.last->position - step)) / (2.0 * d);
+    EXPECT_LT((difference - state.stiffness->col(axis)).norm(), 1e-5 * state.stiffness->norm());
+  }
+  // The same from the reduced model of motions in time, as they become slow.
+  const auto Z = stepper.impedances(*state.last, {{0.0, 1e-3 * state.last->speed}});
+  ASSERT_TRUE(Z.has_value());
+  EXPECT_LT((Z->front().real() - *state.stiffness).norm(), 1e-4 * state.stiffness->norm());
+  EXPECT_TRUE(state.held.sliding.has_value());  // whose residual is that of all equations
+}
+
+/// Power that is put in leaves by shear, flow and friction, and friction is that of the pressures at the columns.
+TEST(FilmAsperities, PowerIsDissipated) {
+  const Case input = rough_case(300.0, {30.0, 0.0});
+  const FilmBearing bearing = make_film_bearing(input);
+  const RunningState state = rough_state(input);
+  const FilmBearingOutcome& outcome = *state.outcome;
+  const FilmPad& pad = bearing.pads.front();
+  double normal = 0.0;
+  for (int k = 0; k < bearing.columns(); ++k) {
+    const double h = bearing.scales.thickness * state.last->film.thickness(0, k);
+    normal += bearing.surroundings.asperities->pressure(h) * pad.foil.mesh.column_weight(k);
+  }
+  normal *= bearing.scales.radius * pad.foil.mesh.dtheta * input.bearing.axial_length;
+  EXPECT_NEAR(outcome.asperity_torque, 0.2 * bearing.scales.radius * normal, 1e-12);
+  EXPECT_GT(outcome.asperity_torque, 0.5 * outcome.torque);
+  // Of the rest the discretisation errs by some per cent on this mesh; a wrong share of friction would by half of all.
+  EXPECT_NEAR(outcome.dissipation, outcome.power, 0.05 * outcome.power);
+  EXPECT_NEAR(outcome.torque_of_moments, outcome.torque, 0.05 * outcome.torque);
+}
+
+/// The same bearing turned, and mirrored with the speed.
+TEST(FilmAsperities, TurnsAndMirrors) {
+  const Case input = rough_case(800.0, {25.0, 10.0}, 0.1);
+  const RunningState here = rough_state(input);
+  constexpr double angle = 0.7;
+  Case turned = input;
+  turned.bearing.weld_angle += angle;
+  turned.equilibrium->loads = {Eigen::Vector2d(Eigen::Rotation2Dd(angle) * input.equilibrium->loads.front())};
+  const RunningState there = rough_state(turned);
+  EXPECT_LT((Eigen::Rotation2Dd(-angle) * there.last->position - here.last->position).norm(),
+            1e-7 * input.bearing.radial_clearance);
+  EXPECT_NEAR(there.outcome->torque, here.outcome->torque, 1e-7 * here.outcome->torque);
+
+  Case mirrored = input;  // at the X axis
+  mirrored.bearing.weld_angle = -input.bearing.weld_angle;
+  mirrored.bearing.wrap = Wrap::counterclockwise;
+  mirrored.equilibrium->speeds = {-input.equilibrium->speeds.front()};
+  mirrored.equilibrium->loads = {{25.0, -10.0}};
+  const RunningState image = rough_state(mirrored);
+  EXPECT_NEAR(image.last->position.y(), -here.last->position.y(), 1e-7 * input.bearing.radial_clearance);
+  EXPECT_NEAR(image.outcome->torque, -here.outcome->torque, 1e-7 * here.outcome->torque);
+}
+
+/// From rest to speed: the load goes over from peaks to gas, and the torque has its least where they part.
+TEST(FilmAsperities, RunUpFromRestIsACurveOfStribeck) {
+  Case input = rough_case(0.0, {50.0, 0.0}, 0.1);
+  input.top_foil.formed_radius = {FormedTo::seated};
+  input.equilibrium->path = FilmPath::speed_ramp;
+  input.equilibrium->speeds.clear();
+  for (const double rpm : {0.0, 300.0, 1000.0, 2000.0, 4000.0, 10000.0, 30000.0}) {
+    input.equilibrium->speeds.push_back(speed_of_rpm(rpm));
+  }
+  const EquilibriumResult result = run_equilibrium(input);
+  ASSERT_TRUE(result.converged());
+  std::vector<double> torque, share;
+  for (const RunningState& state : result.states) {
+    torque.push_back(state.outcome->torque);
+    share.push_back(state.outcome->asperity_force.x() / 50.0);
+  }
+  EXPECT_EQ(torque.front(), 0.0);
+  EXPECT_NEAR(share.front(), 1.0, 1e-7);
+  EXPECT_TRUE(std::is_sorted(share.rbegin(), share.rend()));
+  EXPECT_LT(share.back(), 1e-9);
+  // All of the load would rub with 0.2 x 50 N x 19.05 mm.
+  EXPECT_GT(torque[1], 0.5 * 0.1905);
+  EXPECT_LT(torque[1], 0.1905);
+  const auto least = std::min_element(torque.begin() + 1, torque.end());
+  EXPECT_TRUE(least != torque.begin() + 1 && least != torque.end() - 1);
+  const auto i = static_cast<std::size_t>(least - torque.begin());
+  ASSERT_TRUE(result.states.front().least_torque_speed.has_value());
+  EXPECT_GT(*result.states.front().least_torque_speed, input.equilibrium->speeds[i - 1]);
+  EXPECT_LT(*result.states.front().least_torque_speed, input.equilibrium->speeds[i + 1]);
+}
+
+}  // namespace
+}  // namespace bumpfoil
