@@ -48,28 +48,38 @@ double opening_to_begin(const FilmBearing& bearing, double floor) {
   return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
 }
 
-std::vector<FilmWhirl> whirls_at(FilmStepper& stepper, const BearingState& state,
-                                 const std::vector<double>& frequencies) {
+/// How a state answers to small motions: with sliding contacts that keep sliding, and with all stuck.
+struct Impedances {
+  std::optional<FilmImpedance> moving, stuck;
+
+  /// @param rates  that they are good for, 1/s
+  Impedances(FilmStepper& stepper, const BearingState& state, const std::vector<std::complex<double>>& rates)
+      : moving(stepper.impedance(state, rates)), stuck(stepper.impedance(state, rates, true)) {}
+
+  [[nodiscard]] std::vector<FilmWhirl> at(const std::vector<double>& frequencies) const {
+    std::vector<FilmWhirl> whirls;
+    for (const double frequency : frequencies) {
+      FilmWhirl& whirl = whirls.emplace_back();
+      whirl.frequency = frequency;
+      if (moving) whirl.impedance = moving->at({0.0, frequency});
+      if (stuck) whirl.stuck_impedance = stuck->at({0.0, frequency});
+    }
+    return whirls;
+  }
+};
+
+std::vector<std::complex<double>> rates_of(const std::vector<double>& frequencies) {
   std::vector<std::complex<double>> rates;
   rates.reserve(frequencies.size());
   for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
-  const auto moving = stepper.impedances(state, rates);
-  const auto stuck = stepper.impedances(state, rates, true);
-  std::vector<FilmWhirl> whirls(frequencies.size());
-  for (std::size_t i = 0; i < whirls.size(); ++i) {
-    whirls[i].frequency = frequencies[i];
-    if (moving) whirls[i].impedance = (*moving)[i];
-    if (stuck) whirls[i].stuck_impedance = (*stuck)[i];
-  }
-  return whirls;
+  return rates;
 }
 
 /// None at rest, and where film and foils leave the state by themselves. @param held  of the same contacts
-std::optional<CriticalMass> critical_mass_of_state(FilmStepper& stepper, const BearingState& state,
-                                                   const std::optional<HeldMotion>& held, bool stuck) {
-  if (state.speed == 0.0 || !held || held->rate.real() >= 0.0) return std::nullopt;
-  const std::optional<FilmImpedance> impedance = stepper.impedance(state, whirling_rates(state.speed), stuck);
-  return impedance ? least_critical_mass(*impedance, state.speed) : std::nullopt;
+std::optional<CriticalMass> critical_mass_of_state(const std::optional<FilmImpedance>& impedance, double speed,
+                                                   const std::optional<HeldMotion>& held) {
+  if (speed == 0.0 || !impedance || !held || held->rate.real() >= 0.0) return std::nullopt;
+  return least_critical_mass(*impedance, speed);
 }
 
 /// Opens closed contacts that carry next to nothing. @return how many there are
@@ -155,9 +165,14 @@ class PathWalker {
     BearingState opened = *state_;
     found.light_contacts = open_light_contacts(opened.contacts);
     if (found.light_contacts > 0) found.held_if_open = stepper_->held_motions(opened);
-    found.critical_mass = critical_mass_of_state(*stepper_, *state_, found.held.sliding, false);
-    found.stuck_critical_mass = critical_mass_of_state(*stepper_, *state_, found.held.stuck, true);
-    found.whirls = whirls_at(*stepper_, *state_, frequencies_of(settings_, state_->speed));
+    const std::vector<double> frequencies = frequencies_of(settings_, state_->speed);
+    std::vector<std::complex<double>> rates = rates_of(frequencies);
+    const std::vector<std::complex<double>> whirling = whirling_rates(state_->speed);
+    rates.insert(rates.end(), whirling.begin(), whirling.end());
+    const Impedances impedances(*stepper_, *state_, rates);
+    found.critical_mass = critical_mass_of_state(impedances.moving, state_->speed, found.held.sliding);
+    found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state_->speed, found.held.stuck);
+    found.whirls = impedances.at(frequencies);
     find_stresses(found);
   }
 
@@ -435,7 +450,8 @@ void tabulate_whirls(const Case& input, EquilibriumResult& result) {
   for (RunningState& state : result.states) {
     if (!state.found()) continue;
     if (given) {
-      state.synchronous = whirls_at(stepper, *state.last, {std::abs(state.last->speed)}).front();
+      const double synchronous = std::abs(state.last->speed);
+      state.synchronous = Impedances(stepper, *state.last, {{0.0, synchronous}}).at({synchronous}).front();
       state.tabulated.clear();
       for (const double frequency : frequencies) {
         state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
@@ -443,7 +459,7 @@ void tabulate_whirls(const Case& input, EquilibriumResult& result) {
       }
     } else {
       state.synchronous = state.whirls.front();
-      state.tabulated = whirls_at(stepper, *state.last, frequencies);
+      state.tabulated = Impedances(stepper, *state.last, rates_of(frequencies)).at(frequencies);
     }
   }
 }
