@@ -57,8 +57,9 @@ def table_rows(name, experiments):
         "film": lambda one: bool({"column", "row", "frequency"} & set(one["dims"])) and not is_dimension(one),
         "formed": over_none,
         "pads": lambda one: True,
+        "rough": lambda one: "csv" not in one["tags"],
     }[part]
-    variables = variables_of(runs, {"formed": 1, "pads": -1}.get(part, 0))
+    variables = variables_of(runs, {"formed": 1, "pads": 2, "rough": 3}.get(part, 0))
     return ["variable", "dimensions", "units", "meaning"], [
         [f"`{one['name']}`", ", ".join(one["dims"]), one["unit"] or "flag", one["long_name"]]
         for one in variables

@@ -67,6 +67,9 @@ ExperimentInfo equilibrium_experiment() {
                      {"equilibrium.limits=true", "film.h_lift_off=5 um", "top_foil.formed_radius=seated"});
   std::vector<std::string> of_pads = one_state;
   of_pads.insert(of_pads.end(), {"bump_foil.bumps=8", "pad=[{}, {}, {}]"});
+  std::vector<std::string> on_peaks = one_state;
+  on_peaks.insert(on_peaks.end(),
+                  {"asperity.sigma=0.3 um", "asperity.friction=0.2", "asperity.pressure_factor=250 MPa"});
   return {
       .name = "equilibrium",
       .summary = "Compute equilibria of the running bearing, with gas film, foils and friction",
@@ -98,7 +101,7 @@ ExperimentInfo equilibrium_experiment() {
           Sweeping{.run = run_swept,
                    .not_begun = [](const Case& input) { return running_outcome(input, equilibrium_not_begun(input)); }},
       .quantities = meanings_of(all_running_quantities()),
-      .small_runs = {one_state, with_limits, of_pads}};
+      .small_runs = {one_state, with_limits, of_pads, on_peaks}};
 }
 
 }  // namespace bumpfoil

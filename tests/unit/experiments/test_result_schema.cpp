@@ -67,6 +67,8 @@ TEST(ResultSchema, HasWhatOnlySomeResultsHave) {
   EXPECT_EQ(run_with("vibration", "sense", found), 1);
   EXPECT_EQ(run_with("equilibrium", "lift_off_speed", found), 1);
   EXPECT_EQ(run_with("equilibrium", "h_min_pad", found), 2);
+  EXPECT_EQ(run_with("equilibrium", "asperity_share", found), 3);
+  EXPECT_EQ(run_with("equilibrium", "asperity_pressure", found), 3);
   EXPECT_EQ(run_with("film", "film_thickness", found), 0);
   EXPECT_EQ(found.at("dims"), json({"state", "row", "column"}));
 }
