@@ -113,6 +113,16 @@ class SummaryChecker {
           if (!at(at(limit, side), key).is_number()) refuse(key, "is not a number");
         }
       }
+      // Earlier versions did not have them.
+      if (!limit.contains("unstable")) continue;
+      if (!at(limit, "bounded_by").is_null()) static_cast<void>(text(limit, "bounded_by"));
+      if (!limit["unstable"].is_array()) refuse("unstable", "is not a list");
+      const std::string unit = limit["kind"] == "lift_off_speed" ? "speed_rad_per_s" : "load_N";
+      for (const Json& range : limit["unstable"]) {
+        for (const std::string& key : {"from_" + unit, "to_" + unit}) {
+          if (!at(range, key).is_number()) refuse(key, "is not a number");
+        }
+      }
     }
   }
 

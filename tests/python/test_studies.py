@@ -73,6 +73,7 @@ def test_number_of_samples_may_stand_in_the_table():
 def test_ensemble_of_running_bearings(program):
     film = {"film": {"columns_per_pitch": 4, "rows": 4}, "equilibrium": {"loads": [[10, 0], [20, 0]], "steps": 1}}
     film["film"]["h_lift_off"] = "8 um"
+    film["top_foil"] = {"formed_radius": "seated"}  # states last
     scatter = {"command": "equilibrium", "samples": 3, "limits": True, "radial_clearance": {"std": "1 um"}}
     result = bumpfoil.run_montecarlo(EXAMPLES / "running.toml", montecarlo=scatter, **film)
     data = result.to_xarray()

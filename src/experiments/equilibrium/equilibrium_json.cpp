@@ -73,11 +73,17 @@ Json limit_json(const FilmLimit& limit) {
                 {"load_y_N", point.journal.y()},
                 {"h_min_m", value_json(h, {})}};
   };
+  const std::string key = limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N";
+  Json unstable = Json::array();
+  for (const auto& [from, to] : limit.unstable) unstable.push_back({{"from_" + key, from}, {"to_" + key, to}});
   return {{"kind", name_of(limit.kind)},
           {"status", name_of(limit.status)},
-          {limit.kind == FilmLimitKind::lift_off_speed ? "speed_rad_per_s" : "load_N", value_json(limit.value, {})},
+          {key, value_json(limit.value, {})},
+          {"bounded_by", limit.found() ? Json(name_of(limit.bounded_by)) : Json()},
           {"jumps", limit.jumps},
           {"stable", limit.stable ? Json(*limit.stable) : Json()},
+          {"unstable", unstable},
+          {"unknown", limit.unknown},
           {"thick", point_json(limit.thick, limit.h_thick)},
           {"thin", point_json(limit.thin, limit.h_thin)}};
 }

@@ -167,8 +167,17 @@ std::vector<std::string> warning_lines(const Case& input, const EquilibriumResul
     compare("bump foil", state.bump_foil_stress, input.bump_foil.yield_stress);
   }
   for (const FilmLimit& limit : result.limits) {
-    if (limit.found() && !limit.stable.value_or(true)) {
-      lines.push_back(fmt::format("{}: the state there is unstable with the journal held", name_of_limit(limit)));
+    if (!limit.unstable.empty()) {
+      const std::string_view what = std::isnan(limit.value) ? "none, because every state on the path is unstable"
+                                                            : "states on the path do not count that are unstable";
+      lines.push_back(
+          fmt::format("{}: {} with the journal held ({})", name_of_limit(limit), what, unstable_ranges_text(limit)));
+    }
+    if (limit.unknown > 0) {
+      lines.push_back(
+          fmt::format("{}: whether {} states of the path are stable with the journal held is not known; "
+                      "they count as stable",
+                      name_of_limit(limit), limit.unknown));
     }
     if (!limit.found() || limit.jumps == 0) continue;
     lines.push_back(fmt::format("{}: the branch of states ended {} on the path, and the foil jumped to another one",

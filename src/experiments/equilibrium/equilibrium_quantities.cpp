@@ -105,6 +105,25 @@ double critical_whirl_ratio(const FilmBearing&, const RunningState& state) {
   return state.*member ? over_speed((*(state.*member)).frequency, state) : absent;
 }
 
+/// Of a limit, where it was asked for and found.
+using LimitOfState = std::optional<FilmLimit> RunningState::*;
+template <LimitOfState limit>
+double limit_value(const FilmBearing&, const RunningState& state) {
+  return state.*limit ? (*(state.*limit)).value : absent;
+}
+template <LimitOfState limit>
+double limit_bound(const FilmBearing&, const RunningState& state) {
+  return state.*limit && (*(state.*limit)).found() ? static_cast<double>((*(state.*limit)).bounded_by) : absent;
+}
+template <LimitOfState limit>
+double unstable_from(const FilmBearing&, const RunningState& state) {
+  return state.*limit && !(*(state.*limit)).unstable.empty() ? (*(state.*limit)).unstable.front().from : absent;
+}
+template <LimitOfState limit>
+double unstable_to(const FilmBearing&, const RunningState& state) {
+  return state.*limit && !(*(state.*limit)).unstable.empty() ? (*(state.*limit)).unstable.back().to : absent;
+}
+
 template <int FilmReport::*member>
 double cost(const FilmBearing&, const RunningState& state) {
   return state.report.*member;
@@ -345,13 +364,30 @@ constexpr auto running_quantity_table = std::to_array<RunningQuantity>({
      [](const B&, const S& state) { return state.report.residual; }, of_solver | sampled},
     {"wall_time", "s", "time that the state took", [](const B&, const S& state) { return state.wall_time; },
      of_solver | asked},
-    {"lift_off_speed", "rad/s", "speed at which the minimum film thickness under the load is film.h_lift_off",
-     [](const B&, const S& state) { return state.lift_off_speed.value_or(absent); },
-     csv | asked | of_foils | of_limits | headline | sampled, "lift-off speed", shown::revolutions},
+    {"lift_off_speed", "rad/s",
+     "lowest speed of the path coasting down under the load whose state is stable and whose minimum film thickness is "
+     "film.h_lift_off or more",
+     limit_value<&S::lift_off_speed>, csv | asked | of_foils | of_limits | headline | sampled, "lift-off speed",
+     shown::revolutions},
     {"load_capacity", "N",
-     "load, along the first one, at which the minimum film thickness at the speed is film.h_lift_off",
-     [](const B&, const S& state) { return state.load_capacity.value_or(absent); },
-     csv | asked | of_foils | of_limits | headline | sampled, "load capacity", shown::newtons},
+     "largest load of the path, along the first load, whose state at the speed is stable and whose minimum film "
+     "thickness is film.h_lift_off or more",
+     limit_value<&S::load_capacity>, csv | asked | of_foils | of_limits | headline | sampled, "load capacity",
+     shown::newtons},
+    {"lift_off_bounded_by", "", "why states below lift_off_speed do not count", limit_bound<&S::lift_off_speed>,
+     csv | asked | of_foils | of_limits, "", shown::in_files, flags<LimitBound>},
+    {"lift_off_unstable_from", "rad/s",
+     "lowest speed of that path whose state is unstable with the journal held; none where all are stable",
+     unstable_from<&S::lift_off_speed>, csv | asked | of_foils | of_limits},
+    {"lift_off_unstable_to", "rad/s", "highest speed of that path whose state is unstable",
+     unstable_to<&S::lift_off_speed>, csv | asked | of_foils | of_limits},
+    {"capacity_bounded_by", "", "why states above load_capacity do not count", limit_bound<&S::load_capacity>,
+     csv | asked | of_foils | of_limits, "", shown::in_files, flags<LimitBound>},
+    {"capacity_unstable_from", "N",
+     "smallest load of that path whose state is unstable with the journal held; none where all are stable",
+     unstable_from<&S::load_capacity>, csv | asked | of_foils | of_limits},
+    {"capacity_unstable_to", "N", "largest load of that path whose state is unstable", unstable_to<&S::load_capacity>,
+     csv | asked | of_foils | of_limits},
 });
 
 constexpr auto column_table = std::to_array<ColumnQuantity>({
@@ -392,6 +428,20 @@ std::string name_of_limit(const FilmLimit& limit) {
              ? fmt::format("lift-off speed under the load ({:.6g}, {:.6g}) N", limit.thick.journal.x(),
                            limit.thick.journal.y())
              : fmt::format("load capacity at {:.6g} rpm", limit.thick.speed / shown::revolutions.size);
+}
+
+std::string shown_limit_value(const FilmLimit& limit, double value) {
+  return limit.kind == FilmLimitKind::lift_off_speed ? fmt::format("{:.5g} rpm", value / shown::revolutions.size)
+                                                     : fmt::format("{:.5g} N", value);
+}
+
+std::string unstable_ranges_text(const FilmLimit& limit) {
+  std::string text;
+  for (const auto& [from, to] : limit.unstable) {
+    text += fmt::format("{}{}", text.empty() ? "" : " and ", shown_limit_value(limit, from));
+    if (to > from) text += fmt::format(" to {}", shown_limit_value(limit, to));
+  }
+  return text;
 }
 
 std::vector<RunningQuantity> running_quantities(const FilmBearing& bearing, bool limits) {

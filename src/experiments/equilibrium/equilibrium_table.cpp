@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium_files.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
@@ -108,19 +107,22 @@ std::string spread_lines(const EquilibriumResult& result) {
 }
 
 std::string limit_lines(const EquilibriumResult& result) {
+  const auto bound = [](const FilmLimit& limit) {
+    std::string word(name_of(limit.bounded_by));
+    std::replace(word.begin(), word.end(), '_', ' ');
+    return word;
+  };
   std::string out;
   for (const FilmLimit& limit : result.limits) {
     if (!limit.found()) continue;
     const bool speed = limit.kind == FilmLimitKind::lift_off_speed;
-    const double unit = speed ? std::numbers::pi / 30.0 : 1.0;
-    const auto size_of = [&](const OperatingPoint& point) {
-      return (speed ? std::abs(point.speed) : point.journal.norm()) / unit;
+    const auto neighbour = [&](const OperatingPoint& point, double h) {
+      return fmt::format("{} at {}", std::isnan(h) ? "none" : fmt::format("{:.4g} um", 1e6 * h),
+                         shown_limit_value(limit, speed ? std::abs(point.speed) : point.journal.norm()));
     };
-    const auto film = [](double h) { return std::isnan(h) ? "none" : fmt::format("{:.4g} um", 1e6 * h); };
-    out +=
-        fmt::format("\n{}: {:.5g} {} (minimum film thickness {} at {:.5g} {}, {} at {:.5g} {})", name_of_limit(limit),
-                    limit.value / unit, speed ? "rpm" : "N", film(limit.h_thick), size_of(limit.thick),
-                    speed ? "rpm" : "N", film(limit.h_thin), size_of(limit.thin), speed ? "rpm" : "N");
+    out += fmt::format("\n{}: {}, bounded by {} (minimum film thickness {}, {})", name_of_limit(limit),
+                       std::isnan(limit.value) ? "none" : shown_limit_value(limit, limit.value), bound(limit),
+                       neighbour(limit.thick, limit.h_thick), neighbour(limit.thin, limit.h_thin));
   }
   return out.empty() ? out : out + '\n';
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/experiments/build.hpp"
@@ -18,6 +19,8 @@ namespace {
 constexpr double step_factor = 1.25;
 constexpr int max_steps = 60;
 constexpr double last_step = 1e-3;
+/// Steps to loads below the first that are taken in search of a stable state: to a tenth of it.
+constexpr int max_smaller_loads = 10;
 
 /// Looks for one limit along a path. What is asked of the film is a demand, 1 at the start: load, or one over speed.
 class LimitSearch {
@@ -26,58 +29,119 @@ class LimitSearch {
       : stepper_(stepper), threshold_(threshold), kind_(kind), start_(start) {}
 
   FilmLimit find(const BearingState& state) {
-    Place here{1.0, thickness(state), state, 0};
-    Place there = here;
-    const bool begins_thick = is_thick(here);
-    for (int i = 0; is_thick(there) == begins_thick; ++i) {
-      if (i > 0) here = there;
-      // A film that is too thin at the start and cannot be followed to where it is thicker.
-      if (i == max_steps || std::isnan(here.h)) return nothing(Status::not_converged);
-      there = go(here, begins_thick ? here.demand * step_factor : here.demand / step_factor);
-      if (interrupted_) return nothing(Status::interrupted);
-    }
-    Place thick = begins_thick ? here : there;
-    Place thin = begins_thick ? there : here;
-    while (thin.demand - thick.demand > last_step * thick.demand) {
-      const Place middle = go(thick, 0.5 * (thick.demand + thin.demand));
-      if (interrupted_) return nothing(Status::interrupted);
-      (is_thick(middle) ? thick : thin) = middle;
-    }
-    FilmLimit limit = nothing(Status::converged);
-    limit.thick = point(thick.demand);
-    limit.thin = point(thin.demand);
-    limit.h_thick = thick.h;
-    limit.h_thin = thin.h;
-    limit.jumps = std::max(thick.jumps, thin.jumps);
-    limit.stable = stepper_.held_motions(thick.state).is_stable();
-    const double part = std::isnan(thin.h) ? 0.0 : (thick.h - threshold_) / (thick.h - thin.h);
-    limit.value = size_of(limit.thick) + part * (size_of(limit.thin) - size_of(limit.thick));
-    return limit;
+    path_ = {place(1.0, state, 0)};
+    const Status status = cross_threshold();
+    if (status == Status::converged && kind_ == FilmLimitKind::load_capacity) look_at_smaller_loads();
+    if (status == Status::converged) resolve();
+    return interrupted_ ? nothing(Status::interrupted) : status == Status::converged ? result() : nothing(status);
   }
 
   /// Nothing is known but where the search began.
   [[nodiscard]] FilmLimit nothing(Status status) const {
-    constexpr double absent = std::numeric_limits<double>::quiet_NaN();
     return {.kind = kind_,
             .status = status,
             .thick = start_,
             .thin = start_,
             .h_thick = absent,
             .h_thin = absent,
-            .value = absent,
-            .jumps = 0,
-            .stable = {}};
+            .value = absent};
   }
 
  private:
   struct Place {
     double demand{};
-    double h{};  ///< minimum film thickness, m; not a number where there is no film
+    double h{absent};  ///< minimum film thickness, m
     BearingState state;
-    int jumps{};  ///< on the way from the start
+    int jumps{};                   ///< on the way from the start
+    std::optional<bool> stable{};  ///< where the film is thick enough
   };
+  using Places = std::vector<Place>;
 
   [[nodiscard]] bool is_thick(const Place& place) const { return place.h >= threshold_; }
+  [[nodiscard]] bool counts(const Place& place) const { return is_thick(place) && place.stable.value_or(true); }
+
+  /// From the start to where the film crosses the threshold. Leaves the path in the order of rising demands.
+  Status cross_threshold() {
+    const bool begins_thick = is_thick(path_.front());
+    for (int i = 0; is_thick(path_.back()) == begins_thick && !interrupted_; ++i) {
+      // A film that is too thin at the start and cannot be followed to where it is thicker.
+      if (i == max_steps || std::isnan(path_.back().h)) return Status::not_converged;
+      const double demand = path_.back().demand;
+      path_.push_back(go(path_.back(), begins_thick ? demand * step_factor : demand / step_factor));
+    }
+    if (!begins_thick) std::reverse(path_.begin(), path_.end());
+    return Status::converged;
+  }
+
+  /// Where no state of the path counts, one under a smaller load may.
+  void look_at_smaller_loads() {
+    if (std::any_of(path_.begin(), path_.end(), [this](const Place& place) { return counts(place); })) return;
+    for (int i = 0; i < max_smaller_loads && !counts(path_.front()) && !interrupted_; ++i) {
+      Place smaller = go(path_.front(), path_.front().demand / step_factor);
+      if (!is_thick(smaller)) return;
+      path_.insert(path_.begin(), std::move(smaller));
+    }
+  }
+
+  /// Halves the steps between states of which one is thick enough, or stable, and the other is not.
+  void resolve() {
+    for (std::size_t i = 0; i + 1 < path_.size() && !interrupted_;) {
+      const Place& here = path_[i];
+      const Place& next = path_[i + 1];
+      const bool alike = is_thick(here) == is_thick(next) && counts(here) == counts(next);
+      if (alike || next.demand - here.demand <= last_step * here.demand) {
+        ++i;
+      } else {
+        path_.insert(path_.begin() + static_cast<std::ptrdiff_t>(i) + 1, go(here, 0.5 * (here.demand + next.demand)));
+      }
+    }
+  }
+
+  /// Of a path that crosses the threshold.
+  [[nodiscard]] FilmLimit result() const {
+    const auto end =
+        std::find_if_not(path_.begin(), path_.end(), [this](const Place& place) { return is_thick(place); });
+    const auto behind_last = std::find_if(std::reverse_iterator(end), path_.rend(), [this](const Place& place) {
+                               return counts(place);
+                             }).base();
+    const bool any = behind_last != path_.begin();
+    const Place& thick = *std::prev(any ? behind_last : end);
+    const Place& thin = any ? *behind_last : *end;
+    FilmLimit limit{.kind = kind_,
+                    .status = Status::converged,
+                    .bounded_by = !any || is_thick(thin) ? LimitBound::stability
+                                  : std::isnan(thin.h)   ? LimitBound::end_of_path
+                                                         : LimitBound::film_thickness,
+                    .thick = point(thick.demand),
+                    .thin = point(thin.demand),
+                    .h_thick = thick.h,
+                    .h_thin = thin.h,
+                    .value = any ? size_at(thick.demand) : absent,
+                    .jumps = std::max(thick.jumps, thin.jumps),
+                    .stable = thick.stable};
+    if (limit.bounded_by == LimitBound::film_thickness) {
+      limit.value += (thick.h - threshold_) / (thick.h - thin.h) * (size_at(thin.demand) - limit.value);
+    }
+    add_unstable(end, limit);
+    return limit;
+  }
+
+  /// What is unstable, or may be, on the path before `end`.
+  void add_unstable(Places::const_iterator end, FilmLimit& limit) const {
+    bool goes_on = false;
+    for (auto place = path_.begin(); place != end; ++place) {
+      if (!place->stable) ++limit.unknown;
+      if (!counts(*place)) {
+        const double size = size_at(place->demand);
+        if (!goes_on) limit.unstable.push_back({size, size});
+        UnstableRange& range = limit.unstable.back();
+        range = {std::min(range.from, size), std::max(range.to, size)};
+      }
+      goes_on = !counts(*place);
+    }
+    std::sort(limit.unstable.begin(), limit.unstable.end(),
+              [](const UnstableRange& a, const UnstableRange& b) { return a.from < b.from; });
+  }
 
   [[nodiscard]] OperatingPoint point(double demand) const {
     OperatingPoint point = start_;
@@ -89,28 +153,36 @@ class LimitSearch {
     return point;
   }
 
-  [[nodiscard]] double size_of(const OperatingPoint& point) const {
-    return kind_ == FilmLimitKind::lift_off_speed ? std::abs(point.speed) : point.journal.norm();
+  /// |Omega| or the load.
+  [[nodiscard]] double size_at(double demand) const {
+    return kind_ == FilmLimitKind::lift_off_speed ? std::abs(point(demand).speed) : point(demand).journal.norm();
   }
 
-  [[nodiscard]] double thickness(const BearingState& state) const {
-    return stepper_.bearing().scales.thickness * state.film.thickness.minCoeff();
+  /// With its film, and whether that lasts.
+  Place place(double demand, const BearingState& state, int jumps) {
+    Place found{.demand = demand,
+                .h = stepper_.bearing().scales.thickness * state.film.thickness.minCoeff(),
+                .state = state,
+                .jumps = jumps};
+    if (is_thick(found)) found.stable = stepper_.held_motions(state).is_stable();
+    return found;
   }
 
   /// One increment.
   Place go(const Place& from, double demand) {
-    Place to{demand, std::numeric_limits<double>::quiet_NaN(), from.state, from.jumps};
-    const FilmReport report = follow(stepper_, point(demand), to.state);
-    to.jumps += report.jumps;
-    interrupted_ = report.status == Status::interrupted;
-    if (report.status == Status::converged) to.h = thickness(to.state);
-    return to;
+    BearingState state = from.state;
+    const FilmReport report = follow(stepper_, point(demand), state);
+    const int jumps = from.jumps + report.jumps;
+    interrupted_ = interrupted_ || report.status == Status::interrupted;
+    if (report.status == Status::converged) return place(demand, state, jumps);
+    return {.demand = demand, .state = std::move(state), .jumps = jumps};
   }
 
   FilmStepper& stepper_;
   double threshold_;
   FilmLimitKind kind_;
   OperatingPoint start_;
+  Places path_;  ///< by rising demand, once the threshold is crossed
   bool interrupted_{};
 };
 
@@ -121,9 +193,9 @@ FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLi
   at_start.speeds = {speed};
   at_start.loads = {load};
   const EquilibriumResult begin =
-      find_states(bearing, at_start, input.film.h_floor, {FilmPath::load_ramp}, [&](double) { return keep_going(); });
+      find_states(bearing, at_start, thickness_floor(input), {FilmPath::load_ramp}, [&](double) { return keep_going(); });
   const RunningState& start = begin.states.front();
-  FilmStepper stepper(bearing, {.newton = {.thickness_floor = input.film.h_floor / bearing->scales.thickness},
+  FilmStepper stepper(bearing, {.newton = {.thickness_floor = thickness_floor(input) / bearing->scales.thickness},
                                 .keep_going = keep_going});
   LimitSearch search(stepper, *input.film.h_lift_off, kind, start.asked);
   return start.found() ? search.find(*start.last) : search.nothing(start.report.status);
@@ -165,13 +237,9 @@ void add_film_limits(const Case& input, EquilibriumResult& result, const std::fu
   result.limits = find_limits(result.bearing, input, progress);
   const std::vector<double>& speeds = input.equilibrium->speeds;
   const std::vector<Eigen::Vector2d>& loads = input.equilibrium->loads;
-  const auto value_at = [&result](std::size_t place) {
-    const FilmLimit& limit = result.limits[place];
-    return limit.found() ? std::optional(limit.value) : std::nullopt;
-  };
   for (RunningState& state : result.states) {
-    state.lift_off_speed = value_at(place_in(loads, state.asked.journal));
-    state.load_capacity = value_at(loads.size() + place_in(speeds, state.asked.speed));
+    state.lift_off_speed = result.limits[place_in(loads, state.asked.journal)];
+    state.load_capacity = result.limits[loads.size() + place_in(speeds, state.asked.speed)];
   }
 }
 

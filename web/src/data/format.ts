@@ -142,12 +142,14 @@ export interface SummaryHead {
   status: string;
 }
 
-/** Where the film of a running bearing becomes too thin, between two points on a path. */
+/** How far a path of a running bearing has stable states with a film that is thick enough, between two points on it. */
 export interface LimitData {
   kind: string;
   status: string;
   speed_rad_per_s?: number | null;
   load_N?: number | null;
+  bounded_by?: string | null;
+  unstable?: { from_speed_rad_per_s?: number; to_speed_rad_per_s?: number; from_load_N?: number; to_load_N?: number }[];
   thick: LimitPoint;
   thin: LimitPoint;
 }

@@ -16,31 +16,46 @@ function nameOf(limit: LimitData): string {
   return isSpeed(limit) ? `Lift-off speed under ${vectorText(x, y, 'N')}` : `Load capacity at ${speedText(speed)}`;
 }
 
-function valueText({ speed_rad_per_s: speed, load_N: load }: LimitData): string {
+function sizeText(speed: number | null | undefined, load: number | null | undefined): string {
   if (typeof speed === 'number') return speedText(speed);
-  return typeof load === 'number' ? formatQuantity(load, 'N') : '–';
+  return typeof load === 'number' ? formatQuantity(load, 'N') : 'none';
 }
 
-/** Lift-off speeds and load capacities, with the film on both sides of them; nothing where they were not asked for. */
+function unstableText({ unstable = [] }: LimitData): string {
+  const ranges = unstable.map((range) => {
+    const from = sizeText(range.from_speed_rad_per_s, range.from_load_N);
+    const to = sizeText(range.to_speed_rad_per_s, range.to_load_N);
+    return from === to ? from : `${from} to ${to}`;
+  });
+  return ranges.join(', ') || '–';
+}
+
+function boundText(limit: LimitData): string {
+  return limit.bounded_by?.replaceAll('_', ' ') ?? '–';
+}
+
+/** Lift-off speeds and load capacities, with the film on both sides of them and unstable states on the way; nothing where they were not asked for. */
 export function limitTable(states: States): HTMLElement[] {
   const { limits } = states;
   if (limits.length === 0) return [];
   const rows = limits.map((limit) => [
-    valueText(limit),
+    sizeText(limit.speed_rad_per_s, limit.load_N),
+    boundText(limit),
+    unstableText(limit),
     formatQuantity(limit.thick.h_min_m, 'm'),
     formatQuantity(limit.thin.h_min_m, 'm'),
     limit.status.replaceAll('_', ' '),
   ]);
-  const heads = ['Limit', 'value', 'film on its thick side', 'on its thin side', 'status'];
+  const heads = ['Limit', 'value', 'bounded by', 'unstable', 'film at the limit', 'film beyond it', 'status'];
   const panel = new Panel(
     {
       title: 'Lift-off speeds and load capacities',
-      subject: () => `Where the minimum film thickness crosses film.h_lift_off · ${states.label}`,
+      subject: () => `As far as states are stable with the journal held and their film is film.h_lift_off thick · ${states.label}`,
       file: () => fileName('limits', states.label),
       csv: () =>
         toCsv(
-          ['limit', 'speed_rad_per_s', 'load_N', 'h_thick_m', 'h_thin_m', 'status'],
-          limits.map((limit) => [nameOf(limit), limit.speed_rad_per_s, limit.load_N, limit.thick.h_min_m, limit.thin.h_min_m, limit.status]),
+          ['limit', 'speed_rad_per_s', 'load_N', 'bounded_by', 'unstable', 'h_thick_m', 'h_thin_m', 'status'],
+          limits.map((limit) => [nameOf(limit), limit.speed_rad_per_s, limit.load_N, boundText(limit), unstableText(limit), limit.thick.h_min_m, limit.thin.h_min_m, limit.status]),
         ),
     },
     el(

@@ -27,6 +27,52 @@ struct MeshError {
   double force{};  ///< N: of the force at the position, or of what the position under a load makes of it
 };
 
+/// What is varied until the film is as thin as film.h_lift_off.
+enum class FilmLimitKind : std::uint8_t {
+  lift_off_speed,  ///< the speed, under a load that stays
+  load_capacity,   ///< the size of the load, at a speed that stays
+};
+
+template <>
+inline constexpr auto enum_names<FilmLimitKind> = std::to_array<std::string_view>({"lift_off_speed", "load_capacity"});
+
+/// What is wrong with the states beyond a limit.
+enum class LimitBound : std::uint8_t {
+  film_thickness,  ///< the minimum film thickness is below film.h_lift_off
+  stability,       ///< unstable with the journal held
+  end_of_path,     ///< no state was found
+};
+
+template <>
+inline constexpr auto enum_names<LimitBound> = std::to_array<std::string_view>({"film_thickness", "stability",
+                                                                                "end_of_path"});
+
+/// Speeds |Omega|, rad/s, or loads, N, on a path between which all states are unstable with the journal held.
+struct UnstableRange {
+  double from{}, to{};  ///< the first and the last unstable state that was found; from <= to
+};
+
+/// How far a path has states that count: their minimum film thickness is film.h_lift_off or more, and they are stable
+/// with the journal held. States of which the latter is not known count as stable.
+struct FilmLimit {
+  FilmLimitKind kind{};
+  Status status{Status::not_converged};  ///< converged where the path was followed to where its film is too thin
+  LimitBound bounded_by{};               ///< why the neighbour beyond the limit does not count
+  /// Neighbours on the path: the last state that counts, and the one beyond it. Where no state counts, those on both
+  /// sides of film.h_lift_off.
+  OperatingPoint thick, thin;
+  double h_thick{}, h_thin{};  ///< minimum film thicknesses there, m; not a number where there is no film
+  /// |Omega|, rad/s, or the load, N: where film.h_lift_off is crossed, linear between the neighbours, or of `thick`
+  /// where something else bounds it. Not a number where no state counts.
+  double value{};
+  int jumps{};                            ///< to other branches on the way from the load ramp to the neighbours
+  std::optional<bool> stable{};           ///< of `thick`, HeldMotions::is_stable()
+  std::vector<UnstableRange> unstable{};  ///< among the states of the path that are thick enough, rising
+  int unknown{};                          ///< states of the path that are thick enough, and may be stable or not
+
+  [[nodiscard]] bool found() const { return status == Status::converged; }
+};
+
 /// A state of a bearing that runs, as it was asked for and as it was found.
 struct RunningState {
   FilmPath path{};                       ///< that led here
@@ -56,9 +102,8 @@ struct RunningState {
   std::vector<FilmWhirl> tabulated;
   /// Largest bending stress of it, Pa: of the top foil over all columns; of the bump foil where its model knows one.
   std::optional<double> top_foil_stress, bump_foil_stress;
-  /// Of limits, where they were asked for: |Omega| under its load, rad/s, and load at its speed, N. Absent where they
-  /// were not found.
-  std::optional<double> lift_off_speed, load_capacity;
+  /// Limits under its load and at its speed, where they were asked for.
+  std::optional<FilmLimit> lift_off_speed, load_capacity;
   /// |Omega| at which the torque under its load is least, rad/s: of add_least_torque_speeds().
   std::optional<double> least_torque_speed;
 
@@ -66,29 +111,6 @@ struct RunningState {
   bool instead_of_unstable{};
 
   [[nodiscard]] bool found() const { return report.status == Status::converged; }
-};
-
-/// What is varied until the film is as thin as film.h_lift_off.
-enum class FilmLimitKind : std::uint8_t {
-  lift_off_speed,  ///< the speed, under a load that stays
-  load_capacity,   ///< the size of the load, at a speed that stays
-};
-
-template <>
-inline constexpr auto enum_names<FilmLimitKind> = std::to_array<std::string_view>({"lift_off_speed", "load_capacity"});
-
-/// Where the minimum film thickness crosses film.h_lift_off, between two neighbours on a path.
-struct FilmLimit {
-  FilmLimitKind kind{};
-  Status status{Status::not_converged};  ///< converged where the crossing lies between the neighbours
-  OperatingPoint thick;                  ///< the neighbour whose film is thicker
-  OperatingPoint thin;                   ///< the one whose film is thinner, or which has none
-  double h_thick{}, h_thin{};            ///< minimum film thicknesses there, m; not a number where there is no film
-  double value{};                ///< |Omega|, rad/s, or the load, N, at the crossing; linear between the neighbours
-  int jumps{};                   ///< to other branches on the way from the load ramp to the neighbours
-  std::optional<bool> stable{};  ///< whether film and foils stay at the thicker neighbour, HeldMotions::is_stable()
-
-  [[nodiscard]] bool found() const { return status == Status::converged; }
 };
 
 /// Where another path to the same point ends in another state.

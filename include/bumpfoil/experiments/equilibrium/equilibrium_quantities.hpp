@@ -80,6 +80,12 @@ std::string name_of_state(const RunningState& state);
 /// A limit as messages call it: "lift-off speed under the load (50, 0) N".
 std::string name_of_limit(const FilmLimit& limit);
 
+/// A speed or a load of a limit as messages show it: "11241 rpm", "115.32 N".
+std::string shown_limit_value(const FilmLimit& limit, double value);
+
+/// FilmLimit::unstable as messages show it: "50 N to 115.32 N and 140 N"; empty without any.
+std::string unstable_ranges_text(const FilmLimit& limit);
+
 /// Why a state was not found, and where the last one is; empty for one that was.
 std::string running_failure(const FilmBearing& bearing, const RunningState& state);
 

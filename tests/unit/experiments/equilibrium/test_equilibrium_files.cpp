@@ -8,6 +8,7 @@
 #include <netcdf>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
@@ -325,19 +326,80 @@ TEST(EquilibriumLines, WarnOfOtherStatesAndOfSingularOnes) {
   limit.status = Status::converged;
   limit.thick = result.states[0].asked;
   limit.jumps = 2;
-  limit.stable = false;
+  limit.unstable = {{30.0, 45.0}, {70.0, 70.0}};
+  limit.unknown = 3;
   const std::vector<std::string> warnings = warning_lines(small_case(), result);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
     return line.starts_with("load capacity at 45000 rpm: the branch of states ended 2 times");
   }));
-  ASSERT_EQ(warnings.size(), before + 4);
+  ASSERT_EQ(warnings.size(), before + 5);
   const auto says = [&](std::string_view what) {
     return std::any_of(warnings.begin(), warnings.end(),
                        [what](const std::string& line) { return line.find(what) != std::string::npos; });
   };
-  EXPECT_TRUE(says("load capacity at 45000 rpm: the state there is unstable with the journal held"));
+  EXPECT_TRUE(
+      says("load capacity at 45000 rpm: states on the path do not count that are unstable with the journal held "
+           "(30 N to 45 N and 70 N)"));
+  EXPECT_TRUE(
+      says("load capacity at 45000 rpm: whether 3 states of the path are stable with the journal held is not "
+           "known; they count as stable"));
   EXPECT_TRUE(says("speed_ramp ends in another state, with a minimum film thickness of 3.25 um instead of"));
   EXPECT_TRUE(says("load (30, 0) N: the state is nearly singular: the top foil moves 1e+04 times as far"));
+}
+
+/// A load capacity that is bounded by stability, and a lift-off speed that there is none of.
+TEST(EquilibriumFiles, TellWhatBoundsALimitAndWhatIsUnstable) {
+  EquilibriumResult result = example();
+  result.with_limits = true;
+  const OperatingPoint& point = result.states[0].asked;
+  result.limits = {{.kind = FilmLimitKind::lift_off_speed,
+                    .status = Status::converged,
+                    .bounded_by = LimitBound::stability,
+                    .thick = point,
+                    .thin = point,
+                    .h_thick = 5e-6,
+                    .h_thin = absent,
+                    .value = absent,
+                    .stable = false,
+                    .unstable = {{100.0, point.speed}}},
+                   {.kind = FilmLimitKind::load_capacity,
+                    .status = Status::converged,
+                    .bounded_by = LimitBound::stability,
+                    .thick = point,
+                    .thin = point,
+                    .h_thick = 7e-6,
+                    .h_thin = 6e-6,
+                    .value = 30.0,
+                    .stable = true,
+                    .unstable = {{31.0, 40.0}, {50.0, 60.0}}}};
+  result.states[0].lift_off_speed = result.limits[0];
+  result.states[0].load_capacity = result.limits[1];
+  const std::string csv = equilibrium_csv(result);
+  std::vector<std::string> lines(3);
+  std::istringstream rows(csv);
+  for (std::string& line : lines) std::getline(rows, line);
+  EXPECT_TRUE(lines[0].ends_with(
+      ",lift_off_speed_rad_per_s,load_capacity_N,lift_off_bounded_by,lift_off_unstable_from_rad_per_s,"
+      "lift_off_unstable_to_rad_per_s,capacity_bounded_by,capacity_unstable_from_N,capacity_unstable_to_N"))
+      << csv;
+  EXPECT_TRUE(lines[1].ends_with(fmt::format(",,30,stability,100,{:.17g},stability,31,60", point.speed))) << csv;
+  EXPECT_TRUE(lines[2].ends_with(",,,,,,,,")) << csv;
+  const json limits =
+      json::parse(equilibrium_files(small_case(), result, RunStatus::complete, {}).back().contents).at("limits");
+  EXPECT_TRUE(limits.at(0).at("speed_rad_per_s").is_null());
+  EXPECT_EQ(limits.at(0).at("bounded_by"), "stability");
+  EXPECT_EQ(limits.at(0).at("unstable").at(0).at("from_speed_rad_per_s"), 100.0);
+  EXPECT_EQ(limits.at(1).at("unstable").at(1), (json{{"from_load_N", 50.0}, {"to_load_N", 60.0}}));
+  const std::string table = equilibrium_table(result);
+  EXPECT_NE(table.find(": none, bounded by stability (minimum film thickness 5 um at 45000 rpm, none at 45000 rpm)"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("load capacity at 45000 rpm: 30 N, bounded by stability"), std::string::npos) << table;
+  const std::vector<std::string> warnings = warning_lines(small_case(), result);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
+    return line.ends_with(
+        ": none, because every state on the path is unstable with the journal held (954.93 rpm to 45000 rpm)");
+  }));
 }
 
 TEST(EquilibriumLines, WarnOfStatesThatDoNotLast) {
@@ -422,6 +484,20 @@ TEST(EquilibriumFiles, AReportShowsTheFilmAndEveryBump) {
   summary["limits"] = {{{"kind", "load_capacity"}, {"status", "converged"}, {"thick", json::object()}}};
   folder.write("summary.json", summary.dump());
   EXPECT_THROW(report_json({folder.path()}, {.checked = false}), Error);
+  const json point{{"speed_rad_per_s", 1.0}, {"load_x_N", 1.0}, {"load_y_N", 0.0}, {"h_min_m", nullptr}};
+  const auto report_of = [&](const json& unstable) {
+    summary["limits"] = {{{"kind", "load_capacity"},
+                          {"status", "converged"},
+                          {"bounded_by", "stability"},
+                          {"unstable", unstable},
+                          {"thick", point},
+                          {"thin", point}}};
+    folder.write("summary.json", summary.dump());
+    return report_json({folder.path()}, {.checked = false});
+  };
+  EXPECT_NO_THROW(report_of({{{"from_load_N", 1.0}, {"to_load_N", 2.0}}}));
+  EXPECT_THROW(report_of({{{"from_load_N", 1.0}, {"to_load_N", "2"}}}), Error);
+  EXPECT_THROW(report_of("all"), Error);
 }
 
 }  // namespace

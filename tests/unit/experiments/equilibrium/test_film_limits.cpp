@@ -48,8 +48,8 @@ TEST(FilmLimits, AreTheOnesOfTheLoadAndTheSpeedOfAState) {
   ASSERT_EQ(result.limits.size(), 3U);
   ASSERT_TRUE(result.converged());
   for (const std::size_t i : {0U, 1U}) {
-    EXPECT_EQ(result.states[i].lift_off_speed, result.limits[i].value);
-    EXPECT_EQ(result.states[i].load_capacity, result.limits[2].value);
+    EXPECT_EQ(result.states[i].lift_off_speed->value, result.limits[i].value);
+    EXPECT_EQ(result.states[i].load_capacity->value, result.limits[2].value);
   }
 }
 
@@ -59,6 +59,63 @@ TEST(FilmLimits, AreFoundFromTheOtherSide) {
   ASSERT_TRUE(limits[0].found());
   EXPECT_NEAR(limits[0].value, lift_off, 0.02 * lift_off);
   EXPECT_LT(limits[1].value, 50.0);
+}
+
+/// Lightly loaded foils that are formed to the bearing flutter at their free end: no state of either path lasts.
+TEST(FilmLimits, AreNoneWhereNoStateIsStable) {
+  const std::vector<FilmLimit> limits = run_film_limits(limited_case(speed_of_rpm(45000.0), 20.0));
+  for (const FilmLimit& limit : limits) {
+    ASSERT_TRUE(limit.found());
+    EXPECT_TRUE(std::isnan(limit.value));
+    EXPECT_EQ(limit.bounded_by, LimitBound::stability);
+    EXPECT_EQ(limit.stable, false);
+    // Where the film is as thin as it may be is known all the same.
+    EXPECT_GE(limit.h_thick, 8e-6);
+    EXPECT_LT(limit.h_thin, 8e-6);
+    ASSERT_EQ(limit.unstable.size(), 1U);
+  }
+  // Down from the first speed; up from a tenth of the first load, where a stable state was looked for.
+  EXPECT_EQ(limits[0].unstable[0].from, limits[0].thick.speed);
+  EXPECT_NEAR(limits[0].unstable[0].to, speed_of_rpm(45000.0), 1e-9);
+  EXPECT_NEAR(limits[1].unstable[0].from, 20.0 * std::pow(0.8, 10), 1e-9);
+  EXPECT_EQ(limits[1].unstable[0].to, limits[1].thick.journal.x());
+}
+
+/// The same foils formed flatter, free end on the last bump: the film alone decides.
+TEST(FilmLimits, OfSeatedFoilsAreThoseOfTheFilm) {
+  Case input = limited_case(speed_of_rpm(45000.0), 20.0);
+  input.top_foil.formed_radius = {FormedTo::seated};
+  for (const FilmLimit& limit : run_film_limits(input)) {
+    ASSERT_TRUE(limit.found());
+    EXPECT_EQ(limit.bounded_by, LimitBound::film_thickness);
+    EXPECT_EQ(limit.stable, true);
+    EXPECT_TRUE(limit.unstable.empty());
+    EXPECT_EQ(limit.unknown, 0);
+    EXPECT_GT(limit.h_thick, limit.h_thin);
+  }
+}
+
+/// At 60,000 rpm the free end holds under small loads. The verdicts on both sides of the load capacity are those of
+/// states that a list of loads leads to.
+TEST(FilmLimits, EndWhereStatesBecomeUnstable) {
+  const Case input = limited_case(speed_of_rpm(60000.0), 20.0);
+  const FilmLimit limit = run_film_limits(input)[1];
+  ASSERT_TRUE(limit.found());
+  EXPECT_EQ(limit.bounded_by, LimitBound::stability);
+  EXPECT_EQ(limit.stable, true);
+  EXPECT_EQ(limit.value, limit.thick.journal.x());
+  EXPECT_GT(limit.h_thin, 8e-6);
+  ASSERT_EQ(limit.unstable.size(), 1U);
+  EXPECT_EQ(limit.unstable[0].from, limit.thin.journal.x());
+  EXPECT_NEAR(limit.unstable[0].from, limit.value, 2e-3 * limit.value);  // the last step of the search: a thousandth
+  EXPECT_GT(limit.unstable[0].to, 20.0);
+  for (const auto& [part, stable] : {std::pair(0.98, true), std::pair(1.02, false)}) {
+    Case list = input;
+    list.equilibrium->loads = {{20.0, 0.0}, {part * limit.value, 0.0}};
+    const EquilibriumResult result = run_equilibrium(list);
+    ASSERT_TRUE(result.converged());
+    EXPECT_EQ(result.states[1].held.is_stable(), stable) << part;
+  }
 }
 
 TEST(FilmLimits, NeedAThresholdAndALoad) {
