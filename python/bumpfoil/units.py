@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from .errors import CaseError
 
 #: What quantities of cases measure, in SI.
-_SI = ("m", "rad", "N", "N/m", "Pa", "rad/s", "K", "Pa*s", "Pa/m")
+_SI = ("m", "rad", "N", "N/m", "Pa", "rad/s", "K", "Pa*s", "Pa/m", "1/m**2")
 
 
 def is_quantity(value: Any) -> bool:
@@ -26,7 +26,7 @@ def case_value(quantity: Any) -> Any:
         return _listed(base.magnitude)
     for unit in _SI:
         if quantity.is_compatible_with(unit) and counts_radians == ("rad" in unit):
-            return _with_unit(_listed(_converted(quantity, unit)), unit.replace("*", " "))
+            return _with_unit(_listed(_converted(quantity, unit)), unit.replace("**", "").replace("*", " "))
     return _with_unit(_listed(quantity.magnitude), f"{quantity.units:C}")  # hertz; the reader refuses others
 
 

@@ -82,12 +82,13 @@ def test_quantities_of_pint():
         ("gas.temperature", 20, "degC", "293.15 K"),
         ("bearing.weld_angle", 0.5, "turn", "180 deg"),
         ("gas.viscosity", 0.018, "cP", "18 uPa s"),
+        ("asperity.density", 17000.0, "1/mm**2", "17000 1/mm2"),
         ("cycle.steps", 7, "", 7),
     ],
 )
 def test_any_unit_of_pint(key, number, unit, text):
     quantity = pytest.importorskip("pint").UnitRegistry().Quantity(number, unit)
-    running = bumpfoil.Case(EXAMPLES / "running.toml", cycle=bumpfoil.Case(GEN1).to_dict()["cycle"])
+    running = bumpfoil.Case(EXAMPLES / "running_from_rest.toml", cycle=bumpfoil.Case(GEN1).to_dict()["cycle"])
     table, name = key.split(".")
     held, expected = (running.replace({key: value}).to_dict()[table] for value in (quantity, text))
     if key == "friction.coefficient":

@@ -95,6 +95,8 @@ void judge_equilibrium(Judge& judge, const Case& input, const JudgedBumpFoil& /*
     if (!judge.finite(entry, speed, "rad/s")) continue;
     judge.require(speed != 0.0 || input.asperity, entry, quantity(speed, "rad/s"), "a journal at rest has no film",
                   "give a speed that is not zero, or add [asperity], which carries a load at rest");
+    judge.require_for("limits", speed != 0.0, entry, quantity(speed, "rad/s"),
+                      "has neither a lift-off speed nor a load capacity", "find limits from speeds that are not zero");
     judge.require(std::abs(speed) <= most_speed, entry, quantity(speed, "rad/s"), "is unphysical",
                   fmt::format("give at most {} rad/s either way; is the unit right?", most_speed));
   }
