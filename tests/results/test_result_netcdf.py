@@ -277,8 +277,9 @@ def written_variables(result):
 
 class Documentation(unittest.TestCase):
     TEXT = (ROOT / "docs/results.md").read_text(encoding="utf-8")
+    FORMED = re.search(r"^### Formed top foils$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
     PADS = re.search(r"^### Several pads$.*?(?=^##)", TEXT, re.MULTILINE | re.DOTALL).group(0)
-    VARIABLES = documented_variables(TEXT[: TEXT.index("\n## Running bearings")].replace(PADS, ""))
+    VARIABLES = documented_variables(TEXT[: TEXT.index("\n## Running bearings")].replace(FORMED, "").replace(PADS, ""))
 
     def test_every_variable_is_documented_with_dimensions_units_and_meaning(self):
         with tempfile.TemporaryDirectory() as directory:
@@ -301,6 +302,14 @@ class Documentation(unittest.TestCase):
                 self.assertIn(meanings[key], candidates, key)
         for name in attributes | {"status_message"}:
             self.assertIn(f"`{name}`", self.TEXT)
+
+    def test_formed_foils_have_what_is_documented_besides(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory) / "results"
+            run_cycle(folder, "--solver", "events", "--set", "top_foil.formed_radius=seated")
+            with xarray.open_dataset(folder / "result.nc") as result:
+                written = written_variables(result)
+        self.assertEqual(written, self.VARIABLES | documented_variables(self.FORMED))
 
     def test_bearings_of_pads_have_what_is_documented_besides(self):
         of_pads = documented_variables(self.PADS)
