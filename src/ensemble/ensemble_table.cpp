@@ -17,6 +17,24 @@ constexpr std::size_t quantity_width = 30;
 constexpr std::size_t quantity_unit_width = 7;
 constexpr std::size_t cell_width = 11;
 
+/// The number of columns where there is none of this name.
+std::size_t column_named(const EnsembleLayout& layout, std::string_view name) {
+  const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                  [name](const EnsembleColumn& one) { return one.meaning.name == name; });
+  return static_cast<std::size_t>(found - layout.columns.begin());
+}
+
+/// How many of the samples are stable, of running bearings.
+std::string stable_line(const EnsembleLayout& layout, const PlaceStatistics& statistics) {
+  const std::size_t stable = column_named(layout, "stable");
+  if (stable == layout.columns.size()) return "";
+  const Statistics& found = statistics.columns[stable];
+  if (found.count == 0) return "stable with the journal held: not known\n";
+  const std::string unknown = found.undefined == 0 ? "" : fmt::format("; of {} it is not known", found.undefined);
+  return fmt::format("stable with the journal held: {:.0f} of {} samples, {:.1f} %{}\n",
+                     found.mean * static_cast<double>(found.count), found.count, 100.0 * found.mean, unknown);
+}
+
 }  // namespace
 
 std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistics& statistics) {
@@ -43,6 +61,7 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
       for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
       out += '\n';
     }
+    out += stable_line(layout, statistics.places[place]);
   }
   return out;
 }
@@ -50,13 +69,8 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
 std::vector<std::string> warning_lines(const Case& input, const EnsembleLayout& layout,
                                        const EnsembleStatistics& statistics) {
   std::vector<std::string> lines = case_warnings(input);
-  const auto column = [&](std::string_view name) {
-    const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                    [name](const EnsembleColumn& one) { return one.meaning.name == name; });
-    return static_cast<std::size_t>(found - layout.columns.begin());
-  };
-  const std::size_t jumps = column("jumps");
-  const std::size_t lifted = column("lifted_bumps_at_entry");
+  const std::size_t jumps = column_named(layout, "jumps");
+  const std::size_t lifted = column_named(layout, "lifted_bumps_at_entry");
   if (jumps == layout.columns.size() || lifted == layout.columns.size()) return lines;
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     const Statistics& jumped = statistics.places[place].columns[jumps];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bumpfoil/results/quantity.hpp"
 #include "support/ensemble_cases.hpp"
 
 namespace bumpfoil {
@@ -30,6 +31,28 @@ TEST(EnsembleTable, ShowsEveryDirectionAndEveryFailure) {
   EXPECT_NE(table.find("clearance at 5 N                         "), std::string::npos) << "a unit without a value";
   EXPECT_EQ(failure_lines(layout, statistics),
             (std::vector<std::string>{"sample 17, -X: " + std::string(explanation(Status::no_modes))}));
+}
+
+TEST(EnsembleTable, TellsHowManySamplesAreStable) {
+  const EnsembleLayout states = make_ensemble_layout(test_support::running_ensemble_case(4));
+  const auto stable = std::find_if(states.columns.begin(), states.columns.end(),
+                                   [](const EnsembleColumn& one) { return one.meaning.name == "stable"; });
+  ASSERT_NE(stable, states.columns.end());
+  EnsembleStatistics statistics{.samples = 5, .places = std::vector<PlaceStatistics>(2), .failures = {}};
+  for (PlaceStatistics& place : statistics.places) place.columns.assign(states.columns.size(), statistics_of({1.0}));
+  const auto of_place = [&](std::size_t place) -> Statistics& {
+    return statistics.places[place].columns[static_cast<std::size_t>(stable - states.columns.begin())];
+  };
+  of_place(0) = statistics_of({1.0, 0.0, 1.0, 1.0, 1.0});
+  of_place(1) = statistics_of({1.0, 0.0, absent, 0.0, absent});
+  const std::string table = ensemble_table(states, statistics);
+  EXPECT_NE(table.find("\nstable with the journal held: 4 of 5 samples, 80.0 %\n"), std::string::npos) << table;
+  EXPECT_TRUE(table.ends_with("\nstable with the journal held: 1 of 3 samples, 33.3 %; of 2 it is not known\n"))
+      << table;
+
+  const EnsembleLayout cycles = make_ensemble_layout(test_support::ensemble_case(3));
+  for (PlaceStatistics& place : statistics.places) place.columns.assign(cycles.columns.size(), statistics_of({1.0}));
+  EXPECT_EQ(ensemble_table(cycles, statistics).find("stable"), std::string::npos);
 }
 
 /// Statistics over several branches are of none of them.
