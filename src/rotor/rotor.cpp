@@ -1,0 +1,134 @@
+#include "bumpfoil/rotor/rotor.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A frequency below this part of the highest one is a rigid motion.
+constexpr double rigid_frequency = 1e-6;
+
+Eigen::MatrixXd transformed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& T) {
+  return T.transpose() * A * T;
+}
+
+/// The part of a matrix that is symmetric but for round-off.
+Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& A) {
+  return 0.5 * (A + A.transpose());
+}
+
+/// Squares of natural frequencies, and the modes.
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Eigen::MatrixXd& stiffness,
+                                                                   const Eigen::MatrixXd& mass) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric_part(stiffness), symmetric_part(mass));
+}
+
+/// B of all bearings below one another.
+Eigen::MatrixXd bearing_motions(const Rotor& rotor) {
+  Eigen::MatrixXd B(2 * static_cast<Eigen::Index>(rotor.bearings.size()), rotor.size());
+  for (std::size_t i = 0; i < rotor.bearings.size(); ++i) {
+    B.middleRows(2 * static_cast<Eigen::Index>(i), 2) = rotor.bearings[i].motion;
+  }
+  return B;
+}
+
+}  // namespace
+
+Rotor make_point_mass(double mass) {
+  Rotor rotor;
+  rotor.mass = mass * Eigen::Matrix2d::Identity();
+  rotor.gyroscopic = rotor.damping = rotor.stiffness = Eigen::Matrix2d::Zero();
+  rotor.bearings.push_back({.name = "bearing 1", .z = 0.0, .motion = Eigen::Matrix2d::Identity()});
+  rotor.rigid = Eigen::Matrix2d::Identity();
+  return rotor;
+}
+
+Rotor make_rigid_rotor(const RigidRotorDesign& design) {
+  Rotor rotor;
+  rotor.mass =
+      Eigen::Vector4d(design.mass, design.mass, design.transverse_inertia, design.transverse_inertia).asDiagonal();
+  rotor.gyroscopic = rotor.damping = rotor.stiffness = Eigen::Matrix4d::Zero();
+  rotor.gyroscopic(2, 3) = design.polar_inertia;
+  rotor.gyroscopic(3, 2) = -design.polar_inertia;
+  rotor.rigid = Eigen::Matrix4d::Identity();
+  const auto station_at = [](std::string name, double z) {
+    Eigen::MatrixXd motion(2, 4);
+    motion << Eigen::Matrix2d::Identity(), z * Eigen::Matrix2d::Identity();
+    return RotorStation{.name = std::move(name), .z = z, .motion = motion};
+  };
+  for (std::size_t i = 0; i < design.bearings.size(); ++i) {
+    rotor.bearings.push_back(station_at("bearing " + std::to_string(i + 1), design.bearings[i]));
+  }
+  for (std::size_t i = 0; i < design.planes.size(); ++i) {
+    rotor.stations.push_back(station_at("plane " + std::to_string(i + 1), design.planes[i]));
+  }
+  return rotor;
+}
+
+std::vector<Eigen::Vector2d> weights_on_bearings(const Rotor& rotor, const Eigen::Vector2d& gravity) {
+  const Eigen::MatrixXd balance = (bearing_motions(rotor) * rotor.rigid).transpose();
+  BUMPFOIL_ASSERT(balance.rows() == balance.cols());
+  const Eigen::VectorXd weight = rotor.rigid.transpose() * (rotor.mass * (rotor.rigid.leftCols(2) * gravity));
+  const Eigen::VectorXd forces = balance.partialPivLu().solve(weight);
+  std::vector<Eigen::Vector2d> loads;
+  for (Eigen::Index i = 0; i < forces.size(); i += 2) loads.emplace_back(forces.segment<2>(i));
+  return loads;
+}
+
+Eigen::VectorXd free_frequencies(const Rotor& rotor) {
+  return modes_of(rotor.stiffness, rotor.mass).eigenvalues().cwiseMax(0.0).cwiseSqrt();
+}
+
+ReducedRotor reduce_rotor(const Rotor& rotor, double range, double kept) {
+  // y = lift q + rest r: lift moves the bearings by q, rest leaves them where they are.
+  const Eigen::MatrixXd B = bearing_motions(rotor);
+  const Eigen::Index n = rotor.size();
+  const Eigen::Index held = B.rows();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B.transpose());
+  const Eigen::MatrixXd Q = qr.householderQ();
+  const Eigen::MatrixXd R = qr.matrixQR().topRows(held).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd lift = Q.leftCols(held) * R.transpose().inverse();
+  const Eigen::MatrixXd rest = Q.rightCols(n - held);
+  const Eigen::MatrixXd inner_stiffness = transformed(rotor.stiffness, rest);
+  const auto modes = modes_of(inner_stiffness, transformed(rotor.mass, rest));
+  const double highest = kept * range;
+  const auto& squares = modes.eigenvalues();
+  const Eigen::Index count =
+      std::count_if(squares.begin(), squares.end(), [&](double square) { return square <= highest * highest; });
+  Eigen::MatrixXd T(n, held + count);
+  // Where the bearings are displaced, the rest follows as it does at rest.
+  T.leftCols(held) = lift - rest * inner_stiffness.ldlt().solve(rest.transpose() * rotor.stiffness * lift);
+  T.rightCols(count) = rest * modes.eigenvectors().leftCols(count);
+
+  ReducedRotor reduced;
+  reduced.rotor.mass = transformed(rotor.mass, T);
+  reduced.rotor.gyroscopic = transformed(rotor.gyroscopic, T);
+  reduced.rotor.damping = transformed(rotor.damping, T);
+  reduced.rotor.stiffness = transformed(rotor.stiffness, T);
+  const auto placed = [&](RotorStation station) {
+    station.motion = station.motion * T;
+    return station;
+  };
+  for (const RotorStation& bearing : rotor.bearings) reduced.rotor.bearings.push_back(placed(bearing));
+  for (const RotorStation& station : rotor.stations) reduced.rotor.stations.push_back(placed(station));
+  // Rigid motions are among those of the bearings: T holds them exactly.
+  reduced.rotor.rigid = T.colPivHouseholderQr().solve(rotor.rigid);
+
+  const Eigen::VectorXd before = free_frequencies(rotor);
+  const Eigen::VectorXd after = free_frequencies(reduced.rotor);
+  for (Eigen::Index i = 0; i < after.size() && before[i] <= range; ++i) {
+    if (before[i] < rigid_frequency * before[n - 1]) continue;
+    reduced.frequency_error = std::max(reduced.frequency_error, std::abs(after[i] / before[i] - 1.0));
+  }
+  return reduced;
+}
+
+}  // namespace bumpfoil
