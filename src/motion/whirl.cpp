@@ -1,0 +1,260 @@
+#include "bumpfoil/motion/whirl.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+using ComplexMatrix = Eigen::MatrixXcd;
+
+/// Whirl ratios at which the films are reduced first.
+constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0};
+/// Newton's method ends when a step is this part of |s|.
+constexpr double root_tolerance = 1e-12;
+constexpr int most_root_steps = 20;
+/// Step of the difference that gives dZ/ds, over |s|. It errs by the square of this.
+constexpr double slope_step = 1e-5;
+/// Roots of the refined equation lie this close to those of the matrix, over |s|; what goes elsewhere belonged to the
+/// films alone.
+constexpr double same_root = 1e-4;
+/// Residuals of roots.
+constexpr double largest_root_residual = 1e-8;
+/// An imaginary part below this part of |s| is round-off.
+constexpr double no_frequency = 1e-9;
+/// Width of the bracket, over the speed, that an onset is known to, and the growth over the speed that is none.
+constexpr double onset_resolution = 1e-10;
+constexpr double no_growth = 1e-10;
+constexpr int most_onset_steps = 40;
+
+/// Rotor and reduced films as a function of s.
+class WhirlEquation {
+ public:
+  WhirlEquation(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings)
+      : rotor_(rotor), bearings_(bearings), by_rate_(speed * rotor.gyroscopic + rotor.damping) {
+    BUMPFOIL_ASSERT(bearings.size() == rotor.bearings.size());
+  }
+
+  /// D(s)
+  [[nodiscard]] ComplexMatrix at(Complex s) const { return rotor_part(s) + film_part(s); }
+  [[nodiscard]] ComplexMatrix rotor_slope(Complex s) const { return 2.0 * s * rotor_.mass + by_rate_; }
+  [[nodiscard]] ComplexMatrix film_slope(Complex s) const {
+    const double h = slope_step * std::abs(s);
+    return (film_part(s + h) - film_part(s - h)) / (2.0 * h);
+  }
+
+  /// Eigenvalues s of the matrix whose unknowns are what the films store, y and T0 s y.
+  [[nodiscard]] std::vector<Complex> rates() const {
+    const double unit = bearings_.front().squeeze_time;
+    Eigen::Index stored = 0;
+    for (const FilmImpedance& bearing : bearings_) {
+      for (const ReducedForces& forces : bearing.along) stored += forces.hessenberg.rows();
+    }
+    const Eigen::Index n = rotor_.size();
+    const Eigen::Index size = stored + 2 * n;
+    // A X = sigma E X, sigma = unit s.
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
+    Eigen::MatrixXd E = Eigen::MatrixXd::Zero(size, size);
+    const Eigen::Index y = stored;
+    const Eigen::Index v = stored + n;
+    A.block(y, v, n, n).setIdentity();
+    E.block(y, y, n, n).setIdentity();
+    A.block(v, y, n, n) = -rotor_.stiffness;
+    A.block(v, v, n, n) = -by_rate_ / unit;
+    E.block(v, v, n, n) = rotor_.mass / (unit * unit);
+    Eigen::Index w = 0;
+    for (std::size_t i = 0; i < bearings_.size(); ++i) {
+      const FilmImpedance& bearing = bearings_[i];
+      const double ratio = bearing.squeeze_time / unit;
+      const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
+      for (const int axis : {0, 1}) {
+        // (1 - e H) w = e_1 q and F = moved q + e start forces w, where w is in units of `start`.
+        const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(axis));
+        const Eigen::Index m = reduced.hessenberg.rows();
+        A.block(w, w, m, m) = Eigen::MatrixXd::Identity(m, m) + bearing.shift * reduced.hessenberg;
+        A.block(w, y, 1, n) = -B.row(axis);
+        E.block(w, w, m, m) = ratio * reduced.hessenberg;
+        const Eigen::MatrixXd forces = reduced.start * B.transpose() * reduced.forces;
+        A.block(v, y, n, n) -= B.transpose() * reduced.moved * B.row(axis);
+        A.block(v, w, n, m) = bearing.shift * forces;
+        E.block(v, w, n, m) = ratio * forces;
+        w += m;
+      }
+    }
+    const double shift = bearings_.front().shift;
+    const Eigen::MatrixXd inverse = (A - shift * E).partialPivLu().solve(E);
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse, false);
+    std::vector<Complex> rates;
+    if (solver.info() != Eigen::Success) return rates;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Complex theta = solver.eigenvalues()[i];
+      if (theta != 0.0) rates.push_back((shift + 1.0 / theta) / unit);
+    }
+    return rates;
+  }
+
+  /// The root of det D near a rate.
+  [[nodiscard]] std::optional<Whirl> refined(Complex s) const {
+    Whirl found;
+    for (int i = 0; i < most_root_steps; ++i) {
+      const Eigen::JacobiSVD<ComplexMatrix> svd(at(s), Eigen::ComputeFullU | Eigen::ComputeFullV);
+      const Eigen::Index last = rotor_.size() - 1;
+      const Eigen::VectorXcd left = svd.matrixU().col(last);
+      found.shape = svd.matrixV().col(last);
+      const Complex of_rotor = left.dot(rotor_slope(s) * found.shape);
+      const Complex of_films = left.dot(film_slope(s) * found.shape);
+      found.rate = s;
+      found.residual = svd.singularValues()[last] / svd.singularValues()[0];
+      found.rotor_share = std::abs(of_rotor) / (std::abs(of_rotor) + std::abs(of_films));
+      const Complex step = svd.singularValues()[last] / (of_rotor + of_films);
+      if (!std::isfinite(std::abs(step))) return std::nullopt;
+      if (std::abs(step) <= root_tolerance * std::abs(s)) return found;
+      s -= step;
+    }
+    return found.residual <= largest_root_residual ? std::optional(found) : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] ComplexMatrix rotor_part(Complex s) const {
+    return s * s * rotor_.mass + s * by_rate_ + rotor_.stiffness.cast<Complex>();
+  }
+  [[nodiscard]] ComplexMatrix film_part(Complex s) const {
+    ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
+    for (std::size_t i = 0; i < bearings_.size(); ++i) {
+      const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
+      sum += B.transpose() * bearings_[i].at(s) * B;
+    }
+    return sum;
+  }
+
+  const Rotor& rotor_;
+  const std::vector<FilmImpedance>& bearings_;
+  Eigen::MatrixXd by_rate_;  ///< Omega G + C
+};
+
+/// Whirl::direction
+double direction_of(const Rotor& rotor, double speed, const Eigen::VectorXcd& shape) {
+  double turned = 0.0;
+  double size = 0.0;
+  for (const RotorStation& bearing : rotor.bearings) {
+    const Eigen::Vector2cd orbit = bearing.motion * shape;
+    // x = cos, y = sin of an angle that grows: conj(X) Y = -i.
+    turned -= 2.0 * (std::conj(orbit.x()) * orbit.y()).imag();
+    size += orbit.squaredNorm();
+  }
+  return size > 0.0 ? std::copysign(1.0, speed) * turned / size : 0.0;
+}
+
+bool is_inside(const WhirlWindow& window, Complex s) {
+  return s.imag() >= -no_frequency * std::abs(s) && s.imag() <= window.highest_frequency &&
+         s.real() >= -window.strongest_decay;
+}
+
+std::optional<std::vector<FilmImpedance>> impedances_at(const std::vector<CarryingBearing>& bearings,
+                                                        const std::vector<Complex>& rates, bool stuck) {
+  std::vector<FilmImpedance> impedances;
+  for (const CarryingBearing& bearing : bearings) {
+    auto impedance = bearing.stepper.impedance(bearing.state, rates, stuck);
+    if (!impedance) return std::nullopt;
+    impedances.push_back(std::move(*impedance));
+  }
+  return impedances;
+}
+
+}  // namespace
+
+double Whirl::log_decrement() const {
+  if (rate.imag() == 0.0) return std::copysign(std::numeric_limits<double>::infinity(), -rate.real());
+  return -2.0 * std::numbers::pi * rate.real() / rate.imag();
+}
+
+double Whirl::damping_ratio() const {
+  return -rate.real() / std::abs(rate);
+}
+
+WhirlWindow usual_window(double speed) {
+  return {.highest_frequency = 2.0 * std::abs(speed), .strongest_decay = std::abs(speed)};
+}
+
+std::vector<Whirl> whirls_on(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings,
+                             const WhirlWindow& window) {
+  const WhirlEquation equation(rotor, speed, bearings);
+  std::vector<Whirl> whirls;
+  for (const Complex rate : equation.rates()) {
+    if (!is_inside(window, rate)) continue;
+    std::optional<Whirl> whirl = equation.refined(rate);
+    if (!whirl || std::abs(whirl->rate - rate) > same_root * std::abs(rate)) continue;
+    const Complex s = whirl->rate;
+    const bool known = std::any_of(whirls.begin(), whirls.end(), [s](const Whirl& other) {
+      return std::abs(other.rate - s) <= same_root * std::abs(s);
+    });
+    if (known) continue;
+    if (std::abs(s.imag()) <= no_frequency * std::abs(s)) whirl->rate = s.real();
+    whirl->direction = direction_of(rotor, speed, whirl->shape);
+    whirls.push_back(std::move(*whirl));
+  }
+  std::sort(whirls.begin(), whirls.end(), [](const Whirl& a, const Whirl& b) { return a.rate.real() > b.rate.real(); });
+  return whirls;
+}
+
+std::optional<std::vector<Whirl>> find_whirls(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
+                                              const WhirlWindow& window, bool stuck) {
+  const double speed = bearings.front().state.speed;
+  std::vector<Complex> rates;
+  for (const double ratio : first_whirl_ratios) rates.emplace_back(0.0, 0.5 * ratio * window.highest_frequency);
+  const auto first = impedances_at(bearings, rates, stuck);
+  if (!first) return std::nullopt;
+  for (const Whirl& whirl : whirls_on(rotor, speed, *first, window)) rates.push_back(whirl.rate);
+  const auto second = impedances_at(bearings, rates, stuck);
+  if (!second) return std::nullopt;
+  return whirls_on(rotor, speed, *second, window);
+}
+
+std::optional<Onset> find_onset(const std::function<std::optional<std::complex<double>>(double speed)>& rate_at,
+                                double from, double to) {
+  struct Point {
+    double speed{};
+    Complex rate;
+
+    [[nodiscard]] double growth() const { return rate.real() / std::abs(speed); }
+  };
+  const auto point_at = [&](double speed) -> std::optional<Point> {
+    const std::optional<Complex> rate = rate_at(speed);
+    return rate ? std::optional(Point{speed, *rate}) : std::nullopt;
+  };
+  std::optional<Point> a = point_at(from);
+  std::optional<Point> b = point_at(to);
+  if (!a || !b || a->growth() * b->growth() > 0.0) return std::nullopt;
+  // Regula falsi, where the end that stays counts half after two steps on the same side (Illinois).
+  double growth_a = a->growth();
+  double growth_b = b->growth();
+  Point best = std::abs(growth_a) < std::abs(growth_b) ? *a : *b;
+  for (int i = 0; i < most_onset_steps && std::abs(b->speed - a->speed) > onset_resolution * std::abs(to) &&
+                  std::abs(best.growth()) > no_growth;
+       ++i) {
+    const auto middle = point_at(a->speed - growth_a * (b->speed - a->speed) / (growth_b - growth_a));
+    if (!middle) return std::nullopt;
+    best = *middle;
+    if (middle->growth() * growth_b > 0.0) {
+      growth_a *= 0.5;
+    } else {
+      a = b;
+      growth_a = growth_b;
+    }
+    b = middle;
+    growth_b = middle->growth();
+  }
+  return Onset{.speed = best.speed, .whirl_ratio = best.rate.imag() / std::abs(best.speed)};
+}
+
+}  // namespace bumpfoil

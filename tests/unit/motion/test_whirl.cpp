@@ -1,0 +1,101 @@
+#include "bumpfoil/motion/whirl.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Films that store next to nothing: Z = K + s C, as one direction that follows at once. (1 - e h) w = start q gives
+/// F = K q + shift C q + e C q for h = 0.
+FilmImpedance springs_and_dampers(const Eigen::Matrix2d& K, const Eigen::Matrix2d& C) {
+  FilmImpedance impedance{.shift = 2.0, .squeeze_time = 1e-3, .along = {}};
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    const auto column = static_cast<Eigen::Index>(axis);
+    ReducedForces& reduced = impedance.along.at(axis);
+    reduced.moved = K.col(column) + 2.0 * C.col(column) / 1e-3;
+    reduced.start = 1.0;
+    reduced.hessenberg = Matrix::Zero(1, 1);
+    reduced.forces = C.col(column) / 1e-3;
+  }
+  return impedance;
+}
+
+/// Cross-coupled springs q against dampers c: forward whirl grows, backward whirl decays, both as
+/// m s^2 + (c s + k) -+ i q = 0 says.
+TEST(Whirl, IsThatOfACrossCoupledRotor) {
+  constexpr double m = 0.8;
+  constexpr double k = 3e6;
+  constexpr double q = 4e5;
+  constexpr double c = 100.0;
+  Eigen::Matrix2d K;
+  K << k, q, -q, k;
+  const FilmImpedance impedance = springs_and_dampers(K, c * Eigen::Matrix2d::Identity());
+  ASSERT_LT((impedance.at({-30.0, 700.0}) - (K + Complex(-30.0, 700.0) * c * Eigen::Matrix2d::Identity())).norm(),
+            1e-9 * k);
+  for (const double speed : {2000.0, -2000.0}) {
+    const auto whirls = whirls_on(make_point_mass(m), speed, {impedance}, usual_window(speed));
+    ASSERT_EQ(whirls.size(), 2U);
+    for (const double turn : {1.0, -1.0}) {
+      // x + i y = e^{s t} turns from X to Y where y = -i x for Im s > 0.
+      const Complex stiffness(k, -turn * q);
+      const Complex s = (-c + std::sqrt(Complex(c * c, 0.0) - 4.0 * m * stiffness)) / (2.0 * m);
+      const Complex expected = s.imag() > 0.0 ? s : -c / m - s;
+      const Whirl& found =
+          std::abs(whirls[0].rate - expected) < std::abs(whirls[1].rate - expected) ? whirls[0] : whirls[1];
+      EXPECT_LT(std::abs(found.rate - expected), 1e-9 * std::abs(expected));
+      EXPECT_NEAR(found.direction, turn * std::copysign(1.0, speed), 1e-9);
+      EXPECT_LT(found.residual, 1e-12);
+      EXPECT_NEAR(found.log_decrement(), -2.0 * std::numbers::pi * expected.real() / expected.imag(), 1e-9);
+      EXPECT_NEAR(found.damping_ratio(), -expected.real() / std::abs(expected), 1e-9);
+      // 2 m s + c: almost all of it is the rotor's.
+      EXPECT_NEAR(found.rotor_share, 1.0 / (1.0 + c / std::abs(2.0 * m * expected)), 1e-9);
+    }
+    EXPECT_GT(whirls[0].rate.real(), 0.0);
+    EXPECT_FALSE(whirls[0].is_of_foils());
+  }
+}
+
+/// Bearings that differ in squeeze time and shift are put together right: two half springs are one.
+TEST(Whirl, AddsBearings) {
+  const Eigen::Matrix2d K = Eigen::Vector2d(2e6, 1e6).asDiagonal();
+  const Eigen::Matrix2d C = Eigen::Vector2d(50.0, 20.0).asDiagonal();
+  const Rotor rotor =
+      make_rigid_rotor({.mass = 2.0, .transverse_inertia = 1e-2, .polar_inertia = 2e-3, .bearings = {-0.1, 0.1}});
+  FilmImpedance other = springs_and_dampers(K, C);
+  other.squeeze_time = 4e-4;
+  other.shift = 0.8;
+  for (ReducedForces& reduced : other.along) reduced.forces *= 1e-3 / 4e-4;
+  const auto whirls = whirls_on(rotor, 1500.0, {springs_and_dampers(K, C), other}, usual_window(1500.0));
+  // Without tilt: m s^2 + 2 c s + 2 k = 0 along X and Y.
+  for (const int axis : {0, 1}) {
+    const double k = K(axis, axis);
+    const double c = C(axis, axis);
+    const Complex expected(-c / 2.0, std::sqrt(k - c * c / 4.0));
+    EXPECT_TRUE(std::any_of(whirls.begin(), whirls.end(), [&](const Whirl& whirl) {
+      return std::abs(whirl.rate - expected) < 1e-8 * std::abs(expected);
+    }));
+  }
+}
+
+TEST(Onset, IsWhereTheGrowthChangesItsSign) {
+  int calls = 0;
+  const auto rate = [&](double speed) -> std::optional<Complex> {
+    ++calls;
+    return Complex(speed * speed - 9e4, 0.5 * speed);
+  };
+  const auto onset = find_onset(rate, 100.0, 1000.0);
+  ASSERT_TRUE(onset.has_value());
+  EXPECT_NEAR(onset->speed, 300.0, 1e-6);
+  EXPECT_NEAR(onset->whirl_ratio, 0.5, 1e-9);
+  EXPECT_LT(calls, 20);
+  EXPECT_FALSE(find_onset(rate, 400.0, 1000.0).has_value());
+  EXPECT_FALSE(find_onset([](double) { return std::optional<Complex>(); }, 100.0, 1000.0).has_value());
+}
+
+}  // namespace
+}  // namespace bumpfoil
