@@ -47,6 +47,27 @@ test('curves over speed and load are those of equilibrium.csv', () =>
     assert.deepEqual(await panelOf(page, 'Minimum film thickness').locator('.legend li').allTextContents(), ['Speed 30000 rpm', 'Speed 45000 rpm']);
   }));
 
+test('coefficients over the speed are the synchronous ones of summary.json', () =>
+  withReport('grid.html', async (page) => {
+    await page.getByRole('combobox', { name: 'Over', exact: true }).selectOption('Speed');
+    await chooser(page, 'Load to +X').selectOption('(50, 0) N');
+    const states = summaryOf('grid').states.filter((state) => state.load_x_N === 50);
+    for (const [panel, text, letter, unit] of [['Synchronous stiffness', 'Stiffness K', 'k', 'N_per_m'], ['Synchronous damping', 'Damping c', 'c', 'N_s_per_m']]) {
+      for (const stuck of ['', '_stuck']) {
+        await page.getByRole('combobox', { name: `Quantity: ${panel}` }).selectOption(`${text}${stuck === '' ? '' : ', full stick'}`);
+        const shown = await shownIn(page, panel);
+        assert.equal(shown.length, 2);
+        shown.forEach((row, i) => {
+          assert.equal(rpm(states[i]), Number(row.speed_rpm));
+          for (const axes of ['xx', 'xy', 'yx', 'yy']) near(Number(row[`${letter}${axes}${stuck}_${unit}`]), states[i].motions[0][`${letter}${axes}${stuck}_${unit}`], 1e-5, `${panel} ${axes}${stuck}`);
+        });
+      }
+    }
+    // One of them has a line for each load.
+    await page.getByRole('combobox', { name: 'Quantity: Synchronous stiffness' }).selectOption('Kxy');
+    assert.equal((await shownIn(page, 'Synchronous stiffness')).length, 6);
+  }));
+
 test('columns of the table are called as in equilibrium.csv and summary.json', () =>
   withReport('grid.html', async (page) => {
     const columns = Object.keys((await shownIn(page, 'Results by state'))[0]).filter((name) => !['speed_rpm', 'journal_N', 'path'].includes(name));
@@ -92,6 +113,7 @@ test('film, bumps and journal are those of the state looked at', () =>
 test('stiffness and damping over frequency are those of coefficients.csv', () =>
   withReport('frequencies.html', async (page) => {
     const rows = rowsOf(readFileSync(join(folder, 'frequencies', 'coefficients.csv'), 'utf8'));
+    assert.equal(await panelOf(page, 'Synchronous stiffness').count(), 0); // those of the files are at 200 Hz
     const section = page.getByRole('region', { name: 'Frequency-dependent coefficients' });
     await section.getByRole('combobox', { name: 'Frequencies: Load to +X' }).selectOption('(20, 0) N');
     for (const [panel, letter, unit] of [['Frequency-dependent stiffness', 'k', 'N_per_m'], ['Frequency-dependent damping', 'c', 'N_s_per_m']]) {

@@ -3,6 +3,7 @@ import { pressureMap, runningLoads, thicknessChart } from '../charts/film';
 import { OverPanel, type Measure, type Part } from '../charts/over';
 import type { CaseKeys, GridData, ResultData } from '../data/format';
 import { gridWarnings } from '../data/outcome';
+import { numbersOf } from '../data/grid';
 import { capital } from '../data/run';
 import { States } from '../data/states';
 import { caseSection } from '../tables/case';
@@ -11,7 +12,7 @@ import { gridTable, namesOfFirst, type GridColumn } from '../tables/grid';
 import { limitTable } from '../tables/limits';
 import { el } from '../ui/dom';
 import { GridSelection } from '../ui/grid_selection';
-import { frequencyEntries, frequencySections } from './frequencies';
+import { frequencyEntries, frequencySections, synchronousCharts } from './frequencies';
 import { gridControls } from './grid_controls';
 import { part, type View } from './view';
 
@@ -55,10 +56,18 @@ function chartsOf(states: States): { title: string; measures: Measure[] }[] {
     ['Pressure and force', [{ all: 'Pressure', names: ['p_max', 'p_min'] }, { all: 'Force', names: ['force_x', 'force_y'] }]],
     ['Bumps', [{ names: ['highest_bump_load', 'loaded_bumps', 'lifted_bumps_at_entry'] }]],
   ];
+  const synchronous = isSynchronous(states) ? synchronousCharts(states, (name, place) => states.numberAt(name, place)) : [];
   const pads = states.pads > 1 ? [{ text: 'Forces of the pads', unit: 'N', parts: padParts(states) }] : [];
   return charts
     .map(([title, drawn]) => ({ title, measures: [...drawn.flatMap((one) => measuresOf(states, one)), ...(title === 'Pressure and force' ? pads : [])] }))
+    .flatMap((chart) => (chart.title === 'Stiffness' ? [chart, ...synchronous] : [chart]))
     .filter(({ measures }) => measures.length > 0);
+}
+
+/** Whether small motions are those at the speed of every state, and not at frequencies that were asked for. */
+function isSynchronous(states: States): boolean {
+  const speeds = numbersOf(states, 'speed');
+  return numbersOf(states, 'whirl_frequency').every((frequency, i) => Number.isNaN(frequency) || frequency === Math.abs(speeds[i] ?? NaN));
 }
 
 /** Forces of several pads. */

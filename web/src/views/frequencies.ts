@@ -31,17 +31,37 @@ export interface Motions {
   value: (name: string, place: Place) => number;
 }
 
-function columnsOf(grid: Grid, value: Motions['value']): GridColumn[] {
+/** Coefficients over the frequency, or at one that every state has. */
+type Of = '_at_frequency' | '_whirl';
+
+function columnsOf(grid: Grid, value: Motions['value'], of: Of = '_at_frequency'): GridColumn[] {
   return kinds.flatMap(({ letter, symbol, stuck }) =>
     entries.flatMap((axes): GridColumn[] => {
-      const name = `${letter}${axes}_at_frequency${stuck}`;
+      const name = `${letter}${axes}${of}${stuck}`;
       const variable = grid.variable(name);
       if (!variable) return [];
       const { unit, text } = variable;
-      const key = variable.key.replace('_at_frequency', ''); // as in coefficients.csv
+      const key = variable.key.replace(of, ''); // as in coefficients.csv
       return [{ key, name, label: `${symbol}${axes}${stuck === '' ? '' : ', full stick'}`, unit, whole: false, meaning: text, words: [], value: (place) => value(name, place) }];
     }),
   );
+}
+
+/** Stiffness, then damping: all four together, each by itself, and the same of full stick. */
+function chartsOf(columns: GridColumn[], of: Of): Measure[][] {
+  return (['N/m', 'N s/m'] as const).map((unit) =>
+    kinds.flatMap(({ letter, stuck, text }): Measure[] => {
+      const parts = columns
+        .filter((one) => one.unit === unit && one.name.startsWith(letter) && one.name.endsWith(`${of}${stuck}`))
+        .map(({ key, label, value }): Part => ({ key, text: label, has: () => true, value }));
+      return parts.length === 0 ? [] : [{ text, unit, parts }, ...parts.map((one) => ({ text: one.text, unit, parts: [one] }))];
+    }),
+  );
+}
+
+/** Charts of stiffness and damping in a whirl at the speed of every state. */
+export function synchronousCharts(grid: Grid, value: Motions['value']): { title: string; measures: Measure[] }[] {
+  return chartsOf(columnsOf(grid, value, '_whirl'), '_whirl').map((measures, i) => ({ title: i === 0 ? 'Synchronous stiffness' : 'Synchronous damping', measures }));
 }
 
 /** Of the glossary. */
@@ -62,17 +82,7 @@ export function frequencySections(grid: Grid, { id, title, coordinates, axes, va
   };
   const selection = new GridSelection([...coordinates, frequency], [frequency, ...axes]);
   const columns = columnsOf(grid, value);
-  const measures = kinds.flatMap(({ letter, stuck, text }): Measure[] => {
-    const parts = columns
-      .filter(({ name }) => name.startsWith(letter) && name.endsWith(`at_frequency${stuck}`))
-      .map(({ key, label, value: of }): Part => ({ key, text: label, has: () => true, value: of }));
-    const unit = letter === 'k' ? 'N/m' : 'N s/m';
-    return parts.length === 0 ? [] : [{ text, unit, parts }, ...parts.map((one) => ({ text: one.text, unit, parts: [one] }))];
-  });
-  const panels = (['N/m', 'N s/m'] as const).map((unit) => {
-    const own = measures.filter((one) => one.unit === unit);
-    return new OverPanel(unit === 'N/m' ? 'Frequency-dependent stiffness' : 'Frequency-dependent damping', own, selection, grid.label).root;
-  });
+  const panels = chartsOf(columns, '_at_frequency').map((own, i) => new OverPanel(i === 0 ? 'Frequency-dependent stiffness' : 'Frequency-dependent damping', own, selection, grid.label).root);
   return [
     part(
       `${id}-frequency`,
