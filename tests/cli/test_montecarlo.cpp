@@ -159,7 +159,9 @@ TEST_F(MonteCarloProgram, RunsBearingsOnTheirFilms) {
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_NE(without.errors.find("film.h_lift_off: is missing"), std::string::npos) << without.errors;
   ASSERT_EQ(run(ensemble("limits", "1") + limits).exit_code, 0);
-  ASSERT_EQ(run(alone + film + stable + std::vector<std::string>{"--limits", "--force"}).exit_code, 0);
+  std::vector<std::string> with_limits = alone;
+  with_limits.back() = (folder_.path() / "limits/ensemble.nc:0").string();
+  ASSERT_EQ(run(with_limits + film + stable + std::vector<std::string>{"--limits", "--force"}).exit_code, 0);
   const json of_limits = summary_of("limits").at("statistics").begin().value();
   const json of_one = json::parse(folder_.read("alone/summary.json")).at("limits");
   EXPECT_NEAR(of_limits.at("lift_off_speed_rad_per_s").at("mean").get<double>(),
