@@ -23,8 +23,6 @@ constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0}
 /// Newton's method ends when a step is this part of |s|.
 constexpr double root_tolerance = 1e-12;
 constexpr int most_root_steps = 20;
-/// Step of the difference that gives dZ/ds, over |s|. It errs by the square of this.
-constexpr double slope_step = 1e-5;
 /// Roots of the refined equation lie this close to those of the matrix, over |s|; what goes elsewhere belonged to the
 /// films alone.
 constexpr double same_root = 1e-4;
@@ -49,8 +47,14 @@ class WhirlEquation {
   [[nodiscard]] ComplexMatrix at(Complex s) const { return rotor_part(s) + film_part(s); }
   [[nodiscard]] ComplexMatrix rotor_slope(Complex s) const { return 2.0 * s * rotor_.mass + by_rate_; }
   [[nodiscard]] ComplexMatrix film_slope(Complex s) const {
-    const double h = slope_step * std::abs(s);
-    return (film_part(s + h) - film_part(s - h)) / (2.0 * h);
+    ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
+    for (std::size_t i = 0; i < bearings_.size(); ++i) {
+      const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
+      Eigen::Matrix2cd slope;
+      for (const int axis : {0, 1}) slope.col(axis) = slope_of(bearings_[i], axis, s);
+      sum += B.transpose() * slope * B;
+    }
+    return sum;
   }
 
   /// Eigenvalues s of the matrix whose unknowns are what the films store, y and T0 s y.
@@ -127,6 +131,16 @@ class WhirlEquation {
  private:
   [[nodiscard]] ComplexMatrix rotor_part(Complex s) const {
     return s * s * rotor_.mass + s * by_rate_ + rotor_.stiffness.cast<Complex>();
+  }
+  /// dZ/ds for displacements along an axis: that of e forces w, (1 - e H) w = start e_1.
+  static Eigen::Vector2cd slope_of(const FilmImpedance& bearing, int axis, Complex s) {
+    const ReducedForces& reduced = bearing.along.at(static_cast<std::size_t>(axis));
+    const Eigen::Index m = reduced.hessenberg.rows();
+    const Complex e = bearing.squeeze_time * s - bearing.shift;
+    const ComplexMatrix H = reduced.hessenberg.cast<Complex>();
+    const Eigen::PartialPivLU<ComplexMatrix> lu(ComplexMatrix::Identity(m, m) - e * H);
+    const Eigen::VectorXcd w = lu.solve(Eigen::VectorXcd::Unit(m, 0) * reduced.start);
+    return bearing.squeeze_time * (reduced.forces * (w + e * lu.solve(H * w)));
   }
   [[nodiscard]] ComplexMatrix film_part(Complex s) const {
     ComplexMatrix sum = ComplexMatrix::Zero(rotor_.size(), rotor_.size());
