@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/bearing/film_stepper.hpp"
+#include "bumpfoil/core/status.hpp"
+#include "bumpfoil/motion/whirl.hpp"
+#include "bumpfoil/rotor/rotor.hpp"
+
+namespace bumpfoil {
+
+/// A rotor at a speed, in the equilibrium of its bearings under its weight.
+struct SpeedPoint {
+  double speed{};  ///< Omega, rad/s
+  Status status{Status::not_reached};
+  std::vector<BearingState> states;  ///< of the bearings; empty where they were not found
+  /// All motions where slipping contacts slip on, and where all closed ones stick, the one that grows fastest first.
+  /// None where the modes leave a singular system.
+  std::optional<std::vector<Whirl>> sliding, stuck;
+
+  [[nodiscard]] const std::optional<std::vector<Whirl>>& whirls(bool of_stuck) const {
+    return of_stuck ? stuck : sliding;
+  }
+};
+
+/// Where the motion that grows fastest begins to grow, or ends to.
+struct WhirlOnset {
+  bool stuck{};
+  Onset onset;
+};
+
+/// A rotor over its speeds.
+struct SpeedMap {
+  std::vector<SpeedPoint> points;  ///< in the order of the speeds
+  std::vector<WhirlOnset> onsets;  ///< between neighbours, in their order; those of sliding contacts first
+};
+
+/// Follows the equilibria of all bearings from speed to speed, one increment each, and finds the motions at each speed
+/// and the speeds of onset between them. The first speed is reached from a cold start. To each step of the search for
+/// an onset the states go in one increment from the neighbour where the search begins. After a speed without
+/// equilibrium the others are not looked for.
+/// @param steppers    of the bearings in the order of Rotor::bearings
+/// @param gravity     m/s^2; each bearing must carry something
+/// @param speeds      rad/s, all of one sign
+/// @param keep_going  asked before every speed; false ends the map
+SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& steppers, const Eigen::Vector2d& gravity,
+                    const std::vector<double>& speeds, const std::function<bool()>& keep_going = {});
+
+}  // namespace bumpfoil
