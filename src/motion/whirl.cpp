@@ -225,6 +225,7 @@ std::optional<std::vector<Whirl>> find_whirls(const Rotor& rotor, const std::vec
                                               const WhirlWindow& window, bool stuck) {
   const double speed = bearings.front().state.speed;
   std::vector<Complex> rates;
+  rates.reserve(first_whirl_ratios.size());
   for (const double ratio : first_whirl_ratios) rates.emplace_back(0.0, 0.5 * ratio * window.highest_frequency);
   const auto first = impedances_at(bearings, rates, stuck);
   if (!first) return std::nullopt;

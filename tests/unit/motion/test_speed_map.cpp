@@ -71,16 +71,17 @@ TEST(SpeedMap, OfTwoEqualBearingsHasTheOnsetOfOne) {
   EXPECT_NEAR(two.onsets[0].onset.speed, one.onsets[0].onset.speed, 1e-8 * std::abs(one.onsets[0].onset.speed));
 }
 
+/// There is an onset before the place where it is stopped: it is not searched for any more.
 TEST(SpeedMap, EndsWhereItIsStopped) {
   FilmStepper stepper(film_reference_bearing({4, 4}));
   int asked = 0;
   const SpeedMap map = map_speeds(make_point_mass(1.0), {&stepper}, {g, 0.0},
-                                  speeds_of_rpm({-12000.0, -13000.0, -14000.0}), [&] { return ++asked < 2; });
-  ASSERT_EQ(map.points.size(), 3U);
-  EXPECT_EQ(map.points[0].status, Status::converged);
-  EXPECT_EQ(map.points[1].status, Status::interrupted);
-  EXPECT_EQ(map.points[2].status, Status::not_reached);
-  EXPECT_FALSE(map.points[1].sliding.has_value());
+                                  speeds_of_rpm({-12500.0, -13500.0, -14000.0, -15000.0}), [&] { return ++asked < 3; });
+  ASSERT_EQ(map.points.size(), 4U);
+  EXPECT_EQ(map.points[1].status, Status::converged);
+  EXPECT_EQ(map.points[2].status, Status::interrupted);
+  EXPECT_EQ(map.points[3].status, Status::not_reached);
+  EXPECT_FALSE(map.points[2].sliding.has_value());
   EXPECT_TRUE(map.onsets.empty());
 }
 
