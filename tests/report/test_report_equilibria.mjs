@@ -18,7 +18,7 @@ before(() => {
   equilibrium('back', ['equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"], ["20 N", "0 N"]]', 'film.columns_per_pitch=6', 'film.rows=16']);
   equilibrium('paths', ['equilibrium.loads=[["50 N", "0 N"]]'], ['--paths']);
   equilibrium('failed', ['equilibrium.loads=[["20 N", "0 N"], ["5000 N", "0 N"]]', 'title=</script><b>x</b>'], [], 3);
-  equilibrium('limits', ['film.h_lift_off="5 um"', 'equilibrium.loads=[["50 N", "0 N"], ["20 N", "0 N"]]'], ['--limits']);
+  equilibrium('limits', ['top_foil.formed_radius="19.05 mm"', 'film.h_lift_off="5 um"', 'equilibrium.loads=[["50 N", "0 N"], ["20 N", "0 N"]]'], ['--limits']);
   run(['film', runningFile, '-o', join(folder, 'rigid'), ...[...mesh, 'film.closed=true', 'equilibrium.path=position_ray', 'equilibrium.loads=[]', 'equilibrium.positions=[["10 um", "0 um"], ["15 um", "0 um"]]'].flatMap((pair) => ['--set', pair])]);
   equilibrium('frequencies', ['equilibrium.loads=[["20 N", "0 N"], ["50 N", "0 N"]]', 'equilibrium.frequencies=["200 Hz", "375 Hz", "750 Hz"]']);
   for (const name of ['limits', 'rigid', 'grid', 'back', 'paths', 'failed', 'frequencies']) report(`${name}.html`, name);

@@ -192,8 +192,8 @@ FilmLimit find_limit(const SharedFilmBearing& bearing, const Case& input, FilmLi
   EquilibriumSettings at_start = *input.equilibrium;
   at_start.speeds = {speed};
   at_start.loads = {load};
-  const EquilibriumResult begin =
-      find_states(bearing, at_start, thickness_floor(input), {FilmPath::load_ramp}, [&](double) { return keep_going(); });
+  const EquilibriumResult begin = find_states(bearing, at_start, thickness_floor(input), {FilmPath::load_ramp},
+                                              [&](double) { return keep_going(); });
   const RunningState& start = begin.states.front();
   FilmStepper stepper(bearing, {.newton = {.thickness_floor = thickness_floor(input) / bearing->scales.thickness},
                                 .keep_going = keep_going});

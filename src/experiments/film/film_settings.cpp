@@ -186,7 +186,8 @@ void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
   judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
-  judge.require_for("film", !input.asperity, "asperity", "", "is of journal and top foil, but film has walls in its place",
+  judge.require_for("film", !input.asperity, "asperity", "",
+                    "is of journal and top foil, but film has walls in its place",
                     "remove [asperity], or run equilibrium");
   for (const char* const command : {"equilibrium", "film"}) {
     judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
