@@ -57,7 +57,7 @@ TEST(Overrides, AreToldTheWholeKeyThatWasMeant) {
   EXPECT_EQ(meant("coeficient"), "did you mean \"friction.coefficient\"?");
   EXPECT_EQ(meant("friction_coefficient"), "did you mean \"friction.coefficient\"?");
   EXPECT_EQ(meant("Bump-Sleeve"), "did you mean \"friction.bump_sleeve\"?");
-  EXPECT_EQ(meant("radius"), "did you mean \"bearing.radius\"?");
+  EXPECT_EQ(meant("radius"), "did you mean \"bearing.radius\" or \"asperity.radius\"?");
   EXPECT_EQ(meant("clearance"), "did you mean \"bearing.radial_clearance\"?");
   EXPECT_EQ(meant("pitch"), "did you mean \"bump_foil.pitch\"?");  // and not the table path
   EXPECT_EQ(meant("thickness"), "did you mean \"bump_foil.thickness\" or \"top_foil.thickness\"?");
