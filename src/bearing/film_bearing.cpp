@@ -321,10 +321,11 @@ double sliding_friction(const FilmBearing& bearing, double speed) {
 }
 
 Eigen::Vector2d journal_force(const FilmBearing& bearing, const FoilFilmState& film, double speed) {
-  const Eigen::Vector2d of_film = film_force(bearing, film.pressure);
-  if (!bearing.surroundings.asperities) return of_film;
-  return of_film +
-         asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
+  Eigen::Vector2d force = film_force(bearing, film.pressure);
+  if (bearing.surroundings.asperities) {
+    force += asperity_force(bearing, asperity_pressures(bearing, film.thickness), sliding_friction(bearing, speed));
+  }
+  return force;
 }
 
 Vector bump_loads(const FilmBearing& bearing, const BearingState& state) {
