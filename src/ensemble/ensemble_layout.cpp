@@ -10,7 +10,6 @@
 #include "bumpfoil/experiments/cycle/failures.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
-#include "bumpfoil/model/pads.hpp"
 #include "bumpfoil/results/quantity.hpp"
 
 namespace bumpfoil {
@@ -84,16 +83,14 @@ void lay_out_cycles(const Case& input, EnsembleLayout& layout) {
 
 void lay_out_states(const Case& input, EnsembleLayout& layout) {
   // What no bearing of the case could do is its fault, and not that of what is drawn.
-  static_cast<void>(require_running_bearing(input));
+  const FilmBearing bearing = require_running_bearing(input);
   for (const RunningState& state : planned_states(*input.equilibrium, Status::not_reached)) {
     layout.places.push_back({name_of_point(state.asked), state.asked});
   }
   const bool by_load = !input.equilibrium->loads.empty();
-  add_sampled(all_running_quantities(), [&](const RunningQuantity& quantity) {
+  add_sampled(running_quantities(bearing, input.montecarlo->limits), [&](const RunningQuantity& quantity) {
     // What was asked for does not scatter.
     const bool asked = by_load ? quantity.name.starts_with("force_") : quantity.name == "x" || quantity.name == "y";
-    if (quantity.is(tag::of_pads) && count_pads(input) == 1) return;
-    if (quantity.is(tag::of_limits) && !input.montecarlo->limits) return;
     if (!asked) layout.columns.push_back(column_of(quantity));
   });
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "bumpfoil/ensemble/running_sample.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
@@ -66,9 +67,18 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
   ASSERT_EQ(layout.places.size(), 2U);
   EXPECT_EQ(layout.places[1].name, "44996.3 rpm, load (40, 0) N");
   EXPECT_EQ(layout.columns.front().meaning.name, "status");
-  // Loads are asked for, and do not scatter.
-  EXPECT_TRUE(std::none_of(layout.columns.begin(), layout.columns.end(),
-                           [](const EnsembleColumn& column) { return column.meaning.name == "force_x"; }));
+  const auto has = [](const EnsembleLayout& one, std::string_view name) {
+    return std::any_of(one.columns.begin(), one.columns.end(),
+                       [&](const EnsembleColumn& column) { return column.meaning.name == name; });
+  };
+  EXPECT_TRUE(has(layout, "h_min"));
+  // Loads are asked for, and do not scatter. Others are of pads, of limits and of rough surfaces.
+  for (const char* const name : {"force_x", "h_min_pad", "load_capacity", "asperity_share"}) {
+    EXPECT_FALSE(has(layout, name)) << name;
+  }
+  Case rough = input;
+  rough.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
+  EXPECT_TRUE(has(make_ensemble_layout(rough), "asperity_share"));
 
   const Case sampled = sampled_case(input, draw_sample(input, 0));
   const EquilibriumResult result = run_running_sample(sampled).value();
