@@ -46,9 +46,10 @@ void describe(CaseVisitor& keys, EquilibriumSettings& equilibrium) {
               "of small motions about the states, for stiffness and damping; default: that of the rotation",
               "[\"375 Hz\", \"750 Hz\"]", frequency},
              &equilibrium.frequencies);
-  keys.value({"limits", defaulted, "Limits",
-              "true: find lift-off speeds and load capacities, too, where the film is film.h_lift_off thin"},
-             &equilibrium.limits);
+  keys.value(
+      {"limits", defaulted, "Limits",
+       "true: find lift-off speeds and load capacities, too: of the last stable states at least film.h_lift_off thick"},
+      &equilibrium.limits);
   keys.value({"ross_version", defaulted, "Version of ROSS",
               "that coefficients.toml is for; 2 has synchronous coefficients alone"},
              &equilibrium.ross_version);

@@ -38,9 +38,9 @@ void describe(CaseVisitor& keys, FilmSettings& film) {
       {"columns_per_pitch", defaulted, "Columns per pitch", "of the mesh; even, so that every crest is a column"},
       &film.columns_per_pitch);
   keys.value({"rows", defaulted, "Rows", "of the mesh, on half the width"}, &film.rows);
-  keys.value(
-      {"h_floor", defaulted, "Contact threshold", "a thinner film counts as contact (touchdown)", "0.1 um", length},
-      &film.h_floor);
+  keys.value({"h_floor", defaulted, "Contact threshold",
+              "a thinner film of smooth surfaces counts as contact (touchdown)", "0.1 um", length},
+             &film.h_floor);
   keys.value(
       {"h_lift_off", optional, "Lift-off above",
        "minimum film thickness of a journal that has lifted off, such as three times the roughness", "2 um", length},

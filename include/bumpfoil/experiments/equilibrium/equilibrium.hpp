@@ -151,6 +151,9 @@ FilmBearing require_running_bearing(const Case& input);
 /// * cold_start, for every state anew: a position at once, where the journal must not touch the undeformed foils; to a
 ///   load the journal is let go, and the film marched on in time until it rests.
 ///
+/// Under a load a journal at rest, which takes asperities, comes from a cold start and a march in time on any path.
+/// From rest to the first speed it breaks loose: the state that it comes to is found in time, too.
+///
 /// A film that is started that suddenly may throw the foils onto the journal. load_ramp, position_ray and speed_ramp
 /// then begin with a cold start at the centre instead, and the journal goes to where it was to be in `steps`
 /// increments.
