@@ -34,6 +34,9 @@ constexpr std::array dimensions{
     DimensionText{Dimension::viscosity, "a viscosity", "Pa s", "\"18.5 uPa s\""},
     DimensionText{Dimension::bed_stiffness, "a stiffness per area", "Pa/m", "\"5 GPa/m\""},
     DimensionText{Dimension::per_area, "a number per area", "1/m2", "\"40000 1/mm2\""},
+    DimensionText{Dimension::mass, "a mass", "kg", "\"2 kg\""},
+    DimensionText{Dimension::moment_of_inertia, "a moment of inertia", "kg m2", "\"9e-3 kg m2\""},
+    DimensionText{Dimension::acceleration, "an acceleration", "m/s2", "\"9.81 m/s2\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.

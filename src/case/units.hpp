@@ -17,7 +17,10 @@ enum class Dimension {
   temperature,
   viscosity,
   bed_stiffness,
-  per_area
+  per_area,
+  mass,
+  moment_of_inertia,
+  acceleration,
 };
 
 /// Why a text is not the expected quantity.
