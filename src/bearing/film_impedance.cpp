@@ -36,6 +36,17 @@ Eigen::Matrix2cd FilmImpedance::at(std::complex<double> rate) const {
   return impedance;
 }
 
+FilmImpedance linear_impedance(const Eigen::Matrix2d& stiffness, const Eigen::Matrix2d& damping, double unit) {
+  // One direction that stores nothing: F = moved + e forces.
+  FilmImpedance impedance{.shift = 1.0, .squeeze_time = 1.0 / unit, .along = {}};
+  for (const Eigen::Index axis : {0, 1}) {
+    const Eigen::Vector2d forces = unit * damping.col(axis);
+    impedance.along.at(static_cast<std::size_t>(axis)) = {
+        .moved = stiffness.col(axis) + forces, .start = 1.0, .hessenberg = Matrix::Zero(1, 1), .forces = forces};
+  }
+  return impedance;
+}
+
 ShiftedRates::ShiftedRates(const std::vector<std::complex<double>>& rates, double squeeze_time) {
   for (const std::complex<double> rate : rates) shift = std::max(shift, squeeze_time * std::abs(rate));
   excess.reserve(rates.size());

@@ -1,10 +1,8 @@
 #include "bumpfoil/bearing/film_stepper.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "bearing/film_newton.hpp"
-#include "bumpfoil/contact/coulomb_contact.hpp"
 
 namespace bumpfoil {
 
@@ -82,8 +80,7 @@ std::optional<HeldMotion> FilmStepper::held_motion(const BearingState& state, bo
 HeldMotions FilmStepper::held_motions(const BearingState& state) {
   HeldMotions motions;
   motions.sliding = held_motion(state);
-  const bool any_slips = std::any_of(state.contacts.mode.begin(), state.contacts.mode.end(), slips);
-  motions.stuck = any_slips ? held_motion(state, true) : motions.sliding;
+  motions.stuck = state.contacts.any_slips() ? held_motion(state, true) : motions.sliding;
   return motions;
 }
 

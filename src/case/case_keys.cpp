@@ -16,15 +16,6 @@ namespace {
 using enum Presence;
 using enum Dimension;
 
-/// Tables under [[name]], one for each member. @param describe_member  (visitor, member) -> void
-template <typename Member, typename Describe>
-void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& members, const Describe& describe_member) {
-  keys.tables(key, members.size(), [&](CaseVisitor& inner, std::size_t i) {
-    if (i == members.size()) members.emplace_back();
-    describe_member(inner, members[i]);
-  });
-}
-
 void describe(CaseVisitor& keys, Waviness& waves) {
   keys.value({"harmonic", required, "Waves", "around the circumference", "3"}, &waves.harmonic);
   keys.value({"amplitude", required, "Amplitude", "from the mean radius", "5 um", length}, &waves.amplitude);

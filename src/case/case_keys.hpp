@@ -137,6 +137,15 @@ void settings_table(CaseVisitor& keys, const Key& key, SettingsByType& all,
   });
 }
 
+/// Tables under [[name]], one for each member. @param describe_member  (visitor, member) -> void
+template <typename Member, typename Describe>
+void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& members, const Describe& describe_member) {
+  keys.tables(key, members.size(), [&](CaseVisitor& inner, std::size_t i) {
+    if (i == members.size()) members.emplace_back();
+    describe_member(inner, members[i]);
+  });
+}
+
 /// All keys of the case file: those of the bearing and of ensembles, and those that experiments describe.
 void describe(CaseVisitor& keys, Case& input);
 

@@ -37,6 +37,7 @@ constexpr std::array dimensions{
     DimensionText{Dimension::mass, "a mass", "kg", "\"2 kg\""},
     DimensionText{Dimension::moment_of_inertia, "a moment of inertia", "kg m2", "\"9e-3 kg m2\""},
     DimensionText{Dimension::acceleration, "an acceleration", "m/s2", "\"9.81 m/s2\""},
+    DimensionText{Dimension::density, "a density", "kg/m3", "\"7800 kg/m3\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.

@@ -21,6 +21,7 @@ enum class Dimension {
   mass,
   moment_of_inertia,
   acceleration,
+  density,
 };
 
 /// Why a text is not the expected quantity.

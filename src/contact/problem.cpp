@@ -1,5 +1,7 @@
 #include "bumpfoil/contact/problem.hpp"
 
+#include <algorithm>
+
 #include "bumpfoil/contact/coulomb_contact.hpp"
 #include "bumpfoil/core/assert.hpp"
 
@@ -44,6 +46,10 @@ ContactState ContactState::unstressed(const ContactProblem& problem) {
           .normal_force = Vector::Zero(contacts),
           .friction_force = Vector::Zero(contacts),
           .mode = std::vector<ContactMode>(static_cast<std::size_t>(contacts), ContactMode::open)};
+}
+
+bool ContactState::any_slips() const {
+  return std::any_of(mode.begin(), mode.end(), slips);
 }
 
 Vector contact_gaps(const ContactProblem& problem, const Vector& initial_gap, const Vector& x) {

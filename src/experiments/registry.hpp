@@ -9,4 +9,5 @@
   EACH(path)                       \
   EACH(vibration)                  \
   EACH(film)                       \
-  EACH(equilibrium)
+  EACH(equilibrium)                \
+  EACH(stability)

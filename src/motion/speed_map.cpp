@@ -1,6 +1,9 @@
 #include "bumpfoil/motion/speed_map.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "bumpfoil/motion/branch.hpp"
@@ -11,6 +14,11 @@ namespace {
 
 /// Where journals are held at the cold start, in what a journal at the centre has everywhere, along their loads.
 constexpr double held_along_load = 0.1;
+
+/// Motions at neighbouring speeds that are more unlike than this are two. Shapes at right angles count as much as rates
+/// that are so many speeds of rotation apart.
+constexpr double another_motion = 0.3;
+constexpr double shape_counts = 0.2;
 
 /// The bearings of a rotor, and what each of them carries.
 class Carriers {
@@ -40,19 +48,32 @@ class Carriers {
     return Status::converged;
   }
 
-  [[nodiscard]] std::optional<std::vector<Whirl>> whirls(const std::vector<BearingState>& states, bool stuck) const {
+  /// Without their numbers.
+  [[nodiscard]] std::optional<SpeedMotions> motions(const std::vector<BearingState>& states, bool stuck) const {
     std::vector<CarryingBearing> bearings;
     bearings.reserve(states.size());
     for (std::size_t i = 0; i < states.size(); ++i) bearings.push_back({*steppers_[i], states[i]});
-    return find_whirls(rotor_, bearings, usual_window(states.front().speed), stuck);
+    const double speed = states.front().speed;
+    const WhirlWindow window = usual_window(speed);
+    auto free = find_whirls(rotor_, bearings, window, stuck);
+    if (!free) return std::nullopt;
+    SpeedMotions found{.whirls = std::move(free->whirls), .numbers = {}, .by_coefficients = {}};
+    const std::vector<Whirl> linear = whirls_on_coefficients(rotor_, speed, free->bearings, window);
+    if (!linear.empty()) found.by_coefficients = linear.front().rate;
+    return found;
   }
 
   /// Rate of the motion that grows fastest, in one increment from these states.
   [[nodiscard]] std::optional<std::complex<double>> rate_at(double speed, std::vector<BearingState> states,
-                                                            bool stuck) const {
+                                                            const WhirlOnset& kind) const {
     if (go_on(speed, states) != Status::converged) return std::nullopt;
-    const auto found = whirls(states, stuck);
-    return found && !found->empty() ? std::optional(found->front().rate) : std::nullopt;
+    const auto found = motions(states, kind.stuck);
+    return found ? fastest(*found, kind.by_coefficients) : std::nullopt;
+  }
+
+  static std::optional<std::complex<double>> fastest(const SpeedMotions& motions, bool by_coefficients) {
+    if (by_coefficients) return motions.by_coefficients;
+    return motions.whirls.empty() ? std::nullopt : std::optional(motions.whirls.front().rate);
   }
 
  private:
@@ -61,21 +82,96 @@ class Carriers {
   std::vector<Eigen::Vector2d> loads_;
 };
 
-bool grows(const std::vector<Whirl>& whirls) {
-  return whirls.front().rate.real() > 0.0;
+bool any_slips(const std::vector<BearingState>& states) {
+  return std::any_of(states.begin(), states.end(),
+                     [](const BearingState& state) { return state.contacts.any_slips(); });
 }
 
-void add_onsets(const Carriers& carriers, bool stuck, SpeedMap& map) {
+/// Adds the onsets of one kind. @param kind  all but the onset itself, and which way it goes
+void add_onsets(const Carriers& carriers, const WhirlOnset& kind, SpeedMap& map) {
   for (std::size_t i = 1; i < map.points.size(); ++i) {
     const SpeedPoint& a = map.points[i - 1];
     const SpeedPoint& b = map.points[i];
-    const auto is_known = [stuck](const SpeedPoint& point) {
-      return point.whirls(stuck) && !point.whirls(stuck)->empty();
-    };
-    if (!is_known(a) || !is_known(b) || grows(*a.whirls(stuck)) == grows(*b.whirls(stuck))) continue;
-    const auto rate_at = [&](double speed) { return carriers.rate_at(speed, a.states, stuck); };
-    if (const auto onset = find_onset(rate_at, a.speed, b.speed)) map.onsets.push_back({stuck, *onset});
+    if (!a.motions(kind.stuck) || !b.motions(kind.stuck)) continue;
+    const auto rate_a = Carriers::fastest(*a.motions(kind.stuck), kind.by_coefficients);
+    const auto rate_b = Carriers::fastest(*b.motions(kind.stuck), kind.by_coefficients);
+    if (!rate_a || !rate_b || (rate_a->real() > 0.0) == (rate_b->real() > 0.0)) continue;
+    const auto rate_at = [&](double speed) { return carriers.rate_at(speed, a.states, kind); };
+    const std::optional<Onset> onset = find_onset(rate_at, a.speed, b.speed);
+    if (!onset) continue;
+    WhirlOnset found = kind;
+    found.begins = (rate_b->real() > 0.0) == (std::abs(b.speed) > std::abs(a.speed));
+    found.onset = *onset;
+    map.onsets.push_back(found);
   }
+}
+
+/// A motion at the last speeds where it was met.
+struct Track {
+  std::optional<std::size_t> behind{};  ///< the speed behind the last of them, by its place
+  std::complex<double> rate;            ///< at the last
+  std::complex<double> change;          ///< from the speed before
+  Eigen::VectorXcd shape;
+};
+
+/// How unlike a motion is to what a track leads to: distance of the rates over the speed, and of the shapes.
+double unlikeness(const Track& track, const Whirl& whirl, double speed) {
+  const double overlap = std::abs(track.shape.dot(whirl.shape));
+  return std::abs(whirl.rate - track.rate - track.change) / std::abs(speed) + shape_counts * (1.0 - overlap);
+}
+
+/// Gives motions their numbers, those of their tracks: from speed to speed those that are most alike go together, pair
+/// by pair. What is like none of the speed before has a track of its own.
+void number_motions(bool stuck, std::vector<Track>& tracks, SpeedMap& map) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  struct Pair {
+    double unlikeness{};
+    std::size_t track{}, whirl{};
+  };
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    SpeedPoint& point = map.points[i];
+    std::optional<SpeedMotions>& motions = stuck ? point.stuck : point.sliding;
+    if (!motions) continue;
+    std::vector<Pair> pairs;
+    for (std::size_t k = 0; k < tracks.size(); ++k) {
+      if (tracks[k].behind != i) continue;
+      for (std::size_t w = 0; w < motions->whirls.size(); ++w) {
+        const double unlike = unlikeness(tracks[k], motions->whirls[w], point.speed);
+        if (unlike < another_motion) pairs.push_back({unlike, k, w});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.unlikeness < b.unlikeness; });
+    motions->numbers.assign(motions->whirls.size(), none);
+    for (const auto& [unlike, k, w] : pairs) {
+      if (motions->numbers[w] != none || tracks[k].behind != i) continue;
+      motions->numbers[w] = k;
+      const Whirl& whirl = motions->whirls[w];
+      tracks[k] = {i + 1, whirl.rate, whirl.rate - tracks[k].rate, whirl.shape};
+    }
+    for (std::size_t w = 0; w < motions->whirls.size(); ++w) {
+      if (motions->numbers[w] != none) continue;
+      motions->numbers[w] = tracks.size();
+      tracks.push_back({i + 1, motions->whirls[w].rate, 0.0, motions->whirls[w].shape});
+    }
+  }
+}
+
+/// Numbers all motions. Those of stuck contacts have the numbers of those of sliding ones that they are like at the
+/// first speed.
+void number_all_motions(SpeedMap& map) {
+  std::vector<Track> tracks;
+  number_motions(false, tracks, map);
+  for (Track& track : tracks) track.behind.reset();
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    const auto& sliding = map.points[i].sliding;
+    if (!sliding || !map.points[i].stuck) continue;
+    for (std::size_t w = 0; w < sliding->whirls.size(); ++w) {
+      tracks[sliding->numbers[w]] = {i, sliding->whirls[w].rate, 0.0, sliding->whirls[w].shape};
+    }
+    break;
+  }
+  number_motions(true, tracks, map);
+  map.motions = tracks.size();
 }
 
 }  // namespace
@@ -97,11 +193,16 @@ SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& stepper
     point.status = status;
     if (status != Status::converged) continue;
     point.states = states;
-    point.sliding = carriers.whirls(states, false);
-    point.stuck = carriers.whirls(states, true);
+    point.sliding = carriers.motions(states, false);
+    point.stuck = any_slips(states) ? carriers.motions(states, true) : point.sliding;
   }
+  number_all_motions(map);
   if (status == Status::interrupted) return map;
-  for (const bool stuck : {false, true}) add_onsets(carriers, stuck, map);
+  for (const bool by_coefficients : {false, true}) {
+    for (const bool stuck : {false, true}) {
+      add_onsets(carriers, {.stuck = stuck, .by_coefficients = by_coefficients, .begins = {}, .onset = {}}, map);
+    }
+  }
   return map;
 }
 

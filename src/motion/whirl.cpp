@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 using ComplexMatrix = Eigen::MatrixXcd;
 
 /// Whirl ratios at which the films are reduced first.
-constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0};
+constexpr std::array first_whirl_ratios{0.05, 0.2, 0.4, 0.5, 0.7, 1.0, 1.5, 2.0};  // 1: for what is synchronous
 /// Newton's method ends when a step is this part of |s|.
 constexpr double root_tolerance = 1e-12;
 constexpr int most_root_steps = 20;
@@ -221,18 +221,31 @@ std::vector<Whirl> whirls_on(const Rotor& rotor, double speed, const std::vector
   return whirls;
 }
 
-std::optional<std::vector<Whirl>> find_whirls(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
-                                              const WhirlWindow& window, bool stuck) {
+std::optional<FreeMotions> find_whirls(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
+                                       const WhirlWindow& window, bool stuck) {
   const double speed = bearings.front().state.speed;
   std::vector<Complex> rates;
   rates.reserve(first_whirl_ratios.size());
-  for (const double ratio : first_whirl_ratios) rates.emplace_back(0.0, 0.5 * ratio * window.highest_frequency);
+  for (const double ratio : first_whirl_ratios) rates.emplace_back(0.0, ratio * std::abs(speed));
   const auto first = impedances_at(bearings, rates, stuck);
   if (!first) return std::nullopt;
   for (const Whirl& whirl : whirls_on(rotor, speed, *first, window)) rates.push_back(whirl.rate);
-  const auto second = impedances_at(bearings, rates, stuck);
+  auto second = impedances_at(bearings, rates, stuck);
   if (!second) return std::nullopt;
-  return whirls_on(rotor, speed, *second, window);
+  std::vector<Whirl> whirls = whirls_on(rotor, speed, *second, window);
+  return FreeMotions{std::move(whirls), std::move(*second)};
+}
+
+std::vector<Whirl> whirls_on_coefficients(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings,
+                                          const WhirlWindow& window) {
+  const double frequency = std::abs(speed);
+  std::vector<FilmImpedance> linear;
+  linear.reserve(bearings.size());
+  for (const FilmImpedance& bearing : bearings) {
+    const Eigen::Matrix2cd Z = bearing.at({0.0, frequency});
+    linear.push_back(linear_impedance(Z.real(), Z.imag() / frequency, frequency));
+  }
+  return whirls_on(rotor, speed, linear, window);
 }
 
 std::optional<Onset> find_onset(const std::function<std::optional<std::complex<double>>(double speed)>& rate_at,

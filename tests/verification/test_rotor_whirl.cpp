@@ -25,9 +25,15 @@ using Complex = std::complex<double>;
 
 constexpr double gravity = 9.81;  // m/s^2
 
+std::optional<std::vector<Whirl>> motions_of(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
+                                             const WhirlWindow& window, bool stuck = false) {
+  auto found = find_whirls(rotor, bearings, window, stuck);
+  return found ? std::optional(std::move(found->whirls)) : std::nullopt;
+}
+
 /// The least stable motion of a rotor, in speeds of rotation.
 Complex worst_rate(const Rotor& rotor, FilmStepper& stepper, const BearingState& state, bool stuck = false) {
-  const auto whirls = find_whirls(rotor, {{stepper, state}}, usual_window(state.speed), stuck);
+  const auto whirls = motions_of(rotor, {{stepper, state}}, usual_window(state.speed), stuck);
   EXPECT_TRUE(whirls.has_value());
   if (!whirls) return {};
   EXPECT_FALSE(whirls->empty());
@@ -104,7 +110,7 @@ struct TwoBearings {
 
 TEST(RotorWhirl, OfARigidRotorIsAsInThePrototype) {
   TwoBearings machine;
-  const auto whirls = find_whirls(machine.rotor, machine.bearings(), usual_window(machine.speed));
+  const auto whirls = motions_of(machine.rotor, machine.bearings(), usual_window(machine.speed));
   ASSERT_TRUE(whirls.has_value());
   for (const Complex expected :
        {Complex(-0.0856954523001663, 0.6047456469655614), Complex(-0.22673431550792483, 0.6758409745663876)}) {
@@ -178,8 +184,8 @@ TEST(RotorWhirl, OfTwoEqualBearingsIsThatOfAPointMass) {
   const BearingState state = state_under(stepper, {gravity, 0.0}, speed);
   const Rotor rigid =
       make_rigid_rotor({.mass = 2.0, .transverse_inertia = 5e-3, .polar_inertia = 1e-3, .bearings = {-0.05, 0.05}});
-  const auto one = find_whirls(make_point_mass(1.0), {{stepper, state}}, usual_window(speed));
-  const auto two = find_whirls(rigid, {{stepper, state}, {stepper, state}}, usual_window(speed));
+  const auto one = motions_of(make_point_mass(1.0), {{stepper, state}}, usual_window(speed));
+  const auto two = motions_of(rigid, {{stepper, state}, {stepper, state}}, usual_window(speed));
   ASSERT_TRUE(one && two);
   for (const Whirl& whirl : *one) {
     const double nearest =
@@ -202,7 +208,7 @@ TEST(RotorWhirl, TellsFoilsFromTheRotor) {
   ASSERT_TRUE(held.has_value());
   // The heavier, the closer to the poles that the reduced film has in either direction: each motion is named once.
   for (const double mass : {1e4, 1e6}) {
-    const auto whirls = find_whirls(make_point_mass(mass), {{stepper, state}}, usual_window(speed));
+    const auto whirls = motions_of(make_point_mass(mass), {{stepper, state}}, usual_window(speed));
     ASSERT_TRUE(whirls.has_value());
     ASSERT_FALSE(whirls->empty());
     EXPECT_LT(std::abs(whirls->front().rate - held->rate), 1e-3 * std::abs(speed));

@@ -32,4 +32,10 @@ struct FilmImpedance {
   [[nodiscard]] Eigen::Matrix2cd at(std::complex<double> rate) const;
 };
 
+/// Springs and dampers in place of a film: Z(s) = K + s C.
+/// @param stiffness  K, N/m
+/// @param damping    C, N s/m
+/// @param unit       a usual size of |s|, 1/s
+FilmImpedance linear_impedance(const Eigen::Matrix2d& stiffness, const Eigen::Matrix2d& damping, double unit);
+
 }  // namespace bumpfoil

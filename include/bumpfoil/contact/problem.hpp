@@ -113,6 +113,8 @@ struct ContactState {
 
   /// Unstressed foils before assembly: nothing displaced, all contacts just touching without force.
   static ContactState unstressed(const ContactProblem& problem);
+
+  [[nodiscard]] bool any_slips() const;
 };
 
 /// Gaps g = g0 + x[plus] - x[minus] of all contacts, m.

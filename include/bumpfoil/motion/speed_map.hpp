@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -12,30 +14,41 @@
 
 namespace bumpfoil {
 
+/// Free motions of a rotor at one of its speeds.
+struct SpeedMotions {
+  std::vector<Whirl> whirls;  ///< the one that grows fastest first
+  /// Of each: which motion it is, from 0. It keeps its number from speed to speed.
+  std::vector<std::size_t> numbers;
+  /// Rate of the motion that grows fastest by synchronous coefficients, see whirls_on_coefficients().
+  std::optional<std::complex<double>> by_coefficients;
+};
+
 /// A rotor at a speed, in the equilibrium of its bearings under its weight.
 struct SpeedPoint {
   double speed{};  ///< Omega, rad/s
   Status status{Status::not_reached};
   std::vector<BearingState> states;  ///< of the bearings; empty where they were not found
-  /// All motions where slipping contacts slip on, and where all closed ones stick, the one that grows fastest first.
-  /// None where the modes leave a singular system.
-  std::optional<std::vector<Whirl>> sliding, stuck;
+  /// Where slipping contacts slip on, and where all closed ones stick. None where the modes leave a singular system.
+  std::optional<SpeedMotions> sliding, stuck;
 
-  [[nodiscard]] const std::optional<std::vector<Whirl>>& whirls(bool of_stuck) const {
-    return of_stuck ? stuck : sliding;
-  }
+  [[nodiscard]] const std::optional<SpeedMotions>& motions(bool of_stuck) const { return of_stuck ? stuck : sliding; }
 };
 
 /// Where the motion that grows fastest begins to grow, or ends to.
 struct WhirlOnset {
   bool stuck{};
+  bool by_coefficients{};  ///< as synchronous coefficients have it
+  bool begins{};           ///< it grows at higher |Omega|
   Onset onset;
 };
 
 /// A rotor over its speeds.
 struct SpeedMap {
   std::vector<SpeedPoint> points;  ///< in the order of the speeds
-  std::vector<WhirlOnset> onsets;  ///< between neighbours, in their order; those of sliding contacts first
+  /// Between neighbours, in their order; those of sliding contacts first, then of stuck ones, then by coefficients in
+  /// the same way.
+  std::vector<WhirlOnset> onsets;
+  std::size_t motions{};  ///< their numbers are below this
 };
 
 /// Follows the equilibria of all bearings from speed to speed, one increment each, and finds the motions at each speed

@@ -54,12 +54,24 @@ struct CarryingBearing {
   const BearingState& state;
 };
 
-/// The same about states of the bearings, which all turn at one speed. The films are reduced twice: where they are
-/// likely to whirl, and then at the motions found, so that D(s) has errors of 1e-10 there.
+/// Free motions about states of bearings.
+struct FreeMotions {
+  std::vector<Whirl> whirls;            ///< the one that grows fastest first
+  std::vector<FilmImpedance> bearings;  ///< Z_i, as they were reduced for these motions and for i |Omega|
+};
+
+/// All motions in a window about states of the bearings, which all turn at one speed. The films are reduced twice:
+/// where they are likely to whirl, and then at the motions found, so that D(s) has errors of 1e-10 there.
 /// @param stuck  slipping contacts stick, as under a small whirl after some revolutions
 /// @return nothing if the modes of contacts leave a singular system
-std::optional<std::vector<Whirl>> find_whirls(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
-                                              const WhirlWindow& window, bool stuck = false);
+std::optional<FreeMotions> find_whirls(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
+                                       const WhirlWindow& window, bool stuck = false);
+
+/// What synchronous coefficients say of the same rotor: its motions on Z_i(s) = K_i + s C_i with the stiffness
+/// K_i = Re Z_i(i |Omega|) and the damping C_i = Im Z_i(i |Omega|) / |Omega|. A whirl is not synchronous, so that they
+/// may be far off.
+std::vector<Whirl> whirls_on_coefficients(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings,
+                                          const WhirlWindow& window);
 
 /// Where a rotor begins to whirl.
 struct Onset {

@@ -15,6 +15,8 @@ struct ShaftSection {
   double youngs_modulus{};  ///< E, Pa
   double poisson_ratio{};
   double density{};  ///< kg/m^3
+
+  bool operator==(const ShaftSection&) const = default;
 };
 
 /// A rigid disc on a shaft.
@@ -23,6 +25,8 @@ struct ShaftDisc {
   double mass{};                ///< kg
   double transverse_inertia{};  ///< about a diameter through its centre of mass, kg m^2
   double polar_inertia{};       ///< about the axis, kg m^2
+
+  bool operator==(const ShaftDisc&) const = default;
 };
 
 /// A disc of constant thickness with a hole.

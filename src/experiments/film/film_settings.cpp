@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "bumpfoil/model/case_names.hpp"
@@ -88,15 +89,15 @@ void describe(CaseVisitor& keys, AsperitySettings& asperity) {
 void describe_film(CaseVisitor& keys, Case& input) {
   using enum Presence;
   defaulted_table(keys,
-                  {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium and film"},
+                  {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium, film and stability"},
                   input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
   defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
                   [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
   optional_table(
       keys,
       {"asperity", optional, "Mixed contact",
-       "rough surfaces of journal and top foil that touch where the film is thin, for the command equilibrium; "
-       "none: smooth"},
+       "rough surfaces of journal and top foil that touch where the film is thin, for the commands equilibrium and "
+       "stability; none: smooth"},
       input.asperity, [](CaseVisitor& inner, AsperitySettings& asperity) { describe(inner, asperity); });
 }
 
@@ -124,9 +125,11 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
   judge.within("gas.mean_free_path", gas.mean_free_path, free_path_range);
 }
 
+/// Commands that compute films.
+constexpr std::array film_commands{"equilibrium", "film", "stability"};
+
 /// @param bumps  their number, 0 where that is not usable
-/// @param runs   whether there is to be a film
-void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
+void judge_film(Judge& judge, const FilmSettings& film, int bumps) {
   const int columns = film.columns_per_pitch;
   const bool columns_right = judge.require(
       columns >= 4 && columns <= most_columns && columns % 2 == 0, "film.columns_per_pitch", std::to_string(columns),
@@ -134,10 +137,10 @@ void judge_film(Judge& judge, const FilmSettings& film, int bumps, bool runs) {
   const bool rows_right =
       judge.require(film.rows >= 2 && film.rows <= most_film_rows, "film.rows", std::to_string(film.rows),
                     "is not a valid number of rows", fmt::format("give a whole number from 2 to {}", most_film_rows));
-  if (runs && columns_right && rows_right) {
+  if (columns_right && rows_right) {
     const double bytes = static_cast<double>(bumps) * film.rows * film.rows *
                          (bytes_at_crest + bytes_of_column * static_cast<double>(columns));
-    for (const char* const command : {"equilibrium", "film"}) {
+    for (const char* const command : film_commands) {
       judge.require_for(command, bytes <= most_film_bytes, "film.columns_per_pitch", std::to_string(columns),
                         fmt::format("makes {} columns of {} rows, which need about {:.2g} GB of memory",
                                     columns * bumps, film.rows, 1e-9 * bytes),
@@ -185,11 +188,11 @@ void judge_asperity(Judge& judge, const AsperitySettings& asperity) {
 void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
   judge_gas(judge, input.gas);
   if (input.asperity) judge_asperity(judge, *input.asperity);
-  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0, input.equilibrium.has_value());
+  judge_film(judge, input.film, foil.bumps ? total_bumps(input) : 0);
   judge.require_for("film", !input.asperity, "asperity", "",
                     "is of journal and top foil, but film has walls in its place",
                     "remove [asperity], or run equilibrium");
-  for (const char* const command : {"equilibrium", "film"}) {
+  for (const char* const command : film_commands) {
     judge.require_for(command, input.bearing.journal == RadiusProfile{}, "bearing", "",
                       "has an out-of-round journal, under which a film is never steady",
                       "remove journal_waviness and journal_profile");

@@ -27,11 +27,11 @@ TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {
   for (const SpeedPoint& point : map.points) {
     ASSERT_EQ(point.status, Status::converged);
     ASSERT_TRUE(point.sliding && point.stuck);
-    ASSERT_EQ(point.sliding->size(), point.stuck->size());
+    ASSERT_EQ(point.sliding->whirls.size(), point.stuck->whirls.size());
     EXPECT_EQ(point.states.front().speed, point.speed);
-    const Whirl& worst = point.sliding->front();
+    const Whirl& worst = point.sliding->whirls.front();
     EXPECT_GT(worst.direction, 0.5);
-    EXPECT_NEAR(std::abs(worst.rate - point.stuck->front().rate), 0.0, 1e-9 * std::abs(worst.rate));
+    EXPECT_NEAR(std::abs(worst.rate - point.stuck->whirls.front().rate), 0.0, 1e-9 * std::abs(worst.rate));
     EXPECT_EQ(worst.rate.real() > 0.0, std::abs(point.speed) > speed_of_rpm(13072.4));
   }
   ASSERT_EQ(map.onsets.size(), 2U);

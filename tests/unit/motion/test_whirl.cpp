@@ -10,21 +10,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Films that store next to nothing: Z = K + s C, as one direction that follows at once. (1 - e h) w = start q gives
-/// F = K q + shift C q + e C q for h = 0.
-FilmImpedance springs_and_dampers(const Eigen::Matrix2d& K, const Eigen::Matrix2d& C) {
-  FilmImpedance impedance{.shift = 2.0, .squeeze_time = 1e-3, .along = {}};
-  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-    const auto column = static_cast<Eigen::Index>(axis);
-    ReducedForces& reduced = impedance.along.at(axis);
-    reduced.moved = K.col(column) + 2.0 * C.col(column) / 1e-3;
-    reduced.start = 1.0;
-    reduced.hessenberg = Matrix::Zero(1, 1);
-    reduced.forces = C.col(column) / 1e-3;
-  }
-  return impedance;
-}
-
 /// Cross-coupled springs q against dampers c: forward whirl grows, backward whirl decays, both as
 /// m s^2 + (c s + k) -+ i q = 0 says.
 TEST(Whirl, IsThatOfACrossCoupledRotor) {
@@ -34,7 +19,7 @@ TEST(Whirl, IsThatOfACrossCoupledRotor) {
   constexpr double c = 100.0;
   Eigen::Matrix2d K;
   K << k, q, -q, k;
-  const FilmImpedance impedance = springs_and_dampers(K, c * Eigen::Matrix2d::Identity());
+  const FilmImpedance impedance = linear_impedance(K, c * Eigen::Matrix2d::Identity(), 1000.0);
   ASSERT_LT((impedance.at({-30.0, 700.0}) - (K + Complex(-30.0, 700.0) * c * Eigen::Matrix2d::Identity())).norm(),
             1e-9 * k);
   for (const double speed : {2000.0, -2000.0}) {
@@ -66,11 +51,8 @@ TEST(Whirl, AddsBearings) {
   const Eigen::Matrix2d C = Eigen::Vector2d(50.0, 20.0).asDiagonal();
   const Rotor rotor =
       make_rigid_rotor({.mass = 2.0, .transverse_inertia = 1e-2, .polar_inertia = 2e-3, .bearings = {-0.1, 0.1}});
-  FilmImpedance other = springs_and_dampers(K, C);
-  other.squeeze_time = 4e-4;
-  other.shift = 0.8;
-  for (ReducedForces& reduced : other.along) reduced.forces *= 1e-3 / 4e-4;
-  const auto whirls = whirls_on(rotor, 1500.0, {springs_and_dampers(K, C), other}, usual_window(1500.0));
+  const auto whirls =
+      whirls_on(rotor, 1500.0, {linear_impedance(K, C, 1000.0), linear_impedance(K, C, 2500.0)}, usual_window(1500.0));
   // Without tilt: m s^2 + 2 c s + 2 k = 0 along X and Y.
   for (const int axis : {0, 1}) {
     const double k = K(axis, axis);
@@ -79,6 +61,19 @@ TEST(Whirl, AddsBearings) {
     EXPECT_TRUE(std::any_of(whirls.begin(), whirls.end(), [&](const Whirl& whirl) {
       return std::abs(whirl.rate - expected) < 1e-8 * std::abs(expected);
     }));
+  }
+}
+
+/// Coefficients of a spring and a damper are themselves, at any speed.
+TEST(Whirl, OnCoefficientsOfSpringsIsThatOnSprings) {
+  const Eigen::Matrix2d K = (Eigen::Matrix2d() << 3e6, 4e5, -3e5, 2e6).finished();
+  const std::vector<FilmImpedance> springs{linear_impedance(K, Eigen::Vector2d(80.0, 60.0).asDiagonal(), 1000.0)};
+  const WhirlWindow window = usual_window(-2500.0);
+  const auto exact = whirls_on(make_point_mass(0.8), -2500.0, springs, window);
+  const auto found = whirls_on_coefficients(make_point_mass(0.8), -2500.0, springs, window);
+  ASSERT_EQ(found.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(std::abs(found[i].rate - exact.at(i).rate), 1e-9 * std::abs(exact[i].rate));
   }
 }
 

@@ -1,0 +1,227 @@
+#include "bumpfoil/experiments/rotor_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "bumpfoil/core/error.hpp"
+#include "case/case_keys.hpp"
+#include "experiments/rotor_keys.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Elements that a shaft is cut into at least.
+constexpr double shaft_elements = 60.0;
+
+constexpr Range mass_range{1e-6, 1e6, "kg"};
+constexpr Range inertia_range{1e-15, 1e6, "kg m2"};
+constexpr Range density_of_shaft_range{1.0, 1e5, "kg/m3"};
+constexpr double most_gravity = 1e5;  // m/s^2
+/// A bearing that carries a smaller part of the weight than this carries none.
+constexpr double least_share = 1e-6;
+
+double length_of(const std::vector<ShaftSection>& shaft) {
+  return std::accumulate(shaft.begin(), shaft.end(), 0.0,
+                         [](double sum, const ShaftSection& section) { return sum + section.length; });
+}
+
+Rotor full_rotor(const RotorSettings& settings) {
+  if (!settings.tilts()) return make_point_mass(0.5 * settings.mass.value_or(0.0));
+  if (settings.is_flexible()) {
+    return make_flexible_rotor({.sections = settings.shaft,
+                                .discs = settings.disks,
+                                .bearings = settings.bearings,
+                                .longest_element = length_of(settings.shaft) / shaft_elements});
+  }
+  return make_rigid_rotor({.mass = settings.mass.value_or(0.0),
+                           .transverse_inertia = settings.transverse_inertia.value_or(0.0),
+                           .polar_inertia = settings.polar_inertia.value_or(0.0),
+                           .bearings = settings.bearings});
+}
+
+void describe(CaseVisitor& keys, ShaftSection& section) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value({"length", required, "Length", "", "40 mm", length}, &section.length);
+  keys.value({"outer_diameter", required, "Outer diameter", "", "38 mm", length}, &section.outer_diameter);
+  keys.value({"inner_diameter", defaulted, "Inner diameter", "0: solid", "0 mm", length}, &section.inner_diameter);
+  keys.value({"youngs_modulus", required, "Young's modulus", "", "210 GPa", pressure}, &section.youngs_modulus);
+  keys.value({"poisson_ratio", required, "Poisson's ratio", "", "0.3"}, &section.poisson_ratio);
+  keys.value({"density", required, "Density", "", "7800 kg/m3", density}, &section.density);
+}
+
+void describe(CaseVisitor& keys, ShaftDisc& disk) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value({"at", required, "Place", "of its centre of mass, from the begin of the shaft", "150 mm", length},
+             &disk.z);
+  keys.value({"mass", required, "Mass", "", "0.3 kg", mass}, &disk.mass);
+  keys.value(
+      {"transverse_inertia", required, "Transverse inertia", "about a diameter", "1e-4 kg m2", moment_of_inertia},
+      &disk.transverse_inertia);
+  keys.value({"polar_inertia", required, "Polar inertia", "about the axis", "2e-4 kg m2", moment_of_inertia},
+             &disk.polar_inertia);
+}
+
+void describe(CaseVisitor& keys, RotorSettings& rotor) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value(
+      {"mass", optional, "Mass",
+       "of the rotor, half on each of two equal bearings; that of a flexible one follows from its shaft", "2 kg", mass},
+      &rotor.mass);
+  keys.value({"gravity", defaulted, "Gravity", "along X and Y", "[\"0 m/s2\", \"-9.81 m/s2\"]", acceleration},
+             &rotor.gravity);
+  keys.value({"bearings", optional, "Bearings",
+              "places along the axis, of a rotor that tilts: from the centre of mass of a rigid one, from the begin of "
+              "a shaft",
+              "[\"-50 mm\", \"60 mm\"]", length},
+             &rotor.bearings);
+  keys.value(
+      {"transverse_inertia", optional, "Transverse inertia",
+       "of a rigid rotor that tilts, about a diameter through its centre of mass", "9e-3 kg m2", moment_of_inertia},
+      &rotor.transverse_inertia);
+  keys.value({"polar_inertia", optional, "Polar inertia", "of a rigid rotor that tilts, about its axis", "1.1e-3 kg m2",
+              moment_of_inertia},
+             &rotor.polar_inertia);
+  list_of_tables(keys, {"shaft", optional, "Shaft", "a piece of a flexible shaft, one after the other"}, rotor.shaft,
+                 [](CaseVisitor& inner, ShaftSection& section) { describe(inner, section); });
+  list_of_tables(keys, {"disk", optional, "Disk", "rigid, on the shaft"}, rotor.disks,
+                 [](CaseVisitor& inner, ShaftDisc& disk) { describe(inner, disk); });
+}
+
+/// Positive numbers that may be absent.
+bool judge_optional(Judge& judge, const std::string& key, const std::optional<double>& value, const Range& range) {
+  return !value || judge.within(key, *value, range);
+}
+
+bool judge_shaft(Judge& judge, const RotorSettings& rotor) {
+  if (!rotor.is_flexible()) return true;
+  bool right = true;
+  for (std::size_t i = 0; i < rotor.shaft.size(); ++i) {
+    const ShaftSection& section = rotor.shaft[i];
+    const auto key = [i](const char* name) { return fmt::format("rotor.shaft[{}].{}", i + 1, name); };
+    right &= judge.within(key("length"), section.length, length_range);
+    right &= judge.within(key("outer_diameter"), section.outer_diameter, length_range);
+    right &= judge.within(key("inner_diameter"), section.inner_diameter, {0.0, length_range.most, "m"});
+    right &= judge.require(section.inner_diameter < section.outer_diameter || section.outer_diameter <= 0.0,
+                           key("inner_diameter"), quantity(section.inner_diameter, "m"),
+                           "is not smaller than the outer diameter", "give a smaller one, or 0 for a solid shaft");
+    right &= judge.within(key("youngs_modulus"), section.youngs_modulus, modulus_range);
+    right &= judge.within(key("poisson_ratio"), section.poisson_ratio, poisson_range);
+    right &= judge.within(key("density"), section.density, density_of_shaft_range);
+  }
+  if (!right) return false;
+  const double end = length_of(rotor.shaft);
+  const auto lies_on_it = [&](const std::string& key, double z) {
+    return judge.require(z >= 0.0 && z <= end * (1.0 + round_off), key, quantity(z, "m"), "is not on the shaft",
+                         fmt::format("give a place from its begin, 0 m, to its end, {:.6g} m", end));
+  };
+  for (std::size_t i = 0; i < rotor.disks.size(); ++i) {
+    const ShaftDisc& disk = rotor.disks[i];
+    const std::string name = fmt::format("rotor.disk[{}]", i + 1);
+    right &= lies_on_it(name + ".at", disk.z);
+    right &= judge.within(name + ".mass", disk.mass, mass_range);
+    right &= judge.within(name + ".transverse_inertia", disk.transverse_inertia, inertia_range);
+    right &= judge.within(name + ".polar_inertia", disk.polar_inertia, {0.0, inertia_range.most, "kg m2"});
+  }
+  for (std::size_t i = 0; i < rotor.bearings.size(); ++i) {
+    right &= lies_on_it(fmt::format("rotor.bearings[{}]", i + 1), rotor.bearings[i]);
+  }
+  return right;
+}
+
+/// Keys that belong to another kind of rotor, and those that its own kind lacks.
+bool judge_kind(Judge& judge, const RotorSettings& rotor) {
+  bool right = true;
+  const auto belongs = [&](bool is_right, const char* key, const char* what, const char* advice) {
+    right &= judge.require(is_right, key, "", what, advice);
+  };
+  if (rotor.is_flexible()) {
+    belongs(!rotor.mass, "rotor.mass", "is given beside a shaft, whose pieces and disks have the mass",
+            "remove rotor.mass, or all [[rotor.shaft]]");
+    belongs(!rotor.transverse_inertia && !rotor.polar_inertia,
+            rotor.transverse_inertia ? "rotor.transverse_inertia" : "rotor.polar_inertia",
+            "is given beside a shaft, whose pieces and disks have the inertia", "remove it, or all [[rotor.shaft]]");
+  } else {
+    belongs(rotor.mass.has_value(), "rotor.mass", "is missing",
+            "give a mass such as \"2 kg\", or the pieces of a shaft, [[rotor.shaft]]");
+    belongs(rotor.disks.empty(), "rotor.disk", "has no shaft to sit on", "give [[rotor.shaft]], or remove it");
+    if (rotor.tilts()) {
+      belongs(rotor.transverse_inertia.has_value(), "rotor.transverse_inertia",
+              "is missing: a rotor with places of bearings can tilt",
+              "give a moment of inertia such as \"9e-3 kg m2\", or remove rotor.bearings");
+    } else {
+      belongs(!rotor.transverse_inertia && !rotor.polar_inertia,
+              rotor.transverse_inertia ? "rotor.transverse_inertia" : "rotor.polar_inertia",
+              "is of a rotor that tilts, and this one has no places of its bearings",
+              "give rotor.bearings such as [\"-50 mm\", \"60 mm\"], or remove it");
+    }
+  }
+  if (rotor.tilts()) {
+    belongs(rotor.bearings.size() == 2 && rotor.bearings[0] != rotor.bearings[1], "rotor.bearings",
+            "are not two different places", "give two, such as [\"-50 mm\", \"60 mm\"]");
+  }
+  return right;
+}
+
+}  // namespace
+
+ReducedRotor rotor_of(const RotorSettings& settings, double range) {
+  Rotor rotor = full_rotor(settings);
+  if (!settings.is_flexible()) return {std::move(rotor), 0.0};
+  return reduce_rotor(rotor, range);
+}
+
+const RotorSettings& rotor_settings_of(const Case& input) {
+  const RotorSettings* const settings = input.settings.find<RotorSettings>();
+  if (settings == nullptr) {
+    throw Error(ErrorKind::input, {{"", 0, "rotor", "", "this table is missing", "add [rotor] with a mass"}});
+  }
+  return *settings;
+}
+
+void describe_rotor(CaseVisitor& keys, Case& input) {
+  settings_table<RotorSettings>(
+      keys,
+      {"rotor", Presence::optional, "Rotor",
+       "that the bearing carries with an equal one: a mass; with bearings and inertias a rigid rotor that tilts; with "
+       "pieces of a shaft a flexible one"},
+      input.settings, describe);
+}
+
+void judge_rotor(Judge& judge, const Case& input) {
+  const RotorSettings* const rotor = input.settings.find<RotorSettings>();
+  if (rotor == nullptr) return;
+  const bool gravity_right =
+      judge.require(rotor->gravity.size() == 2 && std::hypot(rotor->gravity[0], rotor->gravity[1]) > 0.0 &&
+                        std::hypot(rotor->gravity[0], rotor->gravity[1]) <= most_gravity,
+                    "rotor.gravity", "", "is not an acceleration along X and Y",
+                    "give two components such as [\"0 m/s2\", \"-9.81 m/s2\"]");
+  bool right = judge_optional(judge, "rotor.mass", rotor->mass, mass_range);
+  right &= judge_optional(judge, "rotor.transverse_inertia", rotor->transverse_inertia, inertia_range);
+  right &= judge_optional(judge, "rotor.polar_inertia", rotor->polar_inertia, {0.0, inertia_range.most, "kg m2"});
+  if (right && rotor->transverse_inertia && rotor->polar_inertia) {
+    right &= judge.require(*rotor->polar_inertia <= 2.0 * *rotor->transverse_inertia, "rotor.polar_inertia",
+                           quantity(*rotor->polar_inertia, "kg m2"),
+                           "is more than twice the transverse inertia, which no body has",
+                           "give I_p about the axis, and I_t about a diameter");
+  }
+  for (std::size_t i = 0; i < rotor->bearings.size(); ++i) {
+    right &= judge.finite(fmt::format("rotor.bearings[{}]", i + 1), rotor->bearings[i], "m");
+  }
+  right &= judge_kind(judge, *rotor);
+  right &= judge_shaft(judge, *rotor);
+  if (!right || !gravity_right) return;
+  const Rotor made = full_rotor(*rotor);
+  const std::vector<Eigen::Vector2d> loads = weights_on_bearings(made, rotor->gravity_vector());
+  const double weight = made.total_mass() * rotor->gravity_vector().norm();
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    judge.require(loads[i].norm() > least_share * weight, fmt::format("rotor.bearings[{}]", i + 1), "",
+                  "carries nothing: the centre of mass lies over the other bearing", "move one of the bearings");
+  }
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,154 @@
+#include "experiments/stability/stability_dataset.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <utility>
+
+#include "bumpfoil/core/angle.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "experiments/stability/stability_quantities.hpp"
+#include "results/csv_value.hpp"
+
+namespace bumpfoil {
+namespace {
+
+std::vector<double> speeds_of(const StabilityResult& result) {
+  return each(result.map.points, [](const SpeedPoint& point) { return point.speed; });
+}
+
+/// All places of a rotor where a motion is told: its bearings first.
+std::vector<RotorStation> places_of(const Rotor& rotor) {
+  std::vector<RotorStation> places = rotor.bearings;
+  places.insert(places.end(), rotor.stations.begin(), rotor.stations.end());
+  return places;
+}
+
+void add_bearings(const StabilityResult& result, Dataset& data) {
+  const std::size_t count = result.rotor.bearings.size();
+  data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
+  for (const int axis : {0, 1}) {
+    const char letter = axis == 0 ? 'x' : 'y';
+    const char big = axis == 0 ? 'X' : 'Y';
+    data.add({fmt::format("load_{}", letter), "N", fmt::format("weight of the rotor on the bearing, {}", big)},
+             {"bearing"}, each(result.loads, [axis](const Eigen::Vector2d& load) { return load[axis]; }));
+    data.add({fmt::format("{}", letter), "m", fmt::format("journal centre in equilibrium, {}", big)},
+             {"speed", "bearing"}, [&result, axis, count] {
+               return padded_rows(result.map.points.size(), count, [&](std::size_t i) {
+                 return each(result.map.points[i].states,
+                             [axis](const BearingState& state) { return state.position[axis]; });
+               });
+             });
+  }
+}
+
+/// Values of all motions. @param width  of the values of one; `value` fills them in from `out` on
+void add_of_motions(const StabilityResult& result, const VariableMeaning& meaning, std::vector<std::string> inside,
+                    std::size_t width, const std::function<void(const SpeedMotion&, double* out)>& fill,
+                    Dataset& data) {
+  std::vector<std::string> dims{"speed", "contacts", "mode"};
+  dims.insert(dims.end(), inside.begin(), inside.end());
+  data.add(meaning, std::move(dims), [&result, width, fill] {
+    constexpr std::size_t kinds = enum_names<ContactMotion>.size();
+    const std::size_t modes = result.map.motions;
+    std::vector<double> all(result.map.points.size() * kinds * modes * width, absent);
+    for (std::size_t i = 0; i < result.map.points.size(); ++i) {
+      for (const SpeedMotion& motion : motions_at(result.map.points[i])) {
+        const std::size_t row = (i * kinds + static_cast<std::size_t>(motion.contacts)) * modes + motion.number;
+        fill(motion, &all[row * width]);
+      }
+    }
+    return all;
+  });
+}
+
+void add_motions(const StabilityResult& result, Dataset& data) {
+  constexpr auto contact_words = std::span(enum_names<ContactMotion>);
+  data.add_dimension({"contacts", "", "what slipping contacts do", {Form::flag, contact_words}},
+                     numbers_from(0.0, contact_words.size()));
+  data.add_dimension({"mode", "1", "motion; it keeps its number from speed to speed", {Form::whole}},
+                     numbers_from(1.0, result.map.motions));
+  for (const MotionQuantity& quantity : motion_quantities()) {
+    if (quantity.is(tag::of_place)) continue;
+    add_of_motions(
+        result, quantity.meaning(), {}, 1,
+        [quantity](const SpeedMotion& motion, double* out) { *out = quantity.value(motion); }, data);
+  }
+}
+
+/// Shapes of all motions at the places of the rotor, the largest displacement of a shape 1 with the phase 0.
+void add_shapes(const StabilityResult& result, Dataset& data) {
+  const std::vector<RotorStation> places = places_of(result.rotor);
+  data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
+                     numbers_from(1.0, places.size()));
+  data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
+                      each(places, [](const RotorStation& place) { return place.z; }));
+  for (const int axis : {0, 1}) {
+    const char letter = axis == 0 ? 'x' : 'y';
+    for (const bool phase : {false, true}) {
+      const std::string name = fmt::format("shape_{}_{}", phase ? "phase" : "amplitude", letter);
+      const std::string what = fmt::format("{} of the motion along {}{}", phase ? "phase" : "amplitude",
+                                           axis == 0 ? 'X' : 'Y', phase ? "" : ", over the largest one");
+      add_of_motions(
+          result, {name, phase ? "degree" : "1", what}, {"station"}, places.size(),
+          [places, axis, phase](const SpeedMotion& motion, double* out) {
+            std::complex<double> largest;
+            for (const RotorStation& place : places) {
+              for (const std::complex<double> one : place.motion* motion.whirl->shape) {
+                if (std::abs(one) > std::abs(largest)) largest = one;
+              }
+            }
+            for (std::size_t i = 0; i < places.size(); ++i) {
+              const std::complex<double> here = (places[i].motion * motion.whirl->shape)[axis] / largest;
+              out[i] = phase ? to_degrees(std::arg(here)) : std::abs(here);
+            }
+          },
+          data);
+    }
+  }
+}
+
+}  // namespace
+
+Dataset stability_dataset(const StabilityResult& result, bool with_motions) {
+  Dataset data;
+  for (const StabilityQuantity& quantity : stability_quantities()) {
+    data.add(quantity.meaning(), {}, std::vector<double>{quantity.value(result)});
+  }
+  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"}, speeds_of(result));
+  for (const SpeedQuantity& quantity : speed_quantities()) {
+    data.add(quantity.meaning(), {"speed"},
+             each(result.map.points, [&](const SpeedPoint& point) { return quantity.value(result, point); }));
+  }
+  add_bearings(result, data);
+  if (!with_motions) return data;
+  add_motions(result, data);
+  add_shapes(result, data);
+  return data;
+}
+
+std::string stability_csv(const StabilityResult& result) {
+  std::string out;
+  const auto add_line = [&out](const SpeedMotion& motion) {
+    char separator = '\n';
+    for (const MotionQuantity& quantity : motion_quantities()) {
+      if (!quantity.is(tag::csv)) continue;
+      const bool known = motion.whirl != nullptr || quantity.is(tag::of_place);
+      append_csv(out += separator, known ? quantity.value(motion) : absent, quantity.form);
+      separator = ',';
+    }
+  };
+  for (const MotionQuantity& quantity : motion_quantities()) {
+    if (quantity.is(tag::csv)) out += (out.empty() ? "" : ",") + quantity.key();
+  }
+  for (const SpeedPoint& point : result.map.points) {
+    const std::vector<SpeedMotion> motions = motions_at(point);
+    for (const SpeedMotion& motion : motions) add_line(motion);
+    if (motions.empty()) add_line({.point = point});
+  }
+  return out + '\n';
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/results/dataset.hpp"
+
+namespace bumpfoil {
+
+/// The run over the dimensions speed, contacts, mode, bearing and station; without motions over speed alone, as sweeps
+/// keep it. It lives as long as the result.
+Dataset stability_dataset(const StabilityResult& result, bool with_motions = true);
+
+/// Contents of stability.csv: a line for each motion at each speed, and one for each speed without.
+std::string stability_csv(const StabilityResult& result);
+
+}  // namespace bumpfoil

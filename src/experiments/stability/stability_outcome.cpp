@@ -1,0 +1,124 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "case/case_json.hpp"
+#include "experiments/stability/stability_dataset.hpp"
+#include "experiments/stability/stability_quantities.hpp"
+#include "results/result_files.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunStatus status_of(const StabilityResult& result) {
+  return run_status(each(result.map.points, [](const SpeedPoint& point) { return point.status; }),
+                    result.map.points.size());
+}
+
+Json motion_json(const SpeedMotion& motion) {
+  Json json;
+  for (const MotionQuantity& quantity : motion_quantities()) {
+    if (quantity.name == "speed" || quantity.name == "status") continue;  // said once for all motions
+    json[quantity.key()] = value_json(quantity.value(motion), quantity.form);
+  }
+  return json;
+}
+
+/// What summary.json lists: `onsets`, `speeds` with the motions at each, and quantities of the whole.
+Json stability_lists(const StabilityResult& result) {
+  Json json;
+  for (const StabilityQuantity& quantity : stability_quantities()) {
+    if (quantity.name != "status") json[quantity.key()] = value_json(quantity.value(result), quantity.form);
+  }
+  json["onsets"] = Json::array();
+  for (const WhirlOnset& found : result.map.onsets) {
+    json["onsets"].push_back({{"speed_rad_per_s", found.onset.speed},
+                              {"whirl_ratio", found.onset.whirl_ratio},
+                              {"contacts", name_of(found.stuck ? ContactMotion::stuck : ContactMotion::sliding)},
+                              {"by_coefficients", found.by_coefficients},
+                              {"begins", found.begins}});
+  }
+  json["speeds"] = Json::array();
+  for (const SpeedPoint& point : result.map.points) {
+    Json& entry = json["speeds"].emplace_back(Json{{"speed_rad_per_s", point.speed}});
+    for (const SpeedQuantity& quantity : speed_quantities()) {
+      const bool is_status = quantity.name == "speed_status";
+      entry[is_status ? "status" : quantity.key()] = value_json(quantity.value(result, point), quantity.form);
+    }
+    entry["motions"] = each(motions_at(point), motion_json);
+  }
+  return json;
+}
+
+std::vector<ResultFile> stability_files(const Case& input, const StabilityResult& result, RunStatus status,
+                                        const Provenance& provenance) {
+  const std::vector<std::string> failures = failure_lines(result);
+  const std::vector<std::string> warnings = warning_lines(input, result);
+  return make_result_files({.input = input,
+                            .command = "stability",
+                            .status = status,
+                            .message = message_of(failures, status),
+                            .warnings = warnings,
+                            .provenance = provenance},
+                           "result.nc", "use fewer speeds", [&](const std::string& /*run_id*/) {
+                             return ResultContents{.texts = {{"stability.csv", stability_csv(result)}},
+                                                   .dataset = stability_dataset(result),
+                                                   .lists = [&] {
+                                                     Json json{{"failures", failures}, {"warnings", warnings}};
+                                                     json.update(stability_lists(result));
+                                                     return json;
+                                                   }};
+                           });
+}
+
+Outcome stability_outcome(const Case& input, StabilityResult made) {
+  const auto result = std::make_shared<const StabilityResult>(std::move(made));
+  const RunStatus status = status_of(*result);
+  return {.status = status,
+          .warnings = warning_lines(input, *result),
+          .failures = failure_lines(*result),
+          .table = [=] { return stability_table(*result); },
+          .dataset = [=] { return stability_dataset(*result); },
+          .files = [=](const Provenance& provenance) { return stability_files(input, *result, status, provenance); },
+          .swept =
+              [=](bool /*with_loops*/) {
+                return SweptResult{.dataset = stability_dataset(*result, false),
+                                   .parts = {{"", 0}},
+                                   .rows = stability_csv(*result),
+                                   .lists = dump_json(stability_lists(*result), -1)};
+              }};
+}
+
+}  // namespace
+
+ExperimentInfo stability_experiment() {
+  const std::vector<std::string> speeds{"stability.speeds=[\"12000 rpm\", \"13000 rpm\"]", "film.columns_per_pitch=4",
+                                        "film.rows=4", "rotor.mass=2 kg"};
+  const ExperimentRun run = [](const Case& input, const ProgressCallback& progress) {
+    return stability_outcome(input, run_stability(input, progress));
+  };
+  return {
+      .name = "stability",
+      .summary = "Find the free motions of rotor, film and foils over speed, and where whirl begins",
+      .examples =
+          "  bumpfoil stability examples/rotor.toml -o stability\n"
+          "  bumpfoil stability examples/rotor.toml -o lighter --set rotor.mass=\"1 kg\"\n"
+          "  bumpfoil sweep examples/rotor.toml --command stability --over 'rotor.mass=[1 kg, 2 kg, 4 kg]' -o masses\n"
+          "Growth is the real part of a rate over the speed of rotation: of a motion that grows by e in one radian, "
+          "1.\n",
+      .files = {"summary.json", "stability.csv", "result.nc"},
+      .run = run,
+      .sweeping =
+          Sweeping{.run = run,
+                   .not_begun = [](const Case& input) { return stability_outcome(input, stability_not_begun(input)); }},
+      .quantities = meanings_of(stability_quantities()),
+      .small_runs = {speeds}};
+}
+
+}  // namespace bumpfoil

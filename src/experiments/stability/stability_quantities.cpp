@@ -1,0 +1,314 @@
+#include "experiments/stability/stability_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "bumpfoil/experiments/case_warnings.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using namespace tag;  // NOLINT(google-build-using-namespace): the tables below are made of them
+
+/// A reduction of a shaft with a larger error than this is worth a word.
+constexpr double tolerated_reduction_error = 1e-3;
+
+/// Of the motion that grows fastest.
+template <bool of_stuck, auto value>
+double of_fastest(const StabilityResult&, const SpeedPoint& point) {
+  const auto& motions = point.motions(of_stuck);
+  return motions && !motions->whirls.empty() ? value(motions->whirls.front(), std::abs(point.speed)) : absent;
+}
+double growth(const Whirl& whirl, double speed) {
+  return whirl.rate.real() / speed;
+}
+double whirl_ratio(const Whirl& whirl, double speed) {
+  return whirl.rate.imag() / speed;
+}
+double log_decrement(const Whirl& whirl, double /*speed*/) {
+  const double decrement = whirl.log_decrement();
+  return std::isfinite(decrement) ? decrement : absent;
+}
+double belongs_to_foils(const Whirl& whirl, double /*speed*/) {
+  return whirl.is_of_foils() ? 1.0 : 0.0;
+}
+
+template <bool of_stuck>
+double growth_by_coefficients(const StabilityResult&, const SpeedPoint& point) {
+  const auto& motions = point.motions(of_stuck);
+  return motions && motions->by_coefficients ? motions->by_coefficients->real() / std::abs(point.speed) : absent;
+}
+
+double thinnest(const StabilityResult& result, const SpeedPoint& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BearingState& state : point.states) least = std::min(least, state.film.thickness.minCoeff());
+  return point.states.empty() ? absent : least * result.bearing->scales.thickness;
+}
+
+/// The first onset of a kind at rising |Omega|, where whirl begins.
+const WhirlOnset* first_onset(const StabilityResult& result, bool stuck, bool by_coefficients) {
+  const WhirlOnset* first = nullptr;
+  for (const WhirlOnset& found : result.map.onsets) {
+    if (found.stuck != stuck || found.by_coefficients != by_coefficients || !found.begins) continue;
+    if (first == nullptr || std::abs(found.onset.speed) < std::abs(first->onset.speed)) first = &found;
+  }
+  return first;
+}
+template <bool stuck, bool by_coefficients, double Onset::*member>
+double of_first_onset(const StabilityResult& result) {
+  const WhirlOnset* const first = first_onset(result, stuck, by_coefficients);
+  return first == nullptr ? absent : first->onset.*member;
+}
+
+constexpr Form search_status{Form::flag, enum_names<Status>};
+
+constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
+    {"status",
+     "",
+     "how the search for the equilibria ended: that of the last speed that was looked for",
+     [](const StabilityResult& result) {
+       Status status = Status::not_reached;
+       for (const SpeedPoint& point : result.map.points) {
+         if (point.status != Status::not_reached) status = point.status;
+       }
+       return static_cast<double>(status);
+     },
+     none,
+     "",
+     {},
+     search_status},
+    {"onset_speed", "rad/s", "lowest speed at which whirl begins, sliding contacts slide on",
+     of_first_onset<false, false, &Onset::speed>, headline | leading | sampled, "onset of whirl", shown::revolutions},
+    {"onset_whirl_ratio", "1", "frequency of the whirl there over the speed of rotation",
+     of_first_onset<false, false, &Onset::whirl_ratio>, headline | sampled, "whirl ratio there", shown::unitless},
+    {"onset_speed_stuck", "rad/s", "lowest speed at which whirl begins, full stick",
+     of_first_onset<true, false, &Onset::speed>, headline | sampled, "onset, stuck", shown::revolutions},
+    {"onset_whirl_ratio_stuck", "1", "frequency of the whirl there over the speed of rotation",
+     of_first_onset<true, false, &Onset::whirl_ratio>, sampled, "whirl ratio there", shown::unitless},
+    {"onset_speed_by_coefficients", "rad/s",
+     "lowest speed at which whirl begins as synchronous coefficients have it, sliding contacts slide on",
+     of_first_onset<false, true, &Onset::speed>, headline | sampled, "by synchronous K, C", shown::revolutions},
+    {"onset_speed_by_coefficients_stuck", "rad/s",
+     "lowest speed at which whirl begins as synchronous coefficients have it, full stick",
+     of_first_onset<true, true, &Onset::speed>, sampled, "by synchronous K, C, stuck", shown::revolutions},
+    {"load_of_rotor", "N", "weight of the rotor",
+     [](const StabilityResult& result) {
+       double sum = 0.0;
+       for (const Eigen::Vector2d& load : result.loads) sum += load.norm();
+       return sum;
+     },
+     none, "weight on the bearings", shown::newtons},
+    {"reduction_error", "1", "largest error of a natural frequency of the reduced shaft in the range of interest",
+     [](const StabilityResult& result) { return result.reduction_error; }, of_solver},
+});
+
+constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
+    {"speed_status",
+     "",
+     "how the search for the equilibrium ended",
+     [](const StabilityResult&, const SpeedPoint& point) { return static_cast<double>(point.status); },
+     none,
+     "",
+     {},
+     search_status},
+    {"stable", "1", "whether all motions decay, with contacts sliding and stuck",
+     [](const StabilityResult&, const SpeedPoint& point) {
+       const std::optional<bool> stable = is_stable(point);
+       return stable ? (*stable ? 1.0 : 0.0) : absent;
+     },
+     shown_first, "stable", shown::unitless, yes_or_no},
+    {"h_min", "m", "minimum film thickness of all bearings", thinnest, shown_first, "minimum film thickness",
+     shown::micrometres},
+    {"growth", "1",
+     "growth rate of the motion that grows fastest over the speed of rotation, sliding contacts slide on",
+     of_fastest<false, growth>, shown_first, "growth", shown::unitless},
+    {"whirl_ratio", "1", "its damped frequency over the speed of rotation", of_fastest<false, whirl_ratio>, shown_first,
+     "whirl ratio", shown::unitless},
+    {"least_log_decrement", "1", "its logarithmic decrement", of_fastest<false, log_decrement>, shown_first,
+     "log. decrement", shown::unitless},
+    {"fastest_of_foils", "1", "whether it is a motion of foils and film, in which the rotor takes little part",
+     of_fastest<false, belongs_to_foils>, none, "motion of the foils", shown::unitless, yes_or_no},
+    {"growth_stuck", "1", "growth rate of the motion that grows fastest over the speed of rotation, full stick",
+     of_fastest<true, growth>, none, "growth, stuck", shown::unitless},
+    {"whirl_ratio_stuck", "1", "its damped frequency over the speed of rotation", of_fastest<true, whirl_ratio>, none,
+     "whirl ratio, stuck", shown::unitless},
+    {"least_log_decrement_stuck", "1", "its logarithmic decrement", of_fastest<true, log_decrement>, none,
+     "log. decrement, stuck", shown::unitless},
+    {"fastest_of_foils_stuck", "1", "whether it is a motion of foils and film, in which the rotor takes little part",
+     of_fastest<true, belongs_to_foils>, none, "motion of the foils, stuck", shown::unitless, yes_or_no},
+    {"growth_by_coefficients", "1",
+     "growth over the speed of rotation as synchronous coefficients have it, sliding contacts slide on",
+     growth_by_coefficients<false>, none, "growth by synchronous K, C", shown::unitless},
+    {"growth_by_coefficients_stuck", "1",
+     "growth over the speed of rotation as synchronous coefficients have it, full stick", growth_by_coefficients<true>,
+     none, "growth by synchronous K, C, stuck", shown::unitless},
+});
+
+constexpr auto motion_quantity_table = std::to_array<MotionQuantity>({
+    {"speed", "rad/s", "speed of the rotor, positive from X to Y",
+     [](const SpeedMotion& motion) { return motion.point.speed; }, csv | of_place},
+    {"mode",
+     "1",
+     "motion; it keeps its number from speed to speed",
+     [](const SpeedMotion& motion) {
+       return motion.whirl == nullptr ? absent : static_cast<double>(motion.number + 1);
+     },
+     csv | of_place,
+     "",
+     {},
+     whole_number},
+    {"real", "rad/s", "growth rate: real part of s in exp(s t)",
+     [](const SpeedMotion& motion) { return motion.whirl->rate.real(); }, csv},
+    {"imag", "rad/s", "damped frequency: imaginary part of s",
+     [](const SpeedMotion& motion) { return motion.whirl->rate.imag(); }, csv},
+    {"log_decrement", "1", "logarithmic decrement",
+     [](const SpeedMotion& motion) { return log_decrement(*motion.whirl, 1.0); }, csv},
+    {"damping_ratio", "1", "damping ratio, -Re s / |s|",
+     [](const SpeedMotion& motion) { return motion.whirl->damping_ratio(); }, csv},
+    {"direction",
+     "",
+     "sense of the whirl, in that of the rotation",
+     [](const SpeedMotion& motion) { return static_cast<double>(sense_of(*motion.whirl)); },
+     csv,
+     "",
+     {},
+     flags<WhirlSense>},
+    {"contacts",
+     "",
+     "what slipping contacts do",
+     [](const SpeedMotion& motion) { return motion.whirl == nullptr ? absent : static_cast<double>(motion.contacts); },
+     csv | of_place,
+     "",
+     {},
+     flags<ContactMotion>},
+    {"status",
+     "",
+     "how the search for the equilibrium ended",
+     [](const SpeedMotion& motion) { return static_cast<double>(motion.point.status); },
+     csv | of_place,
+     "",
+     {},
+     search_status},
+    {"directivity", "1", "1: forward circle, 0: line, -1: backward circle; mean of all journals",
+     [](const SpeedMotion& motion) { return motion.whirl->direction; }, csv},
+    {"rotor_share", "1", "part that the inertia of the rotor has in the motion; 0: foils and film alone",
+     [](const SpeedMotion& motion) { return motion.whirl->rotor_share; }, csv},
+    {"of_foils",
+     "1",
+     "whether it is a motion of foils and film, in which the rotor takes little part",
+     [](const SpeedMotion& motion) { return belongs_to_foils(*motion.whirl, 1.0); },
+     csv,
+     "",
+     {},
+     yes_or_no},
+    {"residual", "1", "least singular value of the dynamic stiffness over the largest one",
+     [](const SpeedMotion& motion) { return motion.whirl->residual; }, of_solver},
+});
+
+std::string speed_text(double speed) {
+  return fmt::format("{:.6g} rpm", speed / shown::revolutions.size);
+}
+
+}  // namespace
+
+std::span<const StabilityQuantity> stability_quantities() {
+  return stability_quantity_table;
+}
+
+std::span<const SpeedQuantity> speed_quantities() {
+  return speed_quantity_table;
+}
+
+WhirlSense sense_of(const Whirl& whirl) {
+  return whirl.direction < 0.0 ? WhirlSense::backward : WhirlSense::forward;
+}
+
+std::span<const MotionQuantity> motion_quantities() {
+  return motion_quantity_table;
+}
+
+std::optional<bool> is_stable(const SpeedPoint& point) {
+  bool known = true;
+  for (const bool stuck : {false, true}) {
+    const auto& motions = point.motions(stuck);
+    const bool any = motions && !motions->whirls.empty();
+    if (any && motions->whirls.front().rate.real() >= 0.0) return false;
+    known = known && any;
+  }
+  return known ? std::optional(true) : std::nullopt;
+}
+
+std::vector<SpeedMotion> motions_at(const SpeedPoint& point) {
+  std::vector<SpeedMotion> all;
+  for (const ContactMotion contacts : {ContactMotion::sliding, ContactMotion::stuck}) {
+    const auto& motions = point.motions(contacts == ContactMotion::stuck);
+    if (!motions) continue;
+    for (std::size_t i = 0; i < motions->whirls.size(); ++i) {
+      all.push_back({point, contacts, &motions->whirls[i], motions->numbers[i]});
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> failure_lines(const StabilityResult& result) {
+  std::vector<std::string> lines;
+  std::size_t behind = 0;
+  for (const SpeedPoint& point : result.map.points) {
+    if (point.status == Status::converged || point.status == Status::interrupted) continue;
+    if (point.status == Status::not_reached) {
+      ++behind;
+      continue;
+    }
+    lines.push_back(fmt::format("{}: no equilibrium found: {}", speed_text(point.speed), explanation(point.status)));
+  }
+  if (behind > 0) lines.push_back(fmt::format("the {} speeds behind it were not looked for", behind));
+  return lines;
+}
+
+std::vector<std::string> warning_lines(const Case& input, const StabilityResult& result) {
+  std::vector<std::string> lines = case_warnings(input);
+  std::size_t fluttering = 0;
+  std::size_t unknown = 0;
+  const SpeedPoint* first = nullptr;
+  for (const SpeedPoint& point : result.map.points) {
+    if (point.status != Status::converged) continue;
+    const auto foils_grow = [](const std::optional<SpeedMotions>& motions) {
+      return motions && std::any_of(motions->whirls.begin(), motions->whirls.end(),
+                                    [](const Whirl& whirl) { return whirl.is_of_foils() && whirl.rate.real() > 0.0; });
+    };
+    if (foils_grow(point.sliding) || foils_grow(point.stuck)) {
+      if (fluttering++ == 0) first = &point;
+    }
+    if (!is_stable(point)) ++unknown;
+  }
+  if (fluttering > 0) {
+    lines.push_back(fmt::format(
+        "at {} of {} speeds (first at {}) it is the foils that are unstable, whatever rotor they carry: bumpfoil "
+        "equilibrium says where they flutter and what helps, such as top_foil.formed_radius = \"seated\" or the other "
+        "sense of rotation",
+        fluttering, result.map.points.size(), speed_text(first->speed)));
+  }
+  if (unknown > 0) {
+    lines.push_back(
+        fmt::format("whether all motions decay is not known at {} of {} speeds: the modes of the contacts "
+                    "leave a singular system",
+                    unknown, result.map.points.size()));
+  }
+  if (result.reduction_error > tolerated_reduction_error) {
+    lines.push_back(fmt::format("the reduced shaft has natural frequencies that are wrong by up to {:.2g} %",
+                                100.0 * result.reduction_error));
+  }
+  return lines;
+}
+
+std::string onset_text(const WhirlOnset& found) {
+  return fmt::format("whirl {} at {}, whirl ratio {:.4f}", found.begins ? "begins" : "ends",
+                     speed_text(found.onset.speed), found.onset.whirl_ratio);
+}
+
+}  // namespace bumpfoil

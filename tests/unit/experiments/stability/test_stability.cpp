@@ -1,0 +1,169 @@
+#include "bumpfoil/experiments/stability/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+#include "support/faulty_keys.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using test_support::faulty_keys;
+using test_support::Keys;
+
+/// 1 kg on each bearing, f = 0, gas entering at the weld: the onset of the prototype is 13,072.43 rpm.
+Case rotor_case(std::vector<double> rpm, FilmResolution mesh = {6, 8}) {
+  Case input = film_reference_case(mesh);
+  RotorSettings rotor;
+  rotor.mass = 2.0;
+  rotor.gravity = {9.81, 0.0};
+  input.settings.set(rotor);
+  StabilitySettings settings;
+  for (const double one : rpm) settings.speeds.push_back(speed_of_rpm(one));
+  input.settings.set(settings);
+  return input;
+}
+
+const Outcome& outcome() {
+  static const Outcome run = experiment_named("stability").run(rotor_case({-12000.0, -12600.0, -13200.0}), {});
+  return run;
+}
+
+double value_of(const Dataset& data, const std::string& name, std::size_t place = 0) {
+  for (const Variable& variable : data.variables) {
+    if (variable.meaning.name == name) return variable.values().at(place);
+  }
+  ADD_FAILURE() << name;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(Stability, TellsTheOnsetOfThePrototype) {
+  EXPECT_EQ(outcome().status, RunStatus::complete);
+  EXPECT_EQ(outcome().failures, std::vector<std::string>{});
+  const Dataset data = outcome().dataset();
+  EXPECT_NEAR(value_of(data, "onset_speed"), speed_of_rpm(-13072.434026772906), 1e-6 * speed_of_rpm(13072.4));
+  EXPECT_NEAR(value_of(data, "onset_whirl_ratio"), 0.49078240201060497, 1e-6);
+  EXPECT_EQ(value_of(data, "onset_speed_stuck"), value_of(data, "onset_speed"));  // nothing slips
+  // Synchronous coefficients have the rotor stable.
+  EXPECT_TRUE(std::isnan(value_of(data, "onset_speed_by_coefficients")));
+  EXPECT_NEAR(value_of(data, "growth"), -0.02138068, 1e-6);  // at 12,000 rpm
+  EXPECT_NEAR(value_of(data, "whirl_ratio"), 0.52428258, 1e-6);
+  EXPECT_LT(value_of(data, "growth_by_coefficients", 2), -0.05);
+  EXPECT_EQ(value_of(data, "stable", 0), 1.0);
+  EXPECT_EQ(value_of(data, "stable", 2), 0.0);
+  EXPECT_NEAR(value_of(data, "load_x"), 9.81, 1e-12);
+  const std::string table = outcome().table();
+  EXPECT_NE(table.find("onset of whirl, contacts sliding: whirl begins at -13072.4 rpm, whirl ratio 0.4908"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("by synchronous coefficients, contacts stuck: none between these speeds"), std::string::npos);
+}
+
+TEST(Stability, WritesALineForEachMotion) {
+  std::string csv;
+  nlohmann::json summary;
+  for (const ResultFile& file : outcome().files({})) {
+    if (file.name == "stability.csv") csv = file.contents;
+    if (file.name == "summary.json") summary = nlohmann::json::parse(file.contents);
+  }
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line,
+            "speed_rad_per_s,mode,real_rad_per_s,imag_rad_per_s,log_decrement,damping_ratio,direction,contacts,status,"
+            "directivity,rotor_share,of_foils");
+  std::getline(lines, line);
+  EXPECT_NE(line.find(",forward,sliding,converged,"), std::string::npos) << line;
+  ASSERT_EQ(summary.at("onsets").size(), 2U);
+  EXPECT_EQ(summary.at("onsets").at(0).at("contacts"), "sliding");
+  EXPECT_TRUE(summary.at("onsets").at(0).at("begins"));
+  EXPECT_FALSE(summary.at("onsets").at(0).at("by_coefficients"));
+  ASSERT_EQ(summary.at("speeds").size(), 3U);
+  EXPECT_EQ(summary.at("speeds").at(1).at("status"), "converged");
+  const auto& motion = summary.at("speeds").at(0).at("motions").at(0);
+  EXPECT_EQ(motion.at("mode"), 1);
+  // The decrement is that of the rate, by its definition.
+  EXPECT_NEAR(motion.at("log_decrement"),
+              -2.0 * M_PI * motion.at("real_rad_per_s").get<double>() / motion.at("imag_rad_per_s").get<double>(),
+              1e-12);
+}
+
+/// The shape of a motion is that of the rotor's own circle: both axes move, a quarter of a turn apart.
+TEST(Stability, KeepsShapesAndNumbersOfModes) {
+  const Dataset data = outcome().dataset();
+  const std::size_t modes = data.dimension("mode").size;
+  ASSERT_GE(modes, 1U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t place = i * 2 * modes;  // sliding contacts, motion 1
+    const double x = value_of(data, "shape_amplitude_x", place);
+    const double y = value_of(data, "shape_amplitude_y", place);
+    EXPECT_NEAR(std::max(x, y), 1.0, 1e-12);
+    EXPECT_GT(std::min(x, y), 0.5);
+    // Omega < 0 turns Y to X, and so does a forward whirl: y leads.
+    const double lead = value_of(data, "shape_phase_y", place) - value_of(data, "shape_phase_x", place);
+    EXPECT_GT(std::sin(lead * M_PI / 180.0), 0.5);
+    EXPECT_NEAR(value_of(data, "imag", place) / std::abs(speed_of_rpm(12000.0 + 600.0 * static_cast<double>(i))), 0.5,
+                0.03);
+  }
+}
+
+TEST(Stability, EndsWhereItIsStopped) {
+  int asked = 0;
+  const Outcome stopped =
+      experiment_named("stability").run(rotor_case({-12000.0, -13500.0, -14000.0}, {4, 4}), [&](double) {
+        return ++asked < 3;
+      });
+  EXPECT_EQ(stopped.status, RunStatus::interrupted);
+  EXPECT_FALSE(std::isnan(value_of(stopped.dataset(), "growth", 1)));
+  EXPECT_TRUE(std::isnan(value_of(stopped.dataset(), "growth", 2)));
+}
+
+/// A film thinner than its threshold: the speed says so, and those behind it are named.
+TEST(Stability, SaysWhatIsNotFound) {
+  Case input = rotor_case({-12000.0, -13500.0}, {4, 4});
+  input.film.h_floor = 1e-3;
+  const Outcome failed = experiment_named("stability").run(input, {});
+  EXPECT_EQ(failed.status, RunStatus::failed);
+  ASSERT_EQ(failed.failures.size(), 2U);
+  EXPECT_NE(failed.failures[0].find("-12000 rpm: no equilibrium found"), std::string::npos);
+}
+
+/// The default sense of rotation, a foil formed to the bearing: its free end flutters, whatever it carries.
+TEST(Stability, WarnsOfFoilsThatFlutter) {
+  const Outcome run = experiment_named("stability").run(rotor_case({12000.0}), {});
+  ASSERT_EQ(run.warnings.size(), 1U);
+  EXPECT_NE(run.warnings[0].find("at 1 of 1 speeds (first at 12000 rpm) it is the foils"), std::string::npos);
+  EXPECT_EQ(value_of(run.dataset(), "fastest_of_foils"), 1.0);
+}
+
+TEST(FindFaults, JudgesSpeedsOfARotor) {
+  const auto speeds = [](std::vector<double> all) {
+    return faulty_keys([&](Case& input) {
+      RotorSettings rotor;
+      rotor.mass = 2.0;
+      input.settings.set(rotor);
+      input.settings.set(StabilitySettings{.speeds = std::move(all)});
+    });
+  };
+  EXPECT_EQ(speeds({1000.0, 2000.0}), Keys{});
+  EXPECT_EQ(speeds({}), Keys{"stability.speeds"});
+  EXPECT_EQ(speeds({0.0}), Keys{"stability.speeds[1]"});
+  EXPECT_EQ(speeds({1000.0, -2000.0}), Keys{"stability.speeds[2]"});
+  EXPECT_EQ(faulty_keys([](Case& input) { input.settings.set(StabilitySettings{.speeds = {1000.0}}); }), Keys{"rotor"});
+}
+
+TEST(Stability, WantsItsTables) {
+  EXPECT_THROW(static_cast<void>(run_stability(film_reference_case({4, 4}))), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil
