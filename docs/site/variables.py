@@ -65,6 +65,8 @@ def small_results():
     yield "vibration", "several pads", bumpfoil.run_vibration(pads, vibration=motion)
     yield "equilibrium", "", bumpfoil.run_equilibrium(EXAMPLES / "running.toml", limits=True, **FILM)
     yield "equilibrium", "several pads", bumpfoil.run_equilibrium(EXAMPLES / "running_pads.toml", **FILM)
+    two_speeds = {"film": FILM["film"], "stability": {"speeds": ["12000 rpm", "14000 rpm"]}}
+    yield "stability", "", bumpfoil.run_stability(EXAMPLES / "rotor.toml", **two_speeds)
     yield "film", "", run_film(EXAMPLES / "gen1.toml")
     yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
     yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)

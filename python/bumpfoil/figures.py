@@ -25,7 +25,19 @@ if TYPE_CHECKING:
     from .cycle import Cycle
     from .result import Result
 
-__all__ = ["bump_loads", "coefficients", "contacts", "ensemble", "foils", "loops", "paper", "run_up", "save"]
+__all__ = [
+    "bump_loads",
+    "campbell",
+    "coefficients",
+    "contacts",
+    "ensemble",
+    "foils",
+    "loops",
+    "paper",
+    "root_locus",
+    "run_up",
+    "save",
+]
 
 _STATES = ("open", "stick", "slip to the free end", "slip to the weld")
 _STATE_COLOURS = ("#FFFFFF", "#CCCCCC", "#E69F00", "#004B87")  # in grey print 1, 0.8, 0.66 and 0.26
@@ -292,6 +304,96 @@ def coefficients(result: Result, *, width: str = "double", contacts: str = "stuc
         for (load_x, load_y), rows in table.groupby(["load_x_N", "load_y_N"], sort=False)
     ]
     return _coefficients_drawn(width, panels, "amplitude (µm)", lines)
+
+
+def _modes(result: Result, contacts: str) -> Any:
+    """Free motions with these contacts, mode by mode: (name, rows of stability.csv)."""
+    demand(result, "free motions")
+    if contacts not in ("stuck", "sliding"):
+        raise ValueError(f"contacts is {contacts!r}; it is one of stuck, sliding")
+    table = result.to_dataframe()
+    for mode, rows in table[table.contacts == contacts].groupby("mode", sort=True):
+        if not (rows.imag_rad_per_s.any() or (rows.real_rad_per_s > 0).any()):
+            continue  # it neither oscillates nor grows
+        yield int(mode), rows, f"mode {mode:.0f}" + (", foils" if rows.of_foils.mean() > 0.5 else "")
+
+
+def _draw_mode(ax: Any, number: int, label: str, x: Any, y: Any, grows: Any) -> None:
+    """A line with hollow marks, filled where the motion grows."""
+    style = _style(number, marked=True)
+    ax.plot(x, y, label=label, markerfacecolor="white", **style)
+    ax.plot(x[grows], y[grows], linestyle="none", marker=style["marker"], color=style["color"])
+
+
+@styled
+def campbell(result: Result, *, width: str = "double", contacts: str = "sliding") -> Figure:
+    """Campbell diagram of a rotor on its bearings, and the growth of its motions over speed.
+
+    Damped frequencies, with lines at once and half the speed of rotation; growth rates over the speed of rotation, with
+    what synchronous coefficients say of the motion that grows fastest. Marks are filled where a motion grows.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``stability``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    contacts : {"sliding", "stuck"}
+        Sliding contacts keep sliding, or full stick.
+    """
+    modes = list(_modes(result, contacts))
+    sheet = Sheet(width, *arranged(width, 2), panel_height=60)
+    frequency, growth = sheet.panels
+    for number, (_, rows, label) in enumerate(modes):
+        rpm = abs(rows.speed_rad_per_s) * 30.0 / np.pi
+        grows = rows.real_rad_per_s > 0
+        _draw_mode(frequency, number, label, rpm, rows.imag_rad_per_s / (2.0 * np.pi), grows)
+        _draw_mode(growth, number, label, rpm, rows.real_rad_per_s / abs(rows.speed_rad_per_s), grows)
+    data = result.data
+    every = np.abs(data["speed"]) * 30.0 / np.pi
+    for ratio, name in ((1.0, "1×"), (0.5, "1/2×")):
+        frequency.plot(every, ratio * every / 60.0, color="0.6", linewidth=0.6, zorder=0)
+        frequency.annotate(name, (every[-1], ratio * every[-1] / 60.0), (2, 0), textcoords="offset points", color="0.4", va="center")
+    by_coefficients = data["growth_by_coefficients" + ("_stuck" if contacts == "stuck" else "")]
+    growth.plot(every, by_coefficients, color="0.4", linestyle=(0, (1, 1)), label="by synchronous coefficients")
+    growth.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
+    frequency.set_ylabel("damped frequency (Hz)")
+    growth.set_ylabel("growth rate / speed of rotation")
+    for ax in sheet.panels:
+        ax.set_xlabel("speed (rpm)")
+    frequency.set_ylim(bottom=0.0)
+    sheet.entitle(["damped frequencies", "growth"])
+    return sheet.finish(growth.get_legend_handles_labels()[0])
+
+
+@styled
+def root_locus(result: Result, *, width: str = "single", contacts: str = "sliding") -> Figure:
+    """Rates of the free motions of a rotor on its bearings in the complex plane, from speed to speed.
+
+    Marks are filled where a motion grows; the mark of the last speed is larger.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``stability``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    contacts : {"sliding", "stuck"}
+        Sliding contacts keep sliding, or full stick.
+    """
+    modes = list(_modes(result, contacts))
+    sheet = Sheet(width, 1, 1, panel_height=60)
+    (ax,) = sheet.panels
+    for number, (_, rows, label) in enumerate(modes):
+        real, frequency = rows.real_rad_per_s, rows.imag_rad_per_s / (2.0 * np.pi)
+        _draw_mode(ax, number, label, real, frequency, real > 0)
+        style = _style(number, marked=True)
+        ax.plot(real.iloc[-1:], frequency.iloc[-1:], linestyle="none", marker=style["marker"], color=style["color"], markersize=6)
+    ax.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
+    ax.set_xlabel("growth rate (1/s)")
+    ax.set_ylabel("damped frequency (Hz)")
+    ax.set_ylim(bottom=0.0)
+    return sheet.finish(None)
 
 
 @styled

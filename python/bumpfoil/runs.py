@@ -185,6 +185,14 @@ def run_equilibrium(
     return _run("equilibrium", case, progress, tables)
 
 
+@_documented()
+def run_stability(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Finds the free motions of [rotor] on its bearings, film and foils included, over the speeds of [stability].
+
+    ``summary["onsets"]`` are the speeds at which whirl begins or ends."""
+    return _run("stability", case, progress, tables)
+
+
 @_documented(
     """
     over : mapping
@@ -192,7 +200,7 @@ def run_equilibrium(
         range as for the program, ``"60 um:90 um:10 um"`` (end included). With ``equilibrium.speeds`` each point has
         one speed.
     command : str
-        ``cycle``, ``strip``, ``vibration`` or ``equilibrium``.
+        ``cycle``, ``strip``, ``vibration``, ``equilibrium`` or ``stability``.
     threads : int, optional
         To run points on; by default all cores.
     limits : bool

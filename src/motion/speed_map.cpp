@@ -8,12 +8,15 @@
 
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
+#include "bumpfoil/motion/start.hpp"
 
 namespace bumpfoil {
 namespace {
 
 /// Where journals are held at the cold start, in what a journal at the centre has everywhere, along their loads.
 constexpr double held_along_load = 0.1;
+/// Increments in which a clearance closes that had to be opened for the first state.
+constexpr int starting_steps = 10;
 
 /// Motions at neighbouring speeds that are more unlike than this are two. Shapes at right angles count as much as rates
 /// that are so many speeds of rotation apart.
@@ -30,12 +33,20 @@ class Carriers {
   Status start(double speed, std::vector<BearingState>& states) const {
     states.resize(steppers_.size());
     for (std::size_t i = 0; i < steppers_.size(); ++i) {
-      const double room = steppers_[i]->bearing().room;
-      const FilmReport held =
-          cold_start(*steppers_[i], held_along_load * room * loads_[i].normalized(), speed, states[i]);
-      if (held.status != Status::converged) return held.status;
-      const FilmReport loaded = settle(*steppers_[i], OperatingPoint::loaded_by(loads_[i], speed), states[i]);
-      if (loaded.status != Status::converged) return loaded.status;
+      const OperatingPoint loaded = OperatingPoint::loaded_by(loads_[i], speed);
+      const FilmReport report = start_from_rest(
+          *steppers_[i], loaded, starting_steps,
+          [&](FilmStepper& stepper, double opening, BearingState& state) {
+            const Eigen::Vector2d held = held_along_load * (stepper.bearing().room + opening) * loads_[i].normalized();
+            FilmReport begun = cold_start(stepper, held, speed, state, opening);
+            if (begun.status != Status::converged) return begun;
+            OperatingPoint opened = loaded;
+            opened.opening = opening;
+            begun += settle(stepper, opened, state);
+            return begun;
+          },
+          states[i]);
+      if (report.status != Status::converged) return report.status;
     }
     return Status::converged;
   }
@@ -63,17 +74,10 @@ class Carriers {
     return found;
   }
 
-  /// Rate of the motion that grows fastest, in one increment from these states.
-  [[nodiscard]] std::optional<std::complex<double>> rate_at(double speed, std::vector<BearingState> states,
-                                                            const WhirlOnset& kind) const {
-    if (go_on(speed, states) != Status::converged) return std::nullopt;
-    const auto found = motions(states, kind.stuck);
-    return found ? fastest(*found, kind.by_coefficients) : std::nullopt;
-  }
-
-  static std::optional<std::complex<double>> fastest(const SpeedMotions& motions, bool by_coefficients) {
-    if (by_coefficients) return motions.by_coefficients;
-    return motions.whirls.empty() ? std::nullopt : std::optional(motions.whirls.front().rate);
+  /// The motions at a speed, in one increment from these states.
+  [[nodiscard]] std::optional<SpeedMotions> motions_at(double speed, std::vector<BearingState> states,
+                                                       bool stuck) const {
+    return go_on(speed, states) == Status::converged ? motions(states, stuck) : std::nullopt;
   }
 
  private:
@@ -87,20 +91,34 @@ bool any_slips(const std::vector<BearingState>& states) {
                      [](const BearingState& state) { return state.contacts.any_slips(); });
 }
 
-/// Adds the onsets of one kind. @param kind  all but the onset itself, and which way it goes
+/// Rate of the motion that grows fastest.
+std::optional<std::complex<double>> fastest_rate(const std::optional<SpeedMotions>& motions, bool by_coefficients) {
+  if (!motions) return std::nullopt;
+  if (by_coefficients) return motions->by_coefficients;
+  return motions->whirls.empty() ? std::nullopt : std::optional(motions->whirls.front().rate);
+}
+
+/// Adds the onsets of one kind. @param kind  says which contacts, and by what
 void add_onsets(const Carriers& carriers, const WhirlOnset& kind, SpeedMap& map) {
   for (std::size_t i = 1; i < map.points.size(); ++i) {
     const SpeedPoint& a = map.points[i - 1];
     const SpeedPoint& b = map.points[i];
-    if (!a.motions(kind.stuck) || !b.motions(kind.stuck)) continue;
-    const auto rate_a = Carriers::fastest(*a.motions(kind.stuck), kind.by_coefficients);
-    const auto rate_b = Carriers::fastest(*b.motions(kind.stuck), kind.by_coefficients);
+    const auto rate_a = fastest_rate(a.motions(kind.stuck), kind.by_coefficients);
+    const auto rate_b = fastest_rate(b.motions(kind.stuck), kind.by_coefficients);
     if (!rate_a || !rate_b || (rate_a->real() > 0.0) == (rate_b->real() > 0.0)) continue;
-    const auto rate_at = [&](double speed) { return carriers.rate_at(speed, a.states, kind); };
+    WhirlOnset found = kind;
+    const auto rate_at = [&](double speed) {
+      // Where nothing moves, no contact slips: the modes at the ends are those that they were reached with.
+      if (speed == a.speed) return rate_a;
+      if (speed == b.speed) return rate_b;
+      const std::optional<SpeedMotions> motions = carriers.motions_at(speed, a.states, kind.stuck);
+      found.of_foils = motions && !motions->whirls.empty() && motions->whirls.front().is_of_foils();
+      return fastest_rate(motions, kind.by_coefficients);
+    };
     const std::optional<Onset> onset = find_onset(rate_at, a.speed, b.speed);
     if (!onset) continue;
-    WhirlOnset found = kind;
     found.begins = (rate_b->real() > 0.0) == (std::abs(b.speed) > std::abs(a.speed));
+    found.of_foils = found.of_foils && !kind.by_coefficients;
     found.onset = *onset;
     map.onsets.push_back(found);
   }
@@ -200,7 +218,10 @@ SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& stepper
   if (status == Status::interrupted) return map;
   for (const bool by_coefficients : {false, true}) {
     for (const bool stuck : {false, true}) {
-      add_onsets(carriers, {.stuck = stuck, .by_coefficients = by_coefficients, .begins = {}, .onset = {}}, map);
+      WhirlOnset kind;
+      kind.stuck = stuck;
+      kind.by_coefficients = by_coefficients;
+      add_onsets(carriers, kind, map);
     }
   }
   return map;

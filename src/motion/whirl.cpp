@@ -33,6 +33,8 @@ constexpr double no_frequency = 1e-9;
 /// Width of the bracket, over the speed, that an onset is known to, and the growth over the speed that is none.
 constexpr double onset_resolution = 1e-10;
 constexpr double no_growth = 1e-10;
+/// Growth over the speed, beyond which it does not pass through zero in a bracket that is this narrow.
+constexpr double jumping_growth = 1e-6;
 constexpr int most_onset_steps = 40;
 
 /// Rotor and reduced films as a function of s.
@@ -170,8 +172,8 @@ double direction_of(const Rotor& rotor, double speed, const Eigen::VectorXcd& sh
 }
 
 bool is_inside(const WhirlWindow& window, Complex s) {
-  return s.imag() >= -no_frequency * std::abs(s) && s.imag() <= window.highest_frequency &&
-         s.real() >= -window.strongest_decay;
+  const double highest = s.real() > 0.0 ? window.highest_growing_frequency : window.highest_frequency;
+  return s.imag() >= -no_frequency * std::abs(s) && s.imag() <= highest && s.real() >= -window.strongest_decay;
 }
 
 std::optional<std::vector<FilmImpedance>> impedances_at(const std::vector<CarryingBearing>& bearings,
@@ -197,7 +199,9 @@ double Whirl::damping_ratio() const {
 }
 
 WhirlWindow usual_window(double speed) {
-  return {.highest_frequency = 2.0 * std::abs(speed), .strongest_decay = std::abs(speed)};
+  return {.highest_frequency = 2.0 * std::abs(speed),
+          .strongest_decay = std::abs(speed),
+          .highest_growing_frequency = 8.0 * std::abs(speed)};
 }
 
 std::vector<Whirl> whirls_on(const Rotor& rotor, double speed, const std::vector<FilmImpedance>& bearings,
@@ -282,7 +286,9 @@ std::optional<Onset> find_onset(const std::function<std::optional<std::complex<d
     b = middle;
     growth_b = middle->growth();
   }
-  return Onset{.speed = best.speed, .whirl_ratio = best.rate.imag() / std::abs(best.speed)};
+  return Onset{.speed = best.speed,
+               .whirl_ratio = best.rate.imag() / std::abs(best.speed),
+               .jumps = std::abs(best.growth()) > jumping_growth};
 }
 
 }  // namespace bumpfoil

@@ -176,6 +176,27 @@ def test_run_up(running):
         figures.run_up(running)
 
 
+def test_rotors(running):
+    speeds = ["12000 rpm", "13000 rpm", "14000 rpm"]
+    rotor = bumpfoil.run_stability(EXAMPLES / "rotor.toml", film=COARSE, stability={"speeds": speeds})
+    for contacts in ("sliding", "stuck"):
+        figure = figures.campbell(rotor, contacts=contacts)
+        inspect(figure, width=190, panels=2)
+        frequency, growth = figure.axes
+        # Half the speed of rotation, near which the rotor whirls, is drawn as a line.
+        half = frequency.lines[-1].get_ydata()
+        np.testing.assert_allclose(half, [100.0, 650.0 / 6.0, 700.0 / 6.0], rtol=1e-12)
+        np.testing.assert_allclose(frequency.lines[0].get_ydata(), half, rtol=0.1)
+        whirl, grown = (line.get_ydata() for line in growth.lines[:2])
+        assert len(whirl) == 3
+        np.testing.assert_array_equal(grown, whirl[whirl > 0])
+    inspect(figures.root_locus(rotor), width=90, panels=1)
+    with pytest.raises(ValueError, match="no free motions"):
+        figures.campbell(running)
+    with pytest.raises(ValueError, match="one of stuck, sliding"):
+        figures.campbell(rotor, contacts="slipping")
+
+
 @pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
 def test_many_curves_fit_on_a_page_and_differ(many, width, size):
     figure = figures.coefficients(many, width=width)

@@ -72,6 +72,7 @@ def test_data_set_and_table_are_those_of_the_files(result, tmp_path):
 SHORT = {
     "vibration": lambda: bumpfoil.run_vibration(EXAMPLES / "vibration.toml", vibration={"steps": 4, "amplitudes": ["1 um", "2 um"]}),
     "equilibrium": lambda: bumpfoil.run_equilibrium(EXAMPLES / "running.toml", film={"rows": 4}, equilibrium={"loads": [["10 N", "0 N"]]}),
+    "stability": lambda: bumpfoil.run_stability(EXAMPLES / "rotor.toml", film={"rows": 4}, stability={"speeds": ["12000 rpm", "14000 rpm"]}),
     "sweep": lambda: bumpfoil.run_sweep(GEN1, {"friction.coefficient": [0, 0.1]}, cycle={"steps": 5, "directions": ["+X"]}),
     "montecarlo": lambda: bumpfoil.run_montecarlo(EXAMPLES / "tolerances.toml", samples=3, cycle={"steps": 5}),
     "cycle": lambda: bumpfoil.run_cycle(EXAMPLES / "gen3-three-pad.toml", cycle={"steps": 5}),
@@ -144,6 +145,7 @@ def test_shown_in_a_notebook(result):
     [
         ("vibration", ["load_y_N", "amplitude_m", "loss_factor", "−50", "1e-06"]),
         ("equilibrium", ["speed_rad_per_s", "h_min_m", "4712", "10", "converged"]),
+        ("stability", ["speed_rad_per_s", "imag_rad_per_s", "1257", "sliding", "converged"]),
         ("sweep", ["friction_coefficient", "direction_deg", "max_force_N", "520.5", "738.6"]),
         ("montecarlo", ["+X", "maximum force (N)", "loss factor"]),
         ("path", ["path", "journal, X at the end (um)", "50", "force, X at the end (N)"]),

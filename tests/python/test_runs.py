@@ -52,6 +52,7 @@ def test_any_experiment_runs_by_the_name_of_its_command():
         ("path", "three_pads", {"path.points": [["10 um", "0 um"], ["40 um", "-20 um"]]}),
         ("vibration", "vibration", {"vibration.steps": 10}),
         ("equilibrium", "running", {"equilibrium.loads": [["20 N", "0 N"]], "film": COARSE}),
+        ("stability", "rotor", {"stability.speeds": ["12000 rpm", "14000 rpm"], "film": COARSE}),
         ("equilibrium", "running_pads", {"equilibrium.loads": [["20 N", "0 N"]], "film": COARSE}),
     ],
 )

@@ -39,6 +39,7 @@ struct WhirlOnset {
   bool stuck{};
   bool by_coefficients{};  ///< as synchronous coefficients have it
   bool begins{};           ///< it grows at higher |Omega|
+  bool of_foils{};         ///< it is a motion of foils and films
   Onset onset;
 };
 

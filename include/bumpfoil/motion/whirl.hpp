@@ -34,11 +34,12 @@ struct Whirl {
 
 /// Motions that are looked for.
 struct WhirlWindow {
-  double highest_frequency{};  ///< Im s, rad/s
-  double strongest_decay{};    ///< -Re s, 1/s
+  double highest_frequency{};          ///< Im s, rad/s
+  double strongest_decay{};            ///< -Re s, 1/s
+  double highest_growing_frequency{};  ///< of those that grow, rad/s
 };
 
-/// Up to twice the speed of rotation, and what decays within a radian.
+/// Up to twice the speed of rotation, and what decays within a radian; up to eight times that speed, what grows.
 WhirlWindow usual_window(double speed);
 
 /// All motions in a window, the one that grows fastest first. They are the eigenvalues of one matrix: the reduced films
@@ -77,9 +78,11 @@ std::vector<Whirl> whirls_on_coefficients(const Rotor& rotor, double speed, cons
 struct Onset {
   double speed{};        ///< Omega, rad/s
   double whirl_ratio{};  ///< frequency over |Omega|
+  bool jumps{};          ///< the growth rate jumps over zero there, as where contacts change
 };
 
-/// The speed at which the growth rate changes its sign, by the secant through two speeds, and halving where it lags.
+/// The speed at which the growth rate changes its sign, or jumps to another one, by the secant through two speeds, and
+/// halving where it lags.
 /// @param rate_at  rate s of the motion that is followed, 1/s; nothing where there is no state
 /// @return nothing if the growth rates at both ends have the same sign, or a state is missing
 std::optional<Onset> find_onset(const std::function<std::optional<std::complex<double>>(double speed)>& rate_at,

@@ -42,7 +42,9 @@ Json stability_lists(const StabilityResult& result) {
                               {"whirl_ratio", found.onset.whirl_ratio},
                               {"contacts", name_of(found.stuck ? ContactMotion::stuck : ContactMotion::sliding)},
                               {"by_coefficients", found.by_coefficients},
-                              {"begins", found.begins}});
+                              {"begins", found.begins},
+                              {"of_foils", found.of_foils},
+                              {"jumps", found.onset.jumps}});
   }
   json["speeds"] = Json::array();
   for (const SpeedPoint& point : result.map.points) {

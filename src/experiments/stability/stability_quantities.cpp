@@ -307,8 +307,9 @@ std::vector<std::string> warning_lines(const Case& input, const StabilityResult&
 }
 
 std::string onset_text(const WhirlOnset& found) {
-  return fmt::format("whirl {} at {}, whirl ratio {:.4f}", found.begins ? "begins" : "ends",
-                     speed_text(found.onset.speed), found.onset.whirl_ratio);
+  return fmt::format("whirl{} {} at {}, whirl ratio {:.4f}{}", found.of_foils ? " of the foils" : "",
+                     found.begins ? "begins" : "ends", speed_text(found.onset.speed), found.onset.whirl_ratio,
+                     found.onset.jumps ? " (contacts change there)" : "");
 }
 
 }  // namespace bumpfoil

@@ -87,9 +87,19 @@ TEST(Onset, IsWhereTheGrowthChangesItsSign) {
   ASSERT_TRUE(onset.has_value());
   EXPECT_NEAR(onset->speed, 300.0, 1e-6);
   EXPECT_NEAR(onset->whirl_ratio, 0.5, 1e-9);
+  EXPECT_FALSE(onset->jumps);
   EXPECT_LT(calls, 20);
   EXPECT_FALSE(find_onset(rate, 400.0, 1000.0).has_value());
   EXPECT_FALSE(find_onset([](double) { return std::optional<Complex>(); }, 100.0, 1000.0).has_value());
+}
+
+/// Contacts that change at a speed.
+TEST(Onset, SaysWhereTheGrowthJumps) {
+  const auto onset =
+      find_onset([](double speed) { return std::optional(Complex(speed < 400.0 ? -2.0 : 7.0, 100.0)); }, 100.0, 1000.0);
+  ASSERT_TRUE(onset.has_value());
+  EXPECT_NEAR(onset->speed, 400.0, 1e-6);
+  EXPECT_TRUE(onset->jumps);
 }
 
 }  // namespace
