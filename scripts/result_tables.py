@@ -56,6 +56,9 @@ def table_rows(name, experiments):
         "states": lambda one: over("state")(one) and "csv" not in one["tags"],
         "film": lambda one: bool({"column", "row", "frequency"} & set(one["dims"])) and not is_dimension(one),
         "formed": over_none,
+        "run": over_none,
+        "speeds": lambda one: one["dims"] in (["speed"], ["bearing"], ["speed", "bearing"]) and not is_dimension(one),
+        "motions": lambda one: {"mode", "station"} & set(one["dims"]) and not is_dimension(one),
         "pads": lambda one: True,
         "rough": lambda one: "csv" not in one["tags"],
     }[part]

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <numbers>
 #include <vector>
@@ -83,6 +84,47 @@ TEST(RotorWhirl, DecaysAsInThePrototype) {
   const Complex growing = worst_rate(make_point_mass(1.0), stepper, loaded);
   EXPECT_NEAR(growing.real(), 0.00552, 1e-5);
   EXPECT_NEAR(growing.imag(), 0.30067, 1e-5);
+}
+
+/// Rate of the rotor's whirl with coefficients at the frequency of that whirl, as from tables over speed and frequency.
+Complex rate_by_tables(const Rotor& rotor, const FreeMotions& motions, double speed) {
+  Complex rate = motions.whirls.front().rate;
+  for (int i = 0; i < 30; ++i) {
+    const double frequency = rate.imag();
+    const Eigen::Matrix2cd Z = motions.bearings.front().at({0.0, frequency});
+    const auto linear = linear_impedance(Z.real(), Z.imag() / frequency, frequency);
+    rate = whirls_on(rotor, speed, {linear}, usual_window(speed)).front().rate;
+  }
+  return rate;
+}
+
+/// What tables of coefficients say of a rotor of 1 kg, f = 0: over speed and frequency they are right at the onset,
+/// where the motion has no growth, and near it; synchronous ones have the rotor stable at three times its onset.
+TEST(RotorWhirl, ComesOutOfTablesOverFrequencyAndNotOutOfSynchronousOnes) {
+  FilmStepper stepper(film_reference_bearing({6, 8}));
+  const Rotor rotor = make_point_mass(1.0);
+  const auto verdicts_at = [&](double rpm) {
+    const double speed = speed_of_rpm(-rpm);
+    const BearingState state = state_under(stepper, {gravity, 0.0}, speed);
+    const auto motions = find_whirls(rotor, {{stepper, state}}, usual_window(speed));
+    EXPECT_TRUE(motions.has_value());
+    const double full = motions->whirls.front().rate.real();
+    const double tables = rate_by_tables(rotor, *motions, speed).real();
+    const double synchronous =
+        whirls_on_coefficients(rotor, speed, motions->bearings, usual_window(speed)).front().rate.real();
+    return std::array{full / std::abs(speed), tables / std::abs(speed), synchronous / std::abs(speed)};
+  };
+  const auto at_onset = verdicts_at(13072.434026772906);
+  EXPECT_NEAR(at_onset[0], 0.0, 1e-7);
+  EXPECT_NEAR(at_onset[1], 0.0, 1e-7);
+  EXPECT_LT(at_onset[2], -0.08);
+  const auto below = verdicts_at(12000.0);
+  EXPECT_NEAR(below[0], -0.02138068, 1e-7);
+  EXPECT_NEAR(below[1], below[0], 0.2 * std::abs(below[0]));
+  EXPECT_LT(below[2], -0.09);
+  const auto far_above = verdicts_at(40000.0);
+  EXPECT_GT(far_above[0], 0.07);
+  EXPECT_LT(far_above[2], -0.02);
 }
 
 /// Two bearings of different clearances carry a rigid rotor that tilts.

@@ -168,7 +168,7 @@ constexpr auto motion_quantity_table = std::to_array<MotionQuantity>({
      [](const SpeedMotion& motion) { return motion.whirl->rate.imag(); }, csv},
     {"log_decrement", "1", "logarithmic decrement",
      [](const SpeedMotion& motion) { return log_decrement(*motion.whirl, 1.0); }, csv},
-    {"damping_ratio", "1", "damping ratio, -Re s / |s|",
+    {"damping_ratio", "1", "damping ratio: -Re s over the modulus of s",
      [](const SpeedMotion& motion) { return motion.whirl->damping_ratio(); }, csv},
     {"direction",
      "",
