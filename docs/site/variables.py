@@ -67,6 +67,7 @@ def small_results():
     yield "equilibrium", "several pads", bumpfoil.run_equilibrium(EXAMPLES / "running_pads.toml", **FILM)
     two_speeds = {"film": FILM["film"], "stability": {"speeds": ["12000 rpm", "14000 rpm"]}}
     yield "stability", "", bumpfoil.run_stability(EXAMPLES / "rotor.toml", **two_speeds)
+    yield "unbalance", "", bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film=FILM["film"], unbalance=two_speeds["stability"])
     yield "film", "", run_film(EXAMPLES / "gen1.toml")
     yield "sweep", "", bumpfoil.run_sweep(gen1, swept)
     yield "sweep", "vibrations", bumpfoil.run_sweep(gen1, swept, command="vibration", vibration=motion)

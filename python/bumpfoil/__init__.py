@@ -21,6 +21,7 @@ from .runs import (
     run_stability,
     run_strip,
     run_sweep,
+    run_unbalance,
     run_vibration,
 )
 from .stepper import State, Stepper
@@ -49,6 +50,7 @@ __all__ = [
     "run_stability",
     "run_strip",
     "run_sweep",
+    "run_unbalance",
     "run_vibration",
     "template",
     "write_report",

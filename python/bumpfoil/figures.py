@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .result import Result
 
 __all__ = [
+    "bode",
     "bump_loads",
     "campbell",
     "coefficients",
@@ -323,6 +324,47 @@ def _draw_mode(ax: Any, number: int, label: str, x: Any, y: Any, grows: Any) -> 
     style = _style(number, marked=True)
     ax.plot(x, y, label=label, markerfacecolor="white", **style)
     ax.plot(x[grows], y[grows], linestyle="none", marker=style["marker"], color=style["color"])
+
+
+@styled
+def bode(result: Result, *, width: str = "double", station: str | None = None) -> Figure:
+    """Bode plot of the response of a rotor to unbalance: amplitudes and phases along X and Y over speed.
+
+    Full stick, as under a small whirl, in full lines; sliding contacts that keep sliding in dashed ones.
+
+    Parameters
+    ----------
+    result : Result
+        Of ``unbalance``.
+    width : {"single", "double"}
+        90 or 190 mm.
+    station : str, optional
+        Place on the rotor, by its name in unbalance.csv; by default the first bearing.
+    """
+    demand(result, "responses to unbalance")
+    table = result.to_dataframe()
+    known = list(dict.fromkeys(table.station))
+    name = known[0] if station is None else station
+    if name not in known:
+        raise ValueError(f"station is {station!r}; it is one of {', '.join(known)}")
+    sheet = Sheet(width, *arranged(width, 2), panel_height=60)
+    amplitude, phase = sheet.panels
+    for kind, dash in (("linear_stuck", "-"), ("linear_sliding", "--")):
+        rows = table[(table.station == name) & (table.kind == kind)]
+        rpm = abs(rows.speed_rad_per_s) * 30.0 / np.pi
+        for number, axis in enumerate("xy"):
+            label = f"{axis.upper()}, contacts {kind.removeprefix('linear_')}"
+            style = {"color": _style(number)["color"], "linestyle": dash}
+            amplitude.plot(rpm, 1e6 * rows[f"amplitude_{axis}_m"], label=label, **style)
+            unwrapped = np.degrees(np.unwrap(np.radians(rows[f"phase_{axis}_deg"].to_numpy())))
+            phase.plot(rpm, unwrapped, **style)
+    amplitude.set_ylabel("amplitude (µm)")
+    amplitude.set_ylim(bottom=0.0)
+    phase.set_ylabel("phase (degrees)")
+    for ax in sheet.panels:
+        ax.set_xlabel("speed (rpm)")
+    sheet.entitle([f"amplitude, {name}", "phase"])
+    return sheet.finish(None)
 
 
 @styled

@@ -65,6 +65,7 @@ def demand(result: Result, picture: str) -> None:
         "bump loads": any("bump_loads" in cycle.quantities for cycle in result.cycles),
         "coefficients": result.command in ("vibration", "equilibrium"),
         "states on asperities": result.command == "equilibrium" and "asperity_share" in result.to_dataframe(),
+        "responses to unbalance": result.command == "unbalance",
         "free motions": result.command == "stability",
         "distributions": result.command == "montecarlo",
         "quantities over keys": result.command == "sweep",

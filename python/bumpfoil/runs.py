@@ -193,6 +193,14 @@ def run_stability(case: Any, /, *, progress: Progress = None, **tables: Any) -> 
     return _run("stability", case, progress, tables)
 
 
+@_documented()
+def run_unbalance(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+    """Computes the response of [rotor] to its unbalances over the speeds of [unbalance], film and foils included.
+
+    ``summary["peaks"]`` are the speeds at which the orbits are largest."""
+    return _run("unbalance", case, progress, tables)
+
+
 @_documented(
     """
     over : mapping

@@ -38,6 +38,8 @@ constexpr std::array dimensions{
     DimensionText{Dimension::moment_of_inertia, "a moment of inertia", "kg m2", "\"9e-3 kg m2\""},
     DimensionText{Dimension::acceleration, "an acceleration", "m/s2", "\"9.81 m/s2\""},
     DimensionText{Dimension::density, "a density", "kg/m3", "\"7800 kg/m3\""},
+    DimensionText{Dimension::unbalance, "an unbalance", "kg m", "\"2 g mm\""},
+    DimensionText{Dimension::velocity, "a velocity", "m/s", "\"2.5 mm/s\""},
 };
 
 /// Longer texts are no quantities; the grammar of units recurses.

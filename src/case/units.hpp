@@ -22,6 +22,8 @@ enum class Dimension {
   moment_of_inertia,
   acceleration,
   density,
+  unbalance,
+  velocity,
 };
 
 /// Why a text is not the expected quantity.

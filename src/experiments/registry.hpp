@@ -10,4 +10,5 @@
   EACH(vibration)                  \
   EACH(film)                       \
   EACH(equilibrium)                \
-  EACH(stability)
+  EACH(stability)                  \
+  EACH(unbalance)

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "bumpfoil/model/case.hpp"
 #include "model/judge.hpp"
 
@@ -12,5 +15,8 @@ void describe_rotor(CaseVisitor& keys, Case& input);
 
 /// Checks it.
 void judge_rotor(Judge& judge, const Case& input);
+
+/// Checks the speeds that an experiment takes a rotor to.
+void judge_rotor_speeds(Judge& judge, const std::string& key, const std::vector<double>& speeds);
 
 }  // namespace bumpfoil

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/rotor/unbalance.hpp"
 #include "case/case_keys.hpp"
 #include "experiments/rotor_keys.hpp"
 
@@ -18,7 +19,9 @@ constexpr double shaft_elements = 60.0;
 constexpr Range mass_range{1e-6, 1e6, "kg"};
 constexpr Range inertia_range{1e-15, 1e6, "kg m2"};
 constexpr Range density_of_shaft_range{1.0, 1e5, "kg/m3"};
-constexpr double most_gravity = 1e5;  // m/s^2
+constexpr double most_gravity = 1e5;      // m/s^2
+constexpr double most_rotor_speed = 1e6;  // rad/s
+constexpr std::size_t most_rotor_speeds = 10'000;
 /// A bearing that carries a smaller part of the weight than this carries none.
 constexpr double least_share = 1e-6;
 
@@ -27,18 +30,30 @@ double length_of(const std::vector<ShaftSection>& shaft) {
                          [](double sum, const ShaftSection& section) { return sum + section.length; });
 }
 
+/// Part of a rotor that is computed where it does not tilt.
+constexpr double half = 0.5;
+
+std::vector<double> planes_of(const RotorSettings& settings) {
+  std::vector<double> planes;
+  planes.reserve(settings.unbalances.size());
+  for (const RotorUnbalance& unbalance : settings.unbalances) planes.push_back(unbalance.at);
+  return planes;
+}
+
 Rotor full_rotor(const RotorSettings& settings) {
-  if (!settings.tilts()) return make_point_mass(0.5 * settings.mass.value_or(0.0));
+  if (!settings.tilts()) return make_point_mass(half * settings.mass.value_or(0.0));
   if (settings.is_flexible()) {
     return make_flexible_rotor({.sections = settings.shaft,
                                 .discs = settings.disks,
                                 .bearings = settings.bearings,
+                                .planes = planes_of(settings),
                                 .longest_element = length_of(settings.shaft) / shaft_elements});
   }
   return make_rigid_rotor({.mass = settings.mass.value_or(0.0),
                            .transverse_inertia = settings.transverse_inertia.value_or(0.0),
                            .polar_inertia = settings.polar_inertia.value_or(0.0),
-                           .bearings = settings.bearings});
+                           .bearings = settings.bearings,
+                           .planes = planes_of(settings)});
 }
 
 void describe(CaseVisitor& keys, ShaftSection& section) {
@@ -63,6 +78,28 @@ void describe(CaseVisitor& keys, ShaftDisc& disk) {
       &disk.transverse_inertia);
   keys.value({"polar_inertia", required, "Polar inertia", "about the axis", "2e-4 kg m2", moment_of_inertia},
              &disk.polar_inertia);
+}
+
+void describe(CaseVisitor& keys, RotorUnbalance& one) {
+  using enum Presence;
+  using enum Dimension;
+  keys.value({"amount", optional, "Amount", "mass times distance from the axis", "2 g mm", unbalance}, &one.amount);
+  keys.value({.name = "grade",
+              .presence = optional,
+              .title = "Balance quality grade",
+              .text = "of ISO 21940-11: all that the grade allows the whole rotor, in this plane",
+              .example = "2.5 mm/s",
+              .dimension = velocity,
+              .instead = true},
+             &one.grade);
+  keys.value({"grade_speed", optional, "Speed of the grade", "for which it is", "60000 rpm", frequency},
+             &one.grade_speed);
+  keys.value(
+      {"at", defaulted, "Place", "of its plane along the axis, measured as those of the bearings", "0 mm", length},
+      &one.at);
+  keys.value({"phase", defaulted, "Phase", "of the heavy place, from X towards Y, when the rotor stands at angle 0",
+              "0 deg", angle},
+             &one.phase);
 }
 
 void describe(CaseVisitor& keys, RotorSettings& rotor) {
@@ -90,6 +127,8 @@ void describe(CaseVisitor& keys, RotorSettings& rotor) {
                  [](CaseVisitor& inner, ShaftSection& section) { describe(inner, section); });
   list_of_tables(keys, {"disk", optional, "Disk", "rigid, on the shaft"}, rotor.disks,
                  [](CaseVisitor& inner, ShaftDisc& disk) { describe(inner, disk); });
+  list_of_tables(keys, {"unbalance", optional, "Unbalance", "in one plane, for the command unbalance"},
+                 rotor.unbalances, [](CaseVisitor& inner, RotorUnbalance& one) { describe(inner, one); });
 }
 
 /// Positive numbers that may be absent.
@@ -129,6 +168,36 @@ bool judge_shaft(Judge& judge, const RotorSettings& rotor) {
   }
   for (std::size_t i = 0; i < rotor.bearings.size(); ++i) {
     right &= lies_on_it(fmt::format("rotor.bearings[{}]", i + 1), rotor.bearings[i]);
+  }
+  return right;
+}
+
+bool judge_unbalances(Judge& judge, const RotorSettings& rotor) {
+  bool right = true;
+  const double end = length_of(rotor.shaft);
+  for (std::size_t i = 0; i < rotor.unbalances.size(); ++i) {
+    const RotorUnbalance& one = rotor.unbalances[i];
+    const std::string name = fmt::format("rotor.unbalance[{}]", i + 1);
+    right &= judge_optional(judge, name + ".amount", one.amount, {0.0, 1.0, "kg m"});
+    right &= judge_optional(judge, name + ".grade", one.grade, {0.0, 10.0, "m/s"});
+    right &= judge_optional(judge, name + ".grade_speed", one.grade_speed, frequency_range);
+    right &= judge.require(one.amount.has_value() != one.grade.has_value(), name + ".amount", "",
+                           one.amount ? "is given beside a grade" : "is missing, as is a grade",
+                           "give an amount such as \"2 g mm\", or a grade such as \"2.5 mm/s\" with its grade_speed");
+    right &= judge.require(one.grade.has_value() == one.grade_speed.has_value(), name + ".grade_speed", "",
+                           one.grade ? "is missing: a grade is for a speed" : "is given without a grade",
+                           "give both, such as grade = \"2.5 mm/s\" and grade_speed = \"60000 rpm\"");
+    right &= judge.finite(name + ".phase", one.phase, "rad");
+    if (rotor.is_flexible()) {
+      right &= judge.require(one.at >= 0.0 && one.at <= end * (1.0 + round_off), name + ".at", quantity(one.at, "m"),
+                             "is not on the shaft",
+                             fmt::format("give a place from its begin, 0 m, to its end, {:.6g} m", end));
+    } else {
+      right &= judge.finite(name + ".at", one.at, "m");
+      right &= judge.require(rotor.tilts() || one.at == 0.0, name + ".at", quantity(one.at, "m"),
+                             "is a place on a rotor that does not tilt",
+                             "remove it, or give rotor.bearings and rotor.transverse_inertia");
+    }
   }
   return right;
 }
@@ -175,6 +244,22 @@ ReducedRotor rotor_of(const RotorSettings& settings, double range) {
   return reduce_rotor(rotor, range);
 }
 
+Eigen::VectorXcd unbalance_force(const RotorSettings& settings, const Rotor& rotor, double speed) {
+  Eigen::VectorXcd force = Eigen::VectorXcd::Zero(rotor.size());
+  const std::size_t count = settings.unbalances.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const RotorUnbalance& one = settings.unbalances[i];
+    const double mass = rotor.total_mass() / (settings.tilts() ? 1.0 : half);
+    const double amount =
+        one.amount ? *one.amount : unbalance_of_grade(one.grade.value_or(0.0), mass, one.grade_speed.value_or(1.0));
+    // Planes are the last stations.
+    const RotorStation& plane =
+        settings.tilts() ? rotor.stations[rotor.stations.size() - count + i] : rotor.bearings.front();
+    force += unbalance_force(plane, {.amount = settings.tilts() ? amount : half * amount, .phase = one.phase}, speed);
+  }
+  return force;
+}
+
 const RotorSettings& rotor_settings_of(const Case& input) {
   const RotorSettings* const settings = input.settings.find<RotorSettings>();
   if (settings == nullptr) {
@@ -214,6 +299,7 @@ void judge_rotor(Judge& judge, const Case& input) {
   }
   right &= judge_kind(judge, *rotor);
   right &= judge_shaft(judge, *rotor);
+  right &= judge_unbalances(judge, *rotor);
   if (!right || !gravity_right) return;
   const Rotor made = full_rotor(*rotor);
   const std::vector<Eigen::Vector2d> loads = weights_on_bearings(made, rotor->gravity_vector());
@@ -221,6 +307,23 @@ void judge_rotor(Judge& judge, const Case& input) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     judge.require(loads[i].norm() > least_share * weight, fmt::format("rotor.bearings[{}]", i + 1), "",
                   "carries nothing: the centre of mass lies over the other bearing", "move one of the bearings");
+  }
+}
+
+void judge_rotor_speeds(Judge& judge, const std::string& key, const std::vector<double>& speeds) {
+  judge.require(!speeds.empty(), key, "[]", "is empty", "give a list such as [\"10000 rpm\", \"14000 rpm\"]");
+  judge.require(speeds.size() <= most_rotor_speeds, key, fmt::format("{} speeds", speeds.size()), "are too many",
+                fmt::format("give {} at most", most_rotor_speeds));
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const double speed = speeds[i];
+    const std::string entry = fmt::format("{}[{}]", key, i + 1);
+    if (!judge.finite(entry, speed, "rad/s")) continue;
+    const bool turns = judge.require(speed != 0.0 && std::abs(speed) <= most_rotor_speed, entry,
+                                     quantity(speed, "rad/s"), "is not a speed at which a film carries",
+                                     fmt::format("give a speed other than zero, {} rad/s at most", most_rotor_speed));
+    if (!turns) continue;
+    judge.require(speed * speeds.front() >= 0.0, entry, quantity(speed, "rad/s"), "has another sign than the first",
+                  "give speeds of one sense of rotation");
   }
 }
 

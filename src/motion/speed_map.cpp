@@ -6,85 +6,28 @@
 #include <limits>
 #include <utility>
 
-#include "bumpfoil/motion/branch.hpp"
-#include "bumpfoil/motion/rest.hpp"
-#include "bumpfoil/motion/start.hpp"
+#include "bumpfoil/motion/rotor_equilibria.hpp"
 
 namespace bumpfoil {
 namespace {
-
-/// Where journals are held at the cold start, in what a journal at the centre has everywhere, along their loads.
-constexpr double held_along_load = 0.1;
-/// Increments in which a clearance closes that had to be opened for the first state.
-constexpr int starting_steps = 10;
 
 /// Motions at neighbouring speeds that are more unlike than this are two. Shapes at right angles count as much as rates
 /// that are so many speeds of rotation apart.
 constexpr double another_motion = 0.3;
 constexpr double shape_counts = 0.2;
 
-/// The bearings of a rotor, and what each of them carries.
-class Carriers {
- public:
-  Carriers(const Rotor& rotor, const std::vector<FilmStepper*>& steppers, const Eigen::Vector2d& gravity)
-      : rotor_(rotor), steppers_(steppers), loads_(weights_on_bearings(rotor, gravity)) {}
-
-  /// @param states  receives those at a speed, from a cold start
-  Status start(double speed, std::vector<BearingState>& states) const {
-    states.resize(steppers_.size());
-    for (std::size_t i = 0; i < steppers_.size(); ++i) {
-      const OperatingPoint loaded = OperatingPoint::loaded_by(loads_[i], speed);
-      const FilmReport report = start_from_rest(
-          *steppers_[i], loaded, starting_steps,
-          [&](FilmStepper& stepper, double opening, BearingState& state) {
-            const Eigen::Vector2d held = held_along_load * (stepper.bearing().room + opening) * loads_[i].normalized();
-            FilmReport begun = cold_start(stepper, held, speed, state, opening);
-            if (begun.status != Status::converged) return begun;
-            OperatingPoint opened = loaded;
-            opened.opening = opening;
-            begun += settle(stepper, opened, state);
-            return begun;
-          },
-          states[i]);
-      if (report.status != Status::converged) return report.status;
-    }
-    return Status::converged;
-  }
-
-  Status go_on(double speed, std::vector<BearingState>& states) const {
-    for (std::size_t i = 0; i < steppers_.size(); ++i) {
-      const FilmReport report = follow(*steppers_[i], OperatingPoint::loaded_by(loads_[i], speed), states[i]);
-      if (report.status != Status::converged) return report.status;
-    }
-    return Status::converged;
-  }
-
-  /// Without their numbers.
-  [[nodiscard]] std::optional<SpeedMotions> motions(const std::vector<BearingState>& states, bool stuck) const {
-    std::vector<CarryingBearing> bearings;
-    bearings.reserve(states.size());
-    for (std::size_t i = 0; i < states.size(); ++i) bearings.push_back({*steppers_[i], states[i]});
-    const double speed = states.front().speed;
-    const WhirlWindow window = usual_window(speed);
-    auto free = find_whirls(rotor_, bearings, window, stuck);
-    if (!free) return std::nullopt;
-    SpeedMotions found{.whirls = std::move(free->whirls), .numbers = {}, .by_coefficients = {}};
-    const std::vector<Whirl> linear = whirls_on_coefficients(rotor_, speed, free->bearings, window);
-    if (!linear.empty()) found.by_coefficients = linear.front().rate;
-    return found;
-  }
-
-  /// The motions at a speed, in one increment from these states.
-  [[nodiscard]] std::optional<SpeedMotions> motions_at(double speed, std::vector<BearingState> states,
-                                                       bool stuck) const {
-    return go_on(speed, states) == Status::converged ? motions(states, stuck) : std::nullopt;
-  }
-
- private:
-  const Rotor& rotor_;
-  const std::vector<FilmStepper*>& steppers_;
-  std::vector<Eigen::Vector2d> loads_;
-};
+/// Without their numbers.
+std::optional<SpeedMotions> free_motions(const Rotor& rotor, const RotorEquilibria& equilibria,
+                                         const std::vector<BearingState>& states, bool stuck) {
+  const double speed = states.front().speed;
+  const WhirlWindow window = usual_window(speed);
+  auto free = find_whirls(rotor, equilibria.carrying(states), window, stuck);
+  if (!free) return std::nullopt;
+  SpeedMotions found{.whirls = std::move(free->whirls), .numbers = {}, .by_coefficients = {}};
+  const std::vector<Whirl> linear = whirls_on_coefficients(rotor, speed, free->bearings, window);
+  if (!linear.empty()) found.by_coefficients = linear.front().rate;
+  return found;
+}
 
 bool any_slips(const std::vector<BearingState>& states) {
   return std::any_of(states.begin(), states.end(),
@@ -99,7 +42,7 @@ std::optional<std::complex<double>> fastest_rate(const std::optional<SpeedMotion
 }
 
 /// Adds the onsets of one kind. @param kind  says which contacts, and by what
-void add_onsets(const Carriers& carriers, const WhirlOnset& kind, SpeedMap& map) {
+void add_onsets(const Rotor& rotor, const RotorEquilibria& equilibria, const WhirlOnset& kind, SpeedMap& map) {
   for (std::size_t i = 1; i < map.points.size(); ++i) {
     const SpeedPoint& a = map.points[i - 1];
     const SpeedPoint& b = map.points[i];
@@ -111,7 +54,9 @@ void add_onsets(const Carriers& carriers, const WhirlOnset& kind, SpeedMap& map)
       // Where nothing moves, no contact slips: the modes at the ends are those that they were reached with.
       if (speed == a.speed) return rate_a;
       if (speed == b.speed) return rate_b;
-      const std::optional<SpeedMotions> motions = carriers.motions_at(speed, a.states, kind.stuck);
+      std::vector<BearingState> states = a.states;
+      if (equilibria.go_to(speed, states) != Status::converged) return std::optional<std::complex<double>>();
+      const std::optional<SpeedMotions> motions = free_motions(rotor, equilibria, states, kind.stuck);
       found.of_foils = motions && !motions->whirls.empty() && motions->whirls.front().is_of_foils();
       return fastest_rate(motions, kind.by_coefficients);
     };
@@ -196,7 +141,7 @@ void number_all_motions(SpeedMap& map) {
 
 SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& steppers, const Eigen::Vector2d& gravity,
                     const std::vector<double>& speeds, const std::function<bool()>& keep_going) {
-  const Carriers carriers(rotor, steppers, gravity);
+  const RotorEquilibria equilibria(rotor, steppers, gravity);
   SpeedMap map;
   std::vector<BearingState> states;
   Status status = Status::converged;
@@ -205,14 +150,12 @@ SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& stepper
     point.speed = speed;
     if (status != Status::converged) continue;
     if (keep_going && !keep_going()) status = Status::interrupted;
-    if (status == Status::converged) {
-      status = states.empty() ? carriers.start(speed, states) : carriers.go_on(speed, states);
-    }
+    if (status == Status::converged) status = equilibria.go_to(speed, states);
     point.status = status;
     if (status != Status::converged) continue;
     point.states = states;
-    point.sliding = carriers.motions(states, false);
-    point.stuck = any_slips(states) ? carriers.motions(states, true) : point.sliding;
+    point.sliding = free_motions(rotor, equilibria, states, false);
+    point.stuck = any_slips(states) ? free_motions(rotor, equilibria, states, true) : point.sliding;
   }
   number_all_motions(map);
   if (status == Status::interrupted) return map;
@@ -221,7 +164,7 @@ SpeedMap map_speeds(const Rotor& rotor, const std::vector<FilmStepper*>& stepper
       WhirlOnset kind;
       kind.stuck = stuck;
       kind.by_coefficients = by_coefficients;
-      add_onsets(carriers, kind, map);
+      add_onsets(rotor, equilibria, kind, map);
     }
   }
   return map;

@@ -89,7 +89,7 @@ class Completion(unittest.TestCase):
 
     def test_offers_values(self):
         self.assertEqual(self.complete("bumpfoil cycle --solver "), ["newton", "uzawa", "events"])
-        self.assertEqual(self.complete("bumpfoil sweep --command = st"), ["strip"])
+        self.assertEqual(self.complete("bumpfoil sweep --command = str"), ["strip"])
         self.assertEqual(self.complete("bumpfoil montecarlo --samples "), [])
 
     def test_offers_keys_of_the_case_file(self):

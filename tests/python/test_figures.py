@@ -197,6 +197,22 @@ def test_rotors(running):
         figures.campbell(rotor, contacts="slipping")
 
 
+def test_bode(running):
+    speeds = {"from": "6000 rpm", "to": "10000 rpm", "points": 5}
+    response = bumpfoil.run_unbalance(EXAMPLES / "rotor.toml", film=COARSE, unbalance={"speeds": speeds})
+    figure = figures.bode(response)
+    inspect(figure, width=190, panels=2)
+    table = response.to_dataframe()
+    stuck = table[table.kind == "linear_stuck"]
+    np.testing.assert_array_equal(figure.axes[0].lines[0].get_ydata(), 1e6 * stuck.amplitude_x_m)
+    turns = (figure.axes[1].lines[0].get_ydata() - stuck.phase_x_deg) / 360.0
+    np.testing.assert_allclose(turns, np.round(turns), atol=1e-9)
+    with pytest.raises(ValueError, match="no responses to unbalance"):
+        figures.bode(running)
+    with pytest.raises(ValueError, match="one of bearing 1"):
+        figures.bode(response, station="fan")
+
+
 @pytest.mark.parametrize("width, size", [("single", 90), ("double", 190)])
 def test_many_curves_fit_on_a_page_and_differ(many, width, size):
     figure = figures.coefficients(many, width=width)

@@ -53,6 +53,7 @@ def test_any_experiment_runs_by_the_name_of_its_command():
         ("vibration", "vibration", {"vibration.steps": 10}),
         ("equilibrium", "running", {"equilibrium.loads": [["20 N", "0 N"]], "film": COARSE}),
         ("stability", "rotor", {"stability.speeds": ["12000 rpm", "14000 rpm"], "film": COARSE}),
+        ("unbalance", "rotor", {"unbalance.speeds": ["12000 rpm", "14000 rpm"], "film": COARSE}),
         ("equilibrium", "running_pads", {"equilibrium.loads": [["20 N", "0 N"]], "film": COARSE}),
     ],
 )

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/model/validation.hpp"
 
 namespace bumpfoil::test_support {
@@ -14,7 +15,8 @@ Keys faulty_keys(const std::function<void(Case&)>& change) {
   for (const auto& [command, fault] : judge_case(input)) {
     // Of commands whose table is there.
     if (command == "film" || command == "limits" || (command == "equilibrium" && !input.equilibrium) ||
-        (command == "stability" && input.settings.find<StabilitySettings>() == nullptr)) {
+        (command == "stability" && input.settings.find<StabilitySettings>() == nullptr) ||
+        (command == "unbalance" && input.settings.find<UnbalanceSettings>() == nullptr)) {
       continue;
     }
     EXPECT_TRUE(fault.file.empty());

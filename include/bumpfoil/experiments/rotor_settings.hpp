@@ -1,14 +1,29 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "bumpfoil/bearing/film_bearing.hpp"
+#include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/rotor/rotor.hpp"
 #include "bumpfoil/rotor/shaft.hpp"
 
 namespace bumpfoil {
+
+/// Entry of [[rotor.unbalance]]: an amount, or the largest one that a balance quality grade allows.
+struct RotorUnbalance {
+  std::optional<double> amount{};       ///< kg m
+  std::optional<double> grade{};        ///< G, m/s
+  std::optional<double> grade_speed{};  ///< |Omega| that the grade is for, rad/s
+  double at{};                          ///< z of its plane, m, measured as those of the bearings
+  double phase{};                       ///< of the heavy place, from X towards Y, rad
+
+  bool operator==(const RotorUnbalance&) const = default;
+};
 
 /// Table [rotor] of a case: half of a mass on each of two equal bearings; with places of the bearings and inertias, a
 /// rigid rotor on them; with pieces of a shaft, a flexible one.
@@ -21,6 +36,7 @@ struct RotorSettings {
   std::vector<double> bearings{};
   std::vector<ShaftSection> shaft{};
   std::vector<ShaftDisc> disks{};
+  std::vector<RotorUnbalance> unbalances{};
 
   bool operator==(const RotorSettings&) const = default;
   [[nodiscard]] bool is_flexible() const { return !shaft.empty(); }
@@ -28,9 +44,34 @@ struct RotorSettings {
   [[nodiscard]] Eigen::Vector2d gravity_vector() const { return {gravity[0], gravity[1]}; }
 };
 
-/// The rotor of a case; a flexible one reduced to the modes that count up to some frequency.
+/// The rotor of a case, with a station in the plane of each unbalance; a flexible one reduced to the modes that count
+/// up to some frequency.
 /// @param range  rad/s
 ReducedRotor rotor_of(const RotorSettings& settings, double range);
+
+/// Force of the unbalances on the rotor of a case, see unbalance_force(); on half a rotor that does not tilt, half of
+/// it.
+/// @param rotor  as rotor_of() makes it
+/// @param speed  Omega, rad/s
+Eigen::VectorXcd unbalance_force(const RotorSettings& settings, const Rotor& rotor, double speed);
+
+/// A rotor and the bearings that carry it.
+struct Machine {
+  SharedFilmBearing bearing;           ///< each of them
+  Rotor rotor;                         ///< as it was reduced
+  double reduction_error{};            ///< see ReducedRotor
+  std::vector<Eigen::Vector2d> loads;  ///< on the bearings by its weight, N
+
+  /// A stepper for each bearing of the rotor.
+  /// @param thickness_floor  h below which surfaces count as touching, m
+  [[nodiscard]] std::deque<FilmStepper> make_steppers(double thickness_floor) const;
+};
+
+/// The machine of a case.
+/// @param speeds   that it is to run at, rad/s
+/// @param command  that is to run it
+/// @throws Error (input) if the case cannot be built or run by the command, or has no rotor
+Machine make_machine(const Case& input, const std::vector<double>& speeds, const std::string& command);
 
 /// The rotor of a case.
 /// @throws Error (input) if there is none

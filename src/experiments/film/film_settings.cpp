@@ -88,17 +88,15 @@ void describe(CaseVisitor& keys, AsperitySettings& asperity) {
 
 void describe_film(CaseVisitor& keys, Case& input) {
   using enum Presence;
-  defaulted_table(keys,
-                  {"gas", defaulted, "Gas", "between journal and top foil, for the commands equilibrium, film and stability"},
+  defaulted_table(keys, {"gas", defaulted, "Gas", "between journal and top foil, for all commands with a film"},
                   input.gas, [](CaseVisitor& inner, GasSettings& gas) { describe(inner, gas); });
   defaulted_table(keys, {"film", defaulted, "Film", "mesh of the film, and limits of its thickness"}, input.film,
                   [](CaseVisitor& inner, FilmSettings& film) { describe(inner, film); });
-  optional_table(
-      keys,
-      {"asperity", optional, "Mixed contact",
-       "rough surfaces of journal and top foil that touch where the film is thin, for the commands equilibrium and "
-       "stability; none: smooth"},
-      input.asperity, [](CaseVisitor& inner, AsperitySettings& asperity) { describe(inner, asperity); });
+  optional_table(keys,
+                 {"asperity", optional, "Mixed contact",
+                  "rough surfaces of journal and top foil that touch where the film is thin, for all commands with "
+                  "foils on a film; none: smooth"},
+                 input.asperity, [](CaseVisitor& inner, AsperitySettings& asperity) { describe(inner, asperity); });
 }
 
 constexpr Range ambient_range{1e2, 1e8, "Pa"};
@@ -126,7 +124,7 @@ void judge_gas(Judge& judge, const GasSettings& gas) {
 }
 
 /// Commands that compute films.
-constexpr std::array film_commands{"equilibrium", "film", "stability"};
+constexpr std::array film_commands{"equilibrium", "film", "stability", "unbalance"};
 
 /// @param bumps  their number, 0 where that is not usable
 void judge_film(Judge& judge, const FilmSettings& film, int bumps) {

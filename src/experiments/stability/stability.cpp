@@ -1,21 +1,14 @@
 #include "bumpfoil/experiments/stability/stability.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <deque>
-#include <memory>
-#include <utility>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
-#include "bumpfoil/model/validation.hpp"
 
 namespace bumpfoil {
 namespace {
-
-/// Frequencies of interest end at this multiple of the highest speed, as those of usual_window() do.
-constexpr double highest_whirl_ratio = 2.0;
 
 const StabilitySettings& settings_of(const Case& input) {
   const StabilitySettings* const settings = input.settings.find<StabilitySettings>();
@@ -23,12 +16,6 @@ const StabilitySettings& settings_of(const Case& input) {
     throw Error(ErrorKind::input, {{"", 0, "stability", "", "this table is missing", "add [stability] with speeds"}});
   }
   return *settings;
-}
-
-double highest(const std::vector<double>& speeds) {
-  double most = 0.0;
-  for (const double speed : speeds) most = std::max(most, std::abs(speed));
-  return most;
 }
 
 }  // namespace
@@ -39,16 +26,8 @@ bool StabilityResult::converged() const {
 }
 
 StabilityResult stability_not_begun(const Case& input) {
-  require_valid(input, {"stability"});
-  const RotorSettings& rotor = rotor_settings_of(input);
   const StabilitySettings& settings = settings_of(input);
-  ReducedRotor reduced = rotor_of(rotor, highest_whirl_ratio * highest(settings.speeds));
-  StabilityResult result{.bearing = std::make_shared<const FilmBearing>(make_film_bearing(input)),
-                         .rotor = std::move(reduced.rotor),
-                         .reduction_error = reduced.frequency_error,
-                         .loads = {},
-                         .map = {}};
-  result.loads = weights_on_bearings(result.rotor, rotor.gravity_vector());
+  StabilityResult result{.machine = make_machine(input, settings.speeds, "stability"), .map = {}};
   for (const double speed : settings.speeds) {
     SpeedPoint& point = result.map.points.emplace_back();
     point.speed = speed;
@@ -60,15 +39,11 @@ StabilityResult stability_not_begun(const Case& input) {
 StabilityResult run_stability(const Case& input, const std::function<bool(double)>& progress) {
   StabilityResult result = stability_not_begun(input);
   const std::vector<double>& speeds = settings_of(input).speeds;
-  FilmBearingOptions options;
-  options.newton.thickness_floor = thickness_floor(input) / result.bearing->scales.thickness;
-  std::deque<FilmStepper> steppers;
+  std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
   std::vector<FilmStepper*> pointers;
-  for (std::size_t i = 0; i < result.rotor.bearings.size(); ++i) {
-    pointers.push_back(&steppers.emplace_back(result.bearing, options));
-  }
+  for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
   std::size_t done = 0;
-  result.map = map_speeds(result.rotor, pointers, rotor_settings_of(input).gravity_vector(), speeds, [&] {
+  result.map = map_speeds(result.machine.rotor, pointers, rotor_settings_of(input).gravity_vector(), speeds, [&] {
     return !progress || progress(static_cast<double>(done++) / static_cast<double>(speeds.size()));
   });
   return result;

@@ -27,13 +27,13 @@ std::vector<RotorStation> places_of(const Rotor& rotor) {
 }
 
 void add_bearings(const StabilityResult& result, Dataset& data) {
-  const std::size_t count = result.rotor.bearings.size();
+  const std::size_t count = result.machine.rotor.bearings.size();
   data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
   for (const int axis : {0, 1}) {
     const char letter = axis == 0 ? 'x' : 'y';
     const char big = axis == 0 ? 'X' : 'Y';
     data.add({fmt::format("load_{}", letter), "N", fmt::format("weight of the rotor on the bearing, {}", big)},
-             {"bearing"}, each(result.loads, [axis](const Eigen::Vector2d& load) { return load[axis]; }));
+             {"bearing"}, each(result.machine.loads, [axis](const Eigen::Vector2d& load) { return load[axis]; }));
     data.add({fmt::format("{}", letter), "m", fmt::format("journal centre in equilibrium, {}", big)},
              {"speed", "bearing"}, [&result, axis, count] {
                return padded_rows(result.map.points.size(), count, [&](std::size_t i) {
@@ -80,7 +80,7 @@ void add_motions(const StabilityResult& result, Dataset& data) {
 
 /// Shapes of all motions at the places of the rotor, the largest displacement of a shape 1 with the phase 0.
 void add_shapes(const StabilityResult& result, Dataset& data) {
-  const std::vector<RotorStation> places = places_of(result.rotor);
+  const std::vector<RotorStation> places = places_of(result.machine.rotor);
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, places.size()));
   data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},

@@ -47,7 +47,7 @@ double growth_by_coefficients(const StabilityResult&, const SpeedPoint& point) {
 double thinnest(const StabilityResult& result, const SpeedPoint& point) {
   double least = std::numeric_limits<double>::infinity();
   for (const BearingState& state : point.states) least = std::min(least, state.film.thickness.minCoeff());
-  return point.states.empty() ? absent : least * result.bearing->scales.thickness;
+  return point.states.empty() ? absent : least * result.machine.bearing->scales.thickness;
 }
 
 /// The first onset of a kind at rising |Omega|, where whirl begins.
@@ -99,12 +99,12 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
     {"load_of_rotor", "N", "weight of the rotor",
      [](const StabilityResult& result) {
        double sum = 0.0;
-       for (const Eigen::Vector2d& load : result.loads) sum += load.norm();
+       for (const Eigen::Vector2d& load : result.machine.loads) sum += load.norm();
        return sum;
      },
      none, "weight on the bearings", shown::newtons},
     {"reduction_error", "1", "largest error of a natural frequency of the reduced shaft in the range of interest",
-     [](const StabilityResult& result) { return result.reduction_error; }, of_solver},
+     [](const StabilityResult& result) { return result.machine.reduction_error; }, of_solver},
 });
 
 constexpr auto speed_quantity_table = std::to_array<SpeedQuantity>({
@@ -299,9 +299,9 @@ std::vector<std::string> warning_lines(const Case& input, const StabilityResult&
                     "leave a singular system",
                     unknown, result.map.points.size()));
   }
-  if (result.reduction_error > tolerated_reduction_error) {
+  if (result.machine.reduction_error > tolerated_reduction_error) {
     lines.push_back(fmt::format("the reduced shaft has natural frequencies that are wrong by up to {:.2g} %",
-                                100.0 * result.reduction_error));
+                                100.0 * result.machine.reduction_error));
   }
   return lines;
 }

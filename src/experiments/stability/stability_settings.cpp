@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "case/case_keys.hpp"
 #include "experiments/rotor_keys.hpp"
@@ -7,9 +5,6 @@
 
 namespace bumpfoil {
 namespace {
-
-constexpr double most_rotor_speed = 1e6;  // rad/s
-constexpr std::size_t most_rotor_speeds = 10'000;
 
 void describe(CaseVisitor& keys, StabilitySettings& stability) {
   keys.value({"speeds", Presence::required, "Speeds", "of the rotor, one after the other; positive turns X to Y",
@@ -31,22 +26,7 @@ void judge_stability(Judge& judge, const Case& input, const JudgedBumpFoil& /*fo
   if (stability == nullptr) return;
   judge.require_for("stability", input.settings.find<RotorSettings>() != nullptr, "rotor", "", "this table is missing",
                     "add [rotor] with a mass such as \"2 kg\"");
-  judge.require(!stability->speeds.empty(), "stability.speeds", "[]", "is empty",
-                "give a list such as [\"10000 rpm\", \"14000 rpm\"]");
-  judge.require(stability->speeds.size() <= most_rotor_speeds, "stability.speeds",
-                fmt::format("{} speeds", stability->speeds.size()), "are too many",
-                fmt::format("give {} at most", most_rotor_speeds));
-  for (std::size_t i = 0; i < stability->speeds.size(); ++i) {
-    const double speed = stability->speeds[i];
-    const std::string entry = fmt::format("stability.speeds[{}]", i + 1);
-    if (!judge.finite(entry, speed, "rad/s")) continue;
-    const bool turns = judge.require(speed != 0.0 && std::abs(speed) <= most_rotor_speed, entry,
-                                     quantity(speed, "rad/s"), "is not a speed at which a film carries",
-                                     fmt::format("give a speed other than zero, {} rad/s at most", most_rotor_speed));
-    if (!turns) continue;
-    judge.require(speed * stability->speeds.front() >= 0.0, entry, quantity(speed, "rad/s"),
-                  "has another sign than the first", "give speeds of one sense of rotation");
-  }
+  judge_rotor_speeds(judge, "stability.speeds", stability->speeds);
 }
 
 }  // namespace

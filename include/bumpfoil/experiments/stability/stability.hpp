@@ -1,10 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <vector>
 
-#include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/model/case.hpp"
 #include "bumpfoil/motion/speed_map.hpp"
@@ -20,10 +18,7 @@ struct StabilitySettings {
 
 /// Free motions of rotor, film and foils over the speeds of a case, and their onsets.
 struct StabilityResult {
-  SharedFilmBearing bearing;           ///< each of those that carry the rotor
-  Rotor rotor;                         ///< as it was reduced
-  double reduction_error{};            ///< see ReducedRotor
-  std::vector<Eigen::Vector2d> loads;  ///< on the bearings, N
+  Machine machine;
   SpeedMap map;
 
   [[nodiscard]] bool converged() const;

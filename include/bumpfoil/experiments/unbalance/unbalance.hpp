@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "bumpfoil/experiments/rotor_settings.hpp"
+#include "bumpfoil/model/case.hpp"
+
+namespace bumpfoil {
+
+/// Table [unbalance] of a case.
+struct UnbalanceSettings {
+  std::vector<double> speeds{};  ///< rad/s
+
+  bool operator==(const UnbalanceSettings&) const = default;
+};
+
+/// What unbalance does to a rotor at one speed.
+struct UnbalancePoint {
+  double speed{};  ///< Omega, rad/s
+  Status status{Status::not_reached};
+  std::vector<BearingState> states;  ///< of the bearings under the weight; empty where they were not found
+  /// Y of the small forced motion, see unbalance_response(): slipping contacts slip on, or all closed ones stick.
+  std::optional<Eigen::VectorXcd> sliding, stuck;
+};
+
+struct UnbalanceResult {
+  Machine machine;
+  std::vector<UnbalancePoint> points;  ///< in the order of the speeds
+};
+
+/// A run that ended before its first speed.
+/// @throws Error (input) as run_unbalance() does
+UnbalanceResult unbalance_not_begun(const Case& input);
+
+/// Response of the rotor of a case to its unbalances over its speeds. After a speed without equilibrium the others are
+/// not looked for.
+/// @param progress  called with the fraction that is done; returning false ends the run
+/// @throws Error (input) if the case cannot be built, or has no rotor, unbalances or speeds
+UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double)>& progress = {});
+
+}  // namespace bumpfoil

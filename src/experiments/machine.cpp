@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/rotor_settings.hpp"
+#include "bumpfoil/model/validation.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Frequencies of interest end at this multiple of the highest speed, as those of usual_window() do.
+constexpr double highest_whirl_ratio = 2.0;
+
+}  // namespace
+
+Machine make_machine(const Case& input, const std::vector<double>& speeds, const std::string& command) {
+  require_valid(input, {command});
+  const RotorSettings& settings = rotor_settings_of(input);
+  double highest = 0.0;
+  for (const double speed : speeds) highest = std::max(highest, std::abs(speed));
+  ReducedRotor reduced = rotor_of(settings, highest_whirl_ratio * highest);
+  Machine machine{.bearing = std::make_shared<const FilmBearing>(make_film_bearing(input)),
+                  .rotor = std::move(reduced.rotor),
+                  .reduction_error = reduced.frequency_error,
+                  .loads = {}};
+  machine.loads = weights_on_bearings(machine.rotor, settings.gravity_vector());
+  return machine;
+}
+
+std::deque<FilmStepper> Machine::make_steppers(double thickness_floor) const {
+  FilmBearingOptions options;
+  options.newton.thickness_floor = thickness_floor / bearing->scales.thickness;
+  std::deque<FilmStepper> steppers;
+  for (std::size_t i = 0; i < rotor.bearings.size(); ++i) steppers.emplace_back(bearing, options);
+  return steppers;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,62 @@
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
+
+#include <cstddef>
+#include <deque>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/motion/rotor_equilibria.hpp"
+#include "bumpfoil/motion/unbalance_response.hpp"
+
+namespace bumpfoil {
+namespace {
+
+const UnbalanceSettings& unbalance_settings_of(const Case& input) {
+  const UnbalanceSettings* const settings = input.settings.find<UnbalanceSettings>();
+  if (settings == nullptr) {
+    throw Error(ErrorKind::input, {{"", 0, "unbalance", "", "this table is missing", "add [unbalance] with speeds"}});
+  }
+  return *settings;
+}
+
+}  // namespace
+
+UnbalanceResult unbalance_not_begun(const Case& input) {
+  const std::vector<double>& speeds = unbalance_settings_of(input).speeds;
+  UnbalanceResult result{.machine = make_machine(input, speeds, "unbalance"), .points = {}};
+  for (const double speed : speeds) {
+    UnbalancePoint& point = result.points.emplace_back();
+    point.speed = speed;
+    point.status = Status::interrupted;
+  }
+  return result;
+}
+
+UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double)>& progress) {
+  UnbalanceResult result = unbalance_not_begun(input);
+  const RotorSettings& settings = rotor_settings_of(input);
+  const Rotor& rotor = result.machine.rotor;
+  std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
+  std::vector<FilmStepper*> pointers;
+  for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
+  const RotorEquilibria equilibria(rotor, pointers, settings.gravity_vector());
+  std::vector<BearingState> states;
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    UnbalancePoint& point = result.points[i];
+    if (i > 0 && result.points[i - 1].status != Status::converged) {
+      point.status = result.points[i - 1].status == Status::interrupted ? Status::interrupted : Status::not_reached;
+      continue;
+    }
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(result.points.size()))) continue;
+    point.status = equilibria.go_to(point.speed, states);
+    if (point.status != Status::converged) continue;
+    point.states = states;
+    const std::vector<CarryingBearing> bearings = equilibria.carrying(states);
+    const Eigen::VectorXcd force = unbalance_force(settings, rotor, point.speed);
+    point.sliding = unbalance_response(rotor, bearings, force);
+    point.stuck = unbalance_response(rotor, bearings, force, true);
+  }
+  return result;
+}
+
+}  // namespace bumpfoil

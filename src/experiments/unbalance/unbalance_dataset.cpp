@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include "bumpfoil/results/quantity.hpp"
+#include "experiments/unbalance/unbalance_quantities.hpp"
+#include "results/csv_value.hpp"
+
+namespace bumpfoil {
+namespace {
+
+constexpr Form search_status_form{Form::flag, enum_names<Status>};
+constexpr std::array all_kinds{ResponseKind::linear_sliding, ResponseKind::linear_stuck};
+
+double minimum_film_thickness_of(const UnbalanceResult& result, const UnbalancePoint& point) {
+  double least = absent;
+  for (const BearingState& state : point.states) {
+    const double h = state.film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
+    least = least <= h ? least : h;
+  }
+  return least;
+}
+
+}  // namespace
+
+Dataset unbalance_dataset(const UnbalanceResult& result) {
+  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  Dataset data;
+  data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
+                     each(result.points, [](const UnbalancePoint& point) { return point.speed; }));
+  data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>},
+                     numbers_from(0.0, all_kinds.size()));
+  data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
+                     numbers_from(1.0, stations.size()));
+  Variable& places = data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
+                                         each(stations, [](const RotorStation& station) { return station.z; }));
+  std::string names;
+  for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
+  places.attributes["stations"] = names;
+  data.add({"status", "", "how the search for the equilibrium ended", search_status_form}, {"speed"},
+           each(result.points, [](const UnbalancePoint& point) { return static_cast<double>(point.status); }));
+  data.add({"h_min",
+            "m",
+            "minimum film thickness of all bearings in equilibrium",
+            {},
+            "minimum film thickness",
+            shown::micrometres},
+           {"speed"}, each(result.points, [&result](const UnbalancePoint& point) {
+             return minimum_film_thickness_of(result, point);
+           }));
+  for (const ResponseQuantity& quantity : response_quantities()) {
+    data.add(quantity.meaning(), {"speed", "kind", "station"}, [&result, stations, quantity] {
+      std::vector<double> values;
+      values.reserve(result.points.size() * all_kinds.size() * stations.size());
+      for (const UnbalancePoint& point : result.points) {
+        for (const ResponseKind kind : all_kinds) {
+          for (const RotorStation& station : stations) {
+            const StationResponse response = response_at(point, kind, station);
+            values.push_back(response.motion ? quantity.value(response) : absent);
+          }
+        }
+      }
+      return values;
+    });
+  }
+  return data;
+}
+
+std::string unbalance_csv(const UnbalanceResult& result) {
+  std::string out = "speed_rad_per_s,station";
+  for (const ResponseQuantity& quantity : response_quantities()) out += ',' + quantity.key();
+  out += ",kind,status\n";
+  for (const UnbalancePoint& point : result.points) {
+    for (const ResponseKind kind : all_kinds) {
+      for (const RotorStation& station : stations_of(result.machine.rotor)) {
+        const StationResponse response = response_at(point, kind, station);
+        append_csv(out, point.speed);
+        out += ',' + station.name;
+        for (const ResponseQuantity& quantity : response_quantities()) {
+          append_csv(out += ',', response.motion ? quantity.value(response) : absent);
+        }
+        out += fmt::format(",{},{}\n", name_of(kind), name_of(point.status));
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace bumpfoil

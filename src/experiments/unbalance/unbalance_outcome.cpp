@@ -1,0 +1,99 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
+#include "bumpfoil/results/quantity.hpp"
+#include "experiments/unbalance/unbalance_quantities.hpp"
+#include "results/result_files.hpp"
+#include "results/summary_json.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunStatus status_of(const UnbalanceResult& result) {
+  return run_status(each(result.points, [](const UnbalancePoint& point) { return point.status; }),
+                    result.points.size());
+}
+
+/// What summary.json lists: `peaks`, and `speeds` with the response of each kind at each station.
+Json unbalance_lists(const UnbalanceResult& result) {
+  Json json{{"reduction_error", result.machine.reduction_error}, {"peaks", Json::array()}, {"speeds", Json::array()}};
+  for (const ResponsePeak& peak : peaks_of(result)) {
+    json["peaks"].push_back({{"kind", name_of(peak.kind)},
+                             {"station", peak.station},
+                             {"speed_rad_per_s", peak.speed},
+                             {"semi_major_m", peak.amplitude}});
+  }
+  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  for (const UnbalancePoint& point : result.points) {
+    Json& entry = json["speeds"].emplace_back(
+        Json{{"speed_rad_per_s", point.speed}, {"status", name_of(point.status)}, {"responses", Json::array()}});
+    for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
+      for (const RotorStation& station : stations) {
+        const StationResponse response = response_at(point, kind, station);
+        if (!response.motion) continue;
+        Json& one = entry["responses"].emplace_back(Json{{"kind", name_of(kind)}, {"station", station.name}});
+        for (const ResponseQuantity& quantity : response_quantities()) {
+          one[quantity.key()] = value_json(quantity.value(response), quantity.form);
+        }
+      }
+    }
+  }
+  return json;
+}
+
+std::vector<ResultFile> unbalance_files(const Case& input, const UnbalanceResult& result, RunStatus status,
+                                        const Provenance& provenance) {
+  const std::vector<std::string> failures = failure_lines(result);
+  const std::vector<std::string> warnings = warning_lines(input, result);
+  return make_result_files({.input = input,
+                            .command = "unbalance",
+                            .status = status,
+                            .message = message_of(failures, status),
+                            .warnings = warnings,
+                            .provenance = provenance},
+                           "result.nc", "use fewer speeds", [&](const std::string& /*run_id*/) {
+                             return ResultContents{.texts = {{"unbalance.csv", unbalance_csv(result)}},
+                                                   .dataset = unbalance_dataset(result),
+                                                   .lists = [&] {
+                                                     Json json{{"failures", failures}, {"warnings", warnings}};
+                                                     json.update(unbalance_lists(result));
+                                                     return json;
+                                                   }};
+                           });
+}
+
+Outcome unbalance_outcome(const Case& input, UnbalanceResult made) {
+  const auto result = std::make_shared<const UnbalanceResult>(std::move(made));
+  const RunStatus status = status_of(*result);
+  return {.status = status,
+          .warnings = warning_lines(input, *result),
+          .failures = failure_lines(*result),
+          .table = [=] { return unbalance_table(*result); },
+          .dataset = [=] { return unbalance_dataset(*result); },
+          .files = [=](const Provenance& provenance) { return unbalance_files(input, *result, status, provenance); }};
+}
+
+}  // namespace
+
+ExperimentInfo unbalance_experiment() {
+  return {
+      .name = "unbalance",
+      .summary = "Compute the response of a rotor on its bearings to unbalance, over speed",
+      .examples =
+          "  bumpfoil unbalance examples/rotor.toml -o unbalance\n"
+          "  bumpfoil unbalance examples/rotor.toml -o graded --set 'rotor.unbalance=[{grade=\"2.5 mm/s\", "
+          "grade_speed=\"24000 rpm\"}]'\n",
+      .files = {"summary.json", "unbalance.csv", "result.nc"},
+      .run = [](const Case& input,
+                const ProgressCallback& progress) { return unbalance_outcome(input, run_unbalance(input, progress)); },
+      .quantities = meanings_of(response_quantities()),
+      .small_runs = {{"unbalance.speeds=[\"12000 rpm\", \"13000 rpm\"]", "film.columns_per_pitch=4", "film.rows=4",
+                      "rotor.mass=2 kg", "rotor.unbalance=[{amount=\"2 g mm\"}]"}}};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,46 @@
+#include <cmath>
+
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
+#include "case/case_keys.hpp"
+#include "experiments/rotor_keys.hpp"
+#include "model/case_table.hpp"
+
+namespace bumpfoil {
+namespace {
+
+void describe(CaseVisitor& keys, UnbalanceSettings& unbalance) {
+  keys.value({"speeds", Presence::required, "Speeds", "of the rotor, one after the other; positive turns X to Y",
+              "{ from = \"6000 rpm\", to = \"24000 rpm\", points = 37 }", Dimension::frequency},
+             &unbalance.speeds);
+}
+
+void describe_unbalance(CaseVisitor& keys, Case& input) {
+  settings_table<UnbalanceSettings>(keys,
+                                    {"unbalance", Presence::optional, "Unbalance response",
+                                     "of rotor, film and foils over speed, for the command unbalance"},
+                                    input.settings, describe);
+}
+
+void judge_unbalance(Judge& judge, const Case& input, const JudgedBumpFoil& /*foil*/) {
+  const UnbalanceSettings* const unbalance = input.settings.find<UnbalanceSettings>();
+  if (unbalance == nullptr) return;
+  judge_rotor_speeds(judge, "unbalance.speeds", unbalance->speeds);
+  const RotorSettings* const rotor = input.settings.find<RotorSettings>();
+  judge.require_for("unbalance", rotor != nullptr, "rotor", "", "this table is missing",
+                    "add [rotor] with a mass such as \"2 kg\"");
+  judge.require_for("unbalance", rotor == nullptr || !rotor->unbalances.empty(), "rotor.unbalance", "",
+                    "is missing: a balanced rotor does not respond",
+                    "add [[rotor.unbalance]] with an amount such as \"2 g mm\"");
+}
+
+}  // namespace
+
+CaseTable unbalance_settings() {
+  return {.experiment = "unbalance",
+          .needs = "unbalance",
+          .describe = describe_unbalance,
+          .check = judge_unbalance,
+          .given = [](const Case& input) { return input.settings.find<UnbalanceSettings>() != nullptr; }};
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,159 @@
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/experiments.hpp"
+#include "support/faulty_keys.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using test_support::faulty_keys;
+using test_support::Keys;
+
+/// 1 kg on each bearing, its centre of mass 1 um from the axis along +X.
+Case unbalanced_case(std::vector<double> rpm, FilmResolution mesh = {4, 4}) {
+  Case input = film_reference_case(mesh);
+  RotorSettings rotor;
+  rotor.mass = 2.0;
+  rotor.gravity = {9.81, 0.0};
+  RotorUnbalance heavy;
+  heavy.amount = 2e-6;
+  rotor.unbalances = {heavy};
+  input.settings.set(rotor);
+  UnbalanceSettings settings;
+  for (const double one : rpm) settings.speeds.push_back(speed_of_rpm(one));
+  input.settings.set(settings);
+  return input;
+}
+
+std::string file_of(const Outcome& outcome, const std::string& name) {
+  for (const ResultFile& file : outcome.files({})) {
+    if (file.name == name) return file.contents;
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+/// The response follows the unbalance: half of that of the rotor on half of its mass, and with its phase.
+TEST(Unbalance, IsThatOfItsRotor) {
+  const Case input = unbalanced_case({-12000.0});
+  const UnbalanceResult result = run_unbalance(input);
+  ASSERT_EQ(result.points.size(), 1U);
+  ASSERT_TRUE(result.points[0].sliding && result.points[0].stuck);
+  Case turned = input;
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.unbalances[0].phase = 0.7;
+  rotor.unbalances[0].amount = 6e-6;
+  turned.settings.set(rotor);
+  const UnbalanceResult other = run_unbalance(turned);
+  // Omega < 0 turns Y to X: a heavy place that lies ahead from X towards Y comes later.
+  const Eigen::VectorXcd expected = 3.0 * std::polar(1.0, -0.7) * *result.points[0].sliding;
+  EXPECT_LT((*other.points[0].sliding - expected).norm(), 1e-9 * expected.norm());
+}
+
+/// A grade G 2.5 at 12,000 rpm is U = G m / Omega.
+TEST(Unbalance, TakesAGrade) {
+  const Case input = unbalanced_case({-12000.0});
+  Case graded = input;
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.unbalances[0] = {};
+  rotor.unbalances[0].grade = 2.5e-3;
+  rotor.unbalances[0].grade_speed = speed_of_rpm(12000.0);
+  graded.settings.set(rotor);
+  const double amount = 2.5e-3 * 2.0 / speed_of_rpm(12000.0);
+  const Eigen::VectorXcd plain = *run_unbalance(input).points[0].stuck;
+  const Eigen::VectorXcd found = *run_unbalance(graded).points[0].stuck;
+  EXPECT_LT((found - amount / 2e-6 * plain).norm(), 1e-9 * found.norm());
+}
+
+TEST(Unbalance, WritesALineForEachStation) {
+  const Outcome outcome = experiment_named("unbalance").run(unbalanced_case({-11000.0, -12000.0}), {});
+  EXPECT_EQ(outcome.status, RunStatus::complete);
+  const std::string csv = file_of(outcome, "unbalance.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "speed_rad_per_s,station,amplitude_x_m,phase_x_deg,amplitude_y_m,phase_y_deg,semi_major_m,semi_minor_m,"
+            "kind,status");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
+  EXPECT_NE(csv.find(",bearing 1,"), std::string::npos);
+  EXPECT_NE(csv.find(",linear_stuck,converged\n"), std::string::npos);
+  const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
+  EXPECT_EQ(summary.at("speeds").at(1).at("responses").size(), 2U);
+  EXPECT_NE(outcome.table().find("Contacts stuck"), std::string::npos);
+}
+
+/// The critical speed of the rotor lies where the orbit is largest.
+TEST(Unbalance, FindsThePeak) {
+  std::vector<double> rpm;
+  for (double one = -4000.0; one >= -9000.0; one -= 500.0) rpm.push_back(one);
+  const Outcome outcome = experiment_named("unbalance").run(unbalanced_case(rpm), {});
+  const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
+  ASSERT_FALSE(summary.at("peaks").empty());
+  const double peak = std::abs(summary.at("peaks").at(0).at("speed_rad_per_s").get<double>());
+  double largest = 0.0;
+  double at = 0.0;
+  for (const auto& speed : summary.at("speeds")) {
+    const double major = speed.at("responses").at(0).at("semi_major_m");
+    if (major > largest) {
+      largest = major;
+      at = std::abs(speed.at("speed_rad_per_s").get<double>());
+    }
+  }
+  EXPECT_NEAR(peak, at, 0.6 * speed_of_rpm(500.0));
+  EXPECT_GE(summary.at("peaks").at(0).at("semi_major_m").get<double>(), largest);
+}
+
+/// An orbit as large as the film is no small motion.
+TEST(Unbalance, WarnsOfLargeOrbits) {
+  Case input = unbalanced_case({-12000.0});
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.unbalances[0].amount = 5e-5;
+  input.settings.set(rotor);
+  const Outcome outcome = experiment_named("unbalance").run(input, {});
+  ASSERT_FALSE(outcome.warnings.empty());
+  EXPECT_NE(outcome.warnings.back().find("it is no small motion"), std::string::npos);
+}
+
+TEST(Unbalance, EndsWhereItIsStopped) {
+  int asked = 0;
+  const Outcome stopped =
+      experiment_named("unbalance").run(unbalanced_case({-12000.0, -13500.0, -14000.0}), [&](double) {
+        return ++asked < 3;
+      });
+  EXPECT_EQ(stopped.status, RunStatus::interrupted);
+}
+
+TEST(FindFaults, JudgesUnbalances) {
+  const auto faults = [](const auto& change) {
+    return faulty_keys([&](Case& input) {
+      input.settings.set(UnbalanceSettings{.speeds = {1000.0}});
+      RotorSettings rotor;
+      rotor.mass = 2.0;
+      rotor.unbalances.emplace_back().amount = 1e-6;
+      change(rotor);
+      input.settings.set(rotor);
+    });
+  };
+  EXPECT_EQ(faults([](RotorSettings&) {}), Keys{});
+  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances.clear(); }), Keys{"rotor.unbalance"});
+  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances[0].amount.reset(); }), Keys{"rotor.unbalance[1].amount"});
+  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances[0].grade = 1e-3; }),
+            (Keys{"rotor.unbalance[1].amount", "rotor.unbalance[1].grade_speed"}));
+  EXPECT_EQ(faults([](RotorSettings& r) { r.unbalances[0].at = 0.01; }), Keys{"rotor.unbalance[1].at"});
+}
+
+TEST(Unbalance, WantsItsTables) {
+  EXPECT_THROW(static_cast<void>(run_unbalance(film_reference_case({4, 4}))), Error);
+}
+
+}  // namespace
+}  // namespace bumpfoil

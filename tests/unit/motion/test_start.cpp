@@ -1,0 +1,50 @@
+#include "bumpfoil/motion/start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/motion/rest.hpp"
+#include "support/film_bearing_cases.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// A journal without clearance: foils everywhere touch it at rest.
+FilmBearing tight_bearing() {
+  Case input = film_reference_case({4, 4});
+  input.bearing.radial_clearance = 0.0;
+  return make_film_bearing(input);
+}
+
+/// Where there is room nothing is opened; where there is none, until c is left.
+TEST(OpeningToStart, LeavesTheRoomOfAFilm) {
+  EXPECT_EQ(opening_to_start(film_reference_bearing({4, 4}), 1e-7), 0.0);
+  const FilmBearing tight = tight_bearing();
+  EXPECT_NEAR(opening_to_start(tight, 1e-7) + tight.room, tight.scales.thickness, 1e-15);
+}
+
+TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
+  FilmStepper stepper(tight_bearing());
+  const OperatingPoint to = OperatingPoint::loaded_by({20.0, 0.0}, speed_of_rpm(-45000.0));
+  BearingState state;
+  int begun = 0;
+  const FilmReport report = start_from_rest(
+      stepper, to, 5,
+      [&](FilmStepper& begins, double opening, BearingState& first) {
+        ++begun;
+        EXPECT_GT(opening, 0.0);
+        FilmReport found = cold_start(begins, {1e-6, 0.0}, to.speed, first, opening);
+        OperatingPoint opened = to;
+        opened.opening = opening;
+        found += settle(begins, opened, first);
+        return found;
+      },
+      state);
+  EXPECT_EQ(report.status, Status::converged);
+  EXPECT_EQ(begun, 1);
+  EXPECT_EQ(state.opening, 0.0);
+  EXPECT_NEAR((journal_force(stepper.bearing(), state.film, state.speed) - to.journal).norm(), 0.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace bumpfoil
