@@ -65,7 +65,55 @@ double of_first_onset(const StabilityResult& result) {
   return first == nullptr ? absent : first->onset.*member;
 }
 
-constexpr Form search_status{Form::flag, enum_names<Status>};
+/// Speeds from the lowest |Omega| on.
+std::vector<const SpeedPoint*> from_the_lowest(const StabilityResult& result) {
+  std::vector<const SpeedPoint*> rising;
+  for (const SpeedPoint& point : result.map.points) rising.push_back(&point);
+  std::stable_sort(rising.begin(), rising.end(),
+                   [](const SpeedPoint* a, const SpeedPoint* b) { return std::abs(a->speed) < std::abs(b->speed); });
+  return rising;
+}
+
+/// The lowest |Omega| of an onset between two neighbours, contacts sliding or stuck; the lower one where none was
+/// found.
+double lowest_onset(const StabilityResult& result, double low, double high) {
+  double lowest = high;
+  bool found_any = false;
+  for (const WhirlOnset& found : result.map.onsets) {
+    const double speed = std::abs(found.onset.speed);
+    if (found.by_coefficients || speed < low || speed > lowest) continue;
+    lowest = speed;
+    found_any = true;
+  }
+  return found_any ? lowest : low;
+}
+
+double stable_up_to(const StabilityResult& result) {
+  double reached = absent;
+  for (const SpeedPoint* const point : from_the_lowest(result)) {
+    const std::optional<bool> stable = is_stable(*point);
+    if (!stable) break;
+    const double speed = std::abs(point->speed);
+    if (!*stable) return std::isnan(reached) ? 0.0 : lowest_onset(result, reached, speed);
+    reached = speed;
+  }
+  return reached;
+}
+
+double stable_throughout(const StabilityResult& result) {
+  bool known = true;
+  for (const SpeedPoint& point : result.map.points) {
+    const std::optional<bool> stable = is_stable(point);
+    if (stable == false) return 0.0;
+    known = known && stable;
+  }
+  return known ? 1.0 : absent;
+}
+
+double unstable_at_lowest(const StabilityResult& result) {
+  const std::optional<bool> stable = is_stable(*from_the_lowest(result).front());
+  return stable ? (*stable ? 0.0 : 1.0) : absent;
+}
 
 constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
     {"status",
@@ -78,10 +126,19 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
        }
        return static_cast<double>(status);
      },
-     none,
+     sampled,
      "",
      {},
      search_status},
+    {"stable_up_to", "rad/s",
+     "magnitude of the speed up to which all motions are known to decay, contacts sliding and stuck, from the lowest "
+     "one "
+     "on: that of the first onset, or the highest one; 0 if the lowest one is unstable",
+     stable_up_to, headline | sampled, "stable up to", shown::revolutions},
+    {"stable_throughout", "1", "whether all motions decay at all speeds, contacts sliding and stuck", stable_throughout,
+     sampled, "stable at all speeds", shown::unitless, yes_or_no},
+    {"unstable_at_lowest", "1", "whether a motion grows at the lowest speed already", unstable_at_lowest, sampled,
+     "unstable at the lowest speed", shown::unitless, yes_or_no},
     {"onset_speed", "rad/s", "lowest speed at which whirl begins, sliding contacts slide on",
      of_first_onset<false, false, &Onset::speed>, headline | leading | sampled, "onset of whirl", shown::revolutions},
     {"onset_whirl_ratio", "1", "frequency of the whirl there over the speed of rotation",

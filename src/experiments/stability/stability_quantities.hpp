@@ -30,6 +30,8 @@ inline constexpr auto enum_names<WhirlSense> = std::to_array<std::string_view>({
 
 WhirlSense sense_of(const Whirl& whirl);
 
+inline constexpr Form search_status{Form::flag, enum_names<Status>};
+
 /// Of the whole run.
 using StabilityQuantity = Quantity<double (*)(const StabilityResult&)>;
 std::span<const StabilityQuantity> stability_quantities();

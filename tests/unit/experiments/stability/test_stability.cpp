@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
+#include "experiments/stability/stability_quantities.hpp"
 #include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
 
@@ -113,6 +115,73 @@ TEST(Stability, KeepsShapesAndNumbersOfModes) {
     EXPECT_GT(std::sin(lead * M_PI / 180.0), 0.5);
     EXPECT_NEAR(value_of(data, "imag", place) / std::abs(speed_of_rpm(12000.0 + 600.0 * static_cast<double>(i))), 0.5,
                 0.03);
+  }
+}
+
+/// A motion with this growth rate at each speed, or none; without contacts that slip.
+StabilityResult with_growth(const std::vector<std::pair<double, std::optional<double>>>& points,
+                            std::vector<double> onsets) {
+  StabilityResult result{.bearing = {}, .rotor = {}, .reduction_error = 0.0, .loads = {}, .map = {}};
+  for (const auto& [speed, growth] : points) {
+    SpeedPoint& point = result.map.points.emplace_back();
+    point.speed = speed;
+    point.status = Status::converged;
+    if (!growth) continue;
+    Whirl whirl;
+    whirl.rate = {*growth, 0.5 * std::abs(speed)};
+    point.sliding = SpeedMotions{.whirls = {whirl}, .numbers = {0}, .by_coefficients = {}};
+    point.stuck = point.sliding;
+  }
+  for (const double speed : onsets) {
+    WhirlOnset found;
+    found.begins = true;
+    found.onset.speed = speed;
+    result.map.onsets.push_back(found);
+  }
+  return result;
+}
+
+double quantity_of(const StabilityResult& result, std::string_view name) {
+  const auto all = stability_quantities();
+  return std::find_if(all.begin(), all.end(), [name](const auto& one) { return one.name == name; })->value(result);
+}
+
+/// Of a run one number is wanted that says how far it may go, with an onset or without.
+TEST(Stability, TellsUpToWhichSpeedAllMotionsDecay) {
+  struct Expected {
+    StabilityResult result;
+    double up_to, throughout, at_lowest;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  WhirlOnset others;
+  others.by_coefficients = true;
+  others.onset.speed = 1010.0;
+  std::vector<Expected> all{
+      // stable at all speeds; from an onset on not; whose second onset is no matter
+      {with_growth({{1000.0, -1.0}, {1200.0, -1.0}}, {}), 1200.0, 1.0, 0.0},
+      {with_growth({{1000.0, -1.0}, {1200.0, 1.0}}, {1100.0}), 1100.0, 0.0, 0.0},
+      {with_growth({{1000.0, -1.0}, {1200.0, 1.0}, {1400.0, -1.0}, {1600.0, 1.0}}, {1150.0, 1300.0, 1500.0}), 1150.0,
+       0.0, 0.0},
+      // contacts that stick, whose onset is lower; one that was not found
+      {with_growth({{1000.0, -1.0}, {1200.0, 1.0}}, {1100.0, 1080.0}), 1080.0, 0.0, 0.0},
+      {with_growth({{1000.0, -1.0}, {1200.0, 1.0}}, {}), 1000.0, 0.0, 0.0},
+      // backwards, and down from the highest speed
+      {with_growth({{-1200.0, 1.0}, {-1000.0, -1.0}}, {-1100.0}), 1100.0, 0.0, 0.0},
+      // unstable at the lowest speed, though not at all; and again from an onset on
+      {with_growth({{1000.0, 1.0}, {1200.0, -1.0}, {1400.0, 1.0}}, {1100.0, 1300.0}), 0.0, 0.0, 1.0},
+      // not known from some speed on; not known at the lowest
+      {with_growth({{1000.0, -1.0}, {1200.0, {}}, {1400.0, -1.0}}, {}), 1000.0, nan, 0.0},
+      {with_growth({{1000.0, {}}, {1200.0, -1.0}}, {}), nan, nan, nan},
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].result.map.onsets.push_back(others);  // coefficients are no measure
+    const auto expect = [&](const char* name, double expected) {
+      const double found = quantity_of(all[i].result, name);
+      EXPECT_TRUE(found == expected || (std::isnan(found) && std::isnan(expected))) << i << ' ' << name << ' ' << found;
+    };
+    expect("stable_up_to", all[i].up_to);
+    expect("stable_throughout", all[i].throughout);
+    expect("unstable_at_lowest", all[i].at_lowest);
   }
 }
 
