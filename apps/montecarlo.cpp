@@ -171,7 +171,7 @@ ExitCode run_montecarlo(const MonteCarloOptions& options, const Session& session
 void add_montecarlo_command(CLI::App& program, Session& session) {
   const auto options = std::make_shared<MonteCarloOptions>();
   CLI::App* command = program.add_subcommand(
-      "montecarlo", "Run the cycles, or states, of many random bearings within the tolerances of [montecarlo]");
+      "montecarlo", "Run the cycles, states or rotors of many random bearings within the tolerances of [montecarlo]");
   command->add_option("CASE", options->case_path, "Case file, or - for the standard input")->required();
   command->add_option("-o,--output", options->folder, "Folder for summary.json and ensemble.nc")
       ->type_name("DIR")
@@ -189,7 +189,8 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
   command
       ->add_option("--target-error", options->target_error,
                    "Stop when the standard error of the mean of the maximum force (for running bearings: of the "
-                   "minimum film thickness) is below this fraction of it everywhere; checked after every 1000 samples")
+                   "minimum film thickness; for rotors: of stable_up_to) is below this fraction of it everywhere; "
+                   "checked after every 1000 samples")
       ->check(positive_number())
       ->type_name("E");
   command
@@ -208,6 +209,7 @@ void add_montecarlo_command(CLI::App& program, Session& session) {
       "  bumpfoil montecarlo examples/tolerances.toml -o more --samples 10000 --seed 2\n"
       "  bumpfoil cycle examples/tolerances.toml --sample tolerances/ensemble.nc:17 -o seventeen\n"
       "  bumpfoil montecarlo examples/running_tolerances.toml -o running --limit 'h_min > 3 um'\n"
+      "  bumpfoil montecarlo examples/rotor_tolerances.toml -o rotors --limit 'stable_up_to > 12000 rpm'\n"
       "A sample depends only on its number and the seed, not on threads or the number of samples. A sample that fails "
       "is kept, with its status. Ctrl-C ends the run; finished samples are written; to continue, add --resume. Samples "
       "are saved in ensemble.checkpoint as they finish, for --resume only.");

@@ -75,6 +75,8 @@ def small_results():
     yield "montecarlo", "", bumpfoil.run_montecarlo(gen1, samples=2, limits=["max_force > 1 N"], montecarlo=drawn)
     on_film = {"command": "equilibrium", "radial_clearance": {"std": "1 um"}}
     yield "montecarlo", "running bearings", bumpfoil.run_montecarlo(EXAMPLES / "running.toml", samples=2, montecarlo=on_film, **FILM)
+    on_bearings = {"command": "stability", "radial_clearance": {"std": "1 um"}}
+    yield "montecarlo", "rotors", bumpfoil.run_montecarlo(EXAMPLES / "rotor.toml", samples=2, montecarlo=on_bearings, **two_speeds)
 
 
 def list_new(name, head, rows, listed):

@@ -15,7 +15,8 @@ import numpy as np
 from .figure_sheet import Sheet, arranged, save, styled
 from .paper_figures import paper
 from .places import Places
-from .plots import _style, _words, demand, demand_fields, draw_states, known, place_of, places_of, running_lines
+from .plots import _style, _words, demand, demand_fields, draw_states, known, places_of, running_lines
+from .tables import place_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -171,7 +172,8 @@ def contacts(cycle: Cycle, *, width: str = "double") -> Figure:
 def ensemble(result: Result, *, width: str = "double") -> Figure:
     """Distributions of maximum force, structural stiffness, loss factor and estimated clearance, by direction, and their means.
 
-    For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state.
+    For running bearings: minimum film thickness, eccentricity, power loss and maximum stress, by state. For rotors: the
+    speed up to which they are stable, that at which whirl begins, contacts sliding and stuck, and the whirl ratio there.
 
     Parameters
     ----------
@@ -195,7 +197,15 @@ def ensemble(result: Result, *, width: str = "double") -> Figure:
             ("power", "power loss (W)", 1),
             ("max_stress_top_foil", "stress, top foil (MPa)", 1e6),
         ]
-    shown = [entry for entry in quantities if entry[0] in data]
+    if place_of(data) == "rotor":
+        rpm = np.pi / 30
+        quantities = [
+            ("stable_up_to", "stable up to (rpm)", rpm),
+            ("onset_speed", "onset of whirl (rpm)", rpm),
+            ("onset_speed_stuck", "onset of whirl, stuck (rpm)", rpm),
+            ("onset_whirl_ratio", "whirl ratio at the onset", 1),
+        ]
+    shown = [entry for entry in quantities if entry[0] in data and np.isfinite(data[entry[0]]).any()]
     sheet = Sheet(width, *arranged(width, len(shown)), panel_height=38)
     for ax, (name, words, size) in zip(sheet.panels, shown):
         values = {place: one.values[np.isfinite(one.values)] / size

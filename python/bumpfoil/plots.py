@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .places import Places
+from .tables import place_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -183,11 +184,6 @@ def _place(coordinate: xarray.DataArray, number: float) -> str:
     return f"{coordinate.attrs.get('case_key', coordinate.name)} {number:.6g}" + (f" {unit}" if unit != "1" else "")
 
 
-def place_of(data: xarray.Dataset) -> str:
-    """The second dimension of an ensemble besides its samples: directions of cycles, or states of running bearings."""
-    return "state" if "state" in data.dims else "direction"
-
-
 def places_of(result: Result, data: xarray.Dataset) -> list[str]:
     """Legend labels of these places, in order."""
     if place_of(data) == "direction":
@@ -199,7 +195,8 @@ def ensemble(result: Result, quantity: str | None, ax: Axes | None) -> Axes:
     demand(result, "distributions")
     every = result.to_xarray()
     place = place_of(every)
-    data = _quantity(result, quantity or ("h_min" if place == "state" else "max_force"), [place, "sample"])
+    usual = {"direction": "max_force", "state": "h_min", "rotor": "stable_up_to"}
+    data = _quantity(result, quantity or usual[place], [place, "sample"])
     ax = _axes(ax)
     edges = np.histogram_bin_edges(data.values[np.isfinite(data.values)], min(40, int(np.sqrt(data.sizes["sample"])) + 1))
     for number, (label, samples) in enumerate(zip(places_of(result, every), data)):

@@ -166,7 +166,7 @@ class Result:
         Returns
         -------
         DataFrame
-            Column names end with their unit. For an ensemble a row per sample and direction, or state.
+            Column names end with their unit. For an ensemble a row per sample and direction, state or rotor.
 
         Raises
         ------
@@ -222,13 +222,13 @@ class Result:
         return plots.coefficients(self, ax)
 
     def plot_ensemble(self, quantity: str | None = None, *, ax: Axes | None = None) -> Axes:
-        """Plots the distribution of a quantity of an ensemble, by direction, or by state of running bearings.
+        """Plots the distribution of a quantity of an ensemble, by direction, by state of running bearings, or of rotors.
 
         Parameters
         ----------
         quantity : str, optional
-            A variable of ensemble.nc over samples and directions or states, such as ``loss_factor``; by default the
-            maximum force or the minimum film thickness.
+            A variable of ensemble.nc over samples and directions, states or rotor, such as ``loss_factor``; by default
+            the maximum force, the minimum film thickness, or the speed up to which rotors are stable.
         ax : matplotlib axes, optional
             Axes to draw on; by default new ones.
         """

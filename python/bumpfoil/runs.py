@@ -273,8 +273,8 @@ def run_montecarlo(
     progress: Progress = None,
     **tables: Any,
 ) -> Result:
-    """Runs the cycles of many random bearings within the tolerances of [montecarlo], or their states on the film
-    (``montecarlo={"command": "equilibrium", ...}``).
+    """Runs the cycles of many random bearings within the tolerances of [montecarlo], their states on the film
+    (``montecarlo={"command": "equilibrium", ...}``), or a rotor on them (``"stability"``).
 
     Every sample keeps its quantities, see :meth:`Result.to_xarray`, :meth:`Result.to_dataframe` and
     ``summary["statistics"]``."""

@@ -29,9 +29,14 @@ def of_csv(result: Result, name: str) -> pandas.DataFrame:
     return pandas.read_csv(io.BytesIO(result.files[file]), float_precision="round_trip")
 
 
+def place_of(ensemble: xarray.Dataset) -> str:
+    """The second dimension of an ensemble besides its samples: directions of cycles, states of running bearings, or the rotor."""
+    return next(place for place in ("rotor", "state", "direction") if place in ensemble.dims)
+
+
 def of_samples(ensemble: xarray.Dataset) -> pandas.DataFrame:
-    """A row for each sample and direction, or state, of an ensemble.nc, with columns named as those of CSV files."""
-    place = "state" if "state" in ensemble.dims else "direction"
+    """A row for each sample and direction, state or rotor, of an ensemble.nc, with columns named as those of CSV files."""
+    place = place_of(ensemble)
     shapes = (("sample",), (place,), ("sample", place))
     names = [name for name, values in ensemble.data_vars.items() if values.dims in shapes]
     table = ensemble[names].to_dataframe(dim_order=["sample", place]).reset_index()

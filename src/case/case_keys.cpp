@@ -315,9 +315,11 @@ void describe(CaseVisitor& keys, WavinessScatter& waves) {
 }
 
 void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
-  keys.choice({"command", defaulted, "Command",
-               "command that is run for each bearing; or \"equilibrium\": the running bearing"},
-              ensemble.command);
+  keys.choice(
+      {"command", defaulted, "Command",
+       "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\": a rotor "
+       "whose bearings are all the one that is drawn"},
+      ensemble.command);
   keys.value({"samples", defaulted, "Samples", "number of bearings"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
              &ensemble.seed);
@@ -369,8 +371,8 @@ void describe(CaseVisitor& keys, Case& input) {
       keys,
       {"montecarlo", optional, "Ensemble",
        "bearings that differ within their tolerances, for the command montecarlo: for each a cycle in each direction "
-       "of "
-       "[cycle], or the states of [equilibrium]; deviations are from the values above"},
+       "of [cycle], the states of [equilibrium], or the rotor over the speeds of [stability]; deviations are from the "
+       "values above"},
       input.montecarlo, [](CaseVisitor& inner, MonteCarloSettings& ensemble) { describe(inner, ensemble); });
 }
 

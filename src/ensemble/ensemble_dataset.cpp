@@ -21,6 +21,10 @@ void add_places(const EnsembleLayout& layout, Dataset& data) {
         each(layout.places, [](const EnsemblePlace& one) { return to_degrees(std::get<double>(one.at)); }));
     return;
   }
+  if (layout.command == EnsembleCommand::stability) {
+    data.add_dimension({place, "1", "the rotor on bearings that are all the sample", whole_number}, {1.0});
+    return;
+  }
   data.add_dimension({place, "1", "state of the running bearing, in the order of its path", whole_number},
                      numbers_from(1.0, layout.places.size()));
   const auto add = [&](const VariableMeaning& meaning, const auto& value) {
@@ -106,7 +110,8 @@ Dataset ensemble_dataset(const Case& input, const EnsembleLayout& layout, const 
   for (std::size_t k = 0; k < layout.columns.size(); ++k) {
     add_logged(layout, log, k, 1, data.add(layout.columns[k].meaning, {"sample", place}));
   }
-  add_logged(layout, log, layout.columns.size(), layout.bumps,
+  if (layout.loads == 0) return data;
+  add_logged(layout, log, layout.columns.size(), layout.loads,
              data.add({"bump_load", "N",
                        layout.command == EnsembleCommand::cycle ? "load on the crest of the bump at full displacement"
                                                                 : "load on the crest of the bump"},

@@ -11,6 +11,7 @@
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "experiments/stability/stability_quantities.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -61,6 +62,15 @@ EnsembleColumn column_of(const RunningQuantity& quantity) {
           }};
 }
 
+/// Without an onset a rotor is stable at all speeds, or at none: stable_up_to tells which.
+EnsembleColumn column_of(const StabilityQuantity& quantity) {
+  return {.meaning = sampled_meaning(quantity.meaning()),
+          .limitable = !quantity.name.starts_with("onset_"),
+          .value = [quantity](const SampleResult& result, std::size_t /*place*/, const Case&) {
+            return quantity.value(std::get<StabilityResult>(result));
+          }};
+}
+
 /// Of the quantities those that ensembles keep; the status comes first. @param add  (quantity)
 template <typename Quantities, typename Add>
 void add_sampled(const Quantities& quantities, const Add& add) {
@@ -95,15 +105,29 @@ void lay_out_states(const Case& input, EnsembleLayout& layout) {
   });
 }
 
+void lay_out_rotor(const Case& input, EnsembleLayout& layout) {
+  static_cast<void>(stability_not_begun(input));  // as above
+  layout.places.push_back({"rotor"});
+  add_sampled(stability_quantities(),
+              [&](const StabilityQuantity& quantity) { layout.columns.push_back(column_of(quantity)); });
+}
+
+std::size_t places_run(const SampleResult& result) {
+  if (const auto* cycles = std::get_if<CycleResult>(&result)) return cycles->cycles.size();
+  if (const auto* running = std::get_if<EquilibriumResult>(&result)) return running->states.size();
+  return 1;
+}
+
 /// Empty where they are not known.
 Vector bump_loads(const SampleResult& result, std::size_t place) {
   if (const auto* cycles = std::get_if<CycleResult>(&result)) {
     const auto& turning_point = cycles->cycles[place].turning_point;
     return turning_point ? turning_point->bump_loads : Vector();
   }
-  const auto& running = std::get<EquilibriumResult>(result);
-  const RunningState& state = running.states[place];
-  return state.found() ? bumpfoil::bump_loads(*running.bearing, *state.last) : Vector();
+  const auto* running = std::get_if<EquilibriumResult>(&result);
+  if (running == nullptr) return {};
+  const RunningState& state = running->states[place];
+  return state.found() ? bumpfoil::bump_loads(*running->bearing, *state.last) : Vector();
 }
 
 /// Statuses of a command, and behind them that of samples that make no bearing.
@@ -117,14 +141,24 @@ constexpr auto sample_statuses = [] {
 
 }  // namespace
 
+std::string_view EnsembleLayout::dimension() const {
+  constexpr std::array<std::string_view, 3> names{"direction", "state", "rotor"};
+  return names.at(static_cast<std::size_t>(command));
+}
+
+std::string_view EnsembleLayout::leading() const {
+  constexpr std::array<std::string_view, 3> names{"max_force", "h_min", "stable_up_to"};
+  return names.at(static_cast<std::size_t>(command));
+}
+
 std::string_view EnsembleLayout::status_name(int status) const {
   return columns.front().meaning.form.words[static_cast<std::size_t>(status)];
 }
 
 std::string_view EnsembleLayout::status_reason(int status) const {
   if (status == no_bearing()) return "invalid sample";
-  return explanation(command == EnsembleCommand::cycle ? static_cast<Status>(status)
-                                                       : running_statuses.at(static_cast<std::size_t>(status)));
+  return explanation(command == EnsembleCommand::equilibrium ? running_statuses.at(static_cast<std::size_t>(status))
+                                                             : static_cast<Status>(status));
 }
 
 EnsembleLayout make_ensemble_layout(const Case& input) {
@@ -132,13 +166,23 @@ EnsembleLayout make_ensemble_layout(const Case& input) {
                         .places = {},
                         .columns = {},
                         .bumps = static_cast<std::size_t>(total_bumps(input))};
-  if (layout.command == EnsembleCommand::cycle) {
-    lay_out_cycles(input, layout);
-    layout.columns.front().meaning.form.words = sample_statuses<flags<Status>>;
-  } else {
-    lay_out_states(input, layout);
-    layout.columns.front().meaning.form.words = sample_statuses<running_status>;
+  std::span<const std::string_view> statuses;
+  switch (layout.command) {
+    case EnsembleCommand::cycle:
+      lay_out_cycles(input, layout);
+      statuses = sample_statuses<flags<Status>>;
+      break;
+    case EnsembleCommand::equilibrium:
+      lay_out_states(input, layout);
+      statuses = sample_statuses<running_status>;
+      break;
+    case EnsembleCommand::stability:
+      lay_out_rotor(input, layout);
+      statuses = sample_statuses<search_status>;
+      break;
   }
+  layout.columns.front().meaning.form.words = statuses;
+  layout.loads = layout.command == EnsembleCommand::stability ? 0 : layout.bumps;
   return layout;
 }
 
@@ -150,15 +194,13 @@ std::vector<double> make_ensemble_row(const EnsembleLayout& layout, const Case& 
     }
     return nothing;
   }
-  [[maybe_unused]] const auto* cycles = std::get_if<CycleResult>(&result);  // by the assertion alone
-  BUMPFOIL_ASSERT((cycles ? cycles->cycles.size() : std::get<EquilibriumResult>(result).states.size()) ==
-                  layout.places.size());
+  BUMPFOIL_ASSERT(places_run(result) == layout.places.size());
   std::vector<double> row;
   row.reserve(layout.width());
   for (std::size_t place = 0; place < layout.places.size(); ++place) {
     for (const EnsembleColumn& column : layout.columns) row.push_back(column.value(result, place, sampled));
     const Vector loads = bump_loads(result, place);
-    for (std::size_t bump = 0; bump < layout.bumps; ++bump) {
+    for (std::size_t bump = 0; bump < layout.loads; ++bump) {
       row.push_back(loads.size() > 0 ? loads[static_cast<Eigen::Index>(bump)] : absent);
     }
   }

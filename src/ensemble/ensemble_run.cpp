@@ -62,12 +62,22 @@ std::optional<std::vector<double>> EnsembleSampler::run(std::size_t number, cons
     return !stopped;
   };
   SampleResult result;
-  if (layout_.command == EnsembleCommand::cycle) {
-    std::unique_ptr<SampleRunner> runner = take_runner();
-    if (auto cycles = runner->run(sampled, goes_on)) result = std::move(*cycles);
-    give_back(std::move(runner));
-  } else if (auto states = run_running_sample(sampled, goes_on, input_.montecarlo->limits)) {
-    result = std::move(*states);
+  const auto keep = [&result](auto run) {
+    if (run) result = std::move(*run);
+  };
+  switch (layout_.command) {
+    case EnsembleCommand::cycle: {
+      std::unique_ptr<SampleRunner> runner = take_runner();
+      keep(runner->run(sampled, goes_on));
+      give_back(std::move(runner));
+      break;
+    }
+    case EnsembleCommand::equilibrium:
+      keep(run_running_sample(sampled, goes_on, input_.montecarlo->limits));
+      break;
+    case EnsembleCommand::stability:
+      keep(run_rotor_sample(sampled, goes_on));
+      break;
   }
   if (stopped) return std::nullopt;
   return make_ensemble_row(layout_, sampled, result);

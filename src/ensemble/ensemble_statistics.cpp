@@ -88,7 +88,7 @@ EnsembleStatistics make_ensemble_statistics(const Case& input, const EnsembleLay
     for (std::size_t k = 0; k < layout.columns.size(); ++k) {
       of_place.columns.push_back(samples.statistics(k, layout.columns[k].undefined));
     }
-    for (std::size_t bump = 0; bump < layout.bumps; ++bump) {
+    for (std::size_t bump = 0; bump < layout.loads; ++bump) {
       of_place.bump_loads.push_back(samples.statistics(layout.columns.size() + bump, Undefined::unknown));
     }
     of_place.sensitivities = sensitivities_of(input, layout, samples, std::min(log.samples(), most_ranked_samples));

@@ -78,7 +78,7 @@ Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const Ensem
   for (std::size_t i = 0; i < layout.places.size(); ++i) {
     const std::string& name = layout.places[i].name;
     json["statistics"][name] = place_json(layout, statistics.places[i]);
-    json["bump_loads"][name] = loads_json(statistics.places[i]);
+    if (layout.loads > 0) json["bump_loads"][name] = loads_json(statistics.places[i]);
     json["sensitivities"][name] = sensitivities_json(input, layout, statistics.places[i]);
   }
   json["limits"] = Json::array();
@@ -95,7 +95,7 @@ Json ensemble_lists(const Case& input, const EnsembleLayout& layout, const Ensem
     const EnsemblePlace& place = layout.places[failure.place];
     if (const auto* direction = std::get_if<double>(&place.at)) {
       failed["direction_deg"] = to_degrees(*direction);
-    } else {
+    } else if (std::holds_alternative<OperatingPoint>(place.at)) {
       failed["state"] = place.name;
     }
     failed["status"] = layout.status_name(failure.status);

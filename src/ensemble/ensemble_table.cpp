@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,32 @@ std::size_t column_named(const EnsembleLayout& layout, std::string_view name) {
   return static_cast<std::size_t>(found - layout.columns.begin());
 }
 
-/// How many of the samples are stable, of running bearings.
-std::string stable_line(const EnsembleLayout& layout, const PlaceStatistics& statistics) {
-  const std::size_t stable = column_named(layout, "stable");
-  if (stable == layout.columns.size()) return "";
-  const Statistics& found = statistics.columns[stable];
-  if (found.count == 0) return "stable with the journal held: not known\n";
-  const std::string unknown = found.undefined == 0 ? "" : fmt::format("; of {} it is not known", found.undefined);
-  return fmt::format("stable with the journal held: {:.0f} of {} samples, {:.1f} %{}\n",
-                     found.mean * static_cast<double>(found.count), found.count, 100.0 * found.mean, unknown);
+/// Of how many samples this is true.
+struct TrueOfSamples {
+  std::string_view column;
+  std::string_view words;
+};
+constexpr auto true_of_samples = std::to_array<TrueOfSamples>({
+    {"stable", "stable with the journal held"},
+    {"stable_throughout", "stable at all speeds"},
+    {"unstable_at_lowest", "unstable at the lowest speed already"},
+});
+
+std::string lines_of_truths(const EnsembleLayout& layout, const PlaceStatistics& statistics) {
+  std::string out;
+  for (const auto& [name, words] : true_of_samples) {
+    const std::size_t column = column_named(layout, name);
+    if (column == layout.columns.size()) continue;
+    const Statistics& found = statistics.columns[column];
+    if (found.count == 0) {
+      out += fmt::format("{}: not known\n", words);
+      continue;
+    }
+    const std::string unknown = found.undefined == 0 ? "" : fmt::format("; of {} it is not known", found.undefined);
+    out += fmt::format("{}: {:.0f} of {} samples, {:.1f} %{}\n", words, found.mean * static_cast<double>(found.count),
+                       found.count, 100.0 * found.mean, unknown);
+  }
+  return out;
 }
 
 }  // namespace
@@ -61,7 +79,7 @@ std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistic
       for (const std::string& text : cells) out += fmt::format("{:>{}}", text, cell_width);
       out += '\n';
     }
-    out += stable_line(layout, statistics.places[place]);
+    out += lines_of_truths(layout, statistics.places[place]);
   }
   return out;
 }

@@ -22,7 +22,8 @@ constexpr std::string_view limit_option = "--limit";
 
 /// The dimension of a quantity in this unit; absent where it has none, or one that cases know not.
 std::optional<Dimension> dimension_in(std::string_view unit) {
-  for (const Dimension dimension : {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure}) {
+  for (const Dimension dimension :
+       {Dimension::length, Dimension::force, Dimension::stiffness, Dimension::pressure, Dimension::frequency}) {
     if (si_unit(dimension) == unit) return dimension;
   }
   return std::nullopt;
@@ -47,6 +48,10 @@ EnsembleLimit parse_limit(const std::string& text, const EnsembleLayout& layout)
     const auto nearest = nearest_name(name, names);
     refuse("does not name a quantity of the ensemble",
            nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "ensemble.nc has their names");
+  }
+  if (!found->limitable) {
+    refuse("does not exist for rotors that whirl nowhere, nor for those that whirl at all speeds",
+           "write the limit for stable_up_to: \"stable_up_to > 12000 rpm\"");
   }
   EnsembleLimit limit{text, static_cast<std::size_t>(found - layout.columns.begin()), text[sign] == '>', 0.0};
   if (const std::optional<double> number = parse<double>(value)) {

@@ -81,9 +81,10 @@ Json distribution_json(const Values& values, std::size_t places, std::size_t sam
 }  // namespace
 
 Json read_distributions(const NetcdfImage& file) {
-  // Places are directions of cycles, or states of running bearings.
-  const bool runs = file.variables().contains("state");
-  const std::string place = runs ? "state" : "direction";
+  // Places are directions of cycles, states of running bearings, or the rotor.
+  const bool turns = file.variables().contains("rotor");
+  const bool runs = turns || file.variables().contains("state");
+  const std::string place = turns ? "rotor" : runs ? "state" : "direction";
   const std::vector<double> places = file.numbers(file.variable(place, {place}));
   if (places.empty()) file.refuse(place, "is empty");
   const std::size_t samples = file.size_of("sample");

@@ -96,6 +96,20 @@ def test_ensemble_of_running_bearings(program):
     assert "power loss (W)" in result._repr_html_()
 
 
+def test_ensemble_of_rotors():
+    tables = {"film": {"rows": 4}, "stability": {"speeds": ["12000 rpm", "15000 rpm"]}}
+    result = bumpfoil.run_montecarlo(EXAMPLES / "rotor_tolerances.toml", samples=4, limits=["stable_up_to > 12000 rpm"], **tables)
+    data = result.to_xarray()
+    assert dict(data.sizes) == {"sample": 4, "rotor": 1, "bump": 26} and "bump_load" not in data
+    assert np.all(data.status == 0) and not np.any(data.stable_throughout)
+    np.testing.assert_array_equal(data.stable_up_to, np.fmin(data.onset_speed, data.onset_speed_stuck))
+    assert result.summary["yield"]["passed"] == np.sum(data.stable_up_to > 400 * np.pi)
+    assert list(result.to_dataframe().stable_up_to_rad_per_s) == list(data.stable_up_to.values.ravel())
+    assert "stable" in result.plot_ensemble().get_xlabel()
+    assert figures.ensemble(result).axes[1].get_xlabel() == "onset of whirl (rpm)"
+    assert "stable up to (rpm)" in result._repr_html_()
+
+
 def test_ensemble_goes_on_where_it_was_stopped(tmp_path):
     with pytest.warns(bumpfoil.RunWarning, match="interrupted"):
         stopped = bumpfoil.run_montecarlo(TOLERANCES, tmp_path, samples=200, progress=lambda fraction: False)

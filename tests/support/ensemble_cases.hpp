@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bumpfoil/experiments/rotor_settings.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil::test_support {
@@ -29,6 +31,19 @@ inline Case running_ensemble_case(int samples) {
   ensemble.samples = samples;
   ensemble.bump_height.emplace(HeightScatter{Distribution{.sigma = 2e-6}, 0.0});
   ensemble.radial_clearance.emplace(Distribution{.sigma = 1e-6});
+  return input;
+}
+
+/// A rotor of 2 kg on such bearings, over two speeds between which it begins to whirl (near 13,200 rpm).
+inline Case rotor_ensemble_case(int samples) {
+  Case input = running_ensemble_case(samples);
+  input.montecarlo->command = EnsembleCommand::stability;
+  input.top_foil.formed_radius = {FormedTo::seated};  // its free end stays where it is
+  RotorSettings rotor;
+  rotor.mass = 2.0;
+  rotor.gravity = {9.81, 0.0};
+  input.settings.set(rotor);
+  input.settings.set(StabilitySettings{.speeds = {-1256.6, -1570.8}});  // the gas enters at the weld
   return input;
 }
 

@@ -8,8 +8,8 @@
 namespace bumpfoil {
 
 /// The headline quantities of an ensemble as text, a block for each direction: mean with its standard error, standard
-/// deviation and percentiles across; of running bearings, how many of the samples are stable. What is not known is a
-/// dash.
+/// deviation and percentiles across; of running bearings and rotors, how many of the samples are stable. What is not
+/// known is a dash.
 std::string ensemble_table(const EnsembleLayout& layout, const EnsembleStatistics& statistics);
 
 /// A line for each cycle that failed: "sample 17, -X: " and the reason.

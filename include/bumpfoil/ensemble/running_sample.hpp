@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/model/case.hpp"
 
 namespace bumpfoil {
@@ -16,5 +17,10 @@ namespace bumpfoil {
 std::optional<EquilibriumResult> run_running_sample(const Case& sampled,
                                                     const std::function<bool(double)>& progress = {},
                                                     bool limits = false);
+
+/// Runs the rotor of a sampled case, all of whose bearings are that of the case, over the speeds of [stability].
+/// Failures are reported at the speeds.
+/// @return nothing if the case makes no bearing
+std::optional<StabilityResult> run_rotor_sample(const Case& sampled, const std::function<bool(double)>& progress = {});
 
 }  // namespace bumpfoil

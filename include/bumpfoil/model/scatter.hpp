@@ -58,6 +58,7 @@ struct WavinessScatter {
 enum class EnsembleCommand : std::uint8_t {
   cycle,        ///< a cycle in each direction of [cycle]
   equilibrium,  ///< the running bearing, along the path of [equilibrium] to all its states
+  stability,    ///< the rotor of [rotor] on two such bearings, over the speeds of [stability]
 };
 
 /// An ensemble of bearings that differ within their tolerances. Deviations are from what the case says, and those other

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "bumpfoil/core/error.hpp"
 #include "bumpfoil/ensemble/running_sample.hpp"
 #include "bumpfoil/ensemble/sample.hpp"
 #include "bumpfoil/experiments/equilibrium/equilibrium_quantities.hpp"
@@ -100,6 +101,43 @@ TEST(EnsembleLayout, RowsHoldTheStatesOfRunningBearings) {
       EXPECT_EQ(row[layout.entry(place, layout.columns.size() + bump)], loads[static_cast<Eigen::Index>(bump)]);
     }
   }
+}
+
+TEST(EnsembleLayout, RowsHoldTheRotorOverItsSpeeds) {
+  const Case input = test_support::rotor_ensemble_case(1);
+  const EnsembleLayout layout = make_ensemble_layout(input);
+  ASSERT_EQ(layout.places.size(), 1U);
+  EXPECT_EQ(layout.places[0].name, "rotor");
+  EXPECT_EQ(layout.dimension(), "rotor");
+  EXPECT_EQ(layout.width(), layout.columns.size());  // without loads of bumps, which every speed has others of
+  EXPECT_EQ(layout.columns.front().meaning.name, "status");
+  EXPECT_EQ(layout.status_name(static_cast<int>(Status::interrupted)), "interrupted");
+  EXPECT_EQ(layout.status_name(layout.no_bearing()), "not_physical");
+  EXPECT_EQ(make_ensemble_row(layout, input, SampleResult{}).front(), layout.no_bearing());
+
+  const StabilityResult result = run_rotor_sample(sampled_case(input, draw_sample(input, 0))).value();
+  double first = 1570.8;
+  for (const WhirlOnset& found : result.map.onsets) first = std::min(first, std::abs(found.onset.speed));
+  ASSERT_LT(first, 1570.8);
+  const std::vector<double> row = make_ensemble_row(layout, input, result);
+  ASSERT_EQ(row.size(), layout.width());
+  const auto value = [&](std::string_view name) {
+    const auto column = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                     [name](const EnsembleColumn& one) { return one.meaning.name == name; });
+    return row[static_cast<std::size_t>(column - layout.columns.begin())];
+  };
+  EXPECT_EQ(value("status"), 0.0);
+  EXPECT_EQ(value("stable_up_to"), first);
+  EXPECT_EQ(value("onset_speed"), result.map.onsets.front().onset.speed);
+  EXPECT_EQ(value("stable_throughout"), 0.0);
+  EXPECT_EQ(value("unstable_at_lowest"), 0.0);
+}
+
+/// What is wrong with the case is no fault of a sample.
+TEST(EnsembleLayout, OfRotorsWantsOne) {
+  Case input = test_support::rotor_ensemble_case(1);
+  input.settings.set(StabilitySettings{});
+  EXPECT_THROW(static_cast<void>(make_ensemble_layout(input)), Error);
 }
 
 TEST(EnsembleLayout, OfARunningBearingThatIsNoneOnlyTheStatusIsKnown) {

@@ -55,6 +55,23 @@ TEST(EnsembleTable, TellsHowManySamplesAreStable) {
   EXPECT_EQ(ensemble_table(cycles, statistics).find("stable"), std::string::npos);
 }
 
+TEST(EnsembleTable, TellsHowManyRotorsWhirlNowhereAndHowManyFromTheBegin) {
+  const EnsembleLayout rotors = make_ensemble_layout(test_support::rotor_ensemble_case(4));
+  EnsembleStatistics statistics{.samples = 4, .places = std::vector<PlaceStatistics>(1), .failures = {}};
+  for (const EnsembleColumn& column : rotors.columns) {
+    std::vector<double> values{1382.3, 1361.4, absent, absent};
+    if (column.meaning.name == "stable_throughout") values = {0.0, 0.0, 1.0, 0.0};
+    if (column.meaning.name == "unstable_at_lowest") values = {0.0, 0.0, 0.0, 1.0};
+    statistics.places[0].columns.push_back(statistics_of(values));
+  }
+  const std::string table = ensemble_table(rotors, statistics);
+  EXPECT_NE(table.find("\nonset of whirl                rpm          13100 "), std::string::npos) << table;
+  EXPECT_TRUE(
+      table.ends_with("\nstable at all speeds: 1 of 4 samples, 25.0 %\n"
+                      "unstable at the lowest speed already: 1 of 4 samples, 25.0 %\n"))
+      << table;
+}
+
 /// Statistics over several branches are of none of them.
 TEST(EnsembleTable, WarnsWhereSamplesLieOnSeveralBranches) {
   const EnsembleLayout cycles = make_ensemble_layout(test_support::ensemble_case(3));

@@ -79,5 +79,34 @@ TEST(EnsembleYield, BearingsPassInEveryDirection) {
   EXPECT_EQ(yield_text(make_yields({}, layout, log)), "");
 }
 
+/// Where there is no onset a rotor may be stable at all speeds or at none: limits are on the speed up to which it is.
+TEST(EnsembleYield, RotorsPassThatAreStableUpToTheLimit) {
+  const EnsembleLayout of_rotor = make_ensemble_layout(test_support::rotor_ensemble_case(4));
+  for (const char* const refused : {"onset_speed > 12000 rpm", "onset_whirl_ratio < 0.5"}) {
+    try {
+      parse_limits({refused}, of_rotor);
+      ADD_FAILURE() << refused;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("write the limit for stable_up_to"), std::string::npos) << error.what();
+    }
+  }
+  const std::vector<EnsembleLimit> limits = parse_limits({"stable_up_to > 12000 rpm"}, of_rotor);
+  EXPECT_NEAR(limits[0].bound, 400.0 * M_PI, 1e-9);
+  // Never unstable up to 24,000 rpm; whirls from 13,000 rpm on; from the first speed on; no equilibrium.
+  std::vector<double> rows(4 * of_rotor.width(), NAN);
+  const auto at = [&](std::size_t sample, std::size_t column) -> double& {
+    return rows[sample * of_rotor.width() + column];
+  };
+  for (std::size_t sample = 0; sample < 4; ++sample) {
+    at(sample, 0) = 0.0;
+    at(sample, limits[0].column) = std::vector{2513.3, 1361.4, 0.0, 2513.3}[sample];
+  }
+  at(3, 0) = static_cast<double>(Status::not_reached);
+  const test_support::TemporaryFolder folder;
+  EnsembleLog log(folder.path() / "log", "", of_rotor.width());
+  log.append(rows);
+  EXPECT_EQ(make_yields(limits, of_rotor, log).all.passed, 2U);
+}
+
 }  // namespace
 }  // namespace bumpfoil

@@ -33,6 +33,21 @@ TEST(RunningSample, IsNothingWhereWhatWasDrawnMakesNoBearing) {
   EXPECT_FALSE(run_running_sample(sampled));
 }
 
+TEST(RunningSample, OfARotorIsItsCommandOnTheCaseThatWasDrawn) {
+  const Case input = test_support::rotor_ensemble_case(2);
+  const Case sampled = sampled_case(input, draw_sample(input, 1));
+  const StabilityResult result = run_rotor_sample(sampled).value();
+  ASSERT_TRUE(result.converged());
+  ASSERT_FALSE(result.map.onsets.empty());
+  EXPECT_EQ(result.map.onsets.front().onset.speed, run_stability(sampled).map.onsets.front().onset.speed);
+  EXPECT_NE(result.map.onsets.front().onset.speed, run_stability(input).map.onsets.front().onset.speed);
+  const StabilityResult stopped = run_rotor_sample(sampled, [](double) { return false; }).value();
+  EXPECT_EQ(stopped.map.points[0].status, Status::interrupted);
+  Case none = sampled;
+  none.bump_foil.thickness = -0.1e-3;
+  EXPECT_FALSE(run_rotor_sample(none));
+}
+
 TEST(RunningSample, CanBeStopped) {
   const Case input = test_support::running_ensemble_case(1);
   const EquilibriumResult result =

@@ -31,12 +31,12 @@ export class Ensemble extends Result<EnsembleData> {
     });
   }
 
-  /** Whether the bearings run: then places are states. */
+  /** Whether the bearings run: then places are states, or the rotor. */
   get hasStates(): boolean {
     return this.data.states.length > 0;
   }
 
-  /** Of running bearings their states. */
+  /** Of running bearings their states, or the rotor. */
   get directions(): string[] {
     return this.hasStates ? this.data.states : this.data.directions.map(directionName);
   }
@@ -66,6 +66,11 @@ export class Ensemble extends Result<EnsembleData> {
   bumpLoads(direction: number): { mean: number[]; deviation: number[] } {
     const loads = this.byDirection(this.data.summary.bump_loads, direction);
     return { mean: numbersOf(loads?.mean_N), deviation: numbersOf(loads?.std_N) };
+  }
+
+  /** Whether loads of bumps are kept: not of rotors. */
+  get hasLoads(): boolean {
+    return Object.keys(this.data.summary.bump_loads).length > 0;
   }
 
   /** Whether the bearings have several pads. */

@@ -101,11 +101,12 @@ function yieldBar({ passed, samples, interval_95: [low = 0, high = 1] }: YieldDa
 export function yieldTable(ensemble: Ensemble): HTMLElement[] {
   const { limits, yield: all } = ensemble.data.summary;
   if (!all) return [];
+  const everywhere = ensemble.directions.length > 1 ? ` in every ${ensemble.placeWord.toLowerCase()}` : '';
   const rows = [...limits.map((one) => ({ text: one.limit, ...one })), ...(limits.length > 1 ? [{ text: 'all together', ...all }] : [])];
   const panel = new Panel(
     {
       title: 'Yield',
-      subject: () => `Bearings that meet the limits in every ${ensemble.placeWord.toLowerCase()}, with the 95 % interval · ${ensemble.label}`,
+      subject: () => `Bearings that meet the limits${everywhere}, with the 95 % interval · ${ensemble.label}`,
       file: () => fileName('yield', ensemble.label),
       csv: () => toCsv(['limit', 'passed', 'samples', 'low', 'high'], rows.map(({ text, passed, samples, interval_95: [low, high] }) => [text, passed, samples, low, high])),
     },

@@ -95,7 +95,7 @@ function sectionsOf(ensemble: Ensemble, id: string, title: (text: string) => str
   return [
     part(`${id}-distributions`, title('Ensemble'), ...directionChooser(ensemble, looked), ...yieldTable(ensemble), el('div', { class: 'multiples' }, ...histograms)),
     ...bearings(ensemble, looked, `${id}-bearings`, title(first)),
-    part(`${id}-factors`, title('Sensitivities'), el('div', { class: 'multiples' }, ...factors, loadSpread(ensemble, looked))),
+    part(`${id}-factors`, title('Sensitivities'), el('div', { class: 'multiples' }, ...factors, ...(ensemble.hasLoads ? [loadSpread(ensemble, looked)] : []))),
     part(`${id}-statistics`, title('Statistics'), statisticsTable(ensemble, looked)),
     part(
       `${id}-case`,
