@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/case_warnings.hpp"
@@ -16,6 +17,8 @@ using namespace tag;  // NOLINT(google-build-using-namespace): the table below i
 
 /// Orbits larger than this part of the minimum film thickness are no small motions.
 constexpr double small_part_of_film = 0.3;
+/// Part by which an orbit is larger at a peak than beside it.
+constexpr double least_fall_from_peak = 0.05;
 
 template <int axis>
 double amplitude(const StationResponse& response) {
@@ -63,6 +66,20 @@ double largest_orbit(const UnbalancePoint& point, ResponseKind kind, const std::
   return largest;
 }
 
+/// Whether a maximum is more than the wiggles where contacts change: on both sides the values fall by some part of it
+/// before they are larger.
+bool stands_out(const std::vector<double>& values, std::size_t place) {
+  const auto falls = [&](auto first, auto last) {
+    for (auto at = first; at != last; ++at) {
+      if (*at > values[place]) return false;
+      if (*at < (1.0 - least_fall_from_peak) * values[place]) return true;
+    }
+    return false;
+  };
+  const auto behind = values.begin() + static_cast<std::ptrdiff_t>(place);
+  return falls(std::make_reverse_iterator(behind), values.rend()) && falls(behind + 1, values.end());
+}
+
 }  // namespace
 
 std::span<const ResponseQuantity> response_quantities() {
@@ -84,28 +101,23 @@ StationResponse response_at(const UnbalancePoint& point, ResponseKind kind, cons
 
 std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  const std::size_t count = result.points.size();
   std::vector<ResponsePeak> peaks;
   for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
-    for (std::size_t i = 1; i + 1 < result.points.size(); ++i) {
-      std::array<double, 3> speed{};
-      std::array<double, 3> orbit{};
-      const RotorStation* where = nullptr;
-      for (const std::size_t k :
-           {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {  // the middle one last, for its place
-        speed.at(k) = result.points[i + k - 1].speed;
-        orbit.at(k) = largest_orbit(result.points[i + k - 1], kind, stations, where);
-      }
-      if (!(orbit[1] > orbit[0] && orbit[1] >= orbit[2])) continue;
-      const double before = (orbit[1] - orbit[0]) / (speed[1] - speed[0]);
-      const double after = (orbit[2] - orbit[1]) / (speed[2] - speed[1]);
+    std::vector<double> orbits(count);
+    std::vector<const RotorStation*> where(count);
+    for (std::size_t i = 0; i < count; ++i) orbits[i] = largest_orbit(result.points[i], kind, stations, where[i]);
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      if (!(orbits[i] > orbits[i - 1] && orbits[i] >= orbits[i + 1]) || !stands_out(orbits, i)) continue;
+      const std::array speed{result.points[i - 1].speed, result.points[i].speed, result.points[i + 1].speed};
+      const double before = (orbits[i] - orbits[i - 1]) / (speed[1] - speed[0]);
+      const double after = (orbits[i + 1] - orbits[i]) / (speed[2] - speed[1]);
       const double curvature = (after - before) / (speed[2] - speed[0]);
-      const double vertex = 0.5 * (speed[0] + speed[1] - before / curvature);
-      const double slope = before + curvature * (speed[1] - speed[0]);  // at the middle
-      const double way = vertex - speed[1];
+      const double way = 0.5 * (speed[0] - speed[1] - before / curvature);  // from the middle to the vertex
       peaks.push_back({.kind = kind,
-                       .station = where->name,
-                       .speed = vertex,
-                       .amplitude = orbit[1] + slope * way + curvature * way * way});
+                       .station = where[i]->name,
+                       .speed = speed[1] + way,
+                       .amplitude = orbits[i] - curvature * way * way});
     }
   }
   return peaks;

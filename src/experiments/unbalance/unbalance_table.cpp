@@ -65,11 +65,11 @@ std::string unbalance_table(const UnbalanceResult& result) {
                     response_lines(result, ResponseKind::linear_stuck) + '\n';
   const std::vector<ResponsePeak> peaks = peaks_of(result);
   for (const ResponsePeak& peak : peaks) {
-    out += fmt::format("largest orbit, contacts {}: {:.4g} um at {:.6g} rpm, {}\n",
+    out += fmt::format("peak, contacts {}: orbit of {:.4g} um at {:.6g} rpm, {}\n",
                        peak.kind == ResponseKind::linear_stuck ? "stuck" : "sliding", 1e6 * peak.amplitude,
                        peak.speed / shown::revolutions.size, peak.station);
   }
-  if (peaks.empty()) out += "no critical speed between these speeds\n";
+  if (peaks.empty()) out += "the orbits have no peak between these speeds\n";
   return out;
 }
 
