@@ -17,6 +17,7 @@
 #include "bumpfoil/results/quantity.hpp"
 #include "bumpfoil/results/result_folder.hpp"
 #include "case/case_json.hpp"
+#include "experiments/stability/stability_quantities.hpp"
 #include "pages/ensemble_reader.hpp"
 #include "pages/measured_run.hpp"
 #include "pages/report_names.hpp"
@@ -56,6 +57,17 @@ Json quantity_json(VariableMeaning meaning, const Json& result) {
   return shown_quantity(meaning);
 }
 
+/// What tables tell of the results of an experiment; of a rotor, of the whole run, of each speed and of each motion.
+std::vector<VariableMeaning> meanings_in_tables(const ExperimentInfo& experiment) {
+  std::vector<VariableMeaning> meanings = experiment.quantities;
+  if (!has_onsets(experiment.name)) return meanings;
+  for (const SpeedQuantity& quantity : speed_quantities()) meanings.push_back(quantity.meaning());
+  for (const MotionQuantity& quantity : motion_quantities()) {
+    if (!quantity.is(tag::of_place)) meanings.push_back(quantity.meaning());
+  }
+  return meanings;
+}
+
 /// Those of the experiment of a result; a sweep has those of what it ran.
 Json quantities_json(const Json& result) {
   const std::string command = result["attributes"].value("swept_command", result["kind"].get<std::string>());
@@ -64,7 +76,7 @@ Json quantities_json(const Json& result) {
   const ExperimentInfo& experiment = found == experiments().end() ? experiments().front() : *found;
   const bool of_cycles = has_cycles(experiment.name) || experiment.name == name_of(Experiment::path);
   Json json = Json::array();
-  for (const VariableMeaning& meaning : experiment.quantities) {
+  for (const VariableMeaning& meaning : meanings_in_tables(experiment)) {
     // Of cycles those are shown that have a label, of others all that the result has.
     if (of_cycles ? meaning.label.empty() : !result.at("variables").contains(meaning.name)) continue;
     json.push_back(quantity_json(of_cycles ? meaning : labelled(meaning), result));
@@ -122,6 +134,7 @@ Json summary_shown(const Json& summary, const std::string& kind) {
   Json shown = Json::object();
   for (const char* key : shown_of_summary) shown[key] = summary[key];
   if (has_states(kind) && summary.contains("limits")) shown["limits"] = summary["limits"];
+  if (has_onsets(kind)) shown["onsets"] = summary["onsets"];
   if (!has_distributions(kind)) return shown;
   for (const char* key : ensemble_summary_parts) {
     if (summary.contains(key)) shown[key] = summary[key];

@@ -111,6 +111,11 @@ constexpr auto names_in_words = std::to_array<std::pair<std::string_view, std::s
     {"foil_response", "foil displacement per journal displacement"},
     {"stiffness_cross", "stiffness across the direction"},
     {"loss_stiffness_cross", "loss stiffness across the direction"},
+    {"speed_status", "status"},
+    {"real", "growth rate"},
+    {"imag", "damped frequency"},
+    {"log_decrement", "log. decrement"},
+    {"of_foils", "motion of the foils"},
 });
 
 }  // namespace

@@ -17,4 +17,7 @@ bool has_distributions(std::string_view command);
 /// Whether these are states of a running bearing, of which single bumps and feet are drawn.
 bool has_states(std::string_view command);
 
+/// Whether these are free motions of a rotor over speed, with the onsets of its whirl in the summary.
+bool has_onsets(std::string_view command);
+
 }  // namespace bumpfoil

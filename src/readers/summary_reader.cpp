@@ -126,6 +126,20 @@ class SummaryChecker {
     }
   }
 
+  /// Where whirl begins or ends.
+  void check_onsets(const Json& onsets) const {
+    if (!onsets.is_array()) refuse("onsets", "is not a list");
+    for (const Json& onset : onsets) {
+      for (const char* key : {"speed_rad_per_s", "whirl_ratio"}) {
+        if (!at(onset, key).is_number()) refuse(key, "is not a number");
+      }
+      static_cast<void>(text(onset, "contacts"));
+      for (const char* key : {"by_coefficients", "begins", "of_foils", "jumps"}) {
+        if (!at(onset, key).is_boolean()) refuse(key, "is neither true nor false");
+      }
+    }
+  }
+
  private:
   void check_yield(const Json& yield) const {
     for (const char* key : {"passed", "samples"}) {
@@ -183,6 +197,7 @@ StoredSummary read_summary(std::string_view text, const std::string& name) {
   }
   if (has_distributions(command)) checker.check_ensemble(json);
   if (has_states(command) && json.contains("limits")) checker.check_running_limits(json["limits"]);
+  if (has_onsets(command)) checker.check_onsets(checker.at(json, "onsets"));
   summary.xxh3_128 = checker.text(json, "xxh3_128");
   summary.run_id = checker.text(json, "run_id");
   if (summary.run_id.empty()) checker.refuse("run_id", "is empty");

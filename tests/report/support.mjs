@@ -1,6 +1,6 @@
 // What the tests of reports share: results by the program, reports of them, and pages that show these.
 //
-// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_STRIP_CASE, BUMPFOIL_RUNNING_CASE, BUMPFOIL_PADS_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
+// Environment: BUMPFOIL_PROGRAM, BUMPFOIL_CASE, BUMPFOIL_STRIP_CASE, BUMPFOIL_RUNNING_CASE, BUMPFOIL_ROTOR_CASE, BUMPFOIL_PADS_CASE, BUMPFOIL_CHROMIUM, and BUMPFOIL_WEB, the folder with node_modules.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -11,7 +11,7 @@ import { join } from 'node:path';
 import { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-export const { BUMPFOIL_PROGRAM: program, BUMPFOIL_CASE: caseFile, BUMPFOIL_STRIP_CASE: stripFile, BUMPFOIL_RUNNING_CASE: runningFile, BUMPFOIL_PADS_CASE: padsFile } = process.env;
+export const { BUMPFOIL_PROGRAM: program, BUMPFOIL_CASE: caseFile, BUMPFOIL_STRIP_CASE: stripFile, BUMPFOIL_RUNNING_CASE: runningFile, BUMPFOIL_ROTOR_CASE: rotorFile, BUMPFOIL_PADS_CASE: padsFile } = process.env;
 export const modules = createRequire(join(process.env.BUMPFOIL_WEB, 'package.json'));
 const { chromium } = modules('playwright-core');
 const prefixes = { p: 1e-12, n: 1e-9, µ: 1e-6, m: 1e-3, k: 1e3, M: 1e6, G: 1e9 };

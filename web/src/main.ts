@@ -8,6 +8,7 @@ import { ensembleView } from './views/ensembles';
 import { equilibriumView } from './views/equilibria';
 import { loopView } from './views/loops';
 import { pathView } from './views/paths';
+import { stabilityView } from './views/stability';
 import { sweepView } from './views/sweeps';
 import { vibrationView } from './views/vibrations';
 import { part, type MakeView } from './views/view';
@@ -27,6 +28,7 @@ const views: Record<string, MakeView> = {
   film: equilibriumView,
   montecarlo: ensembleView,
   path: pathView,
+  stability: stabilityView,
   sweep: sweepView,
   vibration: vibrationView,
 };
@@ -146,6 +148,8 @@ function start(): void {
     el('footer', {}, 'Drawn with Apache ECharts, © The Apache Software Foundation, Apache License 2.0.'),
   );
   tellApart([...document.querySelectorAll<HTMLElement>('.panel')]);
+  // Without charts nothing is left to draw.
+  if (!document.querySelector('.chart')) document.documentElement.dataset['drawn'] = 'true';
 }
 
 start();

@@ -10,6 +10,9 @@ describe('prefixes', () => {
     expect(scaleFor(851, 'N')).toEqual({ factor: 1, unit: 'N' });
     expect(scaleFor(9.3e6, 'N/m').unit).toBe('MN/m');
     expect(scaleFor(12.6e-3, 'J').unit).toBe('mJ');
+    expect(formatQuantity(0.5, 'kg')).toBe('0.5000 kg');
+    expect(formatQuantity(4e-3, 'kg m2')).toBe('0.004000 kg m²');
+    expect(formatQuantity(100 * Math.PI, 'rpm')).toBe('3000 rpm');
   });
 
   it('change where rounding reaches the next one', () => {

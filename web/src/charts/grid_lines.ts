@@ -19,6 +19,8 @@ const shapes: Record<string, (fill: string) => SVGElement> = {
 export interface LineLook {
   colour: (current: Look) => string;
   marker: string;
+  /** Lengths of dashes and gaps; none of a solid line. */
+  dash?: number[];
 }
 
 /** Of one of several things that have no order. */
@@ -40,11 +42,11 @@ export function lookOf(coordinate: Coordinate, index: number): LineLook {
   return { ...plain, colour: (current) => rampColour(current, fraction) };
 }
 
-export function lineEntry({ colour, marker }: LineLook, text: string): LegendEntry {
+export function lineEntry({ colour, marker, dash }: LineLook, text: string): LegendEntry {
   return {
     width: 30,
     draw: (current) => [
-      svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: colour(current), 'stroke-width': 2 }),
+      svg('line', { x1: 0, y1: 6, x2: 30, y2: 6, stroke: colour(current), 'stroke-width': 2, ...(dash ? { 'stroke-dasharray': dash.join(' ') } : {}) }),
       ...(shapes[marker] ? [shapes[marker](colour(current))] : []),
     ],
     text,

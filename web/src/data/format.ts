@@ -165,6 +165,24 @@ export interface StatesSummary extends SummaryHead {
   limits?: LimitData[];
 }
 
+/** Where a motion of a rotor begins to grow, or ends. */
+export interface OnsetData {
+  speed_rad_per_s: number;
+  /** Frequency of the whirl over the speed of rotation. */
+  whirl_ratio: number;
+  /** "sliding", "stuck" */
+  contacts: string;
+  by_coefficients: boolean;
+  begins: boolean;
+  of_foils: boolean;
+  /** Contacts change there. */
+  jumps: boolean;
+}
+
+export interface StabilitySummary extends SummaryHead {
+  onsets: OnsetData[];
+}
+
 export interface Summary extends SummaryHead {
   cycles: CycleSummary[];
 }

@@ -19,8 +19,15 @@ const prefixes: Record<number, string> = {
   12: 'T',
 };
 
-/** Units that people write in another way: a prefix of a volume would mean its cube. */
-const written: Record<string, Scale> = { 'rad/s': { factor: 0.5 / Math.PI, unit: 'Hz' }, 'm3/s': { factor: 1e6, unit: 'cm³/s' } };
+/** Units that people write in another way: a prefix of a volume would mean its cube, and kg has one. Of rpm the SI number is in rad/s. */
+const written: Record<string, Scale> = {
+  'rad/s': { factor: 0.5 / Math.PI, unit: 'Hz' },
+  rpm: { factor: 30 / Math.PI, unit: 'rpm' },
+  'm3/s': { factor: 1e6, unit: 'cm³/s' },
+  kg: { factor: 1, unit: 'kg' },
+  'kg m2': { factor: 1, unit: 'kg m²' },
+  'm/s2': { factor: 1, unit: 'm/s²' },
+};
 
 /** The prefix that brings `largest` between 1 and 1000. */
 export function scaleFor(largest: number, unit: string): Scale {

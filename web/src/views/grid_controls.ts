@@ -29,7 +29,7 @@ function coordinateChooser(
 }
 
 /** The value of one coordinate at the point that is looked at. */
-function valueChooser(selection: GridSelection, coordinate: Coordinate, name: string): HTMLElement {
+export function valueChooser(selection: GridSelection, coordinate: Coordinate, name: string): HTMLElement {
   const options = coordinate.texts.map((text, value) => ({ value, text }));
   const show = (value: number): void => selection.show({ place: { [coordinate.name]: value } });
   const list = dropDown(name, options, show);

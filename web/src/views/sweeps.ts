@@ -7,6 +7,7 @@ import { kinds } from '../data/kinds';
 import { gridWarnings } from '../data/outcome';
 import { at, capital } from '../data/run';
 import { formatQuantity } from '../data/units';
+import { inRevolutions } from '../data/whirls';
 import { caseSection } from '../tables/case';
 import { entryOf } from '../tables/glossary';
 import { gridTable, namesOfFirst } from '../tables/grid';
@@ -36,13 +37,19 @@ function keysOf(grid: Grid): Coordinate[] {
   });
 }
 
-/** Of running bearings: speeds, and loads or positions. */
+function isOfRotors(grid: Grid): boolean {
+  return grid.attribute('swept_command') === 'stability';
+}
+
+/** Of running bearings: speeds, and loads or positions; of rotors, speeds. */
 function operatingPointsOf(grid: Grid): Coordinate[] {
   const rpm = numbersOf(grid, 'speed').map((speed) => (speed * 30) / Math.PI);
+  const speed = { name: 'speed', title: 'Speed', texts: rpm.map((one) => (Number.isFinite(one) ? `${Number(one.toPrecision(6))} rpm` : 'as swept')), numbers: rpm, unit: 'rpm' };
+  if (isOfRotors(grid)) return [speed];
   const [journal, title, unit] = grid.variable('load') ? ['load', 'Load', 'N'] : ['position', 'Position', 'm'];
   const y = numbersOf(grid, `${journal}_y`);
   return [
-    { name: 'speed', title: 'Speed', texts: rpm.map((one) => (Number.isFinite(one) ? `${Number(one.toPrecision(6))} rpm` : 'as swept')), numbers: rpm, unit: 'rpm' },
+    speed,
     { name: journal, title, texts: numbersOf(grid, `${journal}_x`).map((x, i) => vectorText(x, at(y, i), unit)), unit: '' },
   ];
 }
@@ -74,10 +81,11 @@ function clearancesOf(grid: Grid): SweptQuantity[] {
 }
 
 function quantitiesOf(grid: Grid): SweptQuantity[] {
+  const keys = keysOf(grid).map(({ name }) => name);
   const quantities = grid.data.quantities.flatMap((quantity): SweptQuantity[] => {
     const variable = grid.variable(quantity.name);
-    // What has a single dimension is a coordinate.
-    return variable && variable.dims.length > 1 ? [{ ...quantity, variable, value: (place) => variable.at(place) }] : [];
+    // What is the same at all points is a coordinate.
+    return variable?.dims.some((name) => keys.includes(name)) ? [{ ...(isOfRotors(grid) ? inRevolutions(quantity) : quantity), variable, value: (place) => variable.at(place) }] : [];
   });
   const ofFoils = quantities.filter((one) => !one.of_solver);
   return [...ofFoils, ...clearancesOf(grid), ...quantities.filter((one) => one.of_solver)];
@@ -129,19 +137,19 @@ function sectionsOf(grid: Grid, id: string, title: (text: string) => string, cas
   const over = new OverPanel('Result vs. parameter', measuresOf(quantities), selection, grid.label);
   const charts = loops ? [over.root, new FamilyPanel(loops, selection, grid.label).root] : [over.root];
   const compared = { several: false, focus: [grid], shown: [grid], names: grid.label, onChange: () => undefined };
+  const tableOf = (name: string, those: SweptQuantity[], along: Coordinate[]): HTMLElement =>
+    gridTable({ title: name, label: grid.label, coordinates: along, columns: those.map((quantity) => ({ ...quantity, words: quantity.variable.words })), main: namesOfFirst(those) });
+  // Of rotors some are of all speeds.
+  const ofPoints = quantities.filter(({ variable }) => isOfRotors(grid) && !variable.has('speed'));
+  const ofParts = quantities.filter((one) => !ofPoints.includes(one));
   return [
     part(`${id}-charts`, title('Sweep'), gridControls(selection), el('div', { class: 'multiples' }, ...charts)),
     ...frequencySections(grid, { id, title, coordinates, axes, value: (name, place) => grid.variable(name)?.at(place) ?? NaN }),
     part(
       `${id}-points`,
       title('Points'),
-      gridTable({
-        title: 'Results by point',
-        label: grid.label,
-        coordinates,
-        columns: quantities.map((quantity) => ({ ...quantity, words: quantity.variable.words })),
-        main: namesOfFirst(quantities),
-      }),
+      ...(ofPoints.length > 0 ? [tableOf('Results by point', ofPoints, keys)] : []),
+      tableOf(ofPoints.length > 0 ? 'Results by point and speed' : 'Results by point', ofParts, coordinates),
     ),
     part(
       `${id}-case`,
