@@ -1,6 +1,5 @@
 #include "bearing/film_newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,12 +12,6 @@
 namespace bumpfoil {
 namespace {
 
-/// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
-constexpr int newton_max_halvings = 8;
-/// Fraction of a step that is taken where no halving reduces the residual.
-constexpr double newton_forced_fraction = 0.25;
-/// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
-constexpr double round_off_step = 1e-7;
 /// Longest change of the clearance in one step, in units of c, and weight of the remaining change among the residuals,
 /// per c. Both dimensionless, with the values of a journal at a given position, see journal_law.cpp.
 constexpr double longest_opening = 0.00625;
@@ -84,10 +77,10 @@ Vector& FilmNewton::find_bump_forces(const ContactState& state) {
   return bump_forces_;
 }
 
-/// Residuals of film and foil without contact forces; returns the norm of all residuals, with them: the film per area
-/// of a cell, forces by EI' c / p^3, compatibility by c / p, the law of the journal by its unit, the opening by
-/// c / weight_of_opening.
-double FilmNewton::find_residual(const Move& to, const FilmEquations& equations, const BearingState& state) {
+/// Residuals of film and foil without contact forces; the norm is that of all residuals, with them: the film per area
+/// of a cell, forces by EI' c / p^3, compatibility by c / p, the opening by c / weight_of_opening.
+double FilmNewton::find_residual() {
+  const BearingState& state = trial_;
   const ContactState& contact = state.contacts;
   Vector& forces = find_bump_forces(contact);
   forces -= contact_forces(bearing_.problem, contact.normal_force, contact.friction_force);
@@ -99,7 +92,7 @@ double FilmNewton::find_residual(const Move& to, const FilmEquations& equations,
     const FilmMesh& mesh = pad.foil.mesh;
     FoilFilmResidual& residual = part.residual;
     read_part(pad, state.film, part.state);
-    foil_film_residual(pad.foil, equations[k], part.state, residual);
+    foil_film_residual(pad.foil, equations_[k], part.state, residual);
     square += film_square(mesh, residual.film);
     const double unit = pad.foil.stiffness * bearing_.scales.thickness;
     double balance = residual.balance.squaredNorm();
@@ -112,11 +105,9 @@ double FilmNewton::find_residual(const Move& to, const FilmEquations& equations,
     square += balance + residual.compatibility.squaredNorm() +
               forces.segment(pad.first_block * size, (pad.bumps() + 1) * size).squaredNorm() / (unit * unit);
   }
-  square += to.law.residual(state.position, journal_force(bearing_, state.film, state.speed)).squaredNorm() /
-            (to.law.unit * to.law.unit);
-  const double opening = weight_of_opening * (to.opening - state.opening) / bearing_.scales.thickness;
-  square += opening * opening;
-  return std::sqrt(square);
+  force_ = journal_force(bearing_, state.film, state.speed);
+  const double opening = weight_of_opening * (opening_ - state.opening) / bearing_.scales.thickness;
+  return square + opening * opening;
 }
 
 /// The condensed films and the bump foils in one matrix. Unknowns are in m, rows in N.
@@ -227,8 +218,6 @@ Eigen::Vector2d FilmNewton::find_rate(const Matrix& rigid, Step& rate) {
   return force_of(rate.film);
 }
 
-/// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
-/// were set last. @return those of the force on the journal, N/m
 Eigen::Matrix2d FilmNewton::find_rates() {
   Eigen::Matrix2d K_film;
   for (const int axis : {0, 1}) {
@@ -426,9 +415,16 @@ std::optional<HeldMotion> FilmNewton::held_motion(const BearingState& state, boo
   return found;
 }
 
-/// Newton's step at the position of `state` with exact contacts: the unknowns of the contact problem are the steps of
-/// the blocks.
-bool FilmNewton::find_step(const BearingState& state, FilmReport& report) {
+bool FilmNewton::find_step(FilmReport& report) {
+  if (!linearise_films(equations_, iterate_) || !find_step_at_rest(report)) return false;
+  move_foils();
+  return true;
+}
+
+/// Newton's step at the position of the iterate with exact contacts: the unknowns of the contact problem are the steps
+/// of the blocks.
+bool FilmNewton::find_step_at_rest(FilmReport& report) {
+  const BearingState& state = iterate_;
   const Vector& x = state.contacts.x;
   // Contact forces are unknowns of the step, and no part of its right-hand side.
   loading_.load = -find_bump_forces(state.contacts);
@@ -452,28 +448,26 @@ bool FilmNewton::find_step(const BearingState& state, FilmReport& report) {
   return true;
 }
 
-/// Lets the journal move with the step, by what its law lacks: the linearised equations stay solved, in the modes that
-/// the step has without it.
-void FilmNewton::move_journal(const JournalLaw& law, const BearingState& state) {
-  Eigen::Vector2d force = film_force(bearing_, state.film.pressure + step_.film.pressure);
+Eigen::Vector2d FilmNewton::stepped_force() const {
+  Eigen::Vector2d force = film_force(bearing_, iterate_.film.pressure + step_.film.pressure);
   if (bearing_.surroundings.asperities) {
-    force += asperity_force(bearing_, asperity_pressures(bearing_, state.film.thickness), friction_) +
+    force += asperity_force(bearing_, asperity_pressures(bearing_, iterate_.film.thickness), friction_) +
              asperity_force_of(step_.film);
   }
-  const Eigen::Vector2d lacking = law.residual(state.position, force);
-  if (lacking.norm() <= law.round_off) return;
-  Eigen::Vector2d displacement = law.matrix(find_rates()).partialPivLu().solve(lacking);
-  if (displacement.norm() > law.longest_step) displacement *= law.longest_step / displacement.norm();
+  return force;
+}
+
+void FilmNewton::move_journal(const Eigen::Vector2d& displacement) {
   step_.displacement = displacement;
   for (const int axis : {0, 1}) add_to_step(displacement[axis], rates_[static_cast<std::size_t>(axis)]);
 }
 
 /// Lets the foils stand farther out or in with the step, by as much as the clearance is to open or close, in the same
 /// way.
-void FilmNewton::move_foils(double opening, const BearingState& state) {
-  if (opening == state.opening) return;
+void FilmNewton::move_foils() {
+  if (opening_ == iterate_.opening) return;
   const double longest = longest_opening * bearing_.scales.thickness;
-  step_.opening = std::clamp(opening - state.opening, -longest, longest);
+  step_.opening = std::clamp(opening_ - iterate_.opening, -longest, longest);
   find_rate(bearing_.field(1.0 / bearing_.scales.thickness), opening_rate_);
   add_to_step(step_.opening, opening_rate_);
 }
@@ -513,71 +507,39 @@ double FilmNewton::distance(const BearingState& a, const BearingState& b) const 
                    (a.position - b.position).norm() / bearing_.scales.thickness});
 }
 
-FilmReport FilmNewton::solve(const Move& to, const NewtonAim& aim, BearingState& state) {
-  FilmEquations equations = film_equations(bearing_, to.speed);
-  LastStep taken;
+double FilmNewton::largest_change() const {
+  return std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
+                   std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
+}
+
+bool FilmNewton::set_out(const JointMove& to, const BearingState& from, const BearingState& guess) {
+  equations_ = film_equations(bearing_, to.speed);
+  opening_ = to.opening;
+  taken_ = {};
   if (to.dt > 0.0) {
     const bool second_order = to.scheme == TimeScheme::bdf2;
-    const BackwardDifference rate = second_order ? bdf2(to.dt, state.last_step.dt) : implicit_euler(to.dt);
-    const Matrix content = film_content(state.film);
-    squeeze(bearing_, bearing_.scales.squeeze_time() / rate.span, rate.reference(content, state.last_step.content),
-            equations);
-    if (second_order) taken = {to.dt, content};
+    const BackwardDifference rate = second_order ? bdf2(to.dt, from.last_step.dt) : implicit_euler(to.dt);
+    const Matrix content = film_content(from.film);
+    squeeze(bearing_, bearing_.scales.squeeze_time() / rate.span, rate.reference(content, from.last_step.content),
+            equations_);
+    if (second_order) taken_ = {to.dt, content};
   }
-  FilmReport report;
-  iterate_ = trial_ = state;
+  iterate_ = guess;
+  iterate_.slip_origin = from.slip_origin;
   iterate_.speed = to.speed;
-  iterate_.film.thickness = bearing_.undeformed_thickness(state.position, state.opening);
+  iterate_.film.thickness = bearing_.undeformed_thickness(iterate_.position, iterate_.opening);
   iterate_.film.thickness.rowwise() += iterate_.film.lift.transpose();
-  if (iterate_.film.thickness.minCoeff() <= 0.0) {
-    report.status = Status::no_room;
-    return report;
-  }
-  report.residual = find_residual(to, equations, iterate_);
-  while (report.iterations < options_.max_iterations) {
-    ++report.iterations;
-    if (!linearise_films(equations, iterate_) || !find_step(iterate_, report)) return report;
-    move_foils(to.opening, iterate_);
-    move_journal(to.law, iterate_);
-    // All residuals but those of what changes are zero here: this step leads along the tangent.
-    if (report.iterations == 1) take_step(1.0, iterate_, predicted_);
-    const double fraction = longest_step(options_, iterate_.film, step_.film);
-    const double largest =
-        std::max({step_.film.pressure.cwiseAbs().maxCoeff(), step_.film.lift.cwiseAbs().maxCoeff(),
-                  std::max(step_.displacement.norm(), std::abs(step_.opening)) / bearing_.scales.thickness});
-    bool is_last = fraction == 1.0 && largest < aim.tolerance;
-    double part = fraction;
-    for (int halvings = 0; !is_last; ++halvings) {
-      const bool none_helps = halvings == newton_max_halvings;
-      if (none_helps) {
-        is_last = fraction == 1.0 && largest < round_off_step;
-        if (is_last) break;
-        if (aim.stays_near) return report;
-        part = newton_forced_fraction * fraction;
-      }
-      take_step(part, iterate_, trial_);
-      const double norm = find_residual(to, equations, trial_);
-      if (norm < report.residual || none_helps) {
-        report.residual = norm;
-        break;
-      }
-      part *= 0.5;
-    }
-    if (is_last) {
-      take_step(1.0, iterate_, trial_);
-      const bool touches = trial_.film.thickness.minCoeff() < options_.thickness_floor;
-      report.status = touches ? Status::touchdown : Status::converged;
-      if (to.law.holds_position()) trial_.position = to.law.position;
-      trial_.opening = to.opening;
-      report.predicted_change = distance(predicted_, state);
-      report.departure = distance(trial_, predicted_);
-      trial_.last_step = std::move(taken);
-      if (!touches) std::swap(state, trial_);
-      return report;
-    }
-    std::swap(iterate_, trial_);
-  }
-  return report;
+  trial_ = iterate_;
+  return iterate_.film.thickness.minCoeff() > 0.0;
+}
+
+void FilmNewton::finish(const Eigen::Vector2d& position, BearingState& state, FilmReport& report) {
+  trial_.position = position;
+  trial_.opening = opening_;
+  report.predicted_change = std::max(report.predicted_change, distance(predicted_, state));
+  report.departure = std::max(report.departure, distance(trial_, predicted_));
+  trial_.last_step = std::move(taken_);
+  std::swap(state, trial_);
 }
 
 }  // namespace bumpfoil

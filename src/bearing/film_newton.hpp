@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bumpfoil/bearing/film_stepper.hpp"
@@ -13,21 +14,47 @@
 
 namespace bumpfoil {
 
-/// What a solve looks for.
-struct NewtonAim {
-  double tolerance{};      ///< largest change of P, H and position over c in a full step of a state that has converged
-  bool stays_near{false};  ///< gives up where no part of a step makes the residuals smaller; else it goes on from there
-};
-
-/// Newton's method for film, foils, contacts and the journal in one system. Keeps its storage between solves.
+/// The part of a bearing in Newton's method for films, foils, contacts and journals in one system, see
+/// joint_newton.hpp: its own equations, linearised about an iterate. Keeps its storage between solves.
 class FilmNewton {
  public:
   FilmNewton(SharedFilmBearing bearing, const FilmSolverOptions& options);
 
-  /// Takes `state` to the end of a move: the journal goes with the film from where it is.
-  /// @param state  first guess, whose position, pressure and lift count, and whose slip_origin friction refers to;
-  ///               receives the result, and stays as it was unless the status is converged
-  [[nodiscard]] FilmReport solve(const Move& to, const NewtonAim& aim, BearingState& state);
+  /// Begins a solve: the first trial is the guess.
+  /// @param from   state at the begin, whose slip_origin friction refers to
+  /// @param guess  of the state at the end: position, film and contacts count
+  /// @return whether it leaves room for a film
+  [[nodiscard]] bool set_out(const JointMove& to, const BearingState& from, const BearingState& guess);
+  /// Square of the norm of the residuals of film and foils at the trial.
+  double find_residual();
+  /// The force on the journal at the trial, N: once its residuals are found.
+  [[nodiscard]] const Eigen::Vector2d& force() const { return force_; }
+  void keep_trial() { std::swap(iterate_, trial_); }
+  /// Linearises about the iterate and finds Newton's step with the journal at rest, and with as much of the change of
+  /// the clearance as one step allows.
+  [[nodiscard]] bool find_step(FilmReport& report);
+  /// The force on the journal at the end of the step, by the linearised equations, N.
+  [[nodiscard]] Eigen::Vector2d stepped_force() const;
+  /// Rates of all unknowns per displacement of the journal where the system was linearised last, with the modes that
+  /// were set last. @return those of the force on the journal, N/m
+  Eigen::Matrix2d find_rates();
+  /// Lets the journal move with the step (m): the linearised equations stay solved, in the modes that the step has
+  /// without it.
+  void move_journal(const Eigen::Vector2d& displacement);
+  /// The step leads along the tangent: remembers where.
+  void note_prediction() { take_step(1.0, iterate_, predicted_); }
+  /// Largest part of the step that leaves enough of P and H.
+  [[nodiscard]] double longest_part() const { return longest_step(options_, iterate_.film, step_.film); }
+  /// Largest change of P, U, and position or opening over c in the step.
+  [[nodiscard]] double largest_change() const;
+  void try_step(double part) { take_step(part, iterate_, trial_); }
+  [[nodiscard]] bool touches() const { return trial_.film.thickness.minCoeff() < options_.thickness_floor; }
+  /// The trial is the state. Adds how far it lies from where the tangent led.
+  /// @param state  at the begin; receives the one at the end
+  void finish(const Eigen::Vector2d& position, BearingState& state, FilmReport& report);
+
+  [[nodiscard]] const FilmBearing& bearing() const { return bearing_; }
+  [[nodiscard]] const FilmSolverOptions& options() const { return options_; }
 
   /// With contacts in the modes of `state`, or with all closed ones stuck.
   /// @return nothing if the modes leave a singular system
@@ -65,11 +92,10 @@ class FilmNewton {
   };
 
   Vector& find_bump_forces(const ContactState& state);
-  double find_residual(const Move& to, const FilmEquations& equations, const BearingState& state);
   void assemble();
   void load_condensed();
   void expand(const Vector& x, FoilFilmState& change);
-  bool find_step(const BearingState& state, FilmReport& report);
+  bool find_step_at_rest(FilmReport& report);
   bool linearise_films(const FilmEquations& equations, const BearingState& state);
   bool linearise(const FilmEquations& equations, const BearingState& state, bool stuck);
   bool linearise_at(double shift, const BearingState& state, bool stuck);
@@ -83,9 +109,7 @@ class FilmNewton {
   [[nodiscard]] Eigen::Vector2d asperity_force_of(const FoilFilmState& change) const;
   static Vector asperity_change(const Part& part, const Matrix& thickness);
   Eigen::Vector2d find_rate(const Matrix& rigid, Step& rate);
-  Eigen::Matrix2d find_rates();
-  void move_journal(const JournalLaw& law, const BearingState& state);
-  void move_foils(double opening, const BearingState& state);
+  void move_foils();
   void add_to_step(double way, const Step& rate);
   [[nodiscard]] Matrix thinning(const Eigen::Vector2d& displacement) const;
   void take_step(double fraction, const BearingState& from, BearingState& to) const;
@@ -108,6 +132,10 @@ class FilmNewton {
   std::array<Step, 2> rates_;  ///< per displacement of the journal along X and Y, m
   Step opening_rate_;          ///< per opening of the clearance, m
   BearingState iterate_, trial_;
+  FilmEquations equations_;
+  double opening_{};  ///< that the clearance is to have, m
+  LastStep taken_;
+  Eigen::Vector2d force_{Eigen::Vector2d::Zero()};
   double friction_{};       ///< of asperities where the system was linearised last
   BearingState predicted_;  ///< where the tangent leads from the first guess
 };

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "bearing/film_newton.hpp"
+#include "bearing/joint_newton.hpp"
 
 namespace bumpfoil {
 
@@ -34,8 +34,39 @@ FilmReport FilmStepper::solve(const Move& move, BearingState& state, bool stays_
   if (options_.keep_going && !options_.keep_going()) return {.status = Status::interrupted};
   const bool finds_states = move.dt > 0.0 && move.scheme == TimeScheme::implicit_euler;
   const double tolerance = finds_states ? options_.marching_tolerance : options_.newton.step_tolerance;
-  const FilmReport report = newton_->solve(move, {.tolerance = tolerance, .stays_near = stays_near}, state);
-  if (report.status == Status::converged) state.time += move.dt;
+  const JointMove to{law_of_one(move.law), move.speed, move.opening, move.dt, move.scheme};
+  if (!newton_->set_out(to, state, state)) return {.status = Status::no_room};
+  Eigen::VectorXd position = state.position;
+  FilmReport report = solve_jointly({newton_.get()}, to.law, {.tolerance = tolerance, .stays_near = stays_near},
+                                    options_.newton.max_iterations, position);
+  if (report.status != Status::converged) return report;
+  newton_->finish(position, state, report);
+  state.time += move.dt;
+  return report;
+}
+
+FilmReport FilmStepper::solve_together(const std::vector<FilmStepper*>& steppers, const JointMove& move,
+                                       const std::vector<BearingState>& guesses, Eigen::VectorXd& y,
+                                       std::vector<BearingState>& states) {
+  std::vector<FilmNewton*> films;
+  // In time a step of Newton's method begins so close that the error falls with the square of its length: of the last
+  // one, a full one shorter than this, next to nothing is left.
+  double tolerance = FilmBearingOptions().marching_tolerance;
+  int max_iterations = FilmSolverOptions().max_iterations;
+  for (std::size_t i = 0; i < steppers.size(); ++i) {
+    const FilmBearingOptions& options = steppers[i]->options_;
+    if (options.keep_going && !options.keep_going()) return {.status = Status::interrupted};
+    tolerance = std::min(tolerance, move.dt > 0.0 ? options.marching_tolerance : options.newton.step_tolerance);
+    max_iterations = std::min(max_iterations, options.newton.max_iterations);
+    films.push_back(steppers[i]->newton_.get());
+    if (!films.back()->set_out(move, states[i], guesses[i])) return {.status = Status::no_room};
+  }
+  FilmReport report = solve_jointly(films, move.law, {.tolerance = tolerance}, max_iterations, y);
+  if (report.status != Status::converged) return report;
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    films[i]->finish(move.law.journals[i].motion * y, states[i], report);
+    states[i].time += move.dt;
+  }
   return report;
 }
 

@@ -28,7 +28,7 @@ namespace {
 
 /// Values of asperities at all columns. @param value  (asperities, H) -> number
 template <typename Value>
-Vector of_asperities(const FoilFilm& foil, const Matrix& thickness, Value&& value) {
+Vector over_columns(const FoilFilm& foil, const Matrix& thickness, Value&& value) {
   Vector values = Vector::Zero(foil.mesh.nodes());
   if (!foil.asperities) return values;
   for (int k = 0; k < foil.mesh.nodes(); ++k) values[k] = value(*foil.asperities, thickness(0, k));
@@ -38,7 +38,7 @@ Vector of_asperities(const FoilFilm& foil, const Matrix& thickness, Value&& valu
 }  // namespace
 
 Vector asperity_pressures(const FoilFilm& foil, const Matrix& thickness) {
-  return of_asperities(foil, thickness, [](const Asperities& rough, double H) { return rough.pressure(H); });
+  return over_columns(foil, thickness, [](const Asperities& rough, double H) { return rough.pressure(H); });
 }
 
 Vector asperity_balance(const FoilFilm& foil, Vector pressures) {
@@ -219,7 +219,7 @@ bool FoilFilmSystem::linearise(const ReynoldsEquation& equation, const FoilFilmS
   Workspace& w = *workspace_;
   linearise_reynolds(equation, state, w.film_residual, w.jacobian);
   w.asperity_slopes =
-      of_asperities(w.foil, state.thickness, [](const Asperities& rough, double H) { return rough.slope(H); });
+      over_columns(w.foil, state.thickness, [](const Asperities& rough, double H) { return rough.slope(H); });
   w.asperity_stiffness = asperity_balance(w.foil, w.asperity_slopes);
   const std::size_t blocks = w.columns.size();
   for (std::size_t i = 0; i < blocks; ++i) {

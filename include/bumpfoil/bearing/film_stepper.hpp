@@ -9,6 +9,7 @@
 
 #include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/bearing/impedance.hpp"
+#include "bumpfoil/bearing/joint_law.hpp"
 #include "bumpfoil/bearing/journal_law.hpp"
 #include "bumpfoil/film/film_solver.hpp"
 
@@ -19,14 +20,15 @@ class FilmNewton;
 /// Settings of the search for states of a bearing that runs.
 struct FilmBearingOptions {
   FilmSolverOptions newton{};
-  double first_time_step{0.025};    ///< of a march in time, in units of T0
-  double marching_tolerance{1e-6};  ///< in place of FilmSolverOptions::step_tolerance, in steps of implicit Euler
-  double time_growth{1.5};          ///< of time steps that converged; others are quartered
-  double last_time_step{10e-3};     ///< s; the march ends at steps longer than this that change little:
-  double resting_change{1e-4};      ///< of P and U
-  double position_step{0.1};        ///< first length of a step of follow(), in units of c
-  double speed_step{0.1};           ///< the same, of the speed at the begin or end, whichever is larger
-  double smallest_fraction{1e-3};   ///< of the first step: where shorter ones fail, the path ends
+  double first_time_step{0.025};  ///< of a march in time, in units of T0
+  /// In place of FilmSolverOptions::step_tolerance, in steps of implicit Euler and in those of solve_together().
+  double marching_tolerance{1e-6};
+  double time_growth{1.5};         ///< of time steps that converged; others are quartered
+  double last_time_step{10e-3};    ///< s; the march ends at steps longer than this that change little:
+  double resting_change{1e-4};     ///< of P and U
+  double position_step{0.1};       ///< first length of a step of follow(), in units of c
+  double speed_step{0.1};          ///< the same, of the speed at the begin or end, whichever is larger
+  double smallest_fraction{1e-3};  ///< of the first step: where shorter ones fail, the path ends
   /// The same under a load, where steps locate the contacts at which the branch turns back.
   double smallest_load_fraction{1e-6};
   /// Under a load a step is halved where the state lies farther from the tangent's prediction than this part of the
@@ -69,6 +71,15 @@ struct Move {
   double speed{};    ///< Omega, rad/s
   double opening{};  ///< of the clearance, m
   double dt{};       ///< time step, journal and foils without mass, s; 0: quasi-static
+  TimeScheme scheme{TimeScheme::bdf2};
+};
+
+/// The same of several bearings whose journals one body joins.
+struct JointMove {
+  JointLaw law;
+  double speed{};
+  double opening{};
+  double dt{};
   TimeScheme scheme{TimeScheme::bdf2};
 };
 
@@ -167,6 +178,17 @@ class FilmStepper {
 
   [[nodiscard]] const FilmBearing& bearing() const { return *bearing_; }
   [[nodiscard]] const FilmBearingOptions& options() const { return options_; }
+
+  /// Takes several bearings to the end of a move of the body that joins their journals, all in one step of Newton's
+  /// method. Friction refers to BearingState::slip_origin, as in solve().
+  /// @param steppers  one for each bearing: none twice
+  /// @param guesses   of the states at the end, their journals where the guess of y puts them
+  /// @param y         first guess of the unknowns of the law; receives the result
+  /// @param states    at the begin; receive the results, later by `dt`. Unless the status is converged y and states
+  ///                  stay as they were
+  [[nodiscard]] static FilmReport solve_together(const std::vector<FilmStepper*>& steppers, const JointMove& move,
+                                                 const std::vector<BearingState>& guesses, Eigen::VectorXd& y,
+                                                 std::vector<BearingState>& states);
 
  private:
   SharedFilmBearing bearing_;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bumpfoil/bearing/journal_law.hpp"
+
+namespace bumpfoil {
+
+/// What holds the journals of any number of bearings that one body joins, as rows beside the equations of their films
+/// and foils:
+///
+///     A (y* - y) + sum B_i (F*_i - F_i) = 0,      q_i = N_i y
+///
+/// y unknowns of the body, q_i position of journal i (m), F_i force on it that balances its film (N). A rotor in a step
+/// of time has its dynamic stiffness for A and N_i^T for B_i. A plain value.
+struct JointLaw {
+  struct Journal {
+    Eigen::Matrix2Xd motion;    ///< N
+    Eigen::MatrixX2d by_force;  ///< B
+    Eigen::Vector2d force;      ///< F*, N
+  };
+
+  Eigen::MatrixXd by_place;         ///< A
+  Eigen::VectorXd place{};          ///< y*
+  std::vector<Journal> journals{};  ///< in the order of the bearings
+  Eigen::VectorXd units{};          ///< of the rows: residuals count as multiples of them
+  double round_off{};               ///< residuals up to this are none, in the unit of the rows
+  double longest_step{};            ///< of any journal in one step of Newton's method, m
+
+  /// What is left of the way, in the units of the rows. @param forces  F_i, N
+  [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& y, const std::vector<Eigen::Vector2d>& forces) const;
+  /// Matrix of the rows where the films answer with dF_i/dq_i = K_i.
+  [[nodiscard]] Eigen::MatrixXd matrix(const std::vector<Eigen::Matrix2d>& K) const;
+  /// Whether the law is a place alone.
+  [[nodiscard]] bool holds_place() const;
+  /// The largest displacement of a journal, m.
+  [[nodiscard]] double displacement(const Eigen::VectorXd& step) const;
+};
+
+/// That of one bearing: y is the position of its journal.
+JointLaw law_of_one(const JournalLaw& law);
+
+}  // namespace bumpfoil

@@ -1,0 +1,41 @@
+#include "bumpfoil/bearing/joint_law.hpp"
+
+#include <algorithm>
+
+namespace bumpfoil {
+
+Eigen::VectorXd JointLaw::residual(const Eigen::VectorXd& y, const std::vector<Eigen::Vector2d>& forces) const {
+  Eigen::VectorXd lacking = by_place * (place - y);
+  for (std::size_t i = 0; i < journals.size(); ++i) {
+    lacking += journals[i].by_force * (journals[i].force - forces[i]);
+  }
+  return lacking;
+}
+
+Eigen::MatrixXd JointLaw::matrix(const std::vector<Eigen::Matrix2d>& K) const {
+  Eigen::MatrixXd sum = by_place;
+  for (std::size_t i = 0; i < journals.size(); ++i) sum += journals[i].by_force * K[i] * journals[i].motion;
+  return sum;
+}
+
+bool JointLaw::holds_place() const {
+  return !journals.empty() && std::all_of(journals.begin(), journals.end(),
+                                          [](const Journal& journal) { return journal.by_force.isZero(0.0); });
+}
+
+double JointLaw::displacement(const Eigen::VectorXd& step) const {
+  double largest = 0.0;
+  for (const Journal& journal : journals) largest = std::max(largest, (journal.motion * step).norm());
+  return largest;
+}
+
+JointLaw law_of_one(const JournalLaw& law) {
+  return {.by_place = law.by_position,
+          .place = law.position,
+          .journals = {{.motion = Eigen::Matrix2d::Identity(), .by_force = law.by_force, .force = law.force}},
+          .units = Eigen::Vector2d::Constant(law.unit),
+          .round_off = law.round_off,
+          .longest_step = law.longest_step};
+}
+
+}  // namespace bumpfoil

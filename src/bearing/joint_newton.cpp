@@ -1,0 +1,133 @@
+#include "bearing/joint_newton.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace bumpfoil {
+namespace {
+
+/// Halvings of a Newton step: at 1/256 of it the search for a smaller residual ends.
+constexpr int newton_max_halvings = 8;
+/// Fraction of a step that is taken where no halving reduces the residual.
+constexpr double newton_forced_fraction = 0.25;
+/// Full steps smaller than this that no part of makes the residuals smaller are round-off, of contact forces above all.
+constexpr double round_off_step = 1e-7;
+
+/// The films, and the unknowns of the law at the iterate and at the trial.
+class JointNewton {
+ public:
+  JointNewton(const std::vector<FilmNewton*>& films, const JointLaw& law, Eigen::VectorXd y)
+      : films_(films), law_(law), y_(std::move(y)), y_trial_(y_), dy_(Eigen::VectorXd::Zero(y_.size())) {}
+
+  /// Norm of all residuals at the trial: those of the films in their units, those of the law in its own.
+  double residual_of_trial() {
+    double square = 0.0;
+    forces_.clear();
+    for (FilmNewton* film : films_) {
+      square += film->find_residual();
+      forces_.push_back(film->force());
+    }
+    square += law_.residual(y_trial_, forces_).cwiseQuotient(law_.units).squaredNorm();
+    return std::sqrt(square);
+  }
+  bool find_step(FilmReport& report) {
+    for (FilmNewton* film : films_) {
+      if (!film->find_step(report)) return false;
+    }
+    move_journals();
+    return true;
+  }
+  void note_prediction() {
+    for (FilmNewton* film : films_) film->note_prediction();
+  }
+  [[nodiscard]] double longest_part() const {
+    double part = 1.0;
+    for (const FilmNewton* film : films_) part = std::min(part, film->longest_part());
+    return part;
+  }
+  [[nodiscard]] double largest_change() const {
+    double largest = 0.0;
+    for (const FilmNewton* film : films_) largest = std::max(largest, film->largest_change());
+    return largest;
+  }
+  void try_step(double part) {
+    y_trial_ = y_ + part * dy_;
+    for (FilmNewton* film : films_) film->try_step(part);
+  }
+  void keep_trial() {
+    y_.swap(y_trial_);
+    for (FilmNewton* film : films_) film->keep_trial();
+  }
+  [[nodiscard]] bool touches() const {
+    return std::any_of(films_.begin(), films_.end(), [](const FilmNewton* film) { return film->touches(); });
+  }
+  [[nodiscard]] const Eigen::VectorXd& trial() const { return y_trial_; }
+
+ private:
+  /// Lets the journals move with the step, by what their law lacks.
+  void move_journals() {
+    dy_.setZero();
+    forces_.clear();
+    for (const FilmNewton* film : films_) forces_.push_back(film->stepped_force());
+    const Eigen::VectorXd lacking = law_.residual(y_, forces_);
+    if (lacking.norm() <= law_.round_off) return;
+    rates_.clear();
+    for (FilmNewton* film : films_) rates_.push_back(film->find_rates());
+    dy_ = law_.matrix(rates_).partialPivLu().solve(lacking);
+    const double displacement = law_.displacement(dy_);
+    if (displacement > law_.longest_step) dy_ *= law_.longest_step / displacement;
+    for (std::size_t i = 0; i < films_.size(); ++i) films_[i]->move_journal(law_.journals[i].motion * dy_);
+  }
+
+  const std::vector<FilmNewton*>& films_;
+  const JointLaw& law_;
+  Eigen::VectorXd y_, y_trial_, dy_;
+  std::vector<Eigen::Vector2d> forces_;
+  std::vector<Eigen::Matrix2d> rates_;
+};
+
+}  // namespace
+
+FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& law, const NewtonAim& aim,
+                         int max_iterations, Eigen::VectorXd& y) {
+  JointNewton newton(films, law, y);
+  FilmReport report;
+  report.residual = newton.residual_of_trial();
+  while (report.iterations < max_iterations) {
+    ++report.iterations;
+    if (!newton.find_step(report)) return report;
+    // All residuals but those of what changes are zero in the first one: it leads along the tangent.
+    if (report.iterations == 1) newton.note_prediction();
+    const double fraction = newton.longest_part();
+    const double largest = newton.largest_change();
+    bool is_last = fraction == 1.0 && largest < aim.tolerance;
+    double part = fraction;
+    for (int halvings = 0; !is_last; ++halvings) {
+      const bool none_helps = halvings == newton_max_halvings;
+      if (none_helps) {
+        is_last = fraction == 1.0 && largest < round_off_step;
+        if (is_last) break;
+        if (aim.stays_near) return report;
+        part = newton_forced_fraction * fraction;
+      }
+      newton.try_step(part);
+      const double norm = newton.residual_of_trial();
+      if (norm < report.residual || none_helps) {
+        report.residual = norm;
+        break;
+      }
+      part *= 0.5;
+    }
+    if (is_last) {
+      newton.try_step(1.0);
+      report.status = newton.touches() ? Status::touchdown : Status::converged;
+      if (report.status == Status::converged) y = law.holds_place() ? law.place : newton.trial();
+      return report;
+    }
+    newton.keep_trial();
+  }
+  return report;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bearing/film_newton.hpp"
+
+namespace bumpfoil {
+
+/// What a solve looks for.
+struct NewtonAim {
+  double tolerance{};      ///< largest change of P, H and position over c in a full step of a state that has converged
+  bool stays_near{false};  ///< gives up where no part of a step makes the residuals smaller; else it goes on from there
+};
+
+/// Newton's method for the films, foils and contacts of any number of bearings and for what holds their journals, in
+/// one system: bearings meet in the rows of the law alone. All of them must have set out on the move.
+/// @param films  each of them once
+/// @param y      first guess of the law's unknowns, from which the journals of the guesses are displaced; receives the
+///               result if the status is converged
+FilmReport solve_jointly(const std::vector<FilmNewton*>& films, const JointLaw& law, const NewtonAim& aim,
+                         int max_iterations, Eigen::VectorXd& y);
+
+}  // namespace bumpfoil
