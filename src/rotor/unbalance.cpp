@@ -16,4 +16,12 @@ Eigen::VectorXcd unbalance_force(const RotorStation& plane, const Unbalance& unb
   return size * (plane.motion.transpose() * along);
 }
 
+Eigen::VectorXd unbalance_force(const RotorStation& plane, const Unbalance& unbalance, double angle, double speed,
+                                double acceleration) {
+  const double a = angle + unbalance.phase;
+  const Eigen::Vector2d outward(std::cos(a), std::sin(a));
+  const Eigen::Vector2d along(-std::sin(a), std::cos(a));
+  return unbalance.amount * (plane.motion.transpose() * (speed * speed * outward - acceleration * along));
+}
+
 }  // namespace bumpfoil

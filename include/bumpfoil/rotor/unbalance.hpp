@@ -27,4 +27,15 @@ double unbalance_of_grade(double grade, double mass, double speed);
 /// @return F, N, on the unknowns of the rotor
 Eigen::VectorXcd unbalance_force(const RotorStation& plane, const Unbalance& unbalance, double speed);
 
+/// The same at an instant of a rotor whose speed changes,
+///
+///     f = U motion^T (Omega^2 cos a + Omega' sin a, Omega^2 sin a - Omega' cos a),   a = angle + delta
+///
+/// @param angle         through which the rotor has turned, rad
+/// @param speed         Omega, rad/s
+/// @param acceleration  Omega', rad/s^2
+/// @return N, on the unknowns of the rotor
+Eigen::VectorXd unbalance_force(const RotorStation& plane, const Unbalance& unbalance, double angle, double speed,
+                                double acceleration);
+
 }  // namespace bumpfoil

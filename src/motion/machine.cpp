@@ -1,0 +1,172 @@
+#include "bumpfoil/motion/machine.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Into so many equal parts a step is divided at most.
+constexpr int most_parts_of_step = 128;
+/// A prediction that leaves less of P or H than this part somewhere is dropped.
+constexpr double least_predicted_part = 0.3;
+/// Longest displacement of a journal in one step of Newton's method, in units of c: as of one under a load.
+constexpr double longest_displacement_in_c = 0.15;
+
+bool keeps_enough(const Matrix& now, const Matrix& predicted) {
+  return (predicted.array() >= least_predicted_part * now.array()).all();
+}
+
+/// Goes on evenly from two states of a bearing. @param w  length of the step over that between the states
+/// @return whether that leaves a film to begin with
+bool go_on(double w, const BearingState& before, const BearingState& now, BearingState& predicted) {
+  const auto along = [w](const auto& a, const auto& b, auto& to) { to = b + w * (b - a); };
+  along(before.film.pressure, now.film.pressure, predicted.film.pressure);
+  along(before.film.thickness, now.film.thickness, predicted.film.thickness);
+  if (!keeps_enough(now.film.pressure, predicted.film.pressure)) return false;
+  if (!keeps_enough(now.film.thickness, predicted.film.thickness)) return false;
+  along(before.film.lift, now.film.lift, predicted.film.lift);
+  along(before.film.moment, now.film.moment, predicted.film.moment);
+  along(before.contacts.x, now.contacts.x, predicted.contacts.x);
+  along(before.contacts.gap, now.contacts.gap, predicted.contacts.gap);
+  along(before.contacts.normal_force, now.contacts.normal_force, predicted.contacts.normal_force);
+  along(before.contacts.friction_force, now.contacts.friction_force, predicted.contacts.friction_force);
+  return true;
+}
+
+}  // namespace
+
+MachineStepper::MachineStepper(Rotor rotor, std::vector<FilmStepper*> bearings)
+    : rotor_(std::move(rotor)),
+      bearings_(std::move(bearings)),
+      force_unit_(1.0),
+      longest_displacement_(std::numeric_limits<double>::infinity()) {
+  BUMPFOIL_ASSERT(bearings_.size() == rotor_.bearings.size());
+  for (const FilmStepper* stepper : bearings_) {
+    const FilmScales& scales = stepper->bearing().scales;
+    force_unit_ = std::max(force_unit_, scales.force());
+    longest_displacement_ = std::min(longest_displacement_, longest_displacement_in_c * scales.thickness);
+  }
+}
+
+MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eigen::VectorXd& forces) const {
+  BUMPFOIL_ASSERT(!states.empty() && states.size() == bearings_.size());
+  // Journals lie where their bearings have them, and between these the shaft bends, K y = f - sum B^T F: more equations
+  // than unknowns, all of which can be met.
+  const Eigen::Index n = rotor_.size();
+  const double largest = rotor_.stiffness.cwiseAbs().maxCoeff();
+  const double unit = largest > 0.0 ? largest : 1.0;
+  Eigen::MatrixXd rows(n + 2 * static_cast<Eigen::Index>(states.size()), n);
+  Eigen::VectorXd known(rows.rows());
+  rows.topRows(n) = rotor_.stiffness / unit;
+  known.head(n) = forces;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Eigen::MatrixXd& B = rotor_.bearings[i].motion;
+    const Eigen::Index row = n + 2 * static_cast<Eigen::Index>(i);
+    rows.middleRows(row, 2) = B;
+    known.segment(row, 2) = states[i].position;
+    known.head(n) -= B.transpose() * journal_force(bearings_[i]->bearing(), states[i].film, states[i].speed);
+  }
+  // A rigid motion does no work on the shaft: what is left of the balance there is not for y to meet.
+  known.head(n) = largest > 0.0 ? Eigen::VectorXd(known.head(n) / unit) : Eigen::VectorXd::Zero(n);
+  return {.speed = states.front().speed,
+          .rotor = {.y = rows.completeOrthogonalDecomposition().solve(known), .v = Eigen::VectorXd::Zero(n)},
+          .bearings = std::move(states)};
+}
+
+/// The rotor as a law of its journals: A y = f + M v_ref / span + (M / span + Omega G + C) y_ref / span - sum B^T F
+/// with A = M / span^2 + (Omega G + C) / span + K.
+JointMove MachineStepper::move_of(const TimeStep& step, const BackwardDifference& rate, const RotorMotion& reference,
+                                  const Eigen::VectorXd& forces) const {
+  const Eigen::MatrixXd by_rate = rotor_.mass / rate.span + step.speed * rotor_.gyroscopic + rotor_.damping;
+  JointMove move{.law = {.by_place = by_rate / rate.span + rotor_.stiffness}, .speed = step.speed, .dt = step.dt};
+  JointLaw& law = move.law;
+  law.place =
+      law.by_place.partialPivLu().solve(forces + (rotor_.mass * reference.v + by_rate * reference.y) / rate.span);
+  for (const RotorStation& bearing : rotor_.bearings) {
+    law.journals.push_back(
+        {.motion = bearing.motion, .by_force = bearing.motion.transpose(), .force = Eigen::Vector2d::Zero()});
+  }
+  // Each unknown has the length with which it moves the mass of the rotor.
+  law.units = force_unit_ * (rotor_.mass.diagonal() / rotor_.total_mass()).cwiseSqrt();
+  law.longest_step = longest_displacement_;
+  return move;
+}
+
+/// First guesses: all goes on evenly, where that leaves films to begin with; else all stays.
+void MachineStepper::guess(double dt, const MachineState& state, Eigen::VectorXd& y) {
+  guesses_ = state.bearings;
+  y = state.rotor.y;
+  if (state.last_dt > 0.0) {
+    const double w = dt / state.last_dt;
+    bool goes_on = true;
+    for (std::size_t i = 0; i < guesses_.size() && goes_on; ++i) {
+      goes_on = go_on(w, state.bearings_before[i], state.bearings[i], guesses_[i]);
+    }
+    if (goes_on) {
+      y += w * (state.rotor.y - state.rotor_before.y);
+    } else {
+      guesses_ = state.bearings;
+    }
+  }
+  for (std::size_t i = 0; i < guesses_.size(); ++i) guesses_[i].position = rotor_.bearings[i].motion * y;
+}
+
+FilmReport MachineStepper::take(const TimeStep& step, const RotorForces& forces, MachineState& state) {
+  const BackwardDifference rate = bdf2(step.dt, state.last_dt);
+  const RotorMotion reference{.y = rate.reference(state.rotor.y, state.rotor_before.y),
+                              .v = rate.reference(state.rotor.v, state.rotor_before.v)};
+  const RotorInstant end{.time = state.time + step.dt,
+                         .angle = state.angle + 0.5 * (state.speed + step.speed) * step.dt,
+                         .speed = step.speed,
+                         .acceleration = (step.speed - state.speed) / step.dt};
+  const JointMove move = move_of(step, rate, reference, forces(end));
+  Eigen::VectorXd y;
+  guess(step.dt, state, y);
+  ends_ = state.bearings;
+  for (BearingState& bearing : ends_) bearing.begin_increment();
+  const FilmReport report = FilmStepper::solve_together(bearings_, move, guesses_, y, ends_);
+  if (report.status != Status::converged) return report;
+  state.bearings_before.swap(state.bearings);
+  state.bearings.swap(ends_);
+  state.rotor_before = std::move(state.rotor);
+  state.rotor = {.y = y, .v = (y - reference.y) / rate.span};
+  state.last_dt = step.dt;
+  state.time = end.time;
+  state.angle = end.angle;
+  state.speed = end.speed;
+  return report;
+}
+
+MachineReport MachineStepper::advance(const TimeStep& step, const RotorForces& forces, MachineState& state) {
+  MachineReport report;
+  const auto count = [&](const FilmReport& taken) {
+    report.status = taken.status;
+    report.iterations += taken.iterations;
+    report.factorisations += taken.factorisations;
+    return taken.status == Status::converged;
+  };
+  report.parts = 1;
+  if (count(take(step, forces, state))) return report;
+  const double begin = state.speed;
+  while (report.status == Status::not_converged && report.parts < most_parts_of_step) {
+    report.parts *= 2;
+    MachineState trial = state;
+    int taken = 0;
+    do {
+      ++taken;
+      const double end = begin + (step.speed - begin) * taken / report.parts;
+      if (!count(take({.dt = step.dt / report.parts, .speed = end}, forces, trial))) break;
+    } while (taken < report.parts);
+    if (report.status == Status::converged) state = std::move(trial);
+  }
+  return report;
+}
+
+}  // namespace bumpfoil
