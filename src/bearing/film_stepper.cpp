@@ -1,5 +1,6 @@
 #include "bumpfoil/bearing/film_stepper.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "bearing/joint_newton.hpp"

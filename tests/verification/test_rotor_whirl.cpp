@@ -12,8 +12,8 @@
 #include "bumpfoil/bearing/critical_mass.hpp"
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/branch.hpp"
+#include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rest.hpp"
-#include "bumpfoil/motion/unbalance_response.hpp"
 #include "bumpfoil/motion/whirl.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
 #include "support/film_bearing_cases.hpp"
@@ -174,7 +174,7 @@ TEST(RotorWhirl, RespondsToUnbalanceAsInThePrototype) {
   const Eigen::VectorXcd force =
       unbalance_force(machine.rotor.stations[0], {.amount = 1.5e-6, .phase = 0.0}, machine.speed) +
       unbalance_force(machine.rotor.stations[1], {.amount = 1e-6, .phase = 0.5 * std::numbers::pi}, machine.speed);
-  const auto y = unbalance_response(machine.rotor, machine.bearings(), force);
+  const auto y = linear_response(machine.rotor, machine.bearings(), force, {0.0, std::abs(machine.speed)});
   ASSERT_TRUE(y.has_value());
   const double expected_um[2][2] = {{1.0729805518445406, 0.8285877436613249}, {1.596114559649816, 1.5667038336540233}};
   const double expected_deg[2][2] = {{-120.8398217816969, -82.58427546317324},

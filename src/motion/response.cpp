@@ -1,0 +1,23 @@
+#include "bumpfoil/motion/response.hpp"
+
+#include <Eigen/LU>
+
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+
+std::optional<Eigen::VectorXcd> linear_response(const Rotor& rotor, const std::vector<CarryingBearing>& bearings,
+                                                const Eigen::VectorXcd& force, std::complex<double> rate, bool stuck) {
+  BUMPFOIL_ASSERT(!bearings.empty() && bearings.size() == rotor.bearings.size());
+  const double speed = bearings.front().state.speed;
+  Eigen::MatrixXcd D = rate * rate * rotor.mass + rate * (speed * rotor.gyroscopic + rotor.damping) + rotor.stiffness;
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const auto impedance = bearings[i].stepper.impedances(bearings[i].state, {rate}, stuck);
+    if (!impedance) return std::nullopt;
+    const Eigen::MatrixXd& B = rotor.bearings[i].motion;
+    D += B.transpose() * impedance->front() * B;
+  }
+  return Eigen::VectorXcd(D.partialPivLu().solve(force));
+}
+
+}  // namespace bumpfoil
