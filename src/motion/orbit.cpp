@@ -1,0 +1,250 @@
+#include "bumpfoil/motion/orbit.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "bumpfoil/bearing/film_bearing.hpp"
+#include "bumpfoil/core/assert.hpp"
+
+namespace bumpfoil {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Turns after which film and foils have forgotten where they were put.
+constexpr int forgetting_turns = 2;
+/// Differences beyond the numbers that they are of.
+constexpr int more_differences = 2;
+/// Part of the largest difference that counts as none.
+constexpr double no_difference = 1e-9;
+/// Part of a film that a motion leaves at least where it is added to a state.
+constexpr double least_film_left = 0.5;
+/// Multipliers smaller than this are not told from none.
+constexpr double least_multiplier = 1e-3;
+
+/// Numbers whose differences are looked at: y/c and v / (c |Omega|) of the journals.
+Eigen::VectorXd journal_numbers(const MachineStepper& stepper, const MachineState& state) {
+  const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
+  Eigen::VectorXd numbers(4 * static_cast<Eigen::Index>(bearings.size()));
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const double c = stepper.bearings()[i]->bearing().scales.thickness;
+    const Eigen::Index at = 4 * static_cast<Eigen::Index>(i);
+    numbers.segment<2>(at) = bearings[i].motion * state.rotor.y / c;
+    numbers.segment<2>(at + 2) = bearings[i].motion * state.rotor.v / (c * std::abs(state.speed));
+  }
+  return numbers;
+}
+
+/// Work that friction takes in a step, J: -t du with the mean of the forces at its ends.
+double friction_work(const ContactProblem& problem, const ContactState& begin, const ContactState& end) {
+  const Vector slip = tangential_displacements(problem, end.x) - tangential_displacements(problem, begin.x);
+  return -0.5 * (begin.friction_force + end.friction_force).dot(slip);
+}
+
+/// Sums over the steps of a turn.
+class TurnRecord {
+ public:
+  explicit TurnRecord(const MachineStepper& stepper)
+      : stepper_(stepper),
+        turn_(stepper.bearings().size(), BearingTurn{.thinnest = std::numeric_limits<double>::infinity()}) {
+    for (const RotorStation& bearing : stepper.rotor().bearings) places_.push_back({&bearing});
+    for (const RotorStation& station : stepper.rotor().stations) places_.push_back({&station});
+  }
+
+  void add(const MachineState& state, int steps) {
+    const double part = 1.0 / steps;
+    const Complex back = std::polar(2.0 * part, -std::abs(state.angle));
+    for (Place& place : places_) {
+      const Eigen::Vector2d q = place.station->motion * state.rotor.y;
+      place.orbit.mean += part * q;
+      place.orbit.once += back * q;
+      place.orbit.twice += std::polar(2.0 * part, -2.0 * std::abs(state.angle)) * q;
+      place.least = place.least.cwiseMin(q);
+      place.most = place.most.cwiseMax(q);
+    }
+    for (std::size_t i = 0; i < turn_.size(); ++i) {
+      const FilmBearing& bearing = stepper_.bearings()[i]->bearing();
+      const BearingState& now = state.bearings[i];
+      turn_[i].thinnest = std::min(turn_[i].thinnest, bearing.scales.thickness * now.film.thickness.minCoeff());
+      turn_[i].power += part * film_bearing_outcome(bearing, now).power;
+      turn_[i].friction += friction_work(bearing.problem, state.bearings_before[i].contacts, now.contacts);
+    }
+  }
+
+  void write(Orbit& orbit) const {
+    orbit.turn = turn_;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      StationOrbit found = places_[i].orbit;
+      found.half_peak_to_peak = 0.5 * (places_[i].most - places_[i].least);
+      (i < turn_.size() ? orbit.bearings : orbit.stations).push_back(found);
+    }
+  }
+
+ private:
+  struct Place {
+    const RotorStation* station;
+    StationOrbit orbit{};
+    Eigen::Vector2d least{Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity())};
+    Eigen::Vector2d most{-least};
+  };
+
+  const MachineStepper& stepper_;
+  std::vector<Place> places_;
+  std::vector<BearingTurn> turn_;
+};
+
+/// sum g_i a_i of one part of all states.
+template <typename Read>
+void combine(const Eigen::VectorXd& weights, const std::vector<MachineState>& states, const Read& part,
+             MachineState& sum) {
+  auto&& to = part(sum);
+  to *= weights[0];
+  for (std::size_t i = 1; i < states.size(); ++i) to += weights[static_cast<Eigen::Index>(i)] * part(states[i]);
+}
+
+/// sum g_i of whole states. Modes, time and angle are those of the last.
+MachineState combined(const Eigen::VectorXd& weights, const std::vector<MachineState>& states) {
+  MachineState sum = states.front();
+  const auto add = [&](const auto& part) { combine(weights, states, part, sum); };
+  add([](auto& s) -> auto& { return s.rotor.y; });
+  add([](auto& s) -> auto& { return s.rotor.v; });
+  add([](auto& s) -> auto& { return s.rotor_before.y; });
+  add([](auto& s) -> auto& { return s.rotor_before.v; });
+  for (std::size_t i = 0; i < sum.bearings.size(); ++i) {
+    for (const bool before : {false, true}) {
+      const auto add_of = [&](const auto& part) {
+        add([&](auto& s) -> auto& { return part(before ? s.bearings_before[i] : s.bearings[i]); });
+      };
+      add_of([](auto& b) -> auto& { return b.position; });
+      add_of([](auto& b) -> auto& { return b.film.pressure; });
+      add_of([](auto& b) -> auto& { return b.film.thickness; });
+      add_of([](auto& b) -> auto& { return b.film.lift; });
+      add_of([](auto& b) -> auto& { return b.film.moment; });
+      add_of([](auto& b) -> auto& { return b.last_step.content; });
+      add_of([](auto& b) -> auto& { return b.slip_origin; });
+      add_of([](auto& b) -> auto& { return b.contacts.x; });
+      add_of([](auto& b) -> auto& { return b.contacts.gap; });
+      add_of([](auto& b) -> auto& { return b.contacts.normal_force; });
+      add_of([](auto& b) -> auto& { return b.contacts.friction_force; });
+    }
+    sum.bearings[i].contacts.mode = states.back().bearings[i].contacts.mode;
+  }
+  sum.time = states.back().time;
+  sum.angle = states.back().angle;
+  return sum;
+}
+
+bool has_films(const MachineState& state) {
+  return std::all_of(state.bearings.begin(), state.bearings.end(), [](const BearingState& bearing) {
+    return bearing.film.pressure.minCoeff() > 0.0 && bearing.film.thickness.minCoeff() > 0.0;
+  });
+}
+
+/// min |sum g_i d_i| with sum g_i = 1; of many such weights the smallest.
+Eigen::VectorXd extrapolating_weights(const Eigen::MatrixXd& differences) {
+  Eigen::MatrixXd rows(differences.rows() + 1, differences.cols());
+  rows << differences / differences.cwiseAbs().maxCoeff(), Eigen::RowVectorXd::Ones(differences.cols());
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(no_difference);
+  decomposition.compute(rows);
+  const Eigen::VectorXd weights = decomposition.solve(Eigen::VectorXd::Unit(rows.rows(), rows.rows() - 1));
+  return weights / weights.sum();
+}
+
+/// Eigenvalues of the map that takes each difference to the next, the largest first.
+std::vector<Complex> multipliers_of(const Eigen::MatrixXd& differences) {
+  const Eigen::Index n = differences.cols() - 1;
+  const Eigen::MatrixXd scaled = differences / differences.cwiseAbs().maxCoeff();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(no_difference);
+  decomposition.compute(scaled.leftCols(n).transpose());
+  const Eigen::MatrixXd map = decomposition.solve(scaled.rightCols(n).transpose());
+  const Eigen::VectorXcd values = map.eigenvalues();
+  std::vector<Complex> found(values.begin(), values.end());
+  std::sort(found.begin(), found.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
+  std::erase_if(found, [&](Complex value) { return std::abs(value) < least_multiplier; });
+  return found;
+}
+
+}  // namespace
+
+void add_motion(const MachineStepper& stepper, const Eigen::VectorXcd& motion, MachineState& state) {
+  const std::vector<RotorStation>& bearings = stepper.rotor().bearings;
+  const auto thickness_at = [&](std::size_t i, double part) {
+    const FilmBearing& bearing = stepper.bearings()[i]->bearing();
+    const BearingState& there = state.bearings[i];
+    const Eigen::VectorXd y = state.rotor.y + part * motion.real();
+    Matrix thickness = bearing.undeformed_thickness(bearings[i].motion * y, there.opening);
+    thickness.rowwise() += there.film.lift.transpose();
+    return thickness;
+  };
+  double part = 1.0;
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const Matrix& before = state.bearings[i].film.thickness;
+    const Matrix loss = (before - thickness_at(i, 1.0)).cwiseQuotient(before);
+    part = std::min(part, (1.0 - least_film_left) / std::max(1.0 - least_film_left, loss.maxCoeff()));
+  }
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    state.bearings[i].film.thickness = thickness_at(i, part);
+    state.bearings[i].position = bearings[i].motion * (state.rotor.y + part * motion.real());
+  }
+  state.rotor.y += part * motion.real();
+  state.rotor.v += part * std::abs(state.speed) * (Complex(0.0, 1.0) * motion).real();
+}
+
+Orbit find_orbit(MachineStepper& stepper, const RotorForces& forces, const MachineState& start,
+                 const OrbitOptions& options) {
+  BUMPFOIL_ASSERT(!stepper.bearings().empty());
+  Orbit orbit{.state = start};
+  const double dt = 2.0 * std::numbers::pi / (std::abs(start.speed) * options.steps_per_turn);
+  /// @return whether a turn was taken
+  const auto take_turn = [&](TurnRecord* record) {
+    if (options.keep_going && !options.keep_going()) {
+      orbit.status = Status::interrupted;
+      return false;
+    }
+    const Eigen::VectorXd before = journal_numbers(stepper, orbit.state);
+    for (int i = 0; i < options.steps_per_turn; ++i) {
+      const MachineReport report = stepper.advance({.dt = dt, .speed = start.speed}, forces, orbit.state);
+      orbit.iterations += report.iterations;
+      orbit.status = report.status;
+      if (report.status != Status::converged) return false;
+      if (record != nullptr) record->add(orbit.state, options.steps_per_turn);
+    }
+    ++orbit.turns;
+    orbit.change = (journal_numbers(stepper, orbit.state) - before).cwiseAbs().maxCoeff();
+    return true;
+  };
+
+  const auto count = static_cast<Eigen::Index>(4 * stepper.bearings().size() + more_differences);
+  Eigen::MatrixXd differences(4 * static_cast<Eigen::Index>(stepper.bearings().size()), count);
+  std::vector<MachineState> ends;
+  bool is_periodic = false;
+  for (int taken = 0; orbit.turns < options.max_turns; ++taken) {
+    const Eigen::VectorXd before = journal_numbers(stepper, orbit.state);
+    if (!take_turn(nullptr)) return orbit;
+    is_periodic = orbit.change < options.tolerance;
+    if (is_periodic) break;
+    if (taken < forgetting_turns) continue;
+    differences.col(std::ssize(ends)) = journal_numbers(stepper, orbit.state) - before;
+    ends.push_back(orbit.state);
+    if (std::ssize(ends) < count) continue;
+    orbit.multipliers = multipliers_of(differences);
+    MachineState next = combined(extrapolating_weights(differences), ends);
+    if (has_films(next)) orbit.state = std::move(next);
+    ends.clear();
+    taken = -1;
+  }
+  TurnRecord record(stepper);
+  if (!take_turn(&record)) return orbit;
+  record.write(orbit);
+  if (!is_periodic) orbit.status = Status::not_converged;
+  return orbit;
+}
+
+}  // namespace bumpfoil
