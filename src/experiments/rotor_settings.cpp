@@ -40,6 +40,23 @@ std::vector<double> planes_of(const RotorSettings& settings) {
   return planes;
 }
 
+/// Unbalances in their planes; on half a rotor that does not tilt, half of each.
+std::vector<std::pair<RotorStation, Unbalance>> placed_unbalances(const RotorSettings& settings, const Rotor& rotor) {
+  const std::size_t count = settings.unbalances.size();
+  const double part = settings.tilts() ? 1.0 : half;
+  std::vector<std::pair<RotorStation, Unbalance>> placed;
+  for (std::size_t i = 0; i < count; ++i) {
+    const RotorUnbalance& one = settings.unbalances[i];
+    const double amount = one.amount ? *one.amount
+                                     : unbalance_of_grade(one.grade.value_or(0.0), rotor.total_mass() / part,
+                                                          one.grade_speed.value_or(1.0));
+    // Planes are the last stations.
+    placed.emplace_back(settings.tilts() ? rotor.stations[rotor.stations.size() - count + i] : rotor.bearings.front(),
+                        Unbalance{.amount = part * amount, .phase = one.phase});
+  }
+  return placed;
+}
+
 Rotor full_rotor(const RotorSettings& settings) {
   if (!settings.tilts()) return make_point_mass(half * settings.mass.value_or(0.0));
   if (settings.is_flexible()) {
@@ -246,18 +263,21 @@ ReducedRotor rotor_of(const RotorSettings& settings, double range) {
 
 Eigen::VectorXcd unbalance_force(const RotorSettings& settings, const Rotor& rotor, double speed) {
   Eigen::VectorXcd force = Eigen::VectorXcd::Zero(rotor.size());
-  const std::size_t count = settings.unbalances.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const RotorUnbalance& one = settings.unbalances[i];
-    const double mass = rotor.total_mass() / (settings.tilts() ? 1.0 : half);
-    const double amount =
-        one.amount ? *one.amount : unbalance_of_grade(one.grade.value_or(0.0), mass, one.grade_speed.value_or(1.0));
-    // Planes are the last stations.
-    const RotorStation& plane =
-        settings.tilts() ? rotor.stations[rotor.stations.size() - count + i] : rotor.bearings.front();
-    force += unbalance_force(plane, {.amount = settings.tilts() ? amount : half * amount, .phase = one.phase}, speed);
+  for (const auto& [plane, unbalance] : placed_unbalances(settings, rotor)) {
+    force += unbalance_force(plane, unbalance, speed);
   }
   return force;
+}
+
+RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor) {
+  const Eigen::VectorXd weight = rotor.mass * (rotor.rigid.leftCols(2) * settings.gravity_vector());
+  return [weight, placed = placed_unbalances(settings, rotor)](const RotorInstant& now) -> Eigen::VectorXd {
+    Eigen::VectorXd force = weight;
+    for (const auto& [plane, unbalance] : placed) {
+      force += unbalance_force(plane, unbalance, now.angle, now.speed, now.acceleration);
+    }
+    return force;
+  };
 }
 
 const RotorSettings& rotor_settings_of(const Case& input) {

@@ -1,6 +1,7 @@
 #include "bumpfoil/motion/response.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "bumpfoil/core/assert.hpp"
 
@@ -18,6 +19,14 @@ std::optional<Eigen::VectorXcd> linear_response(const Rotor& rotor, const std::v
     D += B.transpose() * impedance->front() * B;
   }
   return Eigen::VectorXcd(D.partialPivLu().solve(force));
+}
+
+EllipticOrbit elliptic_orbit(const Eigen::Vector2cd& amplitudes, double speed) {
+  // x + i y of two circles, one for each sense: conj(X - i Y) turns from Y to X, X + i Y from X to Y.
+  const std::complex<double> i(0.0, 1.0);
+  const double positive = 0.5 * std::abs(amplitudes.x() + i * amplitudes.y());
+  const double negative = 0.5 * std::abs(amplitudes.x() - i * amplitudes.y());
+  return {.major = positive + negative, .minor = std::copysign(1.0, speed) * (positive - negative)};
 }
 
 }  // namespace bumpfoil

@@ -9,6 +9,7 @@
 #include "bumpfoil/bearing/film_bearing.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/rotor/rotor.hpp"
 #include "bumpfoil/rotor/shaft.hpp"
 
@@ -54,6 +55,9 @@ ReducedRotor rotor_of(const RotorSettings& settings, double range);
 /// @param rotor  as rotor_of() makes it
 /// @param speed  Omega, rad/s
 Eigen::VectorXcd unbalance_force(const RotorSettings& settings, const Rotor& rotor, double speed);
+
+/// All forces on the rotor of a case while it turns: its weight and its unbalances.
+RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor);
 
 /// A rotor and the bearings that carry it.
 struct Machine {

@@ -23,4 +23,13 @@ std::optional<Eigen::VectorXcd> linear_response(const Rotor& rotor, const std::v
                                                 const Eigen::VectorXcd& force, std::complex<double> rate,
                                                 bool stuck = false);
 
+/// An elliptic orbit x = Re(X e^{i |Omega| t}), y = Re(Y e^{i |Omega| t}).
+struct EllipticOrbit {
+  double major{};  ///< semi-axis, m
+  double minor{};  ///< semi-axis, m; negative where the orbit is gone round against the rotation
+};
+
+/// @param speed  Omega, for its sign
+EllipticOrbit elliptic_orbit(const Eigen::Vector2cd& amplitudes, double speed);
+
 }  // namespace bumpfoil

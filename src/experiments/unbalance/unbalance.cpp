@@ -1,12 +1,16 @@
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <deque>
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/motion/machine.hpp"
+#include "bumpfoil/motion/orbit.hpp"
+#include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rotor_equilibria.hpp"
-#include "bumpfoil/motion/unbalance_response.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -39,6 +43,10 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
   std::vector<FilmStepper*> pointers;
   for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
+  MachineStepper machine(rotor, pointers);
+  const RotorForces forces = forces_on(settings, rotor);
+  const Eigen::VectorXd weight = rotor.mass * (rotor.rigid.leftCols(2) * settings.gravity_vector());
+  const UnbalanceSettings& run = unbalance_settings_of(input);
   const RotorEquilibria equilibria(rotor, pointers, settings.gravity_vector());
   std::vector<BearingState> states;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
@@ -53,8 +61,18 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
     point.states = states;
     const std::vector<CarryingBearing> bearings = equilibria.carrying(states);
     const Eigen::VectorXcd force = unbalance_force(settings, rotor, point.speed);
-    point.sliding = unbalance_response(rotor, bearings, force);
-    point.stuck = unbalance_response(rotor, bearings, force, true);
+    const std::complex<double> once(0.0, std::abs(point.speed));
+    point.sliding = linear_response(rotor, bearings, force, once);
+    point.stuck = linear_response(rotor, bearings, force, once, true);
+    if (!run.orbits) continue;
+    MachineState start = machine.at_rest(states, weight);
+    if (point.stuck) add_motion(machine, *point.stuck, start);
+    const auto goes_on = [&] {
+      return !progress || progress(static_cast<double>(i) / static_cast<double>(result.points.size()));
+    };
+    point.orbit =
+        find_orbit(machine, forces, start, {.steps_per_turn = run.steps_per_revolution, .keep_going = goes_on});
+    if (point.orbit->status == Status::interrupted) point.status = Status::interrupted;
   }
   return result;
 }

@@ -8,7 +8,6 @@ namespace bumpfoil {
 namespace {
 
 constexpr Form search_status_form{Form::flag, enum_names<Status>};
-constexpr std::array all_kinds{ResponseKind::linear_sliding, ResponseKind::linear_stuck};
 
 double minimum_film_thickness_of(const UnbalanceResult& result, const UnbalancePoint& point) {
   double least = absent;
@@ -23,11 +22,11 @@ double minimum_film_thickness_of(const UnbalanceResult& result, const UnbalanceP
 
 Dataset unbalance_dataset(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  const std::span<const ResponseKind> kinds = kinds_of(result);
   Dataset data;
   data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
                      each(result.points, [](const UnbalancePoint& point) { return point.speed; }));
-  data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>},
-                     numbers_from(0.0, all_kinds.size()));
+  data.add_dimension({"kind", "", "how the response was found", flags<ResponseKind>}, numbers_from(0.0, kinds.size()));
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, stations.size()));
   Variable& places = data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
@@ -47,19 +46,27 @@ Dataset unbalance_dataset(const UnbalanceResult& result) {
              return minimum_film_thickness_of(result, point);
            }));
   for (const ResponseQuantity& quantity : response_quantities()) {
-    data.add(quantity.meaning(), {"speed", "kind", "station"}, [&result, stations, quantity] {
+    VariableMeaning meaning = quantity.meaning();
+    if (meaning.name == "h_min") meaning.name = "h_min_of_orbit";
+    data.add(std::move(meaning), {"speed", "kind", "station"}, [&result, stations, kinds, quantity] {
       std::vector<double> values;
-      values.reserve(result.points.size() * all_kinds.size() * stations.size());
+      values.reserve(result.points.size() * kinds.size() * stations.size());
       for (const UnbalancePoint& point : result.points) {
-        for (const ResponseKind kind : all_kinds) {
-          for (const RotorStation& station : stations) {
-            const StationResponse response = response_at(point, kind, station);
+        for (const ResponseKind kind : kinds) {
+          for (std::size_t i = 0; i < stations.size(); ++i) {
+            const StationResponse response = response_at(result, point, kind, i);
             values.push_back(response.motion ? quantity.value(response) : absent);
           }
         }
       }
       return values;
     });
+  }
+  if (kinds.back() != ResponseKind::orbit) return data;
+  for (const OrbitQuantity& quantity : orbit_quantities()) {
+    data.add(quantity.meaning(), {"speed"}, each(result.points, [&quantity](const UnbalancePoint& point) {
+               return point.orbit ? quantity.value(*point.orbit) : absent;
+             }));
   }
   return data;
 }
@@ -68,16 +75,17 @@ std::string unbalance_csv(const UnbalanceResult& result) {
   std::string out = "speed_rad_per_s,station";
   for (const ResponseQuantity& quantity : response_quantities()) out += ',' + quantity.key();
   out += ",kind,status\n";
+  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
   for (const UnbalancePoint& point : result.points) {
-    for (const ResponseKind kind : all_kinds) {
-      for (const RotorStation& station : stations_of(result.machine.rotor)) {
-        const StationResponse response = response_at(point, kind, station);
+    for (const ResponseKind kind : kinds_of(result)) {
+      for (std::size_t i = 0; i < stations.size(); ++i) {
+        const StationResponse response = response_at(result, point, kind, i);
         append_csv(out, point.speed);
-        out += ',' + station.name;
+        out += ',' + stations[i].name;
         for (const ResponseQuantity& quantity : response_quantities()) {
           append_csv(out += ',', response.motion ? quantity.value(response) : absent);
         }
-        out += fmt::format(",{},{}\n", name_of(kind), name_of(point.status));
+        out += fmt::format(",{},{}\n", name_of(kind), name_of(status_of(point, kind)));
       }
     }
   }

@@ -15,7 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 RunStatus status_of(const UnbalanceResult& result) {
-  return run_status(each(result.points, [](const UnbalancePoint& point) { return point.status; }),
+  return run_status(each(result.points,
+                         [](const UnbalancePoint& point) {
+                           return point.status == Status::converged ? status_of(point, ResponseKind::orbit)
+                                                                    : point.status;
+                         }),
                     result.points.size());
 }
 
@@ -32,15 +36,19 @@ Json unbalance_lists(const UnbalanceResult& result) {
   for (const UnbalancePoint& point : result.points) {
     Json& entry = json["speeds"].emplace_back(
         Json{{"speed_rad_per_s", point.speed}, {"status", name_of(point.status)}, {"responses", Json::array()}});
-    for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
-      for (const RotorStation& station : stations) {
-        const StationResponse response = response_at(point, kind, station);
+    for (const ResponseKind kind : kinds_of(result)) {
+      for (std::size_t i = 0; i < stations.size(); ++i) {
+        const StationResponse response = response_at(result, point, kind, i);
         if (!response.motion) continue;
-        Json& one = entry["responses"].emplace_back(Json{{"kind", name_of(kind)}, {"station", station.name}});
+        Json& one = entry["responses"].emplace_back(Json{{"kind", name_of(kind)}, {"station", stations[i].name}});
         for (const ResponseQuantity& quantity : response_quantities()) {
           one[quantity.key()] = value_json(quantity.value(response), quantity.form);
         }
       }
+    }
+    if (!point.orbit) continue;
+    for (const OrbitQuantity& quantity : orbit_quantities()) {
+      entry[quantity.key()] = value_json(quantity.value(*point.orbit), quantity.form);
     }
   }
   return json;
@@ -81,19 +89,30 @@ Outcome unbalance_outcome(const Case& input, UnbalanceResult made) {
 }  // namespace
 
 ExperimentInfo unbalance_experiment() {
+  const std::vector<std::string> speeds{"unbalance.speeds=[\"12000 rpm\", \"13000 rpm\"]", "film.columns_per_pitch=4",
+                                        "film.rows=4", "rotor.mass=2 kg", "rotor.unbalance=[{amount=\"2 g mm\"}]"};
+  std::vector<std::string> with_orbits = speeds;
+  with_orbits[0] = "unbalance.speeds=[\"-11000 rpm\"]";
+  with_orbits.emplace_back("unbalance.orbits=true");
+  with_orbits.emplace_back("unbalance.steps_per_revolution=30");
   return {
       .name = "unbalance",
       .summary = "Compute the response of a rotor on its bearings to unbalance, over speed",
       .examples =
           "  bumpfoil unbalance examples/rotor.toml -o unbalance\n"
+          "  bumpfoil unbalance examples/rotor.toml -o orbits --orbits --set 'unbalance.speeds=[\"8000 rpm\", \"12000 "
+          "rpm\"]'\n"
           "  bumpfoil unbalance examples/rotor.toml -o graded --set 'rotor.unbalance=[{grade=\"2.5 mm/s\", "
           "grade_speed=\"24000 rpm\"}]'\n",
       .files = {"summary.json", "unbalance.csv", "result.nc"},
+      .switches = {{.name = "orbits",
+                    .help = "Also find the periodic orbits with contacts and friction, by steps in time",
+                    .key = "unbalance.orbits",
+                    .value = "true"}},
       .run = [](const Case& input,
                 const ProgressCallback& progress) { return unbalance_outcome(input, run_unbalance(input, progress)); },
       .quantities = meanings_of(response_quantities()),
-      .small_runs = {{"unbalance.speeds=[\"12000 rpm\", \"13000 rpm\"]", "film.columns_per_pitch=4", "film.rows=4",
-                      "rotor.mass=2 kg", "rotor.unbalance=[{amount=\"2 g mm\"}]"}}};
+      .small_runs = {speeds, with_orbits}};
 }
 
 }  // namespace bumpfoil

@@ -8,7 +8,7 @@
 
 #include "bumpfoil/core/angle.hpp"
 #include "bumpfoil/experiments/case_warnings.hpp"
-#include "bumpfoil/motion/unbalance_response.hpp"
+#include "bumpfoil/motion/response.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -33,6 +33,19 @@ double orbit_axis(const StationResponse& response) {
   return elliptic_orbit(*response.motion, response.point.speed).*semi_axis;
 }
 
+template <int axis>
+double half_way(const StationResponse& response) {
+  return response.orbit == nullptr ? amplitude<axis>(response) : response.orbit->half_peak_to_peak[axis];
+}
+template <int axis>
+double mean(const StationResponse& response) {
+  return response.orbit == nullptr ? absent : response.orbit->mean[axis];
+}
+template <int axis>
+double twice(const StationResponse& response) {
+  return response.orbit == nullptr ? absent : std::abs(response.orbit->twice[axis]);
+}
+
 constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"amplitude_x", "m", "amplitude along X at the frequency of rotation", amplitude<0>, csv, "amplitude, X",
      shown::micrometres},
@@ -40,10 +53,51 @@ constexpr auto response_quantity_table = std::to_array<ResponseQuantity>({
     {"amplitude_y", "m", "amplitude along Y at the frequency of rotation", amplitude<1>, csv, "amplitude, Y",
      shown::micrometres},
     {"phase_y", "degree", "phase of Y in y = Re(Y exp(i |Omega| t))", phase<1>, csv, "phase, Y", shown::degrees},
+    {"half_peak_to_peak_x", "m", "half of the way along X from end to end", half_way<0>, csv, "half way, X",
+     shown::micrometres},
+    {"half_peak_to_peak_y", "m", "half of the way along Y from end to end", half_way<1>, csv, "half way, Y",
+     shown::micrometres},
+    {"h_min", "m", "minimum film thickness of the bearing in a turn of an orbit",
+     [](const StationResponse& response) { return response.turn == nullptr ? absent : response.turn->thinnest; }, csv,
+     "minimum film thickness", shown::micrometres},
+    {"friction_loss", "J", "work that friction of the foils of the bearing takes in a turn of an orbit",
+     [](const StationResponse& response) { return response.turn == nullptr ? absent : response.turn->friction; }, csv,
+     "friction loss", shown::millijoules},
+    {"power", "W", "mean power of the film of the bearing in a turn of an orbit",
+     [](const StationResponse& response) { return response.turn == nullptr ? absent : response.turn->power; }, csv,
+     "power", shown::watts},
+    {"mean_x", "m", "mean of the position along X in a turn of an orbit", mean<0>, csv},
+    {"mean_y", "m", "mean of the position along Y in a turn of an orbit", mean<1>, csv},
+    {"amplitude_x_2x", "m", "amplitude along X at twice the frequency of rotation, of an orbit", twice<0>, csv},
+    {"amplitude_y_2x", "m", "amplitude along Y at twice the frequency of rotation, of an orbit", twice<1>, csv},
     {"semi_major", "m", "larger semi-axis of the orbit", orbit_axis<&EllipticOrbit::major>, csv | shown_first | leading,
      "semi-major axis", shown::micrometres},
     {"semi_minor", "m", "smaller semi-axis of the orbit, negative where it is gone round against the rotation",
      orbit_axis<&EllipticOrbit::minor>, csv, "semi-minor axis", shown::micrometres},
+});
+
+constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
+    {"orbit_status",
+     "",
+     "how the search for the periodic orbit ended; not_converged: none was found",
+     [](const Orbit& orbit) { return static_cast<double>(orbit.status); },
+     none,
+     "",
+     {},
+     {Form::flag, enum_names<Status>}},
+    {"orbit_turns",
+     "1",
+     "turns that were marched",
+     [](const Orbit& orbit) { return static_cast<double>(orbit.turns); },
+     of_solver,
+     "",
+     {},
+     whole_number},
+    {"orbit_change", "1", "change in the last turn of journal positions over c, and of their velocities over c |Omega|",
+     [](const Orbit& orbit) { return orbit.change; }, of_solver},
+    {"largest_multiplier", "1",
+     "largest Floquet multiplier that the search has met: an orbit lasts where it is smaller than 1",
+     [](const Orbit& orbit) { return orbit.multipliers.empty() ? absent : std::abs(orbit.multipliers.front()); }},
 });
 
 std::string rpm_text(double speed) {
@@ -51,16 +105,16 @@ std::string rpm_text(double speed) {
 }
 
 /// Largest semi-major axis of all stations, m; not a number where there is no response.
-double largest_orbit(const UnbalancePoint& point, ResponseKind kind, const std::vector<RotorStation>& stations,
-                     const RotorStation*& where) {
+double largest_orbit(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
+                     std::size_t stations, std::size_t& where) {
   double largest = absent;
-  for (const RotorStation& station : stations) {
-    const StationResponse response = response_at(point, kind, station);
+  for (std::size_t i = 0; i < stations; ++i) {
+    const StationResponse response = response_at(result, point, kind, i);
     if (!response.motion) continue;
     const double major = elliptic_orbit(*response.motion, point.speed).major;
     if (std::isnan(largest) || major > largest) {
       largest = major;
-      where = &station;
+      where = i;
     }
   }
   return largest;
@@ -92,21 +146,49 @@ std::vector<RotorStation> stations_of(const Rotor& rotor) {
   return stations;
 }
 
-StationResponse response_at(const UnbalancePoint& point, ResponseKind kind, const RotorStation& station) {
+StationResponse response_at(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
+                            std::size_t station) {
   StationResponse response{.point = point, .kind = kind};
-  const auto& y = kind == ResponseKind::linear_stuck ? point.stuck : point.sliding;
-  if (y) response.motion = station.motion * *y;
+  const Rotor& rotor = result.machine.rotor;
+  const bool at_bearing = station < rotor.bearings.size();
+  const std::size_t behind = station - (at_bearing ? 0 : rotor.bearings.size());
+  if (kind != ResponseKind::orbit) {
+    const auto& y = kind == ResponseKind::linear_stuck ? point.stuck : point.sliding;
+    const RotorStation& place = at_bearing ? rotor.bearings[station] : rotor.stations[behind];
+    if (y) response.motion = place.motion * *y;
+    return response;
+  }
+  if (!point.orbit || point.orbit->bearings.empty()) return response;
+  response.orbit = at_bearing ? &point.orbit->bearings[station] : &point.orbit->stations[behind];
+  response.motion = response.orbit->once;
+  if (at_bearing) response.turn = &point.orbit->turn[station];
   return response;
+}
+
+Status status_of(const UnbalancePoint& point, ResponseKind kind) {
+  return kind == ResponseKind::orbit && point.orbit ? point.orbit->status : point.status;
+}
+
+std::span<const OrbitQuantity> orbit_quantities() {
+  return orbit_quantity_table;
+}
+
+std::span<const ResponseKind> kinds_of(const UnbalanceResult& result) {
+  const bool any = std::any_of(result.points.begin(), result.points.end(),
+                               [](const UnbalancePoint& point) { return point.orbit.has_value(); });
+  return std::span(all_response_kinds).first(any ? 3 : 2);
 }
 
 std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
   const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
   const std::size_t count = result.points.size();
   std::vector<ResponsePeak> peaks;
-  for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
+  for (const ResponseKind kind : kinds_of(result)) {
     std::vector<double> orbits(count);
-    std::vector<const RotorStation*> where(count);
-    for (std::size_t i = 0; i < count; ++i) orbits[i] = largest_orbit(result.points[i], kind, stations, where[i]);
+    std::vector<std::size_t> where(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      orbits[i] = largest_orbit(result, result.points[i], kind, stations.size(), where[i]);
+    }
     for (std::size_t i = 1; i + 1 < count; ++i) {
       if (!(orbits[i] > orbits[i - 1] && orbits[i] >= orbits[i + 1]) || !stands_out(orbits, i)) continue;
       const std::array speed{result.points[i - 1].speed, result.points[i].speed, result.points[i + 1].speed};
@@ -115,7 +197,7 @@ std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
       const double curvature = (after - before) / (speed[2] - speed[0]);
       const double way = 0.5 * (speed[0] - speed[1] - before / curvature);  // from the middle to the vertex
       peaks.push_back({.kind = kind,
-                       .station = where[i]->name,
+                       .station = stations[where[i]].name,
                        .speed = speed[1] + way,
                        .amplitude = orbits[i] - curvature * way * way});
     }
@@ -135,6 +217,15 @@ std::vector<std::string> failure_lines(const UnbalanceResult& result) {
     lines.push_back(fmt::format("{}: no equilibrium found: {}", rpm_text(point.speed), explanation(point.status)));
   }
   if (behind > 0) lines.push_back(fmt::format("the {} speeds behind it were not looked for", behind));
+  for (const UnbalancePoint& point : result.points) {
+    if (!point.orbit || point.orbit->status == Status::converged || point.orbit->status == Status::interrupted)
+      continue;
+    lines.push_back(
+        point.orbit->status == Status::not_converged
+            ? fmt::format("{}: no periodic orbit found in {} turns: the last one changes by {:.2g} of the clearance",
+                          rpm_text(point.speed), point.orbit->turns, point.orbit->change)
+            : fmt::format("{}: no periodic orbit: {}", rpm_text(point.speed), explanation(point.orbit->status)));
+  }
   return lines;
 }
 
@@ -151,7 +242,7 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
     for (std::size_t i = 0; i < point.states.size(); ++i) {
       const double film = point.states[i].film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
       for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
-        const StationResponse response = response_at(point, kind, result.machine.rotor.bearings[i]);
+        const StationResponse response = response_at(result, point, kind, i);
         if (response.motion) part = std::max(part, elliptic_orbit(*response.motion, point.speed).major / film);
       }
     }

@@ -21,25 +21,42 @@ namespace bumpfoil {
 enum class ResponseKind : std::uint8_t {
   linear_sliding,  ///< small, slipping contacts slip on
   linear_stuck,    ///< small, all closed contacts stick
+  orbit,           ///< periodic, with contacts and friction as they are
 };
+inline constexpr std::array all_response_kinds{ResponseKind::linear_sliding, ResponseKind::linear_stuck,
+                                               ResponseKind::orbit};
 template <>
-inline constexpr auto enum_names<ResponseKind> = std::to_array<std::string_view>({"linear_sliding", "linear_stuck"});
+inline constexpr auto enum_names<ResponseKind> = std::to_array<std::string_view>({"linear_sliding", "linear_stuck",
+                                                                                  "orbit"});
 
 /// A response at one speed, at one station of the rotor.
 struct StationResponse {
   const UnbalancePoint& point;
   ResponseKind kind{};
-  std::optional<Eigen::Vector2cd> motion{};  ///< X and Y of x = Re(X e^{i |Omega| t}), m
+  std::optional<Eigen::Vector2cd> motion{};  ///< X and Y of x = Re(X e^{i |Omega| t}), m; of an orbit its 1x part
+  const StationOrbit* orbit{};               ///< the whole of an orbit
+  const BearingTurn* turn{};                 ///< what the bearing does, at one
 };
 
 using ResponseQuantity = Quantity<double (*)(const StationResponse&)>;
 std::span<const ResponseQuantity> response_quantities();
 
+/// Of an orbit as a whole.
+using OrbitQuantity = Quantity<double (*)(const Orbit&)>;
+std::span<const OrbitQuantity> orbit_quantities();
+
+/// Kinds that a result has: orbits where they were asked for.
+std::span<const ResponseKind> kinds_of(const UnbalanceResult& result);
+
 /// Places of a rotor at which responses are told: its bearings first, and what else has a name.
 std::vector<RotorStation> stations_of(const Rotor& rotor);
 
-/// The response of a kind at a station; without motion where there is none.
-StationResponse response_at(const UnbalancePoint& point, ResponseKind kind, const RotorStation& station);
+/// The response of a kind at a station, by its number in stations_of(); without motion where there is none.
+StationResponse response_at(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
+                            std::size_t station);
+
+/// How the search for the response ended: that for the equilibrium, or for the orbit.
+Status status_of(const UnbalancePoint& point, ResponseKind kind);
 
 /// A speed at which the largest semi-axis of all stations has a maximum, by a parabola through three speeds.
 struct ResponsePeak {

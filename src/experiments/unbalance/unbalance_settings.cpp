@@ -12,6 +12,11 @@ void describe(CaseVisitor& keys, UnbalanceSettings& unbalance) {
   keys.value({"speeds", Presence::required, "Speeds", "of the rotor, one after the other; positive turns X to Y",
               "{ from = \"6000 rpm\", to = \"24000 rpm\", points = 37 }", Dimension::frequency},
              &unbalance.speeds);
+  keys.value({"orbits", Presence::defaulted, "Orbits",
+              "true: find periodic orbits with contacts and friction as well, by steps in time"},
+             &unbalance.orbits);
+  keys.value({"steps_per_revolution", Presence::defaulted, "Steps per revolution", "of the orbits"},
+             &unbalance.steps_per_revolution);
 }
 
 void describe_unbalance(CaseVisitor& keys, Case& input) {
@@ -25,6 +30,7 @@ void judge_unbalance(Judge& judge, const Case& input, const JudgedBumpFoil& /*fo
   const UnbalanceSettings* const unbalance = input.settings.find<UnbalanceSettings>();
   if (unbalance == nullptr) return;
   judge_rotor_speeds(judge, "unbalance.speeds", unbalance->speeds);
+  judge.count("unbalance.steps_per_revolution", unbalance->steps_per_revolution, "steps per revolution", {20, 10'000});
   const RotorSettings* const rotor = input.settings.find<RotorSettings>();
   judge.require_for("unbalance", rotor != nullptr, "rotor", "", "this table is missing",
                     "add [rotor] with a mass such as \"2 kg\"");

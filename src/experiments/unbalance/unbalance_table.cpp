@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "bumpfoil/motion/unbalance_response.hpp"
+#include "bumpfoil/motion/response.hpp"
 #include "core/number_text.hpp"
 #include "experiments/unbalance/unbalance_quantities.hpp"
 
@@ -17,6 +18,12 @@ constexpr int response_cell_width = 12;
 
 std::string response_cell(double number, double size) {
   return fmt::format("{:>{}}", std::isfinite(number) ? number_text(number, size) : "-", response_cell_width);
+}
+
+std::string_view heading_of(ResponseKind kind) {
+  constexpr std::array<std::string_view, 3> headings{"Small orbits, contacts sliding", "Small orbits, contacts stuck",
+                                                     "Periodic orbits with friction, 1x"};
+  return headings.at(static_cast<std::size_t>(kind));
 }
 
 std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
@@ -33,16 +40,17 @@ std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
     }
   }
   out += '\n';
-  const std::size_t shown = std::min(result.points.size(), most_responses_shown);
-  for (std::size_t i = 0; i < shown; ++i) {
+  const std::size_t listed = std::min(result.points.size(), most_responses_shown);
+  for (std::size_t i = 0; i < listed; ++i) {
     const UnbalancePoint& point = result.points[i];
     out += response_cell(point.speed, shown::revolutions.size);
-    if (point.status != Status::converged) {
-      out += fmt::format("  {}\n", name_of(point.status));
+    const Status status = status_of(point, kind);
+    if (status != Status::converged) {
+      out += fmt::format("  {}\n", name_of(status));
       continue;
     }
-    for (const RotorStation& station : stations) {
-      const StationResponse response = response_at(point, kind, station);
+    for (std::size_t k = 0; k < stations.size(); ++k) {
+      const StationResponse response = response_at(result, point, kind, k);
       for (const std::string_view name : {"amplitude_x", "phase_x", "amplitude_y", "phase_y"}) {
         const auto all = response_quantities();
         const auto quantity =
@@ -52,8 +60,36 @@ std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
     }
     out += '\n';
   }
-  if (shown < result.points.size()) {
-    out += fmt::format("speeds {} to {} are in the files only\n", shown + 1, result.points.size());
+  if (listed < result.points.size()) {
+    out += fmt::format("speeds {} to {} are in the files only\n", listed + 1, result.points.size());
+  }
+  return out;
+}
+
+/// What the bearings do in a turn, the worst of them or all together.
+std::string orbit_lines(const UnbalanceResult& result) {
+  std::string out = fmt::format("{0:>{6}}{1:>{6}}{2:>{6}}{3:>{6}}{4:>{6}}{5:>{6}}\n", "speed", "min. film", "friction",
+                                "power", "multiplier", "turns", response_cell_width);
+  out += fmt::format("{0:>{6}}{1:>{6}}{2:>{6}}{3:>{6}}{4:>{6}}{5:>{6}}\n", "rpm", "um", "uJ", "W", "", "",
+                     response_cell_width);
+  const std::size_t listed = std::min(result.points.size(), most_responses_shown);
+  for (std::size_t i = 0; i < listed; ++i) {
+    const UnbalancePoint& point = result.points[i];
+    out += response_cell(point.speed, shown::revolutions.size);
+    if (!point.orbit || point.orbit->turn.empty()) {
+      out += fmt::format("  {}\n", name_of(status_of(point, ResponseKind::orbit)));
+      continue;
+    }
+    BearingTurn all{.thinnest = point.orbit->turn.front().thinnest, .power = 0.0, .friction = 0.0};
+    for (const BearingTurn& turn : point.orbit->turn) {
+      all.thinnest = std::min(all.thinnest, turn.thinnest);
+      all.power += turn.power;
+      all.friction += turn.friction;
+    }
+    const auto& multipliers = point.orbit->multipliers;
+    out += response_cell(all.thinnest, 1e-6) + response_cell(all.friction, 1e-6) + response_cell(all.power, 1.0);
+    out += response_cell(multipliers.empty() ? absent : std::abs(multipliers.front()), 1.0);
+    out += fmt::format("{:>{}}\n", point.orbit->turns, response_cell_width);
   }
   return out;
 }
@@ -61,12 +97,12 @@ std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
 }  // namespace
 
 std::string unbalance_table(const UnbalanceResult& result) {
-  std::string out = response_lines(result, ResponseKind::linear_sliding) + '\n' +
-                    response_lines(result, ResponseKind::linear_stuck) + '\n';
+  std::string out;
+  for (const ResponseKind kind : kinds_of(result)) out += response_lines(result, kind) + '\n';
+  if (kinds_of(result).back() == ResponseKind::orbit) out += orbit_lines(result) + '\n';
   const std::vector<ResponsePeak> peaks = peaks_of(result);
   for (const ResponsePeak& peak : peaks) {
-    out += fmt::format("peak, contacts {}: orbit of {:.4g} um at {:.6g} rpm, {}\n",
-                       peak.kind == ResponseKind::linear_stuck ? "stuck" : "sliding", 1e6 * peak.amplitude,
+    out += fmt::format("peak, {}: orbit of {:.4g} um at {:.6g} rpm, {}\n", name_of(peak.kind), 1e6 * peak.amplitude,
                        peak.speed / shown::revolutions.size, peak.station);
   }
   if (peaks.empty()) out += "the orbits have no peak between these speeds\n";

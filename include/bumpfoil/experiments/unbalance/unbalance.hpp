@@ -7,12 +7,15 @@
 
 #include "bumpfoil/experiments/rotor_settings.hpp"
 #include "bumpfoil/model/case.hpp"
+#include "bumpfoil/motion/orbit.hpp"
 
 namespace bumpfoil {
 
 /// Table [unbalance] of a case.
 struct UnbalanceSettings {
-  std::vector<double> speeds{};  ///< rad/s
+  std::vector<double> speeds{};   ///< rad/s
+  bool orbits{};                  ///< periodic orbits as well
+  int steps_per_revolution{100};  ///< of theirs
 
   bool operator==(const UnbalanceSettings&) const = default;
 };
@@ -22,8 +25,9 @@ struct UnbalancePoint {
   double speed{};  ///< Omega, rad/s
   Status status{Status::not_reached};
   std::vector<BearingState> states;  ///< of the bearings under the weight; empty where they were not found
-  /// Y of the small forced motion, see unbalance_response(): slipping contacts slip on, or all closed ones stick.
+  /// Y of the small forced motion, see linear_response(): slipping contacts slip on, or all closed ones stick.
   std::optional<Eigen::VectorXcd> sliding, stuck;
+  std::optional<Orbit> orbit{};  ///< with contacts and friction as they are, where it is asked for
 };
 
 struct UnbalanceResult {
@@ -35,7 +39,8 @@ struct UnbalanceResult {
 /// @throws Error (input) as run_unbalance() does
 UnbalanceResult unbalance_not_begun(const Case& input);
 
-/// Response of the rotor of a case to its unbalances over its speeds. After a speed without equilibrium the others are
+/// Response of the rotor of a case to its unbalances over its speeds: the linear one, and, where it is asked for, the
+/// periodic orbit that find_orbit() finds from there. After a speed without equilibrium the others are
 /// not looked for.
 /// @param progress  called with the fraction that is done; returning false ends the run
 /// @throws Error (input) if the case cannot be built, or has no rotor, unbalances or speeds
