@@ -75,7 +75,8 @@ MachineState MachineStepper::at_rest(std::vector<BearingState> states, const Eig
   }
   // A rigid motion does no work on the shaft: what is left of the balance there is not for y to meet.
   known.head(n) = largest > 0.0 ? Eigen::VectorXd(known.head(n) / unit) : Eigen::VectorXd::Zero(n);
-  return {.speed = states.front().speed,
+  const double speed = states.front().speed;
+  return {.speed = speed,
           .rotor = {.y = rows.completeOrthogonalDecomposition().solve(known), .v = Eigen::VectorXd::Zero(n)},
           .bearings = std::move(states)};
 }
