@@ -1,6 +1,5 @@
 #include "bearing/film_impedance.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,12 +14,27 @@ constexpr double tolerance = 1e-10;
 /// Directions of a space that is given up: 24 serve 20 frequencies up to twice that of the rotation, on 6 x 16.
 constexpr int most_directions = 300;
 
-/// Coordinates of what is stored, in the Krylov basis of C, in which C V = V H + next v_next e_last^T.
+/// Coordinates of what is stored, in the Krylov basis of C, in which C V = V H + next v_next e_last^T. H has one
+/// diagonal below its main one: elimination, with the larger of two rows as pivot, takes m^2 operations.
 /// @param start  norm of the right-hand side, which is the first direction
 Eigen::VectorXcd coordinates(const Eigen::Ref<const Matrix>& H, double start, std::complex<double> excess) {
   const Eigen::Index m = H.cols();
-  const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(m, m) - excess * H.cast<std::complex<double>>();
-  return system.partialPivLu().solve(Eigen::VectorXcd::Unit(m, 0) * start);
+  Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> system = -excess * H;
+  system.diagonal().array() += 1.0;
+  Eigen::VectorXcd found = Eigen::VectorXcd::Unit(m, 0) * start;
+  for (Eigen::Index k = 0; k + 1 < m; ++k) {
+    auto row = system.row(k).tail(m - k);
+    auto below = system.row(k + 1).tail(m - k);
+    if (std::norm(below[0]) > std::norm(row[0])) {
+      row.swap(below);
+      std::swap(found[k], found[k + 1]);
+    }
+    const std::complex<double> factor = below[0] / row[0];
+    below -= factor * row;
+    found[k + 1] -= factor * found[k];
+  }
+  system.triangularView<Eigen::Upper>().solveInPlace(found);
+  return found;
 }
 
 }  // namespace
