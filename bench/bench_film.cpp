@@ -8,6 +8,7 @@
 #include "alternating.hpp"
 #include "bumpfoil/bearing/film_stepper.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/rest.hpp"
 
@@ -230,6 +231,26 @@ void coasting_down(benchmark::State& bench) {
   bench.counters["iterations"] = iterations;
 }
 BENCHMARK(coasting_down)->Apply(meshes);
+
+/// All of an analysis but its files: 60 equal speeds from rest to 45,000 rpm under 50 N on rough surfaces, on all
+/// cores.
+void run_up(benchmark::State& bench) {
+  constexpr int speeds = 60;
+  Case input = reference_case();
+  input.top_foil.formed_radius = {FormedTo::seated};
+  input.friction = {.top_bump = 0.1, .bump_sleeve = 0.1};
+  input.gas = {.viscosity = air.viscosity, .ambient_pressure = air.ambient_pressure};
+  input.film.columns_per_pitch = static_cast<int>(bench.range(0));
+  input.film.rows = static_cast<int>(bench.range(1));
+  input.asperity = AsperitySettings{.sigma = 0.3e-6, .density = 1.7e10, .radius = 10e-6, .friction = 0.2};
+  input.equilibrium =
+      EquilibriumSettings{.loads = {{50.0, 0.0}}, .path = FilmPath::speed_ramp, .paths = ComparedPaths::one};
+  for (int i = 0; i < speeds; ++i) input.equilibrium->speeds.push_back(speed * i / (speeds - 1));
+  for (auto _ : bench) {
+    if (!analyse_running_bearing(input).converged()) bench.SkipWithError("not converged");
+  }
+}
+BENCHMARK(run_up)->Args({6, 8})->Args({6, 16})->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1);
 
 }  // namespace
 }  // namespace bumpfoil

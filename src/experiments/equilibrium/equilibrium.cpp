@@ -96,13 +96,62 @@ int open_light_contacts(ContactState& contacts) {
   return count;
 }
 
+/// Adds the largest stresses of all pads to a state.
+void find_stresses(const FilmBearing& bearing, RunningState& found) {
+  const BearingState& state = *found.last;
+  const Vector x = bearing.foil_unknowns(state.contacts.x);
+  const Eigen::Index size = bearing.dofs().size;
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const FilmPad& pad = bearing.pads[k];
+    const StressModel& model = bearing.stress[k];
+    const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
+    const double top = moment * state.film.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+    found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
+    const auto [first, count] = bearing.structure.blocks_of(static_cast<int>(k));
+    const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
+    if (stress.bump_largest.size() == 0) continue;
+    found.bump_foil_stress = std::max(
+        {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});
+  }
+}
+
+/// Adds to a state what follows from it. With a stepper of its own: the walk may be on to the next state.
+void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, RunningState& found) {
+  const auto begin = std::chrono::steady_clock::now();
+  FilmStepper stepper(bearing);
+  const BearingState& state = *found.last;
+  found.outcome = film_bearing_outcome(*bearing, state);
+  const auto moving = stepper.slow_motion(state);
+  const auto stuck = stepper.slow_motion(state, true);
+  if (moving) found.stiffness = moving->stiffness;
+  if (stuck) found.stuck_stiffness = stuck->stiffness;
+  if (moving || stuck) {
+    found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
+  }
+  found.held = stepper.held_motions(state);
+  BearingState opened = state;
+  found.light_contacts = open_light_contacts(opened.contacts);
+  if (found.light_contacts > 0) found.held_if_open = stepper.held_motions(opened);
+  const std::vector<double> frequencies = frequencies_of(settings, state.speed);
+  std::vector<std::complex<double>> rates = rates_of(frequencies);
+  const std::vector<std::complex<double>> whirling = whirling_rates(state.speed);
+  rates.insert(rates.end(), whirling.begin(), whirling.end());
+  const Impedances impedances(stepper, state, rates);
+  found.critical_mass = critical_mass_of_state(impedances.moving, state.speed, found.held.sliding);
+  found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state.speed, found.held.stuck);
+  found.whirls = impedances.at(frequencies);
+  find_stresses(*bearing, found);
+  found.wall_time += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// Walks along paths and keeps what is found.
 class PathWalker {
  public:
   PathWalker(const EquilibriumSettings& settings, double thickness_floor, EquilibriumResult& result,
-             const std::function<bool(double)>& progress, std::size_t states)
+             const std::function<bool(double)>& progress, StateJudges* judges, std::size_t states)
       : result_(result),
         progress_(progress),
+        judges_(judges),
         states_(states),
         settings_(settings),
         options_(options(thickness_floor)),
@@ -132,8 +181,8 @@ class PathWalker {
         start(path, point, found.report);
       }
       reached_ = found.found();
-      if (state_ && found.report.status != Status::not_reached) judge(found);
       found.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (state_ && found.report.status != Status::not_reached) hand_over(found);
     }
     reached_ = true;
   }
@@ -151,48 +200,12 @@ class PathWalker {
     return (done + done_of_state_) / static_cast<double>(states_);
   }
 
-  void judge(RunningState& found) {
+  void hand_over(RunningState& found) {
     found.last = state_;
-    found.outcome = film_bearing_outcome(*result_.bearing, *state_);
-    const auto moving = stepper_->slow_motion(*state_);
-    const auto stuck = stepper_->slow_motion(*state_, true);
-    if (moving) found.stiffness = moving->stiffness;
-    if (stuck) found.stuck_stiffness = stuck->stiffness;
-    if (moving || stuck) {
-      found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
-    }
-    found.held = stepper_->held_motions(*state_);
-    BearingState opened = *state_;
-    found.light_contacts = open_light_contacts(opened.contacts);
-    if (found.light_contacts > 0) found.held_if_open = stepper_->held_motions(opened);
-    const std::vector<double> frequencies = frequencies_of(settings_, state_->speed);
-    std::vector<std::complex<double>> rates = rates_of(frequencies);
-    const std::vector<std::complex<double>> whirling = whirling_rates(state_->speed);
-    rates.insert(rates.end(), whirling.begin(), whirling.end());
-    const Impedances impedances(*stepper_, *state_, rates);
-    found.critical_mass = critical_mass_of_state(impedances.moving, state_->speed, found.held.sliding);
-    found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state_->speed, found.held.stuck);
-    found.whirls = impedances.at(frequencies);
-    find_stresses(found);
-  }
-
-  /// The largest ones of all pads.
-  void find_stresses(RunningState& found) const {
-    const FilmBearing& bearing = *result_.bearing;
-    const Vector x = bearing.foil_unknowns(state_->contacts.x);
-    const Eigen::Index size = bearing.dofs().size;
-    for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
-      const FilmPad& pad = bearing.pads[k];
-      const StressModel& model = bearing.stress[k];
-      const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
-      const double top = moment * state_->film.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
-      found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
-      const auto [first, count] = bearing.structure.blocks_of(static_cast<int>(k));
-      const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
-      if (stress.bump_largest.size() == 0) continue;
-      found.bump_foil_stress = std::max(
-          {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});
-    }
+    const auto judge = [bearing = result_.bearing, &settings = settings_, &found] {
+      judge_state(bearing, settings, found);
+    };
+    judges_ ? judges_->take(result_.bearing, found, judge) : judge();
   }
 
   /// From rest to the first state of a path. Where formed foils leave a journal no room, foils are formed to the
@@ -291,6 +304,7 @@ class PathWalker {
 
   EquilibriumResult& result_;
   const std::function<bool(double)>& progress_;
+  StateJudges* judges_;
   std::size_t states_;
   const EquilibriumSettings& settings_;
   FilmBearingOptions options_;
@@ -444,23 +458,25 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
 }
 
 void tabulate_whirls(const Case& input, EquilibriumResult& result) {
-  FilmStepper stepper(result.bearing);
-  const bool given = !input.equilibrium->frequencies.empty();
-  const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
   for (RunningState& state : result.states) {
-    if (!state.found()) continue;
-    if (given) {
-      const double synchronous = std::abs(state.last->speed);
-      state.synchronous = Impedances(stepper, *state.last, {{0.0, synchronous}}).at({synchronous}).front();
-      state.tabulated.clear();
-      for (const double frequency : frequencies) {
-        state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
-                                                [=](const FilmWhirl& whirl) { return whirl.frequency == frequency; }));
-      }
-    } else {
-      state.synchronous = state.whirls.front();
-      state.tabulated = Impedances(stepper, *state.last, rates_of(frequencies)).at(frequencies);
-    }
+    if (state.found()) tabulate_whirls(input, result.bearing, state);
+  }
+}
+
+void tabulate_whirls(const Case& input, const SharedFilmBearing& bearing, RunningState& state) {
+  FilmStepper stepper(bearing);
+  const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
+  if (input.equilibrium->frequencies.empty()) {
+    state.synchronous = state.whirls.front();
+    state.tabulated = Impedances(stepper, *state.last, rates_of(frequencies)).at(frequencies);
+    return;
+  }
+  const double synchronous = std::abs(state.last->speed);
+  state.synchronous = Impedances(stepper, *state.last, {{0.0, synchronous}}).at({synchronous}).front();
+  state.tabulated.clear();
+  for (const double frequency : frequencies) {
+    state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
+                                            [=](const FilmWhirl& whirl) { return whirl.frequency == frequency; }));
   }
 }
 
@@ -472,10 +488,10 @@ FilmBearing require_running_bearing(const Case& input) {
 }
 
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths,
-                                  const std::function<bool(double)>& progress) {
+                                  const std::function<bool(double)>& progress, StateJudges* judges) {
   const auto bearing = std::make_shared<const FilmBearing>(require_running_bearing(input));
   if (paths.empty()) paths.push_back(input.equilibrium->path);
-  EquilibriumResult result = find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress);
+  EquilibriumResult result = find_states(bearing, *input.equilibrium, thickness_floor(input), paths, progress, judges);
   add_least_torque_speeds(result);
   if (!input.equilibrium->prefer_stable || paths.size() > 1) return result;
   for (RunningState& state : result.states) {
@@ -490,15 +506,22 @@ EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths
 
 EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
                               double thickness_floor, const std::vector<FilmPath>& paths,
-                              const std::function<bool(double)>& progress) {
+                              const std::function<bool(double)>& progress, StateJudges* judges) {
   EquilibriumResult result;
   result.bearing = bearing;
   const std::size_t states =
       paths.size() * equilibrium.speeds.size() * std::max(equilibrium.loads.size(), equilibrium.positions.size());
-  PathWalker walker(equilibrium, thickness_floor, result, progress, states);
-  for (const FilmPath path : paths) {
-    for (const auto& chain : chains_of(path, equilibrium)) walker.walk(path, chain);
+  result.states.reserve(states);  // they stay where they are while they are judged
+  PathWalker walker(equilibrium, thickness_floor, result, progress, judges, states);
+  try {
+    for (const FilmPath path : paths) {
+      for (const auto& chain : chains_of(path, equilibrium)) walker.walk(path, chain);
+    }
+  } catch (...) {
+    if (judges) judges->finish();
+    throw;
   }
+  if (judges) judges->finish();
   return result;
 }
 

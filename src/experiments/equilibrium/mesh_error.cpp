@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace bumpfoil {
 namespace {
@@ -81,47 +83,40 @@ BearingState transferred(const FilmBearing& from, const FilmBearing& to, const B
   return found;
 }
 
-/// Compares states on two meshes.
-class MeshComparison {
- public:
-  MeshComparison(const Case& input, const FilmBearing& bearing)
-      : bearing_(bearing),
-        own_{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows},
-        other_(other_resolution(own_)),
-        stepper_(make_film_bearing(bearing, bearing.scales.gas, other_, bearing.surroundings),
-                 {.newton = {.thickness_floor = thickness_floor(input) / bearing.scales.thickness}}) {}
-
-  [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) {
-    const FilmBearing& other = stepper_.bearing();
-    BearingState found = transferred(bearing_, other, *state.last);
-    if (stepper_.advance(state.asked, found).status != Status::converged) return {};
-    const double thickness =
-        (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_.scales.thickness;
-    Eigen::Vector2d force = journal_force(other, found.film, found.speed) - state.outcome->force;
-    if (state.asked.by_load()) {
-      if (!state.stiffness) return {};
-      force = *state.stiffness * (state.last->position - found.position);
-    }
-    return MeshError{.minimum_film_thickness = std::abs(part() * thickness), .force = std::abs(part()) * force.norm()};
-  }
-
- private:
-  /// Of the difference to the other mesh that the own one is off by; negative where the other one is finer.
-  [[nodiscard]] double part() const {
-    const double r_squared = static_cast<double>(own_.columns_per_pitch * own_.rows) /
-                             static_cast<double>(other_.columns_per_pitch * other_.rows);
-    return 1.0 / (r_squared - 1.0);
-  }
-
-  const FilmBearing& bearing_;
-  FilmResolution own_, other_;
-  FilmStepper stepper_;
-};
+/// Of the difference between `other` and `own` that the latter is off by.
+double part_of_difference(const FilmResolution& own, const FilmResolution& other) {
+  const double r_squared =
+      static_cast<double>(own.columns_per_pitch * own.rows) / static_cast<double>(other.columns_per_pitch * other.rows);
+  return 1.0 / (r_squared - 1.0);
+}
 
 }  // namespace
 
+MeshComparison::MeshComparison(const Case& input, SharedFilmBearing bearing)
+    : bearing_(std::move(bearing)), thickness_floor_(thickness_floor(input) / bearing_->scales.thickness) {
+  const FilmResolution own{.columns_per_pitch = input.film.columns_per_pitch, .rows = input.film.rows};
+  const FilmResolution other = other_resolution(own);
+  other_ = std::make_shared<const FilmBearing>(
+      make_film_bearing(*bearing_, bearing_->scales.gas, other, bearing_->surroundings));
+  part_ = part_of_difference(own, other);
+}
+
+std::optional<MeshError> MeshComparison::estimate(const RunningState& state) const {
+  FilmStepper stepper(other_, {.newton = {.thickness_floor = thickness_floor_}});
+  BearingState found = transferred(*bearing_, *other_, *state.last);
+  if (stepper.advance(state.asked, found).status != Status::converged) return {};
+  const double thickness =
+      (found.film.thickness.minCoeff() - state.last->film.thickness.minCoeff()) * bearing_->scales.thickness;
+  Eigen::Vector2d force = journal_force(*other_, found.film, found.speed) - state.outcome->force;
+  if (state.asked.by_load()) {
+    if (!state.stiffness) return {};
+    force = *state.stiffness * (state.last->position - found.position);
+  }
+  return MeshError{.minimum_film_thickness = std::abs(part_ * thickness), .force = std::abs(part_) * force.norm()};
+}
+
 void estimate_mesh_errors(const Case& input, EquilibriumResult& result) {
-  MeshComparison comparison(input, *result.bearing);
+  const MeshComparison comparison(input, result.bearing);
   for (RunningState& state : result.states) {
     if (state.found()) state.mesh_error = comparison.estimate(state);
   }

@@ -1,7 +1,10 @@
 #include "bumpfoil/experiments/equilibrium/running_bearing.hpp"
 
+#include <tbb/task_group.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/experiments/equilibrium/film_limits.hpp"
@@ -12,6 +15,34 @@ namespace {
 
 /// Minimum film thicknesses that differ by more than this part belong to different states.
 constexpr double tolerated_difference = 0.02;
+
+/// Judges states on all cores while the walk goes on, and adds the error of the mesh and coefficients for rotor
+/// dynamics. No state depends on another one there, nor on the thread.
+class ParallelJudges : public StateJudges {
+ public:
+  ParallelJudges(const Case& input, tbb::task_group& group) : input_(input), group_(group) {}
+
+  void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& judge) override {
+    if (!meshes_) meshes_.emplace(input_, bearing);
+    group_.run([this, &bearing, &state, judge] {
+      judge();
+      complete(bearing, state);
+    });
+  }
+
+  void finish() override { group_.wait(); }
+
+  void complete(const SharedFilmBearing& bearing, RunningState& state) const {
+    if (!state.found()) return;
+    state.mesh_error = meshes_->estimate(state);
+    tabulate_whirls(input_, bearing, state);
+  }
+
+ private:
+  const Case& input_;
+  std::optional<MeshComparison> meshes_;
+  tbb::task_group& group_;
+};
 
 double minimum_film_thickness(const EquilibriumResult& result, const RunningState& state) {
   return state.outcome->thinnest.thickness * result.bearing->scales.thickness;
@@ -50,10 +81,13 @@ EquilibriumResult analyse_running_bearing(const Case& input, const std::function
   double done = 0.0;
   const auto part_progress = [&](double fraction) { return !progress || progress((done + fraction) / parts); };
 
+  tbb::task_group group;
+  ParallelJudges judges(input, group);
   EquilibriumResult result =
-      run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress);
-  estimate_mesh_errors(input, result);
-  tabulate_whirls(input, result);
+      run_equilibrium(input, all ? possible_paths(settings) : std::vector<FilmPath>{}, part_progress, &judges);
+  for (RunningState& state : result.states) {
+    if (state.instead_of_unstable) judges.complete(result.bearing, state);
+  }
   if (second) {
     done += 1.0;
     result.other_branches = other_branches(

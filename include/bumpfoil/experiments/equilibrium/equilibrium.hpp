@@ -135,6 +135,19 @@ struct EquilibriumResult {
 /// @throws Error (input) if the case cannot be built, has no [equilibrium], or has not what a path needs
 FilmBearing require_running_bearing(const Case& input);
 
+/// Sees to it that states are judged: stability, stiffness, critical mass, stresses. The walk along a path does not
+/// wait for that.
+class StateJudges {
+ public:
+  virtual ~StateJudges() = default;
+
+  /// Judges a state by `judge`, now or on another thread until finish(): the state stays where it is.
+  virtual void take(const SharedFilmBearing& bearing, RunningState& state, const std::function<void()>& judge) = 0;
+
+  /// Waits until all are judged. @throws what was thrown on other threads
+  virtual void finish() = 0;
+};
+
 /// Finds the states of [equilibrium]: all speeds with all loads, or with all positions.
 ///
 /// A path begins with a cold start of the journal held at 0.6 C_r along the first load, or on the way to the first
@@ -172,15 +185,16 @@ FilmBearing require_running_bearing(const Case& input);
 ///
 /// @param paths     which to take, one after the other; empty: the one of the case
 /// @param progress  called with the fraction that is done; returning false ends the run
+/// @param judges    of the states on these paths; none: each is judged before the next is looked for
 /// @throws Error (input) as require_running_bearing() does
 EquilibriumResult run_equilibrium(const Case& input, std::vector<FilmPath> paths = {},
-                                  const std::function<bool(double)>& progress = {});
+                                  const std::function<bool(double)>& progress = {}, StateJudges* judges = nullptr);
 
 /// The same of a bearing that is there already, along these paths.
 /// @param thickness_floor  film.h_floor, m
 EquilibriumResult find_states(const SharedFilmBearing& bearing, const EquilibriumSettings& equilibrium,
                               double thickness_floor, const std::vector<FilmPath>& paths,
-                              const std::function<bool(double)>& progress = {});
+                              const std::function<bool(double)>& progress = {}, StateJudges* judges = nullptr);
 
 /// Frequencies that all states of a case are tabulated at, rad/s, rising: those of the case; where it names none, from
 /// 0.2 times the lowest speed to 1.2 times the highest at equal ratios, so close that nine or more lie between 0.2
@@ -190,6 +204,9 @@ std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium
 /// Adds stiffness and damping in synchronous whirl and at tabulated_frequencies() to every state that was found.
 /// @param input  case that the result is of
 void tabulate_whirls(const Case& input, EquilibriumResult& result);
+
+/// The same for one state that was found.
+void tabulate_whirls(const Case& input, const SharedFilmBearing& bearing, RunningState& state);
 
 /// Adds to every state where the torque of its curve over speed, with the same path, journal and sense of rotation, is
 /// least: by a parabola through the slowest three neighbours of which the middle one has the least. That is where a

@@ -1,8 +1,25 @@
 #pragma once
 
+#include <optional>
+
 #include "bumpfoil/experiments/equilibrium/equilibrium.hpp"
 
 namespace bumpfoil {
+
+/// Compares states of a bearing with those on another mesh, see estimate_mesh_errors(). Several threads may share it.
+class MeshComparison {
+ public:
+  /// @param bearing  of the case
+  MeshComparison(const Case& input, SharedFilmBearing bearing);
+
+  /// @param state  that was found   @return nothing where none is found on the other mesh
+  [[nodiscard]] std::optional<MeshError> estimate(const RunningState& state) const;
+
+ private:
+  SharedFilmBearing bearing_, other_;
+  double part_;             ///< of the difference to the other mesh that the own one is off by; finer: negative
+  double thickness_floor_;  ///< over c
+};
 
 /// Estimates what the mesh of the film makes of the states that were found (RunningState::mesh_error). The scheme is of
 /// second order: with q on the mesh of the case and q' on a mesh that is coarser by r in columns and rows, q is off by

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <vector>
 
+#include "bumpfoil/experiments/equilibrium/mesh_error.hpp"
 #include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
@@ -12,6 +15,17 @@ namespace {
 Case coarse_case(const EquilibriumSettings& equilibrium) {
   Case input = film_reference_case({.columns_per_pitch = 6, .rows = 8}, 0.1);
   input.equilibrium = equilibrium;
+  return input;
+}
+
+/// From rest on rough surfaces.
+Case rough_case(const std::vector<double>& speeds) {
+  Case input = coarse_case({.speeds = speeds, .loads = {{50.0, 0.0}}, .path = FilmPath::speed_ramp});
+  input.film.columns_per_pitch = 4;
+  input.film.rows = 4;
+  input.top_foil.formed_radius = {FormedTo::seated};
+  input.asperity = AsperitySettings{.sigma = 0.3e-6, .pressure_factor = 2.4e8, .friction = 0.2};
+  input.equilibrium->paths = ComparedPaths::one;
   return input;
 }
 
@@ -84,6 +98,67 @@ TEST(RunningBearing, TellsProgressOfAllParts) {
     })) << part;
   }
   EXPECT_LE(*std::max_element(fractions.begin(), fractions.end()), 1.0);
+}
+
+/// Bit by bit: what is judged on other threads depends neither on them nor on the order.
+TEST(RunningBearing, IsJudgedOnAllCoresAsOnOne) {
+  const Case input = rough_case({0.0, speed_of_rpm(20000.0), speed_of_rpm(30000.0), speed_of_rpm(45000.0)});
+  const EquilibriumResult parallel = analyse_running_bearing(input);
+  EquilibriumResult one = run_equilibrium(input);
+  estimate_mesh_errors(input, one);
+  tabulate_whirls(input, one);
+  ASSERT_TRUE(one.converged());
+  ASSERT_EQ(parallel.states.size(), one.states.size());
+  for (std::size_t i = 0; i < one.states.size(); ++i) {
+    const RunningState& a = one.states[i];
+    const RunningState& b = parallel.states[i];
+    ASSERT_TRUE(a.stiffness && b.stiffness && a.held.stuck && b.held.stuck && a.mesh_error && b.mesh_error) << i;
+    EXPECT_EQ(*a.stiffness, *b.stiffness) << i;
+    EXPECT_EQ(a.held.sliding->rate, b.held.sliding->rate) << i;
+    EXPECT_EQ(a.held.stuck->rate, b.held.stuck->rate) << i;
+    EXPECT_EQ(a.outcome->torque, b.outcome->torque) << i;
+    EXPECT_EQ(a.mesh_error->minimum_film_thickness, b.mesh_error->minimum_film_thickness) << i;
+    EXPECT_EQ(a.top_foil_stress, b.top_foil_stress) << i;
+    ASSERT_EQ(a.critical_mass.has_value(), b.critical_mass.has_value()) << i;
+    if (a.critical_mass) {
+      EXPECT_EQ(a.critical_mass->mass, b.critical_mass->mass) << i;
+    }
+    ASSERT_EQ(a.tabulated.size(), b.tabulated.size()) << i;
+    ASSERT_FALSE(a.tabulated.empty());
+    for (std::size_t k = 0; k < a.tabulated.size(); ++k) {
+      EXPECT_EQ(*a.tabulated[k].impedance, *b.tabulated[k].impedance) << i << ", " << k;
+      EXPECT_EQ(*a.tabulated[k].stuck_impedance, *b.tabulated[k].stuck_impedance) << i << ", " << k;
+    }
+  }
+}
+
+/// States that were found before an interruption, or before the callback throws, are judged all the same.
+TEST(RunningBearing, JudgesWhatItFoundBeforeAnInterruption) {
+  const Case input = rough_case({speed_of_rpm(45000.0), speed_of_rpm(40000.0), speed_of_rpm(35000.0)});
+  const EquilibriumResult result = analyse_running_bearing(input, [](double fraction) { return fraction < 0.6; });
+  ASSERT_EQ(result.states.size(), 3U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(result.states[i].found()) << i;
+    EXPECT_TRUE(result.states[i].held.is_stable().has_value()) << i;
+    EXPECT_TRUE(result.states[i].mesh_error.has_value()) << i;
+    EXPECT_FALSE(result.states[i].tabulated.empty()) << i;
+  }
+  EXPECT_EQ(result.states[2].report.status, Status::interrupted);
+  EXPECT_TRUE(result.states[2].tabulated.empty());
+  const auto throws = [](double fraction) -> bool {
+    if (fraction > 0.6) throw std::runtime_error("enough");
+    return true;
+  };
+  EXPECT_THROW(static_cast<void>(analyse_running_bearing(input, throws)), std::runtime_error);
+}
+
+/// A journal comes to rest on rough surfaces in a hundred or two of Newton's steps: steps that must not make the
+/// residuals larger were 1251 and 524.
+TEST(RunningBearing, ComesToRestOnRoughSurfacesInFewSteps) {
+  const EquilibriumResult result = run_equilibrium(rough_case({0.0, speed_of_rpm(100.0)}));
+  ASSERT_TRUE(result.converged());
+  EXPECT_LT(result.states[0].report.iterations, 300);
+  EXPECT_LT(result.states[1].report.iterations, 300);
 }
 
 }  // namespace
