@@ -59,10 +59,11 @@ def table_rows(name, experiments):
         "run": over_none,
         "speeds": lambda one: one["dims"] in (["speed"], ["bearing"], ["speed", "bearing"]) and not is_dimension(one),
         "motions": lambda one: {"mode", "station"} & set(one["dims"]) and not is_dimension(one),
+        "orbits": lambda one: True,
         "pads": lambda one: True,
         "rough": lambda one: "csv" not in one["tags"],
     }[part]
-    variables = variables_of(runs, {"formed": 1, "pads": 2, "rough": 3}.get(part, 0))
+    variables = variables_of(runs, {"formed": 1, "orbits": 1, "pads": 2, "rough": 3}.get(part, 0))
     return ["variable", "dimensions", "units", "meaning"], [
         [f"`{one['name']}`", ", ".join(one["dims"]), one["unit"] or "flag", one["long_name"]]
         for one in variables

@@ -340,7 +340,8 @@ def _draw_mode(ax: Any, number: int, label: str, x: Any, y: Any, grows: Any) -> 
 def bode(result: Result, *, width: str = "double", station: str | None = None) -> Figure:
     """Bode plot of the response of a rotor to unbalance: amplitudes and phases along X and Y over speed.
 
-    Full stick, as under a small whirl, in full lines; sliding contacts that keep sliding in dashed ones.
+    Full stick, as under a small orbit, in full lines; sliding contacts that keep sliding in dashed ones; periodic orbits with
+    friction, where the result has them, as marks.
 
     Parameters
     ----------
@@ -359,12 +360,18 @@ def bode(result: Result, *, width: str = "double", station: str | None = None) -
         raise ValueError(f"station is {station!r}; it is one of {', '.join(known)}")
     sheet = Sheet(width, *arranged(width, 2), panel_height=60)
     amplitude, phase = sheet.panels
-    for kind, dash in (("linear_stuck", "-"), ("linear_sliding", "--")):
+    for kind, words, line in (
+        ("linear_stuck", "contacts stuck", {"linestyle": "-"}),
+        ("linear_sliding", "contacts sliding", {"linestyle": "--"}),
+        ("orbit", "orbit with friction", {"linestyle": "none", "marker": "o"}),
+    ):
         rows = table[(table.station == name) & (table.kind == kind)]
+        if rows.empty:
+            continue
         rpm = abs(rows.speed_rad_per_s) * 30.0 / np.pi
         for number, axis in enumerate("xy"):
-            label = f"{axis.upper()}, contacts {kind.removeprefix('linear_')}"
-            style = {"color": _style(number)["color"], "linestyle": dash}
+            label = f"{axis.upper()}, {words}"
+            style = {"color": _style(number)["color"], **line}
             amplitude.plot(rpm, 1e6 * rows[f"amplitude_{axis}_m"], label=label, **style)
             unwrapped = np.degrees(np.unwrap(np.radians(rows[f"phase_{axis}_deg"].to_numpy())))
             phase.plot(rpm, unwrapped, **style)

@@ -193,11 +193,18 @@ def run_stability(case: Any, /, *, progress: Progress = None, **tables: Any) -> 
     return _run("stability", case, progress, tables)
 
 
-@_documented()
-def run_unbalance(case: Any, /, *, progress: Progress = None, **tables: Any) -> Result:
+@_documented(
+    """
+    orbits : bool
+        Whether to also find periodic orbits with contacts and friction, by steps in time.
+    """
+)
+def run_unbalance(case: Any, /, *, orbits: bool = False, progress: Progress = None, **tables: Any) -> Result:
     """Computes the response of [rotor] to its unbalances over the speeds of [unbalance], film and foils included.
 
     ``summary["peaks"]`` are the speeds at which the orbits are largest."""
+    if orbits:
+        tables["unbalance"] = {**tables.get("unbalance", {}), "orbits": True}
     return _run("unbalance", case, progress, tables)
 
 

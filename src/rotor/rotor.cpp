@@ -42,6 +42,10 @@ Eigen::MatrixXd bearing_motions(const Rotor& rotor) {
 
 }  // namespace
 
+double Rotor::total_mass() const {
+  return rigid.col(0).dot(mass * rigid.col(0));
+}
+
 Rotor make_point_mass(double mass) {
   Rotor rotor;
   rotor.mass = mass * Eigen::Matrix2d::Identity();

@@ -29,7 +29,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double gravity = 9.81;  // m/s^2
+constexpr double earth_gravity = 9.81;  // m/s^2
 
 double step_of(double speed, int steps_per_turn) {
   return 2.0 * std::numbers::pi / (std::abs(speed) * steps_per_turn);
@@ -103,10 +103,10 @@ TEST(RotorMarch, DecaysAsInThePrototype) {
   FilmStepper bearing(film_reference_bearing({6, 8}));
   const double speed = speed_of_rpm(-12000.0);
   MachineStepper stepper(make_point_mass(1.0), {&bearing});
-  const Eigen::Vector2d load(gravity, 0.0);
+  const Eigen::Vector2d load(earth_gravity, 0.0);
   const BearingState rest = state_under(bearing, load, speed);
   const auto whirls = find_whirls(stepper.rotor(), {{bearing, rest}}, usual_window(speed));
-  ASSERT_TRUE(whirls && !whirls->empty());
+  ASSERT_TRUE(whirls && !whirls->whirls.empty());
   const std::pair<int, Complex> references[] = {{100, {-0.021362173905116867, 0.5240933909606523}},
                                                 {200, {-0.021375465609289157, 0.5242353216386717}}};
   for (const auto& [steps, expected] : references) {
@@ -122,7 +122,7 @@ TEST(RotorMarch, DecaysAsInThePrototype) {
     const Complex rate = fitted_rate(x, static_cast<std::size_t>(steps) / 4, step_of(speed, steps)) / std::abs(speed);
     EXPECT_NEAR(std::abs(rate - expected), 0.0, 2e-6);
     // And as BDF2 does with any linear motion.
-    const Complex closed = bdf2_rate(whirls->front().rate, step_of(speed, steps)) / std::abs(speed);
+    const Complex closed = bdf2_rate(whirls->whirls.front().rate, step_of(speed, steps)) / std::abs(speed);
     EXPECT_NEAR(std::abs(rate - closed), 0.0, 2e-6);
   }
 }
@@ -213,7 +213,7 @@ TEST(RotorMarch, FindsTheOrbitsOfThePrototype) {
   ASSERT_GE(small.multipliers.size(), 4U);
   const double dt = step_of(machine.speed, UnbalancedMass::steps);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Complex expected = std::exp(bdf2_rate((*whirls)[i].rate, dt) * (dt * UnbalancedMass::steps));
+    const Complex expected = std::exp(bdf2_rate(whirls->whirls[i].rate, dt) * (dt * UnbalancedMass::steps));
     double nearest = 1.0;
     for (const Complex found : small.multipliers) nearest = std::min(nearest, std::abs(found - expected));
     EXPECT_LT(nearest, 2e-2);  // the orbit is not that small: e^2
@@ -267,11 +267,11 @@ TEST(RotorMarch, FindsTheOrbitOfARigidRotor) {
     input.bearing.radial_clearance = clearance;
     bearings.emplace_back(make_film_bearing(input));
   }
-  const auto loads = weights_on_bearings(rotor, {gravity, 0.0});
+  const auto loads = weights_on_bearings(rotor, {earth_gravity, 0.0});
   MachineStepper stepper(rotor, {&bearings[0], &bearings[1]});
   const std::vector<BearingState> rest{state_under(bearings[0], loads[0], speed),
                                        state_under(bearings[1], loads[1], speed)};
-  const Eigen::VectorXd weight = rotor.mass * rotor.rigid.col(0) * gravity;
+  const Eigen::VectorXd weight = rotor.mass * rotor.rigid.col(0) * earth_gravity;
   const Unbalance unbalances[] = {{.amount = 1.5e-6, .phase = 0.0}, {.amount = 1e-6, .phase = 0.5 * std::numbers::pi}};
   const auto forces = [&](const RotorInstant& now) -> Eigen::VectorXd {
     Eigen::VectorXd sum = weight;
@@ -389,7 +389,7 @@ TEST(RotorMarch, EndsWhereTheFilmIsGone) {
   const double c = reference.scales.thickness;
   FilmStepper bearing(reference, {.newton = {.thickness_floor = floor / c}});
   const double speed = speed_of_rpm(-20000.0);
-  const Eigen::Vector2d load(gravity, 0.0);
+  const Eigen::Vector2d load(earth_gravity, 0.0);
   MachineStepper stepper(make_point_mass(1.0), {&bearing});
   MachineState state = stepper.at_rest({state_under(bearing, load, speed)}, load);
   state.rotor.v = Eigen::Vector2d(0.05 * reference.clearance * std::abs(speed), 0.0);

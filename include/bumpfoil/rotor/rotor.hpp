@@ -33,7 +33,7 @@ struct Rotor {
 
   [[nodiscard]] Eigen::Index size() const { return mass.rows(); }
   /// Mass in these equations, kg: of a point mass what one bearing carries.
-  [[nodiscard]] double total_mass() const { return rigid.col(0).dot(mass * rigid.col(0)); }
+  [[nodiscard]] double total_mass() const;
 };
 
 /// Half of a rotor on two equal bearings that moves without tilting: one of the bearings is computed.

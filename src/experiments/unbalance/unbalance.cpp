@@ -15,6 +15,10 @@
 namespace bumpfoil {
 namespace {
 
+/// Change of an orbit in a turn, over c, that is none: friction leaves journals that creep for long, and steps in time
+/// are solved to 1e-6.
+constexpr double orbit_tolerance = 1e-5;
+
 const UnbalanceSettings& unbalance_settings_of(const Case& input) {
   const UnbalanceSettings* const settings = input.settings.find<UnbalanceSettings>();
   if (settings == nullptr) {
@@ -71,7 +75,8 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
       return !progress || progress(static_cast<double>(i) / static_cast<double>(result.points.size()));
     };
     point.orbit =
-        find_orbit(machine, forces, start, {.steps_per_turn = run.steps_per_revolution, .keep_going = goes_on});
+        find_orbit(machine, forces, start,
+                   {.steps_per_turn = run.steps_per_revolution, .tolerance = orbit_tolerance, .keep_going = goes_on});
     if (point.orbit->status == Status::interrupted) point.status = Status::interrupted;
   }
   return result;

@@ -29,9 +29,7 @@ std::string_view heading_of(ResponseKind kind) {
 std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
   std::vector<RotorStation> stations = stations_of(result.machine.rotor);
   stations.resize(std::min(stations.size(), most_stations_shown));
-  std::string out =
-      fmt::format("{}\n{:>{}}", kind == ResponseKind::linear_stuck ? "Contacts stuck" : "Contacts sliding", "speed",
-                  response_cell_width);
+  std::string out = fmt::format("{}\n{:>{}}", heading_of(kind), "speed", response_cell_width);
   for (const RotorStation& station : stations) out += fmt::format("{:^{}}", station.name, 4 * response_cell_width);
   out += fmt::format("\n{:>{}}", "rpm", response_cell_width);
   for (std::size_t i = 0; i < stations.size(); ++i) {

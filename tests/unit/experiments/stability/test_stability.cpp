@@ -121,7 +121,7 @@ TEST(Stability, KeepsShapesAndNumbersOfModes) {
 /// A motion with this growth rate at each speed, or none; without contacts that slip.
 StabilityResult with_growth(const std::vector<std::pair<double, std::optional<double>>>& points,
                             std::vector<double> onsets) {
-  StabilityResult result{.bearing = {}, .rotor = {}, .reduction_error = 0.0, .loads = {}, .map = {}};
+  StabilityResult result{.machine = {}, .map = {}};
   for (const auto& [speed, growth] : points) {
     SpeedPoint& point = result.map.points.emplace_back();
     point.speed = speed;

@@ -81,14 +81,15 @@ TEST(Unbalance, WritesALineForEachStation) {
   EXPECT_EQ(outcome.status, RunStatus::complete);
   const std::string csv = file_of(outcome, "unbalance.csv");
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "speed_rad_per_s,station,amplitude_x_m,phase_x_deg,amplitude_y_m,phase_y_deg,semi_major_m,semi_minor_m,"
-            "kind,status");
+            "speed_rad_per_s,station,amplitude_x_m,phase_x_deg,amplitude_y_m,phase_y_deg,half_peak_to_peak_x_m,"
+            "half_peak_to_peak_y_m,h_min_m,friction_loss_J,power_W,mean_x_m,mean_y_m,amplitude_x_2x_m,"
+            "amplitude_y_2x_m,semi_major_m,semi_minor_m,kind,status");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
   EXPECT_NE(csv.find(",bearing 1,"), std::string::npos);
   EXPECT_NE(csv.find(",linear_stuck,converged\n"), std::string::npos);
   const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
   EXPECT_EQ(summary.at("speeds").at(1).at("responses").size(), 2U);
-  EXPECT_NE(outcome.table().find("Contacts stuck"), std::string::npos);
+  EXPECT_NE(outcome.table().find("Small orbits, contacts stuck"), std::string::npos);
 }
 
 /// The critical speed of the rotor lies where the orbit is largest.
@@ -121,6 +122,33 @@ TEST(Unbalance, WarnsOfLargeOrbits) {
   const Outcome outcome = experiment_named("unbalance").run(input, {});
   ASSERT_FALSE(outcome.warnings.empty());
   EXPECT_NE(outcome.warnings.back().find("it is no small motion"), std::string::npos);
+}
+
+/// At -11,000 rpm, below the onset of whirl, the small unbalance leads to the orbit that the linear response has, but
+/// for its square and the steps in time: 0.3 % of inertia.
+TEST(Unbalance, FindsTheOrbit) {
+  Case input = unbalanced_case({-11000.0});
+  UnbalanceSettings settings = *input.settings.find<UnbalanceSettings>();
+  settings.orbits = true;
+  settings.steps_per_revolution = 60;
+  input.settings.set(settings);
+  RotorSettings rotor = *input.settings.find<RotorSettings>();
+  rotor.unbalances[0].amount = 2e-7;
+  input.settings.set(rotor);
+  const UnbalanceResult result = run_unbalance(input);
+  ASSERT_TRUE(result.points[0].orbit.has_value());
+  const Orbit& orbit = *result.points[0].orbit;
+  ASSERT_EQ(orbit.status, Status::converged);
+  const Eigen::Vector2cd linear = *result.points[0].stuck;
+  EXPECT_LT((orbit.bearings.at(0).once - linear).norm(), 0.02 * linear.norm());
+  ASSERT_FALSE(orbit.multipliers.empty());
+  EXPECT_LT(std::abs(orbit.multipliers[0]), 1.0);
+  const Outcome outcome = experiment_named("unbalance").run(input, {});
+  const std::string csv = file_of(outcome, "unbalance.csv");
+  EXPECT_NE(csv.find(",orbit,converged\n"), std::string::npos);
+  const auto summary = nlohmann::json::parse(file_of(outcome, "summary.json"));
+  EXPECT_EQ(summary.at("speeds").at(0).at("orbit_status"), "converged");
+  EXPECT_NE(outcome.table().find("Periodic orbits with friction"), std::string::npos);
 }
 
 TEST(Unbalance, EndsWhereItIsStopped) {
