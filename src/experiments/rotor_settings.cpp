@@ -23,7 +23,7 @@ constexpr double most_gravity = 1e5;      // m/s^2
 constexpr double most_rotor_speed = 1e6;  // rad/s
 constexpr std::size_t most_rotor_speeds = 10'000;
 /// A bearing that carries a smaller part of the weight than this carries none.
-constexpr double least_share = 1e-6;
+constexpr double least_part_of_weight = 1e-6;
 
 double length_of(const std::vector<ShaftSection>& shaft) {
   return std::accumulate(shaft.begin(), shaft.end(), 0.0,
@@ -325,7 +325,7 @@ void judge_rotor(Judge& judge, const Case& input) {
   const std::vector<Eigen::Vector2d> loads = weights_on_bearings(made, rotor->gravity_vector());
   const double weight = made.total_mass() * rotor->gravity_vector().norm();
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    judge.require(loads[i].norm() > least_share * weight, fmt::format("rotor.bearings[{}]", i + 1), "",
+    judge.require(loads[i].norm() > least_part_of_weight * weight, fmt::format("rotor.bearings[{}]", i + 1), "",
                   "carries nothing: the centre of mass lies over the other bearing", "move one of the bearings");
   }
 }
