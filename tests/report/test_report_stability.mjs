@@ -126,7 +126,7 @@ test('orbits of the mode shape have the amplitudes and the sense of the motion',
       near(Number(told.match(/^(\S+) Hz/)[1]), row.imag_rad_per_s / (2 * Math.PI), 1e-3, 'frequency');
       assert.ok(told.includes(`${row.direction} whirl`) && told.includes(speed), told);
       const stations = await shownIn(page, 'Mode shape');
-      assert.deepEqual(stations.map(({ station, z_m: z }) => `${station} ${Number(z).toFixed(2)}`), ['bearing 1 -0.06', 'bearing 2 0.06']);
+      assert.deepEqual(stations.map(({ station, z_m: z }) => `${station} ${Number(z).toFixed(2)}`), ['bearing 1 -0.06', 'station 3 0.00', 'bearing 2 0.06']);
       const amplitudes = stations.flatMap((one) => [Number(one.shape_amplitude_x), Number(one.shape_amplitude_y)]);
       near(Math.max(...amplitudes), 1, 1e-6, 'largest');
       // Of the larger orbit, the extent of what is drawn over that of the axes.
@@ -139,7 +139,7 @@ test('orbits of the mode shape have the amplitudes and the sense of the motion',
           return { width, height, area };
         }),
       );
-      assert.equal(drawn.length, 2);
+      assert.equal(drawn.length, 3);
       stations.forEach((one, i) => {
         // A twelfth of the turn is left open, which shortens the extent by 1 - cos(pi / 12) = 3 % of half of it at most.
         near(drawn[i].width, 2 * 0.36 * 220 * one.shape_amplitude_x, 0.02, 'extent along X');
