@@ -130,15 +130,6 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
      "",
      {},
      search_status},
-    {"stable_up_to", "rad/s",
-     "magnitude of the speed up to which all motions are known to decay, contacts sliding and stuck, from the lowest "
-     "one "
-     "on: that of the first onset, or the highest one; 0 if the lowest one is unstable",
-     stable_up_to, headline | sampled, "stable up to", shown::revolutions},
-    {"stable_throughout", "1", "whether all motions decay at all speeds, contacts sliding and stuck", stable_throughout,
-     sampled, "stable at all speeds", shown::unitless, yes_or_no},
-    {"unstable_at_lowest", "1", "whether a motion grows at the lowest speed already", unstable_at_lowest, sampled,
-     "unstable at the lowest speed", shown::unitless, yes_or_no},
     {"onset_speed", "rad/s", "lowest speed at which whirl begins, sliding contacts slide on",
      of_first_onset<false, false, &Onset::speed>, headline | leading | sampled, "onset of whirl", shown::revolutions},
     {"onset_whirl_ratio", "1", "frequency of the whirl there over the speed of rotation",
@@ -153,6 +144,14 @@ constexpr auto stability_quantity_table = std::to_array<StabilityQuantity>({
     {"onset_speed_by_coefficients_stuck", "rad/s",
      "lowest speed at which whirl begins as synchronous coefficients have it, full stick",
      of_first_onset<true, true, &Onset::speed>, sampled, "by synchronous K, C, stuck", shown::revolutions},
+    {"stable_up_to", "rad/s",
+     "magnitude of the speed up to which all motions are known to decay, contacts sliding and stuck, from the lowest "
+     "one on: that of the first onset, or the highest one; 0 if the lowest one is unstable",
+     stable_up_to, headline | sampled, "stable up to", shown::revolutions},
+    {"stable_throughout", "1", "whether all motions decay at all speeds, contacts sliding and stuck", stable_throughout,
+     sampled, "stable at all speeds", shown::unitless, yes_or_no},
+    {"unstable_at_lowest", "1", "whether a motion grows at the lowest speed already", unstable_at_lowest, sampled,
+     "unstable at the lowest speed", shown::unitless, yes_or_no},
     {"load_of_rotor", "N", "weight of the rotor",
      [](const StabilityResult& result) {
        double sum = 0.0;

@@ -8,7 +8,7 @@ namespace {
 
 void describe(CaseVisitor& keys, StabilitySettings& stability) {
   keys.value({"speeds", Presence::required, "Speeds", "of the rotor, one after the other; positive turns X to Y",
-              "{ from = \"10000 rpm\", to = \"60000 rpm\", points = 26 }", Dimension::frequency},
+              "[\"10000 rpm\", \"12000 rpm\", \"14000 rpm\"]", Dimension::frequency},
              &stability.speeds);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 void describe(CaseVisitor& keys, UnbalanceSettings& unbalance) {
   keys.value({"speeds", Presence::required, "Speeds", "of the rotor, one after the other; positive turns X to Y",
-              "{ from = \"6000 rpm\", to = \"24000 rpm\", points = 37 }", Dimension::frequency},
+              "[\"8000 rpm\", \"12000 rpm\"]", Dimension::frequency},
              &unbalance.speeds);
   keys.value({"orbits", Presence::defaulted, "Orbits",
               "true: find periodic orbits with contacts and friction as well, by steps in time"},

@@ -229,15 +229,19 @@ TEST(CaseTemplate, RemarksAreOnKeysThatThePresetHolds) {
 
 TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
   std::string text = case_template("gen1");
-  // All comments that are assignments or tables, but those that contradict others, as pads do.
+  // All comments that are assignments or tables, but those that contradict others, as pads and shafts do.
   bool in_pad = false;
   for (std::size_t at = text.find("\n# "); at != std::string::npos; at = text.find("\n# ", at + 1)) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
-    if (line.starts_with('[')) in_pad = line.starts_with("[[pad") || line.starts_with("[pad");
+    if (line.starts_with('[')) {
+      in_pad = line.starts_with("[[pad") || line.starts_with("[pad") || line.starts_with("[[rotor.shaft") ||
+               line.starts_with("[[rotor.disk");
+    }
     const bool contradicts = in_pad || line.starts_with("pad_gap") || line.starts_with("height_errors") ||
                              line.find("_profile_file") < line.find(' ') || line.starts_with("sleeve_gaps") ||
                              line.starts_with("top_bump") || line.starts_with("bump_sleeve") ||
-                             line.starts_with("load ") || line.starts_with("diameter ");
+                             line.starts_with("load ") || line.starts_with("diameter ") ||
+                             line.starts_with("grade_speed ");
     const bool assigns = line.starts_with('[') || line.find(" = ") < line.find('#');
     if (assigns && !contradicts) text.erase(at + 1, 2);
   }

@@ -21,7 +21,7 @@ export interface Mode {
 
 /** Speeds are in rpm, whatever else of their unit is a frequency. */
 export function inRevolutions(quantity: Quantity): Quantity {
-  return quantity.unit === 'rad/s' && quantity.name.includes('speed') ? { ...quantity, unit: 'rpm' } : quantity;
+  return quantity.unit === 'rad/s' && /speed|stable_up_to/.test(quantity.name) ? { ...quantity, unit: 'rpm' } : quantity;
 }
 
 /** "whirl begins at 13179.7 rpm, whirl ratio 0.4925", as on the terminal. */
