@@ -147,7 +147,7 @@ test('orbits of the mode shape have the amplitudes and the sense of the motion',
         // Counterclockwise, X to Y, is negative where y points down; the open part takes less than a hundredth.
         const turn = Math.sin(((one.shape_phase_x_deg - one.shape_phase_y_deg) * Math.PI) / 180);
         near(drawn[i].area, -Math.PI * (0.36 * 220) ** 2 * one.shape_amplitude_x * one.shape_amplitude_y * turn, 0.02, 'area');
-        assert.equal(turn > 0, row.direction === 'forward');
+        if (one.station.startsWith('bearing')) assert.equal(turn > 0, row.direction === 'forward');
       });
       const drawing = await panel.locator('svg.round').innerHTML();
       assert.notEqual(drawing, before);
