@@ -37,4 +37,11 @@ std::deque<FilmStepper> Machine::make_steppers(double thickness_floor) const {
   return steppers;
 }
 
+std::vector<FilmStepper*> pointers_to(std::deque<FilmStepper>& steppers) {
+  std::vector<FilmStepper*> pointers;
+  pointers.reserve(steppers.size());
+  for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
+  return pointers;
+}
+
 }  // namespace bumpfoil

@@ -71,6 +71,9 @@ struct Machine {
   [[nodiscard]] std::deque<FilmStepper> make_steppers(double thickness_floor) const;
 };
 
+/// Where they are.
+std::vector<FilmStepper*> pointers_to(std::deque<FilmStepper>& steppers);
+
 /// The machine of a case.
 /// @param speeds   that it is to run at, rad/s
 /// @param command  that is to run it

@@ -40,8 +40,7 @@ StabilityResult run_stability(const Case& input, const std::function<bool(double
   StabilityResult result = stability_not_begun(input);
   const std::vector<double>& speeds = settings_of(input).speeds;
   std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
-  std::vector<FilmStepper*> pointers;
-  for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
+  const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   std::size_t done = 0;
   result.map = map_speeds(result.machine.rotor, pointers, rotor_settings_of(input).gravity_vector(), speeds, [&] {
     return !progress || progress(static_cast<double>(done++) / static_cast<double>(speeds.size()));

@@ -45,8 +45,7 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   const RotorSettings& settings = rotor_settings_of(input);
   const Rotor& rotor = result.machine.rotor;
   std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
-  std::vector<FilmStepper*> pointers;
-  for (FilmStepper& stepper : steppers) pointers.push_back(&stepper);
+  const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   MachineStepper machine(rotor, pointers);
   const RotorForces forces = forces_on(settings, rotor);
   const Eigen::VectorXd weight = rotor.mass * (rotor.rigid.leftCols(2) * settings.gravity_vector());
