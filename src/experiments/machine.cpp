@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -27,6 +28,19 @@ Machine make_machine(const Case& input, const std::vector<double>& speeds, const
                   .loads = {}};
   machine.loads = weights_on_bearings(machine.rotor, settings.gravity_vector());
   return machine;
+}
+
+std::vector<RotorStation> Machine::places() const {
+  std::vector<RotorStation> all = rotor.bearings;
+  all.insert(all.end(), rotor.stations.begin(), rotor.stations.end());
+  return all;
+}
+
+double Machine::thinnest_film(const std::vector<BearingState>& states) const {
+  if (states.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const BearingState& state : states) thinnest = std::min(thinnest, state.film.thickness.minCoeff());
+  return thinnest * bearing->scales.thickness;
 }
 
 std::deque<FilmStepper> Machine::make_steppers(double thickness_floor) const {

@@ -41,6 +41,9 @@ FilmReport RotorEquilibria::start(std::size_t bearing, double speed, BearingStat
     OperatingPoint opened = loaded;
     opened.opening = opening;
     report += settle(stepper, opened, begun);
+    if (report.status == Status::converged && opening > 0.0) {
+      report += close_clearance(stepper, loaded, starting_steps, begun);
+    }
     return report;
   };
   return start_from_rest(*steppers_[bearing], loaded, starting_steps, begin, state);

@@ -1,7 +1,5 @@
 #include "bumpfoil/motion/start.hpp"
 
-#include <memory>
-
 #include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/program.hpp"
 #include "bumpfoil/motion/rest.hpp"
@@ -9,14 +7,18 @@
 namespace bumpfoil {
 namespace {
 
-/// Room that has to be left where the film is thinnest after a cold start, as part of what foils leave everywhere.
+/// Part of the room that foils leave which has to be left where the film is thinnest after a cold start.
 constexpr double room_left_by_journal = 0.3;
 
-/// The same with the foils as they are.
-FilmReport start_assembled(FilmStepper& stepper, const OperatingPoint& to, double opening, int steps,
-                           const Beginning& begin, BearingState& state) {
-  FilmReport report = begin(stepper, opening, state);
-  if (report.status != Status::converged || opening == 0.0) return report;
+}  // namespace
+
+double opening_to_start(const FilmBearing& bearing, double floor) {
+  const bool has_room = bearing.room > 0.0 && room_left_by_journal * bearing.room >= floor;
+  return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
+}
+
+FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int steps, BearingState& state) {
+  FilmReport report{.status = Status::converged};
   const OperatingPoint from = point_of(stepper.bearing(), state, to.control);
   Step step;
   march(stepper, Program{ramp(from, to, steps)}, state, step, [&](const Passage& at) {
@@ -26,24 +28,15 @@ FilmReport start_assembled(FilmStepper& stepper, const OperatingPoint& to, doubl
   return report;
 }
 
-}  // namespace
-
-double opening_to_start(const FilmBearing& bearing, double floor) {
-  const bool has_room = bearing.room > 0.0 && room_left_by_journal * bearing.room >= floor;
-  return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
-}
-
 FilmReport start_from_rest(FilmStepper& stepper, const OperatingPoint& to, int steps, const Beginning& begin,
                            BearingState& state) {
   const FilmBearing& bearing = stepper.bearing();
   const FilmBearingOptions& options = stepper.options();
   const double floor = options.newton.thickness_floor * bearing.scales.thickness;
   const double opening = opening_to_start(bearing, floor);
-  if (opening == 0.0 || bearing.assembly.empty()) {
-    return start_assembled(stepper, to, opening, steps, begin, state);
-  }
+  if (opening == 0.0 || bearing.assembly.empty()) return begin(stepper, opening, state);
   FilmStepper unformed(formed_by(bearing, 0.0), options);
-  FilmReport report = start_assembled(unformed, to, opening_to_start(unformed.bearing(), floor), steps, begin, state);
+  FilmReport report = begin(unformed, opening_to_start(unformed.bearing(), floor), state);
   for (int i = 1; i < steps && report.status == Status::converged; ++i) {
     FilmStepper forming(formed_by(bearing, static_cast<double>(i) / steps), options);
     report += settle(forming, to, state);

@@ -29,7 +29,10 @@ std::vector<const Variable*> csv_columns(const Dataset& dataset) {
 
 std::string csv_header(const Dataset& dataset) {
   std::string out;
-  for (const Variable* column : csv_columns(dataset)) out += (out.empty() ? "" : ",") + column->meaning.key();
+  for (const Variable* column : csv_columns(dataset)) {
+    if (!out.empty()) out += ',';
+    out += column->meaning.key();
+  }
   return out;
 }
 

@@ -66,6 +66,10 @@ struct Machine {
   double reduction_error{};            ///< see ReducedRotor
   std::vector<Eigen::Vector2d> loads;  ///< on the bearings by its weight, N
 
+  /// Places of the rotor that results tell of: its bearings, then its stations.
+  [[nodiscard]] std::vector<RotorStation> places() const;
+  /// Minimum film thickness of all bearings, m; not a number where there are no states.
+  [[nodiscard]] double thinnest_film(const std::vector<BearingState>& states) const;
   /// A stepper for each bearing of the rotor.
   /// @param thickness_floor  h below which surfaces count as touching, m
   [[nodiscard]] std::deque<FilmStepper> make_steppers(double thickness_floor) const;

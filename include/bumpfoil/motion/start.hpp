@@ -6,7 +6,8 @@
 
 namespace bumpfoil {
 
-/// Reaches a first state from rest, in a clearance that is wider by `opening` (m).
+/// Reaches a first state from rest. It begins in a clearance that is wider by `opening` (m), and closes it.
+/// @param state  receives the result; after a failure the last state that was found, if there was one
 using Beginning = std::function<FilmReport(FilmStepper& stepper, double opening, BearingState& state)>;
 
 /// By how much the clearance is opened, m, for a running bearing to start: where foils leave too little room for a
@@ -14,12 +15,16 @@ using Beginning = std::function<FilmReport(FilmStepper& stepper, double opening,
 /// @param floor  film thickness that counts as contact, m
 double opening_to_start(const FilmBearing& bearing, double floor);
 
+/// Closes a clearance in equal increments.
+/// @param to  where it is closed, by the same position or load
+FilmReport close_clearance(FilmStepper& stepper, const OperatingPoint& to, int steps, BearingState& state);
+
 /// From rest to a first state of a running bearing whose foils may leave a journal no room: it begins in a clearance
-/// that is opened until they do, which closes then in equal increments. Where formed foils leave no room, foils that
-/// are formed to the bearing begin, and are formed step by step to what they are.
-/// @param to     the point that `begin` leads to, but for the opening
-/// @param steps  increments of the closing, and of the forming
-/// @param state  receives the result; after a failure the last state that was found, if there was one
+/// that is opened until they do. Where formed foils leave none, foils that are formed to the bearing begin, and are
+/// formed step by step to what they are.
+/// @param to     the point that `begin` leads to
+/// @param steps  increments of the forming
+/// @param state  as of Beginning
 FilmReport start_from_rest(FilmStepper& stepper, const OperatingPoint& to, int steps, const Beginning& begin,
                            BearingState& state);
 

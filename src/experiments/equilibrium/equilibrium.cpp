@@ -13,6 +13,7 @@
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/march.hpp"
 #include "bumpfoil/motion/rest.hpp"
+#include "bumpfoil/motion/start.hpp"
 #include "experiments/equilibrium/small_motions.hpp"
 
 namespace bumpfoil {
@@ -22,9 +23,6 @@ namespace {
 /// the way to a position.
 constexpr double start_along_load = 0.6;
 constexpr double start_towards_position = 0.7;
-/// A path begins without opening where this part of the room, what a cold start leaves at the thinnest place, is no
-/// thinner than film.h_floor.
-constexpr double room_left_at_start = 1.0 - start_towards_position;
 /// A ramp of speeds comes from this part of its first.
 constexpr double coasting_from = 1.5;
 /// Contacts that carry less, N, may as well be open: where the verdict on a state hangs on them, it is doubtful.
@@ -39,13 +37,6 @@ constexpr double frequency_intervals = 9.0;
 OperatingPoint at_speed(OperatingPoint point, double speed) {
   point.speed = speed;
   return point;
-}
-
-/// By how much the clearance is opened, m, for a path to begin: where foils leave too little room for a film, until
-/// they leave c.
-double opening_to_begin(const FilmBearing& bearing, double floor) {
-  const bool has_room = bearing.room > 0.0 && room_left_at_start * bearing.room >= floor;
-  return has_room ? 0.0 : bearing.scales.thickness - bearing.room;
 }
 
 /// How a state answers to small motions: with sliding contacts that keep sliding, and with all stuck.
@@ -155,11 +146,7 @@ class PathWalker {
         states_(states),
         settings_(settings),
         options_(options(thickness_floor)),
-        forms_while_running_(!result.bearing->assembly.empty() &&
-                             opening_to_begin(*result.bearing, thickness_floor) > 0.0),
-        opening_(opening_to_begin(forms_while_running_ ? formed_by(*result.bearing, 0.0) : *result.bearing,
-                                  thickness_floor)),
-        stepper_(std::make_unique<FilmStepper>(result.bearing, options_)) {}
+        stepper_(result.bearing, options_) {}
 
   /// The states at `points`, one after the other.
   void walk(FilmPath path, const std::vector<OperatingPoint>& points) {
@@ -208,23 +195,24 @@ class PathWalker {
     judges_ ? judges_->take(result_.bearing, found, judge) : judge();
   }
 
-  /// From rest to the first state of a path. Where formed foils leave a journal no room, foils are formed to the
-  /// bearing until it is there, and then step by step to what they are.
+  /// From rest to the first state of a path.
   void start(FilmPath path, const OperatingPoint& point, FilmReport& total) {
-    if (!forms_while_running_) return start_assembled(path, point, total);
-    stepper_ = std::make_unique<FilmStepper>(formed_by(*result_.bearing, 0.0), options_);
-    start_assembled(path, point, total);
-    for (int i = 1; i <= settings_.steps; ++i) {
-      const bool last = i == settings_.steps;
-      stepper_ = std::make_unique<FilmStepper>(last ? result_.bearing
-                                                    : std::make_shared<const FilmBearing>(formed_by(
-                                                          *result_.bearing, static_cast<double>(i) / settings_.steps)),
-                                               options_);
-      if (total.status == Status::converged) total += settle(*stepper_, point, *state_);
-    }
+    BearingState last;
+    total += start_from_rest(
+        stepper_, point, settings_.steps,
+        [&](FilmStepper& starting, double opening, BearingState& begun) {
+          starting_ = &starting;
+          opening_ = opening;
+          FilmReport report{.status = Status::converged};
+          start_assembled(path, point, report);
+          if (state_) begun = *state_;
+          return report;
+        },
+        last);
+    if (state_) state_ = std::move(last);
   }
 
-  /// The same of assembled foils: with a clearance that is opened where it has to be, and closes at the end.
+  /// The same of assembled foils, with a clearance that is opened where it has to be, and closes at the end.
   void start_assembled(FilmPath path, const OperatingPoint& point, FilmReport& total) {
     const bool by_load = point.by_load();
     OperatingPoint opened = point;
@@ -252,7 +240,7 @@ class PathWalker {
       case FilmPath::cold_start:
         begin(by_load ? along(point) : point.journal, point.speed, total);
         if (by_load && total.status == Status::converged) {
-          total += settle(*stepper_, opened, *state_);
+          total += settle(*starting_, opened, *state_);
         }
         break;
     }
@@ -260,17 +248,17 @@ class PathWalker {
   }
 
   [[nodiscard]] Eigen::Vector2d along(const OperatingPoint& point) const {
-    return start_along_load * (stepper_->bearing().room + opening_) * point.journal.normalized();
+    return start_along_load * (starting_->bearing().room + opening_) * point.journal.normalized();
   }
 
   [[nodiscard]] Eigen::Vector2d towards(const OperatingPoint& point) const {
-    const double farthest = start_towards_position * (stepper_->bearing().room + opening_);
+    const double farthest = start_towards_position * (starting_->bearing().room + opening_);
     return point.journal.norm() <= farthest ? point.journal : Eigen::Vector2d(farthest * point.journal.normalized());
   }
 
   void begin(const Eigen::Vector2d& position, double speed, FilmReport& total) {
     BearingState started;
-    total += cold_start(*stepper_, position, speed, started, opening_);
+    total += cold_start(*starting_, position, speed, started, opening_);
     if (total.status == Status::converged) state_ = std::move(started);
   }
 
@@ -288,7 +276,7 @@ class PathWalker {
     const OperatingPoint from = point_of(*result_.bearing, *state_, point.control);
     if (from == point) return;
     int taken = 0;
-    march(*stepper_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
+    march(*starting_, {bumpfoil::ramp(from, point, settings_.steps)}, *state_, step_, [&](const Passage& at) {
       total += at.step.film;
       done_of_state_ = static_cast<double>(++taken % settings_.steps) / settings_.steps;
       return at.step.converged() ? Verdict::go_on : Verdict::stop;
@@ -299,7 +287,7 @@ class PathWalker {
   /// to rest again is found in time.
   void go(const OperatingPoint& to, FilmReport& total) {
     const bool breaks_loose = state_->speed == 0.0 && to.speed != 0.0 && to.by_load();
-    total += breaks_loose ? settle(*stepper_, to, *state_) : follow(*stepper_, to, *state_);
+    total += breaks_loose ? settle(stepper_, to, *state_) : follow(stepper_, to, *state_);
   }
 
   EquilibriumResult& result_;
@@ -308,11 +296,11 @@ class PathWalker {
   std::size_t states_;
   const EquilibriumSettings& settings_;
   FilmBearingOptions options_;
-  bool forms_while_running_;  ///< formed foils have no room at rest
-  double opening_;            ///< of the clearance where a path begins, m
   double done_of_state_{};
   bool reached_{true};
-  std::unique_ptr<FilmStepper> stepper_;
+  FilmStepper stepper_;
+  FilmStepper* starting_{};            ///< of a start: foils may be formed otherwise than those of stepper_
+  double opening_{};                   ///< of the clearance where it begins, m
   std::optional<BearingState> state_;  ///< where the path is
   Step step_;
 };

@@ -1,6 +1,5 @@
 #include "bumpfoil/experiments/stability/stability.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
 
@@ -19,11 +18,6 @@ const StabilitySettings& settings_of(const Case& input) {
 }
 
 }  // namespace
-
-bool StabilityResult::converged() const {
-  return std::all_of(map.points.begin(), map.points.end(),
-                     [](const SpeedPoint& point) { return point.status == Status::converged; });
-}
 
 StabilityResult stability_not_begun(const Case& input) {
   const StabilitySettings& settings = settings_of(input);

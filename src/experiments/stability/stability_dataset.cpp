@@ -19,13 +19,6 @@ std::vector<double> speeds_of(const StabilityResult& result) {
   return each(result.map.points, [](const SpeedPoint& point) { return point.speed; });
 }
 
-/// All places of a rotor where a motion is told: its bearings first.
-std::vector<RotorStation> places_of(const Rotor& rotor) {
-  std::vector<RotorStation> places = rotor.bearings;
-  places.insert(places.end(), rotor.stations.begin(), rotor.stations.end());
-  return places;
-}
-
 void add_bearings(const StabilityResult& result, Dataset& data) {
   const std::size_t count = result.machine.rotor.bearings.size();
   data.add_dimension({"bearing", "1", "bearing, in the order of the case", {Form::whole}}, numbers_from(1.0, count));
@@ -80,7 +73,7 @@ void add_motions(const StabilityResult& result, Dataset& data) {
 
 /// Shapes of all motions at the places of the rotor, the largest displacement of a shape 1 with the phase 0.
 void add_shapes(const StabilityResult& result, Dataset& data) {
-  const std::vector<RotorStation> places = places_of(result.machine.rotor);
+  const std::vector<RotorStation> places = result.machine.places();
   data.add_dimension({"station", "1", "place on the rotor, its bearings first", {Form::whole}},
                      numbers_from(1.0, places.size()));
   data.add_coordinate({"station_z", "m", "place of the station along the axis"}, {"station"},
@@ -141,7 +134,9 @@ std::string stability_csv(const StabilityResult& result) {
     }
   };
   for (const MotionQuantity& quantity : motion_quantities()) {
-    if (quantity.is(tag::csv)) out += (out.empty() ? "" : ",") + quantity.key();
+    if (!quantity.is(tag::csv)) continue;
+    if (!out.empty()) out += ',';
+    out += quantity.key();
   }
   for (const SpeedPoint& point : result.map.points) {
     const std::vector<SpeedMotion> motions = motions_at(point);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bumpfoil/experiments/case_warnings.hpp"
+#include "bumpfoil/results/dataset.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -45,9 +46,7 @@ double growth_by_coefficients(const StabilityResult&, const SpeedPoint& point) {
 }
 
 double thinnest(const StabilityResult& result, const SpeedPoint& point) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const BearingState& state : point.states) least = std::min(least, state.film.thickness.minCoeff());
-  return point.states.empty() ? absent : least * result.machine.bearing->scales.thickness;
+  return result.machine.thinnest_film(point.states);
 }
 
 /// The first onset of a kind at rising |Omega|, where whirl begins.
@@ -266,10 +265,6 @@ constexpr auto motion_quantity_table = std::to_array<MotionQuantity>({
      [](const SpeedMotion& motion) { return motion.whirl->residual; }, of_solver},
 });
 
-std::string speed_text(double speed) {
-  return fmt::format("{:.6g} rpm", speed / shown::revolutions.size);
-}
-
 }  // namespace
 
 std::span<const StabilityQuantity> stability_quantities() {
@@ -312,18 +307,9 @@ std::vector<SpeedMotion> motions_at(const SpeedPoint& point) {
 }
 
 std::vector<std::string> failure_lines(const StabilityResult& result) {
-  std::vector<std::string> lines;
-  std::size_t behind = 0;
-  for (const SpeedPoint& point : result.map.points) {
-    if (point.status == Status::converged || point.status == Status::interrupted) continue;
-    if (point.status == Status::not_reached) {
-      ++behind;
-      continue;
-    }
-    lines.push_back(fmt::format("{}: no equilibrium found: {}", speed_text(point.speed), explanation(point.status)));
-  }
-  if (behind > 0) lines.push_back(fmt::format("the {} speeds behind it were not looked for", behind));
-  return lines;
+  return missing_equilibria(each(result.map.points, [](const SpeedPoint& point) {
+    return SpeedStatus{point.speed, point.status};
+  }));
 }
 
 std::vector<std::string> warning_lines(const Case& input, const StabilityResult& result) {
@@ -347,7 +333,7 @@ std::vector<std::string> warning_lines(const Case& input, const StabilityResult&
         "at {} of {} speeds (first at {}) it is the foils that are unstable, whatever rotor they carry: bumpfoil "
         "equilibrium says where they flutter and what helps, such as top_foil.formed_radius = \"seated\" or the other "
         "sense of rotation",
-        fluttering, result.map.points.size(), speed_text(first->speed)));
+        fluttering, result.map.points.size(), rotor_speed_text(first->speed)));
   }
   if (unknown > 0) {
     lines.push_back(
@@ -364,7 +350,7 @@ std::vector<std::string> warning_lines(const Case& input, const StabilityResult&
 
 std::string onset_text(const WhirlOnset& found) {
   return fmt::format("whirl{} {} at {}, whirl ratio {:.4f}{}", found.of_foils ? " of the foils" : "",
-                     found.begins ? "begins" : "ends", speed_text(found.onset.speed), found.onset.whirl_ratio,
+                     found.begins ? "begins" : "ends", rotor_speed_text(found.onset.speed), found.onset.whirl_ratio,
                      found.onset.jumps ? " (contacts change there)" : "");
 }
 

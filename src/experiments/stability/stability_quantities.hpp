@@ -11,6 +11,7 @@
 
 #include "bumpfoil/experiments/stability/stability.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "experiments/rotor_speeds.hpp"
 
 /// What results of the command stability tell, described once for all files.
 namespace bumpfoil {
@@ -29,8 +30,6 @@ template <>
 inline constexpr auto enum_names<WhirlSense> = std::to_array<std::string_view>({"backward", "forward"});
 
 WhirlSense sense_of(const Whirl& whirl);
-
-inline constexpr Form search_status{Form::flag, enum_names<Status>};
 
 /// Of the whole run.
 using StabilityQuantity = Quantity<double (*)(const StabilityResult&)>;

@@ -48,7 +48,7 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   MachineStepper machine(rotor, pointers);
   const RotorForces forces = forces_on(settings, rotor);
-  const Eigen::VectorXd weight = rotor.mass * (rotor.rigid.leftCols(2) * settings.gravity_vector());
+  const Eigen::VectorXd weight = forces(RotorInstant{});  // at rest there is no unbalance
   const UnbalanceSettings& run = unbalance_settings_of(input);
   const RotorEquilibria equilibria(rotor, pointers, settings.gravity_vector());
   std::vector<BearingState> states;

@@ -5,23 +5,8 @@
 #include "results/csv_value.hpp"
 
 namespace bumpfoil {
-namespace {
-
-constexpr Form search_status_form{Form::flag, enum_names<Status>};
-
-double minimum_film_thickness_of(const UnbalanceResult& result, const UnbalancePoint& point) {
-  double least = absent;
-  for (const BearingState& state : point.states) {
-    const double h = state.film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
-    least = least <= h ? least : h;
-  }
-  return least;
-}
-
-}  // namespace
-
 Dataset unbalance_dataset(const UnbalanceResult& result) {
-  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  const std::vector<RotorStation> stations = result.machine.places();
   const std::span<const ResponseKind> kinds = kinds_of(result);
   Dataset data;
   data.add_dimension({"speed", "rad/s", "speed of the rotor, positive from X to Y"},
@@ -34,7 +19,7 @@ Dataset unbalance_dataset(const UnbalanceResult& result) {
   std::string names;
   for (const RotorStation& station : stations) names += (names.empty() ? "" : ", ") + station.name;
   places.attributes["stations"] = names;
-  data.add({"status", "", "how the search for the equilibrium ended", search_status_form}, {"speed"},
+  data.add({"status", "", "how the search for the equilibrium ended", search_status}, {"speed"},
            each(result.points, [](const UnbalancePoint& point) { return static_cast<double>(point.status); }));
   data.add({"h_min",
             "m",
@@ -43,12 +28,10 @@ Dataset unbalance_dataset(const UnbalanceResult& result) {
             "minimum film thickness",
             shown::micrometres},
            {"speed"}, each(result.points, [&result](const UnbalancePoint& point) {
-             return minimum_film_thickness_of(result, point);
+             return result.machine.thinnest_film(point.states);
            }));
   for (const ResponseQuantity& quantity : response_quantities()) {
-    VariableMeaning meaning = quantity.meaning();
-    if (meaning.name == "h_min") meaning.name = "h_min_of_orbit";
-    data.add(std::move(meaning), {"speed", "kind", "station"}, [&result, stations, kinds, quantity] {
+    data.add(quantity.meaning(), {"speed", "kind", "station"}, [&result, stations, kinds, quantity] {
       std::vector<double> values;
       values.reserve(result.points.size() * kinds.size() * stations.size());
       for (const UnbalancePoint& point : result.points) {
@@ -75,7 +58,7 @@ std::string unbalance_csv(const UnbalanceResult& result) {
   std::string out = "speed_rad_per_s,station";
   for (const ResponseQuantity& quantity : response_quantities()) out += ',' + quantity.key();
   out += ",kind,status\n";
-  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  const std::vector<RotorStation> stations = result.machine.places();
   for (const UnbalancePoint& point : result.points) {
     for (const ResponseKind kind : kinds_of(result)) {
       for (std::size_t i = 0; i < stations.size(); ++i) {

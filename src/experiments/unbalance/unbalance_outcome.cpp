@@ -32,7 +32,7 @@ Json unbalance_lists(const UnbalanceResult& result) {
                              {"speed_rad_per_s", peak.speed},
                              {"semi_major_m", peak.amplitude}});
   }
-  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  const std::vector<RotorStation> stations = result.machine.places();
   for (const UnbalancePoint& point : result.points) {
     Json& entry = json["speeds"].emplace_back(
         Json{{"speed_rad_per_s", point.speed}, {"status", name_of(point.status)}, {"responses", Json::array()}});

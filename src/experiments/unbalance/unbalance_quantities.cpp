@@ -86,7 +86,7 @@ constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
      none,
      "",
      {},
-     {Form::flag, enum_names<Status>}},
+     search_status},
     {"orbit_turns",
      "1",
      "turns that were marched",
@@ -102,10 +102,6 @@ constexpr auto orbit_quantity_table = std::to_array<OrbitQuantity>({
      "largest Floquet multiplier that the search has met: an orbit lasts where it is smaller than 1",
      [](const Orbit& orbit) { return orbit.multipliers.empty() ? absent : std::abs(orbit.multipliers.front()); }},
 });
-
-std::string rpm_text(double speed) {
-  return fmt::format("{:.6g} rpm", speed / shown::revolutions.size);
-}
 
 /// Largest semi-major axis of all stations, m; not a number where there is no response.
 double largest_orbit(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
@@ -143,12 +139,6 @@ std::span<const ResponseQuantity> response_quantities() {
   return response_quantity_table;
 }
 
-std::vector<RotorStation> stations_of(const Rotor& rotor) {
-  std::vector<RotorStation> stations = rotor.bearings;
-  stations.insert(stations.end(), rotor.stations.begin(), rotor.stations.end());
-  return stations;
-}
-
 StationResponse response_at(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
                             std::size_t station) {
   StationResponse response{.point = point, .kind = kind};
@@ -183,7 +173,7 @@ std::span<const ResponseKind> kinds_of(const UnbalanceResult& result) {
 }
 
 std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
-  const std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  const std::vector<RotorStation> stations = result.machine.places();
   const std::size_t count = result.points.size();
   std::vector<ResponsePeak> peaks;
   for (const ResponseKind kind : kinds_of(result)) {
@@ -209,25 +199,18 @@ std::vector<ResponsePeak> peaks_of(const UnbalanceResult& result) {
 }
 
 std::vector<std::string> failure_lines(const UnbalanceResult& result) {
-  std::vector<std::string> lines;
-  std::size_t behind = 0;
-  for (const UnbalancePoint& point : result.points) {
-    if (point.status == Status::converged || point.status == Status::interrupted) continue;
-    if (point.status == Status::not_reached) {
-      ++behind;
-      continue;
-    }
-    lines.push_back(fmt::format("{}: no equilibrium found: {}", rpm_text(point.speed), explanation(point.status)));
-  }
-  if (behind > 0) lines.push_back(fmt::format("the {} speeds behind it were not looked for", behind));
+  std::vector<std::string> lines = missing_equilibria(each(result.points, [](const UnbalancePoint& point) {
+    return SpeedStatus{point.speed, point.status};
+  }));
   for (const UnbalancePoint& point : result.points) {
     if (!point.orbit || point.orbit->status == Status::converged || point.orbit->status == Status::interrupted)
       continue;
     lines.push_back(
         point.orbit->status == Status::not_converged
             ? fmt::format("{}: no periodic orbit found in {} turns: the last one changes by {:.2g} of the clearance",
-                          rpm_text(point.speed), point.orbit->turns, point.orbit->change)
-            : fmt::format("{}: no periodic orbit: {}", rpm_text(point.speed), explanation(point.orbit->status)));
+                          rotor_speed_text(point.speed), point.orbit->turns, point.orbit->change)
+            : fmt::format("{}: no periodic orbit: {}", rotor_speed_text(point.speed),
+                          explanation(point.orbit->status)));
   }
   return lines;
 }
@@ -259,7 +242,7 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
     lines.push_back(fmt::format(
         "at {} of {} speeds the orbit of a journal is larger than {:.0f} % of the minimum film "
         "thickness (most at {}: {:.0f} %): it is no small motion, and the linear response is rough",
-        large, result.points.size(), 100.0 * small_part_of_film, rpm_text(worst->speed), 100.0 * worst_part));
+        large, result.points.size(), 100.0 * small_part_of_film, rotor_speed_text(worst->speed), 100.0 * worst_part));
   }
   if (unknown > 0) {
     lines.push_back(

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/results/dataset.hpp"
 #include "bumpfoil/results/quantity.hpp"
+#include "experiments/rotor_speeds.hpp"
 
 /// What results of the command unbalance tell, described once for all files.
 namespace bumpfoil {
@@ -48,10 +48,7 @@ std::span<const OrbitQuantity> orbit_quantities();
 /// Kinds that a result has: orbits where they were asked for.
 std::span<const ResponseKind> kinds_of(const UnbalanceResult& result);
 
-/// Places of a rotor at which responses are told: its bearings first, and what else has a name.
-std::vector<RotorStation> stations_of(const Rotor& rotor);
-
-/// The response of a kind at a station, by its number in stations_of(); without motion where there is none.
+/// The response of a kind at a station, by its number in Machine::places(); without motion where there is none.
 StationResponse response_at(const UnbalanceResult& result, const UnbalancePoint& point, ResponseKind kind,
                             std::size_t station);
 

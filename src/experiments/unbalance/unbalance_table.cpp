@@ -27,7 +27,7 @@ std::string_view heading_of(ResponseKind kind) {
 }
 
 std::string response_lines(const UnbalanceResult& result, ResponseKind kind) {
-  std::vector<RotorStation> stations = stations_of(result.machine.rotor);
+  std::vector<RotorStation> stations = result.machine.places();
   stations.resize(std::min(stations.size(), most_stations_shown));
   std::string out = fmt::format("{}\n{:>{}}", heading_of(kind), "speed", response_cell_width);
   for (const RotorStation& station : stations) out += fmt::format("{:^{}}", station.name, 4 * response_cell_width);

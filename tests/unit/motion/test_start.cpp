@@ -37,6 +37,8 @@ TEST(StartFromRest, ClosesTheClearanceThatItOpened) {
         OperatingPoint opened = to;
         opened.opening = opening;
         found += settle(begins, opened, first);
+        EXPECT_EQ(first.opening, opening);
+        found += close_clearance(begins, to, 5, first);
         return found;
       },
       state);

@@ -20,8 +20,6 @@ struct StabilitySettings {
 struct StabilityResult {
   Machine machine;
   SpeedMap map;
-
-  [[nodiscard]] bool converged() const;
 };
 
 /// A run that ended before its first speed.

@@ -11,6 +11,9 @@
 
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/experiments/experiments.hpp"
+#include "bumpfoil/motion/response.hpp"
+#include "bumpfoil/rotor/unbalance.hpp"
+#include "experiments/unbalance/unbalance_quantities.hpp"
 #include "support/faulty_keys.hpp"
 #include "support/film_bearing_cases.hpp"
 
@@ -50,6 +53,15 @@ TEST(Unbalance, IsThatOfItsRotor) {
   const UnbalanceResult result = run_unbalance(input);
   ASSERT_EQ(result.points.size(), 1U);
   ASSERT_TRUE(result.points[0].sliding && result.points[0].stuck);
+  // 2 kg with 2 g mm on two bearings are 1 kg with 1 g mm on each.
+  const Rotor half = make_point_mass(1.0);
+  FilmStepper stepper(result.machine.bearing);
+  const double speed = result.points[0].speed;
+  const auto alone =
+      linear_response(half, {{stepper, result.points[0].states.front()}},
+                      unbalance_force(half.bearings.front(), {.amount = 1e-6}, speed), {0.0, std::abs(speed)}, true);
+  ASSERT_TRUE(alone.has_value());
+  EXPECT_LT((*result.points[0].stuck - *alone).norm(), 1e-9 * alone->norm());
   Case turned = input;
   RotorSettings rotor = *input.settings.find<RotorSettings>();
   rotor.unbalances[0].phase = 0.7;
@@ -111,6 +123,39 @@ TEST(Unbalance, FindsThePeak) {
   }
   EXPECT_NEAR(peak, at, 0.6 * speed_of_rpm(1000.0));
   EXPECT_GE(summary.at("peaks").at(0).at("semi_major_m").get<double>(), largest);
+}
+
+/// A wiggle of 2 % on the way to the only maximum, and a rise to the end, are no peaks.
+TEST(Unbalance, TakesNoWiggleForAPeak) {
+  UnbalanceResult result;
+  result.machine.rotor = make_point_mass(1.0);
+  double speed = 1000.0;
+  for (const double size : {1.0, 1.5, 1.47, 2.0, 3.0, 2.0, 1.0, 0.9, 1.2}) {
+    UnbalancePoint& point = result.points.emplace_back();
+    point.speed = speed += 100.0;
+    point.status = Status::converged;
+    point.stuck = Eigen::Vector2cd(1e-6 * size, 0.0);
+  }
+  const std::vector<ResponsePeak> peaks = peaks_of(result);
+  ASSERT_EQ(peaks.size(), 1U);
+  EXPECT_NEAR(peaks[0].speed, 1500.0, 1e-9);  // its neighbours are alike
+  EXPECT_NEAR(peaks[0].amplitude, 3e-6, 1e-15);
+  EXPECT_EQ(peaks[0].kind, ResponseKind::linear_stuck);
+  EXPECT_EQ(peaks[0].station, "bearing 1");
+}
+
+/// Above the onset of whirl there is an orbit, and the rotor leaves it.
+TEST(Unbalance, WarnsOfOrbitsThatDoNotLast) {
+  Case input = unbalanced_case({-15000.0});
+  UnbalanceSettings settings = *input.settings.find<UnbalanceSettings>();
+  settings.orbits = true;
+  settings.steps_per_revolution = 40;
+  input.settings.set(settings);
+  const Outcome outcome = experiment_named("unbalance").run(input, {});
+  EXPECT_EQ(outcome.failures, std::vector<std::string>{});
+  ASSERT_FALSE(outcome.warnings.empty());
+  EXPECT_NE(outcome.warnings.back().find("1 of 1 periodic orbits do not last (first at -15000 rpm"), std::string::npos)
+      << outcome.warnings.back();
 }
 
 /// An orbit as large as the film is no small motion.
