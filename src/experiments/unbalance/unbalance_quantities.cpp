@@ -219,11 +219,19 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
   std::vector<std::string> lines = case_warnings(input);
   std::size_t large = 0;
   std::size_t unknown = 0;
+  std::size_t orbits = 0;
+  std::size_t left = 0;
+  const UnbalancePoint* first_left = nullptr;
   const UnbalancePoint* worst = nullptr;
   double worst_part = small_part_of_film;
   for (const UnbalancePoint& point : result.points) {
     if (point.status != Status::converged) continue;
     if (!point.sliding || !point.stuck) ++unknown;
+    if (point.orbit && point.orbit->status == Status::converged) {
+      ++orbits;
+      const auto& multipliers = point.orbit->multipliers;
+      if (!multipliers.empty() && std::abs(multipliers.front()) > 1.0 && left++ == 0) first_left = &point;
+    }
     double part = 0.0;
     for (std::size_t i = 0; i < point.states.size(); ++i) {
       const double film = point.states[i].film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
@@ -243,6 +251,12 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
         "at {} of {} speeds the orbit of a journal is larger than {:.0f} % of the minimum film "
         "thickness (most at {}: {:.0f} %): it is no small motion, and the linear response is rough",
         large, result.points.size(), 100.0 * small_part_of_film, rotor_speed_text(worst->speed), 100.0 * worst_part));
+  }
+  if (left > 0) {
+    lines.push_back(fmt::format(
+        "{} of {} periodic orbits do not last (first at {}, Floquet multiplier {:.3f}): the rotor leaves them and "
+        "whirls",
+        left, orbits, rotor_speed_text(first_left->speed), std::abs(first_left->orbit->multipliers.front())));
   }
   if (unknown > 0) {
     lines.push_back(
