@@ -1,6 +1,7 @@
 #include "support/film_bearing_cases.hpp"
 
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/rotor_settings.hpp"
 
 #include <numbers>
 
@@ -115,6 +116,22 @@ FilmBearing film_reference_bearing(const FilmResolution& resolution, double fric
 
 double speed_of_rpm(double rpm) {
   return rpm * std::numbers::pi / 30.0;
+}
+
+std::vector<double> speeds_of_rpm(const std::vector<double>& rpm) {
+  std::vector<double> speeds;
+  speeds.reserve(rpm.size());
+  for (const double one : rpm) speeds.push_back(speed_of_rpm(one));
+  return speeds;
+}
+
+Case film_rotor_case(const FilmResolution& resolution) {
+  Case input = film_reference_case(resolution);
+  RotorSettings rotor;
+  rotor.mass = 2.0;
+  rotor.gravity = {9.81, 0.0};
+  input.settings.set(rotor);
+  return input;
 }
 
 const std::vector<ReferenceRun>& reference_runs() {

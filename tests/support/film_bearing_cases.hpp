@@ -12,6 +12,10 @@ FilmBearing film_reference_bearing(const FilmResolution& resolution, double fric
 
 /// rad/s
 double speed_of_rpm(double rpm);
+std::vector<double> speeds_of_rpm(const std::vector<double>& rpm);
+
+/// The reference bearing without friction under half of a rotor of 2 kg, whose weight is along +X.
+Case film_rotor_case(const FilmResolution& resolution);
 
 /// States of tests/data/film_bearing.json.
 struct ReferenceRun {

@@ -11,12 +11,6 @@ namespace {
 
 constexpr double g = 9.81;  // m/s^2
 
-std::vector<double> speeds_of_rpm(const std::vector<double>& rpm) {
-  std::vector<double> speeds;
-  for (const double each : rpm) speeds.push_back(speed_of_rpm(each));
-  return speeds;
-}
-
 /// 1 kg on the reference bearing without friction, gas entering at the weld: it begins to whirl forward at 13,072.43
 /// rpm, where a secant of another program over its own pencil has it. Nothing slips, so that both kinds are one.
 TEST(SpeedMap, HasTheOnsetBetweenItsSpeeds) {

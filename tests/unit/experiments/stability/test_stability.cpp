@@ -23,15 +23,9 @@ using test_support::faulty_keys;
 using test_support::Keys;
 
 /// 1 kg on each bearing, f = 0, gas entering at the weld: the onset of the prototype is 13,072.43 rpm.
-Case rotor_case(std::vector<double> rpm, FilmResolution mesh = {6, 8}) {
-  Case input = film_reference_case(mesh);
-  RotorSettings rotor;
-  rotor.mass = 2.0;
-  rotor.gravity = {9.81, 0.0};
-  input.settings.set(rotor);
-  StabilitySettings settings;
-  for (const double one : rpm) settings.speeds.push_back(speed_of_rpm(one));
-  input.settings.set(settings);
+Case rotor_case(const std::vector<double>& rpm, FilmResolution mesh = {6, 8}) {
+  Case input = film_rotor_case(mesh);
+  input.settings.set(StabilitySettings{.speeds = speeds_of_rpm(rpm)});
   return input;
 }
 
@@ -120,7 +114,7 @@ TEST(Stability, KeepsShapesAndNumbersOfModes) {
 
 /// A motion with this growth rate at each speed, or none; without contacts that slip.
 StabilityResult with_growth(const std::vector<std::pair<double, std::optional<double>>>& points,
-                            std::vector<double> onsets) {
+                            const std::vector<double>& onsets) {
   StabilityResult result{.machine = {}, .map = {}};
   for (const auto& [speed, growth] : points) {
     SpeedPoint& point = result.map.points.emplace_back();

@@ -24,18 +24,10 @@ using test_support::faulty_keys;
 using test_support::Keys;
 
 /// 1 kg on each bearing, its centre of mass 1 um from the axis along +X.
-Case unbalanced_case(std::vector<double> rpm, FilmResolution mesh = {4, 4}) {
-  Case input = film_reference_case(mesh);
-  RotorSettings rotor;
-  rotor.mass = 2.0;
-  rotor.gravity = {9.81, 0.0};
-  RotorUnbalance heavy;
-  heavy.amount = 2e-6;
-  rotor.unbalances = {heavy};
-  input.settings.set(rotor);
-  UnbalanceSettings settings;
-  for (const double one : rpm) settings.speeds.push_back(speed_of_rpm(one));
-  input.settings.set(settings);
+Case unbalanced_case(const std::vector<double>& rpm, FilmResolution mesh = {4, 4}) {
+  Case input = film_rotor_case(mesh);
+  input.settings.find<RotorSettings>()->unbalances.emplace_back().amount = 2e-6;
+  input.settings.set(UnbalanceSettings{.speeds = speeds_of_rpm(rpm)});
   return input;
 }
 

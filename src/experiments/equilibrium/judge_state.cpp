@@ -1,0 +1,167 @@
+#include "experiments/equilibrium/judge_state.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "experiments/equilibrium/small_motions.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// Contacts that carry less, N, may as well be open: where the verdict on a state hangs on them, it is doubtful.
+constexpr double light_contact_load = 1e-3;
+/// Frequencies that coefficients are tabulated at, in speeds: rotors whirl unstably at about half the speed, and the
+/// speed itself is to lie inside. So many equal ratios lead from the one to the other: nine frequencies at least lie
+/// between those of any speed, wherever the grid begins.
+constexpr double lowest_frequency = 0.2;
+constexpr double highest_frequency = 1.2;
+constexpr double frequency_intervals = 9.0;
+
+/// How a state answers to small motions: with sliding contacts that keep sliding, and with all stuck.
+struct Impedances {
+  std::optional<FilmImpedance> moving, stuck;
+
+  /// @param rates  that they are good for, 1/s
+  Impedances(FilmStepper& stepper, const BearingState& state, const std::vector<std::complex<double>>& rates)
+      : moving(stepper.impedance(state, rates)), stuck(stepper.impedance(state, rates, true)) {}
+
+  [[nodiscard]] std::vector<FilmWhirl> at(const std::vector<double>& frequencies) const {
+    std::vector<FilmWhirl> whirls;
+    for (const double frequency : frequencies) {
+      FilmWhirl& whirl = whirls.emplace_back();
+      whirl.frequency = frequency;
+      if (moving) whirl.impedance = moving->at({0.0, frequency});
+      if (stuck) whirl.stuck_impedance = stuck->at({0.0, frequency});
+    }
+    return whirls;
+  }
+};
+
+std::vector<std::complex<double>> rates_of(const std::vector<double>& frequencies) {
+  std::vector<std::complex<double>> rates;
+  rates.reserve(frequencies.size());
+  for (const double frequency : frequencies) rates.emplace_back(0.0, frequency);
+  return rates;
+}
+
+/// None at rest, and where film and foils leave the state by themselves. @param held  of the same contacts
+std::optional<CriticalMass> critical_mass_of_state(const std::optional<FilmImpedance>& impedance, double speed,
+                                                   const std::optional<HeldMotion>& held) {
+  if (speed == 0.0 || !impedance || !held || held->rate.real() >= 0.0) return std::nullopt;
+  return least_critical_mass(*impedance, speed);
+}
+
+/// Opens closed contacts that carry next to nothing. @return how many there are
+int open_light_contacts(ContactState& contacts) {
+  int count = 0;
+  for (std::size_t c = 0; c < contacts.mode.size(); ++c) {
+    if (contacts.mode[c] == ContactMode::open ||
+        contacts.normal_force[static_cast<Eigen::Index>(c)] >= light_contact_load) {
+      continue;
+    }
+    contacts.mode[c] = ContactMode::open;
+    ++count;
+  }
+  return count;
+}
+
+/// Adds the largest stresses of all pads to a state.
+void find_stresses(const FilmBearing& bearing, RunningState& found) {
+  const BearingState& state = *found.last;
+  const Vector x = bearing.foil_unknowns(state.contacts.x);
+  const Eigen::Index size = bearing.dofs().size;
+  for (std::size_t k = 0; k < bearing.pads.size(); ++k) {
+    const FilmPad& pad = bearing.pads[k];
+    const StressModel& model = bearing.stress[k];
+    const double moment = pad.foil.stiffness * pad.foil.pitch * bearing.scales.thickness;
+    const double top = moment * state.film.moment(pad.columns()).cwiseAbs().maxCoeff() / model.top_section_modulus;
+    found.top_foil_stress = std::max(found.top_foil_stress.value_or(0.0), top);
+    const auto [first, count] = bearing.structure.blocks_of(static_cast<int>(k));
+    const FoilStress stress = foil_stress(model, x.segment(first * size, count * size));
+    if (stress.bump_largest.size() == 0) continue;
+    found.bump_foil_stress = std::max(
+        {found.bump_foil_stress.value_or(0.0), stress.bump_largest.maxCoeff(), stress.bump_weld.value_or(0.0)});
+  }
+}
+
+}  // namespace
+
+void judge_state(const SharedFilmBearing& bearing, const EquilibriumSettings& settings, RunningState& found) {
+  const auto begin = std::chrono::steady_clock::now();
+  FilmStepper stepper(bearing);
+  const BearingState& state = *found.last;
+  found.outcome = film_bearing_outcome(*bearing, state);
+  const auto moving = stepper.slow_motion(state);
+  const auto stuck = stepper.slow_motion(state, true);
+  if (moving) found.stiffness = moving->stiffness;
+  if (stuck) found.stuck_stiffness = stuck->stiffness;
+  if (moving || stuck) {
+    found.foil_response = std::max(moving ? moving->foil_response : 0.0, stuck ? stuck->foil_response : 0.0);
+  }
+  found.held = stepper.held_motions(state);
+  BearingState opened = state;
+  found.light_contacts = open_light_contacts(opened.contacts);
+  if (found.light_contacts > 0) found.held_if_open = stepper.held_motions(opened);
+  const std::vector<double> frequencies = frequencies_of(settings, state.speed);
+  std::vector<std::complex<double>> rates = rates_of(frequencies);
+  const std::vector<std::complex<double>> whirling = whirling_rates(state.speed);
+  rates.insert(rates.end(), whirling.begin(), whirling.end());
+  const Impedances impedances(stepper, state, rates);
+  found.critical_mass = critical_mass_of_state(impedances.moving, state.speed, found.held.sliding);
+  found.stuck_critical_mass = critical_mass_of_state(impedances.stuck, state.speed, found.held.stuck);
+  found.whirls = impedances.at(frequencies);
+  find_stresses(*bearing, found);
+  found.wall_time += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::vector<double> tabulated_frequencies(const EquilibriumSettings& equilibrium) {
+  std::vector<double> frequencies = equilibrium.frequencies;
+  if (frequencies.empty()) {
+    double slowest = std::numeric_limits<double>::infinity();  // but rest
+    double fastest = 0.0;
+    for (const double speed : equilibrium.speeds) {
+      if (speed != 0.0) slowest = std::min(slowest, std::abs(speed));
+      fastest = std::max(fastest, std::abs(speed));
+    }
+    if (fastest == 0.0) return {};
+    const double first = lowest_frequency * slowest;
+    const double range = highest_frequency * fastest / first;
+    // Less a rounding, that one speed has not one more.
+    const double intervals =
+        std::ceil(frequency_intervals * std::log(range) / std::log(highest_frequency / lowest_frequency) - 1e-9);
+    for (double i = 0.0; i <= intervals; ++i) frequencies.push_back(first * std::pow(range, i / intervals));
+  }
+  std::sort(frequencies.begin(), frequencies.end());
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  return frequencies;
+}
+
+void tabulate_whirls(const Case& input, EquilibriumResult& result) {
+  for (RunningState& state : result.states) {
+    if (state.found()) tabulate_whirls(input, result.bearing, state);
+  }
+}
+
+void tabulate_whirls(const Case& input, const SharedFilmBearing& bearing, RunningState& state) {
+  FilmStepper stepper(bearing);
+  const std::vector<double> frequencies = tabulated_frequencies(*input.equilibrium);
+  if (input.equilibrium->frequencies.empty()) {
+    state.synchronous = state.whirls.front();
+    state.tabulated = Impedances(stepper, *state.last, rates_of(frequencies)).at(frequencies);
+    return;
+  }
+  const double synchronous = std::abs(state.last->speed);
+  state.synchronous = Impedances(stepper, *state.last, {{0.0, synchronous}}).at({synchronous}).front();
+  state.tabulated.clear();
+  for (const double frequency : frequencies) {
+    state.tabulated.push_back(*std::find_if(state.whirls.begin(), state.whirls.end(),
+                                            [=](const FilmWhirl& whirl) { return whirl.frequency == frequency; }));
+  }
+}
+
+}  // namespace bumpfoil
