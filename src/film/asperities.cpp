@@ -39,6 +39,12 @@ double Asperities::slope(double h) const {
   return pressure_factor / roughness * greenwood_tripp(h / roughness).slope;
 }
 
+double Asperities::energy(double h) const {
+  const double u = h / roughness;
+  const auto [value, slope] = greenwood_tripp(u);
+  return 2.0 / 7.0 * pressure_factor * roughness * (-slope - u * value);
+}
+
 double asperity_pressure_factor(double roughness, double density, double radius, double modulus) {
   const double peaks = density * radius * roughness;
   return 16.0 * std::numbers::sqrt2 / 15.0 * std::numbers::pi * peaks * peaks * std::sqrt(roughness / radius) * modulus;

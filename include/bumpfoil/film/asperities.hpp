@@ -26,6 +26,8 @@ struct Asperities {
   [[nodiscard]] double pressure(double h) const;
   /// dp_c/dh.
   [[nodiscard]] double slope(double h) const;
+  /// int p_c dh from h to infinity: 2/7 K' sigma F_7/2(h / sigma), F_7/2(u) = 5/2 F_3/2(u) - u F_5/2(u).
+  [[nodiscard]] double energy(double h) const;
 };
 
 /// K', Pa.

@@ -45,6 +45,14 @@ TEST(Asperities, PressureFallsByItsSlope) {
   }
 }
 
+TEST(Asperities, HoldWhatTheirPressureDoes) {
+  const Asperities rough{.pressure_factor = 2e8, .roughness = 0.3e-6, .friction = 0.2};
+  for (const double h : {0.0, 0.4e-6, 1.1e-6}) {
+    const double expected = 2.0 / 7.0 * 2e8 * 0.3e-6 * statistical_integral(3.5, h / 0.3e-6);
+    EXPECT_NEAR(rough.energy(h) / expected, 1.0, 1e-10);
+  }
+}
+
 TEST(Asperities, PressureFactorIsMadeOfPeaks) {
   // eta beta sigma = 0.05, sigma / beta = 0.01, E* = 100 GPa
   const double expected = 16.0 * std::sqrt(2.0) / 15.0 * std::numbers::pi * 0.0025 * 0.1 * 1e11;

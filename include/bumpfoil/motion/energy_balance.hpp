@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bumpfoil/bearing/film_bearing_energy.hpp"
+#include "bumpfoil/motion/machine.hpp"
+
+namespace bumpfoil {
+
+/// What drives a machine in some time, where it goes, and what of it is held at the end, J:
+///
+///     entrained + supplied + forces + rubbing = dissipated + friction + damping + stored
+///
+/// exact in space, see FilmPowers; what is left is the error of the steps in time. The drag of the films on the
+/// surfaces that move at Omega R (Couette) is no part of it: it is dissipated where it is done.
+struct EnergyBalance {
+  double entrained{};   ///< work of the turning journals on the gas that they draw along
+  double supplied{};    ///< by gas that enters at edges above ambient pressure
+  double forces{};      ///< work of the known forces on the rotor: weight, unbalance, impulses
+  double rubbing{};     ///< work on the rotor's motion by the friction of asperities on the journals
+  double dissipated{};  ///< by the flow of the films under gradients of pressure
+  double friction{};    ///< between foils and sleeve
+  double damping{};     ///< of the rotor itself
+  double stored{};      ///< change of the energy of motion, of shaft, films, foils and asperities
+
+  [[nodiscard]] double defect() const {
+    return entrained + supplied + forces + rubbing - dissipated - friction - damping - stored;
+  }
+  EnergyBalance& operator+=(const EnergyBalance& other);
+};
+
+/// Balances the energy of a machine step by step, with the trapezoidal rule for powers and forces.
+class EnergyMeter {
+ public:
+  /// @param stepper  outlives this, as do the forces
+  EnergyMeter(const MachineStepper& stepper, RotorForces forces, const MachineState& start);
+
+  /// The balance of a step that led to `end`, from where the one before ended.
+  EnergyBalance step_to(const MachineState& end);
+
+ private:
+  struct Bearing {
+    FilmPowers powers;
+    Eigen::Vector2d rubbing;  ///< friction of asperities on the journal, N
+    Eigen::Vector2d place;
+    Vector tangential, friction;  ///< of the contacts
+    double energy{};
+  };
+  struct Instant {
+    RotorInstant at;
+    RotorMotion rotor;
+    std::vector<Bearing> bearings;
+  };
+
+  [[nodiscard]] Instant read(const MachineState& state) const;
+
+  const MachineStepper& stepper_;
+  RotorForces forces_;
+  Instant last_;
+};
+
+}  // namespace bumpfoil

@@ -1,0 +1,57 @@
+#include "bumpfoil/bearing/film_bearing_energy.hpp"
+
+namespace bumpfoil {
+namespace {
+
+/// 1/2 M^T T M of the top foil of a pad, J.
+double bending_energy(const FilmBearing& bearing, const FilmPad& pad, const Vector& moments) {
+  const FoilFilm& foil = pad.foil;
+  const TopFoilMoments& form = foil.top_foil;
+  const Eigen::Index n = form.size();
+  const Vector M = foil.stiffness * foil.pitch * bearing.scales.thickness * moments(pad.columns()).head(n);
+  return 0.5 * form.compliance_diagonal.dot(M.cwiseAbs2()) +
+         form.compliance_off.dot(M.head(n - 1).cwiseProduct(M.tail(n - 1)));
+}
+
+/// Of the asperities of a pad, J.
+double asperity_energy(const FilmPad& pad, const Matrix& thickness) {
+  const FoilFilm& foil = pad.foil;
+  if (!foil.asperities) return 0.0;
+  double energy = 0.0;
+  for (int k = 0; k < foil.mesh.nodes(); ++k) {
+    energy += foil.mesh.column_weight(k) * foil.asperities->energy(thickness(0, pad.first_column + k));
+  }
+  return 2.0 * foil.mesh.dtheta * foil.mesh.dzeta * foil.mesh.rows * energy;
+}
+
+}  // namespace
+
+BearingEnergy bearing_energy(const FilmBearing& bearing, const BearingState& state) {
+  const double unit = bearing.scales.force() * bearing.scales.thickness;
+  BearingEnergy energy{.foils = 0.5 * state.contacts.x.dot(bearing.problem.K.multiply(state.contacts.x))};
+  for (const FilmPad& pad : bearing.pads) {
+    FoilFilmState part;
+    read_part(pad, state.film, part);
+    energy.gas += unit * free_energy(pad.foil.mesh, part);
+    energy.foils += bending_energy(bearing, pad, state.film.moment);
+    energy.asperities += unit * asperity_energy(pad, state.film.thickness);
+  }
+  return energy;
+}
+
+FilmPowers film_powers(const FilmBearing& bearing, const BearingState& state) {
+  const FilmScales& scales = bearing.scales;
+  const double unit = scales.gas.ambient_pressure * scales.flow();
+  FilmPowers sum;
+  for (const FilmPad& pad : bearing.pads) {
+    FoilFilmState part;
+    read_part(pad, state.film, part);
+    const FilmPowers powers = film_powers(film_equation(bearing, pad, state.speed), part);
+    sum.entrained += unit * powers.entrained;
+    sum.dissipated += unit * powers.dissipated;
+    sum.supplied += unit * powers.supplied;
+  }
+  return sum;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,71 @@
+#include "bumpfoil/motion/energy_balance.hpp"
+
+#include <utility>
+
+namespace bumpfoil {
+
+EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
+  entrained += other.entrained;
+  supplied += other.supplied;
+  forces += other.forces;
+  rubbing += other.rubbing;
+  dissipated += other.dissipated;
+  friction += other.friction;
+  damping += other.damping;
+  stored += other.stored;
+  return *this;
+}
+
+EnergyMeter::EnergyMeter(const MachineStepper& stepper, RotorForces forces, const MachineState& start)
+    : stepper_(stepper), forces_(std::move(forces)), last_(read(start)) {}
+
+EnergyMeter::Instant EnergyMeter::read(const MachineState& state) const {
+  Instant instant{
+      .at = {.time = state.time, .angle = state.angle, .speed = state.speed}, .rotor = state.rotor, .bearings = {}};
+  for (std::size_t i = 0; i < state.bearings.size(); ++i) {
+    const FilmBearing& bearing = stepper_.bearings()[i]->bearing();
+    const BearingState& now = state.bearings[i];
+    Bearing& read =
+        instant.bearings.emplace_back(Bearing{.powers = film_powers(bearing, now),
+                                              .rubbing = Eigen::Vector2d::Zero(),
+                                              .place = now.position,
+                                              .tangential = tangential_displacements(bearing.problem, now.contacts.x),
+                                              .friction = now.contacts.friction_force,
+                                              .energy = bearing_energy(bearing, now).total()});
+    if (!bearing.surroundings.asperities) continue;
+    const Vector pressures = asperity_pressures(bearing, now.film.thickness);
+    read.rubbing = asperity_force(bearing, pressures, 0.0) -
+                   asperity_force(bearing, pressures, sliding_friction(bearing, now.speed));
+  }
+  return instant;
+}
+
+EnergyBalance EnergyMeter::step_to(const MachineState& end) {
+  Instant now = read(end);
+  const double dt = now.at.time - last_.at.time;
+  // Both ends have the acceleration of the step.
+  last_.at.acceleration = now.at.acceleration = (now.at.speed - last_.at.speed) / dt;
+  const Eigen::VectorXd way = now.rotor.y - last_.rotor.y;
+  EnergyBalance step{.forces = 0.5 * (forces_(last_.at) + forces_(now.at)).dot(way)};
+  const Rotor& rotor = stepper_.rotor();
+  const auto twice_energy = [&](const RotorMotion& motion) {
+    return motion.v.dot(rotor.mass * motion.v) + motion.y.dot(rotor.stiffness * motion.y);
+  };
+  step.stored = 0.5 * (twice_energy(now.rotor) - twice_energy(last_.rotor));
+  step.damping =
+      0.5 * dt * (last_.rotor.v.dot(rotor.damping * last_.rotor.v) + now.rotor.v.dot(rotor.damping * now.rotor.v));
+  for (std::size_t i = 0; i < now.bearings.size(); ++i) {
+    const Bearing& a = last_.bearings[i];
+    const Bearing& b = now.bearings[i];
+    step.entrained += 0.5 * dt * (a.powers.entrained + b.powers.entrained);
+    step.supplied += 0.5 * dt * (a.powers.supplied + b.powers.supplied);
+    step.dissipated += 0.5 * dt * (a.powers.dissipated + b.powers.dissipated);
+    step.rubbing += 0.5 * (a.rubbing + b.rubbing).dot(b.place - a.place);
+    step.friction -= 0.5 * (a.friction + b.friction).dot(b.tangential - a.tangential);
+    step.stored += b.energy - a.energy;
+  }
+  last_ = std::move(now);
+  return step;
+}
+
+}  // namespace bumpfoil

@@ -1,0 +1,61 @@
+#include "bumpfoil/bearing/film_bearing_energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bumpfoil/experiments/build.hpp"
+#include "support/film_bearing_cases.hpp"
+#include "support/film_motions.hpp"
+
+namespace bumpfoil {
+namespace {
+
+TEST(BearingEnergy, OfGasAtRestIsNone) {
+  const FilmBearing bearing = film_reference_bearing({4, 3});
+  const BearingEnergy energy = bearing_energy(bearing, resting(bearing, {0.0, 0.0}, 0.0));
+  EXPECT_EQ(energy.total(), 0.0);
+}
+
+/// Linear foils hold half of the work that their loads would do on the whole way: those on the top foils D M, those on
+/// the bumps the forces of their contacts.
+TEST(BearingEnergy, OfFoilsIsHalfOfLoadTimesWay) {
+  FilmStepper stepper(film_reference_bearing({4, 3}, 0.1));
+  const FilmBearing& bearing = stepper.bearing();
+  const BearingState state = state_under(stepper, {60.0, 10.0}, speed_of_rpm(-45000.0));
+  const FilmPad& pad = bearing.pads.front();
+  const double c = bearing.scales.thickness;
+  const Eigen::Index n = pad.foil.top_foil.size();
+  const Vector moments = pad.foil.stiffness * pad.foil.pitch * c * state.film.moment.head(n);
+  const double top = 0.5 * c * loads_of_moments(pad.foil.top_foil, moments).dot(state.film.lift.tail(n));
+  const double bumps = 0.5 * contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force)
+                                 .cwiseProduct(state.contacts.x)
+                                 .sum();
+  // Contacts push on the top foil too, whose places among the unknowns K leaves out.
+  const BearingEnergy energy = bearing_energy(bearing, state);
+  EXPECT_GT(top, 1e-5);
+  double pushed = 0.0;
+  const int size = bearing.problem.K.block_size();
+  const Vector forces = contact_forces(bearing.problem, state.contacts.normal_force, state.contacts.friction_force);
+  for (int b = 0; b < bearing.problem.K.blocks(); ++b) {
+    const Eigen::Index at = Eigen::Index{b} * size + bearing.dofs().top_u;
+    pushed += 0.5 * forces[at] * state.contacts.x[at];
+  }
+  EXPECT_NEAR(energy.foils, top + bumps - pushed, 1e-6 * energy.foils);
+  EXPECT_GT(energy.gas, 0.0);
+  EXPECT_EQ(energy.asperities, 0.0);
+}
+
+TEST(BearingEnergy, AsperitiesHoldWhatTheirPressuresWouldDo) {
+  Case input = film_reference_case({4, 3});
+  input.asperity = AsperitySettings{.sigma = 0.5e-6, .pressure_factor = 2e8};
+  const FilmBearing bearing = make_film_bearing(input);
+  const auto energy_at = [&](double x) { return bearing_energy(bearing, resting(bearing, {x, 0.0}, 0.0)).asperities; };
+  const double x = 30.5e-6;
+  const double dx = 1e-10;
+  const BearingState state = resting(bearing, {x, 0.0}, 0.0);
+  const double force = asperity_force(bearing, asperity_pressures(bearing, state.film.thickness), 0.0).x();
+  EXPECT_GT(force, 1.0);
+  EXPECT_NEAR((energy_at(x + dx) - energy_at(x - dx)) / (2.0 * dx), force, 1e-6 * force);
+}
+
+}  // namespace
+}  // namespace bumpfoil
