@@ -22,7 +22,10 @@ Machine make_machine(const Case& input, const std::vector<double>& speeds, const
   double highest = 0.0;
   for (const double speed : speeds) highest = std::max(highest, std::abs(speed));
   ReducedRotor reduced = rotor_of(settings, highest_whirl_ratio * highest);
-  Machine machine{.bearing = std::make_shared<const FilmBearing>(make_film_bearing(input)),
+  const std::size_t count = reduced.rotor.bearings.size();
+  const auto bearing = std::make_shared<const FilmBearing>(make_film_bearing(input));
+  Machine machine{.bearings = std::vector<SharedFilmBearing>(count, bearing),
+                  .thickness_floors = std::vector<double>(count, thickness_floor(input)),
                   .rotor = std::move(reduced.rotor),
                   .reduction_error = reduced.frequency_error,
                   .loads = {}};
@@ -36,18 +39,24 @@ std::vector<RotorStation> Machine::places() const {
   return all;
 }
 
+double Machine::thinnest_film(std::size_t bearing, const BearingState& state) const {
+  return state.film.thickness.minCoeff() * bearings[bearing]->scales.thickness;
+}
+
 double Machine::thinnest_film(const std::vector<BearingState>& states) const {
   if (states.empty()) return std::numeric_limits<double>::quiet_NaN();
   double thinnest = std::numeric_limits<double>::infinity();
-  for (const BearingState& state : states) thinnest = std::min(thinnest, state.film.thickness.minCoeff());
-  return thinnest * bearing->scales.thickness;
+  for (std::size_t i = 0; i < states.size(); ++i) thinnest = std::min(thinnest, thinnest_film(i, states[i]));
+  return thinnest;
 }
 
-std::deque<FilmStepper> Machine::make_steppers(double thickness_floor) const {
-  FilmBearingOptions options;
-  options.newton.thickness_floor = thickness_floor / bearing->scales.thickness;
+std::deque<FilmStepper> Machine::make_steppers() const {
   std::deque<FilmStepper> steppers;
-  for (std::size_t i = 0; i < rotor.bearings.size(); ++i) steppers.emplace_back(bearing, options);
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    FilmBearingOptions options;
+    options.newton.thickness_floor = thickness_floors[i] / bearings[i]->scales.thickness;
+    steppers.emplace_back(bearings[i], options);
+  }
   return steppers;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
@@ -61,18 +62,20 @@ RotorForces forces_on(const RotorSettings& settings, const Rotor& rotor);
 
 /// A rotor and the bearings that carry it.
 struct Machine {
-  SharedFilmBearing bearing;           ///< each of them
-  Rotor rotor;                         ///< as it was reduced
-  double reduction_error{};            ///< see ReducedRotor
-  std::vector<Eigen::Vector2d> loads;  ///< on the bearings by its weight, N
+  std::vector<SharedFilmBearing> bearings;  ///< in the order of Rotor::bearings; those that are alike are one
+  std::vector<double> thickness_floors;     ///< of each: h below which its surfaces count as touching, m
+  Rotor rotor;                              ///< as it was reduced
+  double reduction_error{};                 ///< see ReducedRotor
+  std::vector<Eigen::Vector2d> loads;       ///< on the bearings by its weight, N
 
   /// Places of the rotor that results tell of: its bearings, then its stations.
   [[nodiscard]] std::vector<RotorStation> places() const;
-  /// Minimum film thickness of all bearings, m; not a number where there are no states.
+  /// Minimum film thickness of a bearing, m.
+  [[nodiscard]] double thinnest_film(std::size_t bearing, const BearingState& state) const;
+  /// The same of all bearings; not a number where there are no states.
   [[nodiscard]] double thinnest_film(const std::vector<BearingState>& states) const;
   /// A stepper for each bearing of the rotor.
-  /// @param thickness_floor  h below which surfaces count as touching, m
-  [[nodiscard]] std::deque<FilmStepper> make_steppers(double thickness_floor) const;
+  [[nodiscard]] std::deque<FilmStepper> make_steppers() const;
 };
 
 /// Where they are.

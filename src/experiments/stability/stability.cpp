@@ -4,7 +4,6 @@
 #include <deque>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/experiments/build.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -33,7 +32,7 @@ StabilityResult stability_not_begun(const Case& input) {
 StabilityResult run_stability(const Case& input, const std::function<bool(double)>& progress) {
   StabilityResult result = stability_not_begun(input);
   const std::vector<double>& speeds = settings_of(input).speeds;
-  std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
+  std::deque<FilmStepper> steppers = result.machine.make_steppers();
   const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   std::size_t done = 0;
   result.map = map_speeds(result.machine.rotor, pointers, rotor_settings_of(input).gravity_vector(), speeds, [&] {

@@ -6,7 +6,6 @@
 #include <deque>
 
 #include "bumpfoil/core/error.hpp"
-#include "bumpfoil/experiments/build.hpp"
 #include "bumpfoil/motion/machine.hpp"
 #include "bumpfoil/motion/orbit.hpp"
 #include "bumpfoil/motion/response.hpp"
@@ -44,7 +43,7 @@ UnbalanceResult run_unbalance(const Case& input, const std::function<bool(double
   UnbalanceResult result = unbalance_not_begun(input);
   const RotorSettings& settings = rotor_settings_of(input);
   const Rotor& rotor = result.machine.rotor;
-  std::deque<FilmStepper> steppers = result.machine.make_steppers(thickness_floor(input));
+  std::deque<FilmStepper> steppers = result.machine.make_steppers();
   const std::vector<FilmStepper*> pointers = pointers_to(steppers);
   MachineStepper machine(rotor, pointers);
   const RotorForces forces = forces_on(settings, rotor);

@@ -234,7 +234,7 @@ std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult&
     }
     double part = 0.0;
     for (std::size_t i = 0; i < point.states.size(); ++i) {
-      const double film = point.states[i].film.thickness.minCoeff() * result.machine.bearing->scales.thickness;
+      const double film = result.machine.thinnest_film(i, point.states[i]);
       for (const ResponseKind kind : {ResponseKind::linear_sliding, ResponseKind::linear_stuck}) {
         const StationResponse response = response_at(result, point, kind, i);
         if (response.motion) part = std::max(part, elliptic_orbit(*response.motion, point.speed).major / film);

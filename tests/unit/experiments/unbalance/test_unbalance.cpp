@@ -47,7 +47,7 @@ TEST(Unbalance, IsThatOfItsRotor) {
   ASSERT_TRUE(result.points[0].sliding && result.points[0].stuck);
   // 2 kg with 2 g mm on two bearings are 1 kg with 1 g mm on each.
   const Rotor half = make_point_mass(1.0);
-  FilmStepper stepper(result.machine.bearing);
+  FilmStepper stepper(result.machine.bearings.front());
   const double speed = result.points[0].speed;
   const auto alone =
       linear_response(half, {{stepper, result.points[0].states.front()}},
