@@ -205,17 +205,7 @@ void describe(CaseVisitor& keys, TopFoil& foil) {
       &foil.overhang);
 }
 
-/// A table in which a pad says what its foil has otherwise than that of all.
-template <typename Foil>
-void own_foil(CaseVisitor& keys, const Key& key, const Foil& common, std::optional<Foil>& own) {
-  Foil foil = own.value_or(common);
-  keys.table(key, own.has_value(), [&](CaseVisitor& inner) {
-    describe(inner, foil);
-    own = foil;
-  });
-}
-
-void describe(CaseVisitor& keys, const Case& input, Pad& pad) {
+void describe(CaseVisitor& keys, const PadDesign& common, Pad& pad) {
   keys.value({"weld_angle", optional, "Weld angle",
               "from the X axis towards Y; by default pads start at equal angles, the first at bearing.weld_angle",
               "180 deg", angle},
@@ -230,9 +220,12 @@ void describe(CaseVisitor& keys, const Case& input, Pad& pad) {
       {"lobe", defaulted, "Pad offset (preload)",
        "mechanical preload: offset of its circle, which reduces the gap in its middle by as much", "0 um", length},
       &pad.lobe);
-  own_foil(keys, {"bump_foil", inherited, "Bump foil of the pad", "any keys of [bump_foil] that differ"},
-           input.bump_foil, pad.bump_foil);
-  own_foil(keys, {"top_foil", inherited, "Top foil of the pad", "any keys of [top_foil] that differ"}, input.top_foil,
+  const auto own_foil = [&keys](const Key& key, const auto& foil, auto& own) {
+    own_table(keys, key, foil, own, [](CaseVisitor& inner, auto& members) { describe(inner, members); });
+  };
+  own_foil({"bump_foil", inherited, "Bump foil of the pad", "any keys of [bump_foil] that differ"}, common.bump_foil,
+           pad.bump_foil);
+  own_foil({"top_foil", inherited, "Top foil of the pad", "any keys of [top_foil] that differ"}, common.top_foil,
            pad.top_foil);
 }
 
@@ -318,7 +311,7 @@ void describe(CaseVisitor& keys, MonteCarloSettings& ensemble) {
   keys.choice(
       {"command", defaulted, "Command",
        "command that is run for each bearing; or \"equilibrium\": the running bearing, or \"stability\": a rotor "
-       "whose bearings are all the one that is drawn"},
+       "whose bearings all have the deviations that are drawn"},
       ensemble.command);
   keys.value({"samples", defaulted, "Samples", "number of bearings"}, &ensemble.samples);
   keys.value({"seed", defaulted, "Seed", "of the random numbers; the same seed draws the same bearings"},
@@ -351,6 +344,23 @@ void table(CaseVisitor& keys, const Key& key, Table& members) {
 }
 
 }  // namespace
+
+void describe_own_design(CaseVisitor& keys, const BearingDesign& common, RotorBearing& own) {
+  const auto own_part = [&keys](std::string_view name, std::string_view title, std::string_view text,
+                                const auto& members, auto& held) {
+    own_table(keys, {name, inherited, title, text}, members, held,
+              [](CaseVisitor& inner, auto& visited) { describe(inner, visited); });
+  };
+  own_part("bearing", "Its bearing", "any keys of [bearing] that differ", common.bearing, own.bearing);
+  own_part("bump_foil", "Its bump foil", "any keys of [bump_foil] that differ", common.bump_foil, own.bump_foil);
+  own_part("top_foil", "Its top foil", "any keys of [top_foil] that differ", common.top_foil, own.top_foil);
+  own_part("friction", "Its friction", "any keys of [friction] that differ", common.friction, own.friction);
+  PadDesign design = common;
+  design.bump_foil = own.bump_foil.value_or(common.bump_foil);
+  design.top_foil = own.top_foil.value_or(common.top_foil);
+  list_of_tables(keys, {"pad", optional, "Its pad", "in place of all pads of the case"}, own.pads,
+                 [&design](CaseVisitor& inner, Pad& pad) { describe(inner, design, pad); });
+}
 
 void describe(CaseVisitor& keys, Case& input) {
   keys.value({"title", defaulted, "Title"}, &input.title);

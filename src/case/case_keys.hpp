@@ -104,6 +104,9 @@ class CaseVisitor {
   virtual void tables(const Key& key, std::size_t count,
                       const std::function<void(CaseVisitor&, std::size_t i)>& describe) = 0;
 
+  /// Whether it brings tables of this key that replace those that there are.
+  [[nodiscard]] virtual bool replaces(const Key& key) const = 0;
+
   /// A table whose keys `describe` visits; `given`: it holds anything yet.
   virtual void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) = 0;
 };
@@ -140,11 +143,26 @@ void settings_table(CaseVisitor& keys, const Key& key, SettingsByType& all,
 /// Tables under [[name]], one for each member. @param describe_member  (visitor, member) -> void
 template <typename Member, typename Describe>
 void list_of_tables(CaseVisitor& keys, const Key& key, std::vector<Member>& members, const Describe& describe_member) {
+  if (keys.replaces(key)) members.clear();
   keys.tables(key, members.size(), [&](CaseVisitor& inner, std::size_t i) {
     if (i == members.size()) members.emplace_back();
     describe_member(inner, members[i]);
   });
 }
+
+/// A table in which something says what it has otherwise than all. @param describe_members  (visitor, members) -> void
+template <typename Table, typename Describe>
+void own_table(CaseVisitor& keys, const Key& key, const Table& common, std::optional<Table>& own,
+               const Describe& describe_members) {
+  Table members = own.value_or(common);
+  keys.table(key, own.has_value(), [&](CaseVisitor& inner) {
+    describe_members(inner, members);
+    own = members;
+  });
+}
+
+/// Tables of the bearing, its foils and their friction that a bearing of a rotor has otherwise than the case.
+void describe_own_design(CaseVisitor& keys, const BearingDesign& common, RotorBearing& own);
 
 /// All keys of the case file: those of the bearing and of ensembles, and those that experiments describe.
 void describe(CaseVisitor& keys, Case& input);

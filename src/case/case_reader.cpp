@@ -44,9 +44,15 @@ std::string experiments_with_pads() {
 
 /// Errors that prevent the foils from being built as a truss.
 std::vector<Fault> truss_faults(const Case& input) {
-  if (input.bump_foil.model == BumpFoilModel::frame) return {};
-  for (const PlacedPad& pad : place_pads(input)) {
-    std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
+  if (input.bump_foil.model != BumpFoilModel::frame) {
+    for (const PlacedPad& pad : place_pads(input)) {
+      std::vector<Fault> faults = find_truss_faults(make_bearing_design(pad.alone));
+      if (!faults.empty()) return faults;
+    }
+  }
+  for (std::size_t i = 0; i < input.rotor_bearings.size(); ++i) {
+    std::vector<Fault> faults = truss_faults(bearing_at(input, i));
+    for (Fault& fault : faults) fault.key = fmt::format("rotor.bearing[{}].{}", i + 1, fault.key);
     if (!faults.empty()) return faults;
   }
   return {};
@@ -54,19 +60,35 @@ std::vector<Fault> truss_faults(const Case& input) {
 
 /// Whether the author of a case chose a model, or gave constants of a truss.
 bool chooses_truss(const toml::table& document) {
-  const auto chosen_in = [](const toml::node_view<const toml::node>& foil) { return foil["model"] || foil["truss"]; };
-  if (chosen_in(document["bump_foil"])) return true;
-  const toml::array* pads = document["pad"].as_array();
-  return pads != nullptr && std::any_of(pads->begin(), pads->end(), [&](const toml::node& pad) {
-           return chosen_in(toml::node_view<const toml::node>(pad)["bump_foil"]);
-         });
+  using View = toml::node_view<const toml::node>;
+  const auto chosen_in = [](const View& bearing) {
+    return bearing["bump_foil"]["model"] || bearing["bump_foil"]["truss"];
+  };
+  const auto chosen_in_any = [&](const View& list) {
+    const toml::array* tables = list.as_array();
+    return tables != nullptr &&
+           std::any_of(tables->begin(), tables->end(), [&](const toml::node& one) { return chosen_in(View(one)); });
+  };
+  if (chosen_in(View(&document)) || chosen_in_any(document["pad"])) return true;
+  const View own = document["rotor"]["bearing"];
+  const toml::array* bearings = own.as_array();
+  return chosen_in_any(own) ||
+         (bearings != nullptr && std::any_of(bearings->begin(), bearings->end(),
+                                             [&](const toml::node& one) { return chosen_in_any(View(one)["pad"]); }));
 }
 
 /// Replaces a truss that was not requested. @param fault of the truss
 void take_frame(Case& input, const Fault& fault) {
+  const auto take_for = [](std::vector<Pad>& pads) {
+    for (Pad& pad : pads) {
+      if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
+    }
+  };
   input.bump_foil.model = BumpFoilModel::frame;
-  for (Pad& pad : input.pads) {
-    if (pad.bump_foil) pad.bump_foil->model = BumpFoilModel::frame;
+  take_for(input.pads);
+  for (RotorBearing& own : input.rotor_bearings) {
+    if (own.bump_foil) own.bump_foil->model = BumpFoilModel::frame;
+    take_for(own.pads);
   }
   input.remarks.push_back(
       fmt::format("the bump foil is modelled as a frame, since it cannot be a truss ({} {}); set bump_foil.model = "

@@ -33,8 +33,12 @@ Json::json_pointer pointer_to(const std::string& path) {
 Json case_json(const Case& input) {
   Json json;
   for (const ListedKey& listed : list_keys(input)) {
-    if (listed.is_table() || !listed.held) continue;
-    json[pointer_to(listed.path)] = listed.value;
+    if (!listed.held) continue;
+    if (!listed.is_table()) {
+      json[pointer_to(listed.path)] = listed.value;
+    } else if (listed.is_of_list()) {
+      json[pointer_to(listed.path)] = Json::object();  // counts, even where it says nothing
+    }
   }
   return json;
 }
@@ -47,11 +51,13 @@ std::string case_to_toml(const Case& input) {
   std::string out;
   std::string table;
   for (const ListedKey& listed : list_keys(input)) {
-    if (listed.is_table() || !listed.held) continue;
-    if (listed.table() != table) {
-      table = listed.table();
+    if (!listed.held || (listed.is_table() && !listed.is_of_list())) continue;
+    const std::string holder = listed.is_table() ? listed.path : listed.table();
+    if (holder != table) {
+      table = holder;
       out += fmt::format("\n{}\n", table_header(table));
     }
+    if (listed.is_table()) continue;
     const auto& dimension = listed.key.dimension;
     out += fmt::format("{} = {}{}\n", listed.key.name, toml_of(listed.value),
                        dimension ? fmt::format("  # {}", si_unit(*dimension)) : std::string());

@@ -144,6 +144,7 @@ class KeyLister final : public CaseVisitor {
 
   void tables(const Key& key, std::size_t count,
               const std::function<void(CaseVisitor&, std::size_t)>& describe) override {
+    if (inherits_ && count == 0) add(key, "list of tables", Json::array());
     // Where there are none, one shows what they hold.
     for (std::size_t i = 0; i < std::max(count, std::size_t{1}); ++i) {
       std::vector<ListedKey>& list = path_.empty() ? list_ : tables_;
@@ -158,6 +159,8 @@ class KeyLister final : public CaseVisitor {
     }
   }
 
+  [[nodiscard]] bool replaces(const Key& /*key*/) const override { return false; }
+
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override {
     KeyLister inner(list_);
     inner.path_ = path_of(key) + '.';
@@ -166,6 +169,7 @@ class KeyLister final : public CaseVisitor {
     inner.live_ = live_ && (given || key.presence == Presence::required);
     list_.push_back({path_of(key), key, {}, {}, inner.held_, inner.live_, false});
     if (inherits && !given) return;  // its keys are those of the other table
+    inner.inherits_ = inherits;
     describe(inner);
     list_.insert(list_.end(), inner.tables_.begin(), inner.tables_.end());
   }
@@ -174,6 +178,8 @@ class KeyLister final : public CaseVisitor {
   [[nodiscard]] std::string path_of(const Key& key) const { return path_ + std::string(key.name); }
 
   ListedKey& add(const Key& key, std::string kind, Json value, bool instead = false) {
+    // What is not given is that of the other table, so that a list without entries is to be given, too.
+    if (inherits_ && value.is_null() && kind.starts_with("list of")) value = Json::array();
     const bool there = !value.is_null();
     instead = instead || key.instead;
     return list_.emplace_back(ListedKey{path_of(key), key, std::move(kind), std::move(value), held_ && there,
@@ -185,6 +191,7 @@ class KeyLister final : public CaseVisitor {
   std::string path_{};
   bool held_{true};
   bool live_{true};
+  bool inherits_{};  ///< what is not given is that of another table
 };
 
 }  // namespace

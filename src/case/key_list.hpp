@@ -20,6 +20,7 @@ struct ListedKey {
   bool instead{};                ///< in place of another key, which is given
 
   [[nodiscard]] bool is_table() const { return kind.empty(); }
+  [[nodiscard]] bool is_of_list() const { return path.ends_with(']'); }
   [[nodiscard]] std::string table() const {
     return path.substr(0, path.size() - std::min(path.size(), key.name.size() + 1));
   }

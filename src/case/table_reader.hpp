@@ -30,6 +30,7 @@ class TableReader final : public CaseVisitor {
   bool file(const Key& key, std::string_view other, const std::function<void(const std::string&)>& read) override;
   void tables(const Key& key, std::size_t count,
               const std::function<void(CaseVisitor&, std::size_t)>& describe) override;
+  [[nodiscard]] bool replaces(const Key& key) const override { return has(key); }
   void table(const Key& key, bool given, const std::function<void(CaseVisitor&)>& describe) override;
 
   /// Reports every unknown key. Call this last.

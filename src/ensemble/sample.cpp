@@ -43,7 +43,7 @@ void draw_heights(const HeightScatter& heights, const BumpFoil& foil, DrawPlace 
 }
 
 /// Adds what was drawn to the heights of all bumps: each pad has a bump foil of its own then.
-void raise_bumps(Case& sampled, const std::vector<double>& deviations) {
+void raise_bumps(BearingDesign& sampled, const std::vector<double>& deviations) {
   auto next = deviations.begin();
   const auto raise = [&next](BumpFoil& foil) {
     foil.height_errors.resize(static_cast<std::size_t>(foil.bumps));
@@ -92,14 +92,27 @@ std::vector<double> factors_of(const Case& input, const Sample& sample) {
 }
 
 Case sampled_case(const Case& input, const Sample& sample) {
+  const auto deviate = [&](BearingDesign& design) {
+    if (!sample.height_deviations.empty()) raise_bumps(design, sample.height_deviations);
+    for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
+      scattered_numbers()[i].add(design, sample.deviations[i]);
+    }
+    if (const auto& waves = input.montecarlo->sleeve_waviness) {
+      design.bearing.sleeve.waves = {{waves->harmonic, waves->amplitude, sample.waviness_phase}};
+    }
+  };
   Case sampled = input;
   sampled.montecarlo.reset();
-  if (!sample.height_deviations.empty()) raise_bumps(sampled, sample.height_deviations);
-  for (std::size_t i = 0; i < sample.deviations.size(); ++i) {
-    scattered_numbers()[i].add(sampled, sample.deviations[i]);
-  }
-  if (const auto& waves = input.montecarlo->sleeve_waviness) {
-    sampled.bearing.sleeve.waves = {{waves->harmonic, waves->amplitude, sample.waviness_phase}};
+  deviate(sampled);
+  for (std::size_t i = 0; i < input.rotor_bearings.size(); ++i) {
+    Case alone = bearing_at(input, i);
+    deviate(alone);
+    RotorBearing& own = sampled.rotor_bearings[i];
+    own.bearing = alone.bearing;
+    own.bump_foil = alone.bump_foil;
+    own.top_foil = alone.top_foil;
+    own.pads = alone.pads;
+    own.friction = alone.friction;
   }
   return sampled;
 }

@@ -58,4 +58,15 @@ std::vector<std::string> case_warnings(const Case& input) {
   return warnings;
 }
 
+std::vector<std::string> rotor_case_warnings(const Case& input) {
+  if (input.rotor_bearings.empty()) return case_warnings(input);
+  std::vector<std::string> warnings = input.remarks;
+  for (std::size_t i = 0; i < input.rotor_bearings.size(); ++i) {
+    for (const std::string& warning : case_warnings(bearing_at(input, i))) {
+      warnings.push_back(fmt::format("bearing {}: {}", i + 1, warning));
+    }
+  }
+  return warnings;
+}
+
 }  // namespace bumpfoil

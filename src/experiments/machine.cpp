@@ -22,14 +22,20 @@ Machine make_machine(const Case& input, const std::vector<double>& speeds, const
   double highest = 0.0;
   for (const double speed : speeds) highest = std::max(highest, std::abs(speed));
   ReducedRotor reduced = rotor_of(settings, highest_whirl_ratio * highest);
-  const std::size_t count = reduced.rotor.bearings.size();
-  const auto bearing = std::make_shared<const FilmBearing>(make_film_bearing(input));
-  Machine machine{.bearings = std::vector<SharedFilmBearing>(count, bearing),
-                  .thickness_floors = std::vector<double>(count, thickness_floor(input)),
+  Machine machine{.bearings = {},
+                  .thickness_floors = {},
                   .rotor = std::move(reduced.rotor),
                   .reduction_error = reduced.frequency_error,
                   .loads = {}};
   machine.loads = weights_on_bearings(machine.rotor, settings.gravity_vector());
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < machine.rotor.bearings.size(); ++i) {
+    cases.push_back(bearing_at(input, i));
+    const auto alike = static_cast<std::size_t>(std::find(cases.begin(), cases.end(), cases.back()) - cases.begin());
+    machine.bearings.push_back(alike < i ? machine.bearings[alike]
+                                         : std::make_shared<const FilmBearing>(make_film_bearing(cases.back())));
+    machine.thickness_floors.push_back(thickness_floor(cases.back()));
+  }
   return machine;
 }
 

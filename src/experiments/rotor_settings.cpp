@@ -8,6 +8,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "bumpfoil/rotor/unbalance.hpp"
 #include "case/case_keys.hpp"
+#include "experiments/film/film_keys.hpp"
 #include "experiments/rotor_keys.hpp"
 
 namespace bumpfoil {
@@ -148,6 +149,19 @@ void describe(CaseVisitor& keys, RotorSettings& rotor) {
                  rotor.unbalances, [](CaseVisitor& inner, RotorUnbalance& one) { describe(inner, one); });
 }
 
+/// Bearings that differ from that of the case.
+void describe_bearings(CaseVisitor& keys, Case& input) {
+  list_of_tables(
+      keys,
+      {"bearing", Presence::optional, "Bearing of the rotor",
+       "one for each of the places in bearings, in their order: what it has otherwise than the tables of the "
+       "case; one that is like them is empty"},
+      input.rotor_bearings, [&input](CaseVisitor& inner, RotorBearing& own) {
+        describe_own_design(inner, input, own);
+        describe_own_film(inner, input, own);
+      });
+}
+
 /// Positive numbers that may be absent.
 bool judge_optional(Judge& judge, const std::string& key, const std::optional<double>& value, const Range& range) {
   return !value || judge.within(key, *value, range);
@@ -253,6 +267,20 @@ bool judge_kind(Judge& judge, const RotorSettings& rotor) {
   return right;
 }
 
+/// Bearings that differ: one for each place.
+void judge_own_bearings(Judge& judge, const RotorSettings& rotor, std::size_t count) {
+  if (count == 0) return;
+  if (!judge.require(rotor.tilts(), "rotor.bearing", "", "is of a rotor that does not tilt, on two equal bearings",
+                     "remove all [[rotor.bearing]], or give rotor.bearings and rotor.transverse_inertia")) {
+    return;
+  }
+  judge.require(
+      count == rotor.bearings.size(), "rotor.bearing", "",
+      fmt::format("is given {} times, for {} places in rotor.bearings", count, rotor.bearings.size()),
+      "give one [[rotor.bearing]] for each place, in their order; one that is like the bearing of the case is "
+      "empty");
+}
+
 }  // namespace
 
 ReducedRotor rotor_of(const RotorSettings& settings, double range) {
@@ -289,12 +317,17 @@ const RotorSettings& rotor_settings_of(const Case& input) {
 }
 
 void describe_rotor(CaseVisitor& keys, Case& input) {
-  settings_table<RotorSettings>(
-      keys,
+  const RotorSettings* const held = input.settings.find<RotorSettings>();
+  RotorSettings rotor = held == nullptr ? RotorSettings{} : *held;
+  keys.table(
       {"rotor", Presence::optional, "Rotor",
-       "that the bearing carries with an equal one: a mass; with bearings and inertias a rigid rotor that tilts; with "
-       "pieces of a shaft a flexible one"},
-      input.settings, describe);
+       "that the bearing carries with an equal one: a mass; with bearings and inertias a rigid rotor that tilts; "
+       "with pieces of a shaft a flexible one"},
+      held != nullptr, [&](CaseVisitor& inner) {
+        describe(inner, rotor);
+        input.settings.set(rotor);
+        describe_bearings(inner, input);
+      });
 }
 
 void judge_rotor(Judge& judge, const Case& input) {
@@ -318,6 +351,7 @@ void judge_rotor(Judge& judge, const Case& input) {
     right &= judge.finite(fmt::format("rotor.bearings[{}]", i + 1), rotor->bearings[i], "m");
   }
   right &= judge_kind(judge, *rotor);
+  judge_own_bearings(judge, *rotor, input.rotor_bearings.size());
   right &= judge_shaft(judge, *rotor);
   right &= judge_unbalances(judge, *rotor);
   if (!right || !gravity_right) return;

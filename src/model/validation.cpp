@@ -168,6 +168,7 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
     Case alone = input;
     static_cast<PadDesign&>(alone) = pad;
     alone.pads.clear();
+    alone.rotor_bearings.clear();
     alone.bearing.pad_gap.reset();
     std::vector<JudgedFault> more = find_faults_of_pad(alone, k, input.pads[k].lobe, known);
     faults.insert(faults.end(), more.begin(), more.end());
@@ -191,9 +192,8 @@ std::vector<JudgedFault> find_pad_faults(const Case& input, const std::vector<Ju
   return faults;
 }
 
-}  // namespace
-
-std::vector<JudgedFault> judge_case(const Case& input) {
+/// Those of the bearing of the case, and of what is to be run.
+std::vector<JudgedFault> judge_bearing_and_runs(const Case& input) {
   Judge judge;
   const BumpFoil& foil = input.bump_foil;
   const bool strip = std::any_of(case_tables().begin(), case_tables().end(),
@@ -223,6 +223,43 @@ std::vector<JudgedFault> judge_case(const Case& input) {
   std::vector<JudgedFault> faults = judge.take();
   if (!placed) return faults;
   std::vector<JudgedFault> more = find_pad_faults(input, faults);
+  faults.insert(faults.end(), more.begin(), more.end());
+  return faults;
+}
+
+/// Errors of the bearings of a rotor, other than those of the bearing of the case.
+std::vector<JudgedFault> find_rotor_bearing_faults(const Case& input, const std::vector<JudgedFault>& known) {
+  std::vector<JudgedFault> faults;
+  const auto is_known = [&known](const JudgedFault& found) {
+    return std::any_of(known.begin(), known.end(), [&found](const JudgedFault& one) {
+      return one.command == found.command && format_fault(one.fault) == format_fault(found.fault);
+    });
+  };
+  for (std::size_t i = 0; i < input.rotor_bearings.size(); ++i) {
+    const Case alone = bearing_at(input, i);
+    for (JudgedFault& found : judge_bearing_and_runs(alone)) {
+      if (is_known(found)) continue;
+      found.fault.key = fmt::format("rotor.bearing[{}].{}", i + 1, found.fault.key);
+      faults.push_back(std::move(found));
+    }
+    if (!input.montecarlo || !input.montecarlo->bump_height) continue;
+    // Heights are drawn for the bumps of the case, and every bearing has them.
+    const int bumps = total_bumps(alone);
+    if (bumps == total_bumps(input)) continue;
+    faults.push_back(
+        {"montecarlo",
+         {"", 0, fmt::format("rotor.bearing[{}].bump_foil.bumps", i + 1), "",
+          fmt::format("makes {} bumps, but heights are drawn for the {} of the case", bumps, total_bumps(input)),
+          "give all bearings as many bumps, or remove montecarlo.bump_height"}});
+  }
+  return faults;
+}
+
+}  // namespace
+
+std::vector<JudgedFault> judge_case(const Case& input) {
+  std::vector<JudgedFault> faults = judge_bearing_and_runs(input);
+  const std::vector<JudgedFault> more = find_rotor_bearing_faults(input, faults);
   faults.insert(faults.end(), more.begin(), more.end());
   return faults;
 }

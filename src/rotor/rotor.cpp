@@ -43,7 +43,8 @@ Eigen::MatrixXd bearing_motions(const Rotor& rotor) {
 }  // namespace
 
 double Rotor::total_mass() const {
-  return rigid.col(0).dot(mass * rigid.col(0));
+  const Eigen::VectorXd momentum = mass * rigid.col(0);
+  return rigid.col(0).dot(momentum);
 }
 
 Rotor make_point_mass(double mass) {

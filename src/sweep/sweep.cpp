@@ -44,7 +44,15 @@ const ListedKey* find_key(const std::vector<ListedKey>& keys, std::string_view p
   const auto like = std::find_if(keys.begin(), keys.end(), [name = without_counts(path)](const ListedKey& one) {
     return without_counts(one.path) == name;
   });
-  return like == keys.end() ? nullptr : &*like;
+  if (like != keys.end()) return &*like;
+  // A table that says what differs from another has its keys: "pad[2].bump_foil.height" is like "bump_foil.height".
+  for (const ListedKey& one : keys) {
+    const std::string begin = without_counts(one.path) + '.';
+    if (one.key.presence != Presence::inherited || !without_counts(path).starts_with(begin)) continue;
+    const std::string_view table = one.key.name;
+    return find_key(keys, fmt::format("{}.{}", table, without_counts(path).substr(begin.size())));
+  }
+  return nullptr;
 }
 
 /// The dimension of a value of a key that takes two.

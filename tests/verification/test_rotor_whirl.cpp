@@ -10,7 +10,11 @@
 #include <vector>
 
 #include "bumpfoil/bearing/critical_mass.hpp"
+#include "bumpfoil/case/case_reader.hpp"
+#include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/experiments/build.hpp"
+#include "bumpfoil/experiments/stability/stability.hpp"
+#include "bumpfoil/experiments/unbalance/unbalance.hpp"
 #include "bumpfoil/motion/branch.hpp"
 #include "bumpfoil/motion/response.hpp"
 #include "bumpfoil/motion/rest.hpp"
@@ -165,6 +169,37 @@ TEST(RotorWhirl, OfARigidRotorIsAsInThePrototype) {
     EXPECT_LT(std::abs(found->rate / std::abs(machine.speed) - expected), 1e-6);
     EXPECT_FALSE(found->is_of_foils());
     EXPECT_GT(found->direction, 0.0);  // in the sense of rotation, from Y to X here
+  }
+}
+
+/// The same through a case file, which says what the second bearing has otherwise.
+TEST(RotorWhirl, OfBearingsThatDifferIsThatOfTheirCase) {
+  const Case input =
+      parse_case(case_to_toml(film_reference_case({6, 8})), "two.toml",
+                 {.overrides = {"rotor.mass=2.2 kg", "rotor.transverse_inertia=9e-3 kg m2",
+                                "rotor.polar_inertia=1.1e-3 kg m2", "rotor.bearings=[\"-70 mm\", \"90 mm\"]",
+                                "rotor.gravity=[9.81, 0]", "rotor.bearing=[{}, {bearing={radial_clearance=\"28 um\"}}]",
+                                "rotor.unbalance=[{amount=1.5e-6, at=-0.02}, {amount=1e-6, at=0.05, phase=\"90 deg\"}]",
+                                "stability.speeds=[\"-10000 rpm\"]", "unbalance.speeds=[\"-10000 rpm\"]"},
+                  .commands = {"stability", "unbalance"}});
+  TwoBearings machine;
+  const StabilityResult result = run_stability(input);
+  ASSERT_TRUE(result.map.points.at(0).sliding.has_value());
+  const std::vector<Whirl>& whirls = result.map.points[0].sliding->whirls;
+  for (const Complex expected :
+       {Complex(-0.0856954523001663, 0.6047456469655614), Complex(-0.22673431550792483, 0.6758409745663876)}) {
+    double nearest = 1.0;
+    for (const Whirl& whirl : whirls) {
+      nearest = std::min(nearest, std::abs(whirl.rate / std::abs(machine.speed) - expected));
+    }
+    EXPECT_LT(nearest, 1e-7);
+  }
+  const UnbalanceResult response = run_unbalance(input);
+  ASSERT_TRUE(response.points.at(0).sliding.has_value());
+  const double expected_um[2][2] = {{1.0729805518445406, 0.8285877436613249}, {1.596114559649816, 1.5667038336540233}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Eigen::Vector2cd orbit = 1e6 * (response.machine.rotor.bearings[i].motion * *response.points[0].sliding);
+    for (const int axis : {0, 1}) EXPECT_NEAR(std::abs(orbit[axis]), expected_um[i][axis], 2e-6);
   }
 }
 

@@ -11,4 +11,7 @@ namespace bumpfoil {
 /// of its top foils.
 std::vector<std::string> case_warnings(const Case& input);
 
+/// The same of all bearings that carry the rotor.
+std::vector<std::string> rotor_case_warnings(const Case& input);
+
 }  // namespace bumpfoil

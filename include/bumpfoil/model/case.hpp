@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -207,6 +208,20 @@ struct EquilibriumSettings {
   bool operator==(const EquilibriumSettings&) const = default;
 };
 
+/// What a bearing that carries a rotor has otherwise than the bearing of the case: whole tables.
+struct RotorBearing {
+  std::optional<Bearing> bearing{};
+  std::optional<BumpFoil> bump_foil{};
+  std::optional<TopFoil> top_foil{};
+  std::vector<Pad> pads{};  ///< none: those of the case
+  std::optional<Friction> friction{};
+  std::optional<GasSettings> gas{};
+  std::optional<FilmSettings> film{};
+  std::optional<AsperitySettings> asperity{};
+
+  bool operator==(const RotorBearing&) const = default;
+};
+
 /// A case as the program understands it: a bearing and what is to be done to it. SI units, defaults filled in.
 struct Case : BearingDesign {
   std::string title;
@@ -218,7 +233,8 @@ struct Case : BearingDesign {
   FilmSettings film{};
   std::optional<AsperitySettings> asperity{};
   std::optional<EquilibriumSettings> equilibrium{};
-  SettingsByType settings{};  ///< of other experiments
+  SettingsByType settings{};                   ///< of other experiments
+  std::vector<RotorBearing> rotor_bearings{};  ///< one for each place of the rotor; none: all are that of the case
   std::optional<MonteCarloSettings> montecarlo{};
   /// Choices of the reader that the case file leaves open, in plain words: warnings of every result.
   std::vector<std::string> remarks{};
@@ -229,6 +245,10 @@ struct Case : BearingDesign {
 /// The first-generation bearing of [Arghir2019, Table 1] with friction coefficient 0.1, pushed to 2.5 clearances along
 /// +X, -X, +Y and -Y.
 Case reference_case();
+
+/// A bearing that carries the rotor, as a case with nothing to be done to it.
+/// @param place  of the rotor's bearings, from 0
+Case bearing_at(const Case& input, std::size_t place);
 
 /// The solver of an ensemble whose case names none: `events` for cycles of small displacements, which is several times
 /// faster, else `newton`.

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "bumpfoil/model/case_names.hpp"
 #include "bumpfoil/model/geometry.hpp"
 #include "bumpfoil/model/pads.hpp"
 #include "case/case_keys.hpp"
+#include "experiments/film/film_keys.hpp"
 #include "model/case_table.hpp"
 
 namespace bumpfoil {
@@ -198,6 +200,19 @@ void check_film(Judge& judge, const Case& input, const JudgedBumpFoil& foil) {
 }
 
 }  // namespace
+
+void describe_own_film(CaseVisitor& keys, const Case& common, RotorBearing& own) {
+  using enum Presence;
+  const auto own_part = [&keys](std::string_view name, std::string_view title, std::string_view text,
+                                const auto& members, auto& held) {
+    own_table(keys, {name, inherited, title, text}, members, held,
+              [](CaseVisitor& inner, auto& visited) { describe(inner, visited); });
+  };
+  own_part("gas", "Its gas", "any keys of [gas] that differ", common.gas, own.gas);
+  own_part("film", "Its film", "any keys of [film] that differ", common.film, own.film);
+  own_part("asperity", "Its mixed contact", "any keys of [asperity] that differ",
+           common.asperity.value_or(AsperitySettings{}), own.asperity);
+}
 
 CaseTable film_settings() {
   return {.experiment = "film", .needs = "equilibrium", .describe = describe_film, .check = check_film};

@@ -313,7 +313,7 @@ std::vector<std::string> failure_lines(const StabilityResult& result) {
 }
 
 std::vector<std::string> warning_lines(const Case& input, const StabilityResult& result) {
-  std::vector<std::string> lines = case_warnings(input);
+  std::vector<std::string> lines = rotor_case_warnings(input);
   std::size_t fluttering = 0;
   std::size_t unknown = 0;
   const SpeedPoint* first = nullptr;

@@ -216,7 +216,7 @@ std::vector<std::string> failure_lines(const UnbalanceResult& result) {
 }
 
 std::vector<std::string> warning_lines(const Case& input, const UnbalanceResult& result) {
-  std::vector<std::string> lines = case_warnings(input);
+  std::vector<std::string> lines = rotor_case_warnings(input);
   std::size_t large = 0;
   std::size_t unknown = 0;
   std::size_t orbits = 0;

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 
 #include "bumpfoil/case/case_writer.hpp"
 #include "bumpfoil/core/error.hpp"
+#include "bumpfoil/experiments/rotor_settings.hpp"
 #include "support/case_texts.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/wrong_cases.hpp"
@@ -517,6 +519,100 @@ TEST(ParseCase, ReadsPads) {
   top.thickness = 0.15e-3;
   EXPECT_EQ(input.pads[2].top_foil, top);
   EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
+}
+
+TEST(ParseCase, ReadsBearingsOfARotor) {
+  const std::vector<std::string> rotor{
+      "rotor.mass=2 kg", "rotor.transverse_inertia=9e-3 kg m2", "rotor.bearings=[-0.07, 0.09]",
+      "bump_foil.shim=[{from=1, to=2, thickness=1e-6}, {from=5, to=6, thickness=1e-6}]"};
+  const auto on = [&rotor](const std::string& bearings) {
+    std::vector<std::string> overrides = rotor;
+    overrides.push_back("rotor.bearing=" + bearings);
+    return overrides;
+  };
+  EXPECT_TRUE(with(rotor).rotor_bearings.empty());
+  const Case input = with(on(R"([{}, {bearing={diameter="40 mm"}, friction={top_bump=0.3}, film={rows=9}, )"
+                             R"(bump_foil={shim={from=3, to=4, thickness="2 um"}}, )"
+                             R"(asperity={sigma="0.2 um", friction=0.1, pressure_factor=1e8}}])"));
+  ASSERT_EQ(input.rotor_bearings.size(), 2U);
+  EXPECT_EQ(input.rotor_bearings[0], RotorBearing{});
+  const Case first = bearing_at(input, 0);
+  EXPECT_EQ(static_cast<const BearingDesign&>(first), static_cast<const BearingDesign&>(input));
+  EXPECT_FALSE(first.settings.find<RotorSettings>() != nullptr || first.asperity.has_value());
+  // What is not said is that of the case; lists are replaced as a whole.
+  const Case second = bearing_at(input, 1);
+  Bearing bearing = input.bearing;
+  bearing.radius = 20e-3;
+  EXPECT_EQ(second.bearing, bearing);
+  EXPECT_EQ(second.friction, (Friction{.top_bump = 0.3, .bump_sleeve = input.friction.bump_sleeve}));
+  BumpFoil foil = input.bump_foil;
+  foil.shims = {{3, 4, 2e-6}};
+  EXPECT_EQ(second.bump_foil, foil);
+  EXPECT_EQ(second.top_foil, input.top_foil);
+  EXPECT_EQ(second.film.rows, 9);
+  EXPECT_EQ(second.film.columns_per_pitch, input.film.columns_per_pitch);
+  EXPECT_DOUBLE_EQ(second.asperity->sigma, 0.2e-6);
+  EXPECT_EQ(parse_case(case_to_toml(input), "written"), input);
+  expect_in(case_to_json(input), "\"bearing\": [\n      {},\n");
+  // Pads replace those of the case, and have the foils of their bearing.
+  const Case padded = with(on("[{pad=[{bump_foil={height=0.5e-3}}], bump_foil={bumps=7, shim=[]}}, {}]"));
+  EXPECT_EQ(bearing_at(padded, 0).pads.at(0).bump_foil->bumps, 7);
+  EXPECT_TRUE(bearing_at(padded, 1).pads.empty());
+  EXPECT_EQ(parse_case(case_to_toml(padded), "written"), padded);
+
+  const auto refused = [&](const std::string& bearings) { return refusal(on(bearings)); };
+  expect_in(refused("[{}]"), "rotor.bearing: is given 1 times, for 2 places in rotor.bearings");
+  expect_in(refused("[{}, {rotor={mass=1}}]"), "rotor.bearing[2].rotor: unknown table");
+  expect_in(refused("[{}, {montecarlo={samples=1}}]"), "rotor.bearing[2].montecarlo: unknown table");
+  expect_in(refused("[{}, {bearing={clearance=1e-6}}]"), "did you mean \"bearing.radial_clearance\"?");
+  expect_in(refused("[{}, {friction={coefficient=2}}]"), "rotor.bearing[2].friction.coefficient = 2: is unphysical");
+  // Dimensions that only together are wrong.
+  expect_in(refused("[{bearing={radius=\"10 mm\"}}, {}]"),
+            "rotor.bearing[1].bump_foil.bumps = 26: the foil would overlap itself");
+  expect_in(refusal({"rotor.mass=2 kg", "rotor.bearing=[{}, {}]"}), "rotor.bearing: is of a rotor that does not tilt");
+}
+
+TEST(ParseCase, SaysWhereABearingOfARotorIsWrong) {
+  const std::string before = whole_case();
+  const std::string text = before + R"(
+[rotor]
+mass = "2 kg"
+transverse_inertia = "9e-3 kg m2"
+bearings = ["-70 mm", "90 mm"]
+
+[[rotor.bearing]]
+[[rotor.bearing]]
+bearing = { radial_clearance = "28 um" }
+top_foil = { thickness = "9 mm" }
+)";
+  try {
+    static_cast<void>(parse_case(text, "two.toml"));
+    FAIL();
+  } catch (const Error& error) {
+    ASSERT_EQ(error.faults().size(), 1U) << error.what();
+    EXPECT_EQ(error.faults()[0].key, "rotor.bearing[2].top_foil.thickness");
+    EXPECT_EQ(error.faults()[0].line, 10U + std::count(before.begin(), before.end(), '\n'));
+    EXPECT_EQ(error.faults()[0].file, "two.toml");
+  }
+}
+
+/// Bumps that make no truss are frames in all bearings of a rotor.
+TEST(ParseCase, TakesAFrameForABearingOfARotor) {
+  const std::string text =
+      cut(cut(whole_case(), "model = \"truss\"\n"), "[bump_foil.truss]\nk1 = \"150 MN/m\"\ntheta_d = \"15.83 deg\"\n");
+  const auto parse = [&text](const std::string& model) {
+    return parse_case(
+        text, "case.toml",
+        {.overrides = {"rotor.mass=2 kg", "rotor.transverse_inertia=9e-3 kg m2", "rotor.bearings=[-0.07, 0.09]",
+                       "rotor.bearing=[{}, {bump_foil={pitch=4.6e-3, length=3.2e-3, height=0.55e-3" + model + "}}]"},
+         .commands = {"cycle"}});
+  };
+  const Case framed = parse("");
+  EXPECT_EQ(framed.bump_foil.model, BumpFoilModel::frame);
+  EXPECT_EQ(framed.rotor_bearings[1].bump_foil->model, BumpFoilModel::frame);
+  ASSERT_EQ(framed.remarks.size(), 1U);
+  expect_in(framed.remarks.front(), "rotor.bearing[2].bump_foil");
+  EXPECT_THROW(parse(", model=\"truss\""), Error);
 }
 
 TEST(ParseCase, ReadsHowTopFoilsAreFormed) {

@@ -235,7 +235,8 @@ TEST(CaseTemplate, WhatItCommentsOutIsRightToo) {
     const std::string line = text.substr(at + 3, text.find('\n', at + 1) - at - 3);
     if (line.starts_with('[')) {
       in_pad = line.starts_with("[[pad") || line.starts_with("[pad") || line.starts_with("[[rotor.shaft") ||
-               line.starts_with("[[rotor.disk");
+               line.starts_with("[[rotor.disk") || line.starts_with("[[rotor.bearing") ||
+               line.starts_with("[rotor.bearing");
     }
     const bool contradicts = in_pad || line.starts_with("pad_gap") || line.starts_with("height_errors") ||
                              line.find("_profile_file") < line.find(' ') || line.starts_with("sleeve_gaps") ||

@@ -38,6 +38,25 @@ TEST(Sample, DependsOnSeedAndNumberAlone) {
   EXPECT_NE(seventh.height_deviations, draw_sample(other, 7).height_deviations);
 }
 
+/// A rotor that is drawn has the same deviations in all of its bearings, each from what it is.
+TEST(Sample, DeviatesEveryBearingOfARotor) {
+  Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres},
+                              .radial_clearance = Distribution{.sigma = 1e-6},
+                              .sleeve_waviness = WavinessScatter{3, 5e-6}});
+  input.rotor_bearings.resize(2);
+  input.rotor_bearings[1].bearing = input.bearing;
+  input.rotor_bearings[1].bearing->radial_clearance = 20e-6;
+  const Case drawn = sampled_case(input, draw_sample(input, 3));
+  const Case first = bearing_at(drawn, 0);
+  const Case second = bearing_at(drawn, 1);
+  EXPECT_EQ(static_cast<const BearingDesign&>(first), static_cast<const BearingDesign&>(drawn));
+  EXPECT_EQ(first.bump_foil, second.bump_foil);
+  EXPECT_EQ(second.bump_foil.height_errors.size(), 26U);
+  EXPECT_NEAR(second.bearing.radial_clearance - 20e-6, drawn.bearing.radial_clearance - 31.8e-6, 1e-18);
+  EXPECT_EQ(second.bearing.sleeve, first.bearing.sleeve);
+  EXPECT_FALSE(second.bearing.sleeve.waves.empty());
+}
+
 TEST(Sample, DrawsEveryBumpOfEveryPad) {
   Case input = ensemble_case({.bump_height = HeightScatter{ten_micrometres},
                               .bump_foil_thickness = Distribution{.sigma = 1e-6},

@@ -10,6 +10,7 @@
 #include "bumpfoil/core/error.hpp"
 #include "support/bearing_cases.hpp"
 #include "support/faulty_keys.hpp"
+#include "support/film_bearing_cases.hpp"
 
 namespace bumpfoil {
 namespace {
@@ -87,6 +88,31 @@ TEST(RotorSettings, GoThroughACaseFile) {
     ASSERT_NE(read.settings.find<RotorSettings>(), nullptr);
     EXPECT_EQ(*read.settings.find<RotorSettings>(), rotor);
   }
+}
+
+TEST(MakeMachine, HasABearingForEachPlace) {
+  Case input = film_rotor_case({4, 4});
+  const Machine equal = make_machine(input, {100.0}, "stability");
+  EXPECT_EQ(equal.bearings.size(), 1U);  // of half a rotor
+  input.settings.set(rigid);
+  const Machine alike = make_machine(input, {100.0}, "stability");
+  ASSERT_EQ(alike.bearings.size(), 2U);
+  EXPECT_EQ(alike.bearings[0], alike.bearings[1]);  // is made once
+  input.rotor_bearings.resize(2);
+  input.rotor_bearings[1].bearing = input.bearing;
+  EXPECT_EQ(make_machine(input, {100.0}, "stability").bearings.size(), 2U);
+  input.rotor_bearings[1].bearing->radial_clearance = 20e-6;
+  input.rotor_bearings[1].film = input.film;
+  input.rotor_bearings[1].film->h_floor = 1e-6;
+  const Machine machine = make_machine(input, {100.0}, "stability");
+  EXPECT_DOUBLE_EQ(machine.bearings[0]->clearance, 31.8e-6);
+  EXPECT_DOUBLE_EQ(machine.bearings[1]->clearance, 20e-6);
+  EXPECT_EQ(machine.thickness_floors, (std::vector<double>{0.1e-6, 1e-6}));
+  // Film thicknesses are in units of the clearance of their bearing.
+  BearingState state;
+  state.film.thickness = Matrix::Ones(2, 2);
+  EXPECT_DOUBLE_EQ(machine.thinnest_film(1, state), machine.bearings[1]->scales.thickness);
+  EXPECT_DOUBLE_EQ(machine.thinnest_film({state, state}), machine.bearings[1]->scales.thickness);
 }
 
 TEST(RotorSettingsOf, WantsATable) {

@@ -62,6 +62,24 @@ TEST(Sweep, TablesOfAListAreCounted) {
   EXPECT_EQ(sweep.cases[1].bump_foil.shims, (std::vector<Shim>{{1, 2, 1e-6}, {5, 6, 10e-6}}));
 }
 
+/// Keys of tables that say what differs from others.
+TEST(Sweep, GoesOverKeysOfPadsAndOfBearingsOfARotor) {
+  const Words rotor{"rotor.mass=2 kg", "rotor.transverse_inertia=9e-3 kg m2", "rotor.bearings=[-0.07, 0.09]",
+                    "rotor.bearing=[{}, {}]", "stability.speeds=[\"12000 rpm\"]"};
+  const Sweep sweep = sweep_over({"rotor.bearing[2].bearing.radial_clearance=[28 um, 30 um]"}, rotor, "stability");
+  ASSERT_EQ(sweep.axes.size(), 1U);
+  EXPECT_EQ(sweep.axes[0].name, "rotor_bearing_2_bearing_radial_clearance");
+  EXPECT_EQ(sweep.axes[0].unit, "m");
+  EXPECT_EQ(sweep.axes[0].title, "Bearing: Radial clearance");
+  EXPECT_EQ(sweep.axes[0].values, (std::vector<double>{28e-6, 30e-6}));
+  EXPECT_EQ(bearing_at(sweep.cases[0], 0).bearing.radial_clearance, 31.8e-6);
+  EXPECT_EQ(bearing_at(sweep.cases[0], 1).bearing.radial_clearance, 28e-6);
+  const Sweep pads = sweep_over({"pad[2].bump_foil.height=[0.5 mm, 0.51 mm]"}, {"bump_foil.bumps=7", "pad=[{}, {}]"});
+  EXPECT_EQ(pads.cases[1].pads[1].bump_foil->height.at(0, 7), 0.51e-3);
+  EXPECT_EQ(faults_of({"rotor.bearing[2].bearing.clearance=[28 um, 30 um]"}, rotor, "stability").at(0).what,
+            "unknown key");
+}
+
 TEST(Sweep, WholeNumbersAndAnglesAreSwept) {
   EXPECT_EQ(sweep_over({"cycle.steps=[5, 10]"}).cases[1].cycle.steps, 10);
   const Sweep turned = sweep_over({"bearing.weld_angle=0 deg:180 deg:90 deg"});
